@@ -1,0 +1,23 @@
+// Angles in radians, normalised to (-pi, pi].
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace reorient {
+
+inline constexpr double kPi = std::numbers::pi;
+
+constexpr double from_degrees(double degrees) { return degrees * (kPi / 180.0); }
+constexpr double to_degrees(double radians) { return radians * (180.0 / kPi); }
+
+/// The same direction in (-pi, pi].
+inline double normalize_angle(double angle) {
+  const double turned = std::remainder(angle, 2.0 * kPi);  // in [-pi, pi]
+  return turned <= -kPi ? kPi : turned;
+}
+
+/// The shortest turn that leads from `from` to `to`, in (-pi, pi].
+inline double angle_difference(double to, double from) { return normalize_angle(to - from); }
+
+}  // namespace reorient

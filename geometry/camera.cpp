@@ -1,0 +1,70 @@
+#include "geometry/camera.h"
+
+#include <cmath>
+
+namespace reorient {
+namespace {
+
+double distortion(const CameraModel& camera, double r2) { return 1.0 + r2 * (camera.k1 + r2 * camera.k2); }
+
+/// Derivative of the distorted radius; where it is not positive, two directions would share a pixel.
+double distortion_slope(const CameraModel& camera, double r2) {
+  return 1.0 + r2 * (3.0 * camera.k1 + 5.0 * r2 * camera.k2);
+}
+
+}  // namespace
+
+CameraModel CameraModel::from_fields_of_view(int width, int height, double horizontal, double vertical) {
+  CameraModel camera;
+  camera.width = width;
+  camera.height = height;
+  camera.focal = {0.5 * width / std::tan(0.5 * horizontal), 0.5 * height / std::tan(0.5 * vertical)};
+  camera.center = {0.5 * width - 0.5, 0.5 * height - 0.5};
+  return camera;
+}
+
+CameraModel CameraModel::scaled_to(int new_width, int new_height) const {
+  const Eigen::Vector2d scale(static_cast<double>(new_width) / width, static_cast<double>(new_height) / height);
+  const Eigen::Vector2d half(0.5, 0.5);
+  CameraModel scaled = *this;
+  scaled.width = new_width;
+  scaled.height = new_height;
+  scaled.focal = focal.cwiseProduct(scale);
+  scaled.center = (center + half).cwiseProduct(scale) - half;
+  return scaled;
+}
+
+std::optional<Eigen::Vector2d> CameraModel::project(const Eigen::Vector3d& point_in_camera) const {
+  constexpr double kNearest = 1e-6;  // m in front of the camera
+  if (point_in_camera.x() < kNearest) return std::nullopt;
+  const Eigen::Vector2d ideal(-point_in_camera.y() / point_in_camera.x(), -point_in_camera.z() / point_in_camera.x());
+  const double r2 = ideal.squaredNorm();
+  if (distortion_slope(*this, r2) <= 0.0) return std::nullopt;
+  return center + focal.cwiseProduct(ideal * distortion(*this, r2));
+}
+
+Eigen::Vector3d CameraModel::ray(const Eigen::Vector2d& pixel) const {
+  const Eigen::Vector2d distorted = (pixel - center).cwiseQuotient(focal);
+  const double distorted_radius = distorted.norm();
+  double radius = distorted_radius;
+  if (k1 != 0.0 || k2 != 0.0) {
+    constexpr int kIterations = 8;  // Newton's method; 4 suffice for the distortions of real NAO cameras
+    for (int i = 0; i < kIterations; ++i) {
+      const double r2 = radius * radius;
+      const double slope = distortion_slope(*this, r2);
+      if (slope <= 0.1) break;
+      radius -= (radius * distortion(*this, r2) - distorted_radius) / slope;
+    }
+  }
+  const Eigen::Vector2d ideal =
+      distorted_radius > 0.0 ? Eigen::Vector2d(distorted * (radius / distorted_radius)) : Eigen::Vector2d::Zero();
+  return {1.0, -ideal.x(), -ideal.y()};
+}
+
+double CameraModel::horizontal_field_of_view() const {
+  const Eigen::Vector3d left = ray({-0.5, center.y()});
+  const Eigen::Vector3d right = ray({width - 0.5, center.y()});
+  return std::atan2(left.y(), left.x()) - std::atan2(right.y(), right.x());
+}
+
+}  // namespace reorient

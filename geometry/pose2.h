@@ -1,0 +1,38 @@
+// Poses on the ground: metres, radians; x forward, y left; the field's origin is its centre.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "geometry/angle.h"
+
+namespace reorient {
+
+/// A rigid motion of the plane. As a transform, `field_from_robot * point_in_robot = point_in_field`.
+struct Pose2 {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
+  double rotation = 0.0;                               ///< rad, in (-pi, pi]
+
+  Pose2() = default;
+  Pose2(double x, double y, double angle) : position(x, y), rotation(normalize_angle(angle)) {}
+  Pose2(const Eigen::Vector2d& where, double angle) : position(where), rotation(normalize_angle(angle)) {}
+
+  Eigen::Vector2d operator*(const Eigen::Vector2d& point) const {
+    return position + Eigen::Rotation2Dd(rotation) * point;
+  }
+  Pose2 operator*(const Pose2& next) const { return {*this * next.position, rotation + next.rotation}; }
+  Pose2 inverse() const { return {Eigen::Rotation2Dd(-rotation) * -position, -rotation}; }
+};
+
+/// The pose that looks the same on a field that is symmetric through its centre: (x, y, a) -> (-x, -y, a + pi).
+inline Pose2 reflect(const Pose2& pose) { return {-pose.position, pose.rotation + kPi}; }
+
+/// The pose as a rigid motion of space that leaves heights as they are.
+inline Eigen::Isometry3d to_isometry(const Pose2& pose) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.translation().head<2>() = pose.position;
+  result.linear() = Eigen::AngleAxisd(pose.rotation, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return result;
+}
+
+}  // namespace reorient
