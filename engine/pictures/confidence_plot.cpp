@@ -184,7 +184,7 @@ void draw_commands(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& p
     for (std::size_t lane = 0; lane < lane_ends.size(); ++lane) {
       if (center - half < lane_ends[lane] + 12.0) continue;
       lane_ends[lane] = center + half;
-      const double baseline = kTop - 12.0 - 24.0 * static_cast<double>(lane);
+      const double baseline = kTop - 12.0 - 27.0 * static_cast<double>(lane);
       canvas.text({center, baseline}, label, style);
       line_top = baseline + 6.0;
       break;

@@ -38,7 +38,8 @@ void draw_histogram(Canvas& canvas, const HistogramBars& bars, const ChartPlace&
     if (up > 0.0) draw_bar(canvas, place, bin, up, bin_color(bin));  // false for NaN
     if (down > 0.0) draw_bar(canvas, place, bin, -down, bin_color(bin));
   }
-  const Pixel base[] = {place(0.0, 0.0), place(0.5, 0.0), place(1.0, 0.0)};
+  std::array<Pixel, kHistogramBins + 1> base;  // it may be bent
+  for (std::size_t i = 0; i < base.size(); ++i) base[i] = place(static_cast<double>(i) / kHistogramBins, 0.0);
   canvas.polyline(base, palette::faint_ink, 0.5);
 }
 
@@ -71,7 +72,7 @@ void draw_bin_legend(Canvas& canvas, const Pixel& top_left) {
   canvas.text(top_left + Pixel(kSquare / 2.0, 2.0 * kSquare + 20.0), "gray", small);
   TextStyle axes = small;
   axes.align = Align::left;
-  canvas.text(top_left + Pixel(0.0, 2.0 * kSquare + 44.0), "in each square: Cb right, Cr up", axes);
+  canvas.text(top_left + Pixel(0.0, 2.0 * kSquare + 44.0), "squares: Cb right, Cr up", axes);
 }
 
 }  // namespace reorient

@@ -41,7 +41,7 @@ class Rings {
 
   void plate(const WallTile& tile, Color color) const {
     const double foot = inner_ + tile.row * depth_;
-    const double seam = 0.06 * (tile.to - tile.from);
+    const double seam = std::min(0.06 * (tile.to - tile.from), 4.0 / foot);
     canvas_.fill(ring_sector(center_, foot + 1.0, foot + depth_ - 1.5, tile.from + seam / 2.0, tile.to - seam / 2.0),
                  color);
   }
@@ -177,15 +177,16 @@ std::vector<LegendEntry> entries(const WorldView& world) {
 }
 
 void draw_chart_legend(Canvas& canvas) {
-  const double left = 1196.0;
-  const double top = 962.0;
+  const double left = 1226.0;
+  const double top = 988.0;
   canvas.text({left, top}, "Colour histograms", {.size = 21.0, .bold = true});
   draw_bin_legend(canvas, {left, top + 18.0});
   const TextStyle small{.size = 16.0, .color = palette::faint_ink};
-  char scale[64];
-  std::snprintf(scale, sizeof scale, "a full bar: %.0f %% of the pixels", 100.0 * kFullShare);
-  canvas.text({left, top + 138.0}, scale, small);
-  canvas.text({left, top + 160.0}, "inward, 4x: standard deviation", small);
+  char words[64];
+  std::snprintf(words, sizeof words, "share outward, full %.0f %%", 100.0 * kFullShare);
+  canvas.text({left, top + 138.0}, words, small);
+  std::snprintf(words, sizeof words, "deviation inward, full %.1f %%", 25.0 * kFullShare);
+  canvas.text({left, top + 160.0}, words, small);
   canvas.text({left, top + 182.0}, "outside of the wall: seen now", small);
 }
 
@@ -214,7 +215,7 @@ Picture draw_world_view(const WorldView& world) {
   std::snprintf(time, sizeof time, "at %.1f s", world.time);
   const TextStyle plain{.size = 20.0, .color = palette::faint_ink};
   canvas.text({36.0, 92.0}, time, plain);
-  canvas.text({36.0, 120.0}, shortened(world.note, 420.0, plain), plain);
+  canvas.text({36.0, 120.0}, shortened(world.note, 380.0, plain), plain);
   const std::vector<LegendEntry> list = entries(world);
   draw_legend_column(canvas, {36.0, kHeight - 40.0 - 30.0 * static_cast<double>(list.size())}, list);
   draw_chart_legend(canvas);

@@ -83,6 +83,26 @@ TEST(WorldView, marks_the_current_view_and_its_opposite) {
   EXPECT_LT(to_the_left(picture, {212, 222, 241}), 20);  // a few soft edges
 }
 
+TEST(WorldView, keeps_tiles_clear_of_title_and_legends) {
+  WorldView world;
+  world.note = std::string(500, 'w');
+  world.truth = world.belief = Pose2();
+  world.pose_particles = {Pose2()};
+  world.view_particles = {0.0};
+  world.view_clusters = {{0.0, 0.1}};
+  world.view_azimuth = 0.0;
+  const Picture without = draw_world_view(world);
+  for (int row = 0; row < 3; ++row)
+    for (int i = 0; i < 32; ++i) world.perceived.push_back(tile(i * kPi / 16.0, row, 0));
+  const Picture with = draw_world_view(world);
+  int overlaps = 0;  // pixels that the tiles changed though something stood there
+  for (int y = 0; y < with.height; ++y)
+    for (int x = 0; x < with.width; ++x)
+      if (std::hypot(x - 750.0, y - 600.0) > 480.0 && without.at(x, y) != palette::page)
+        overlaps += with.at(x, y) == without.at(x, y) ? 0 : 1;
+  EXPECT_EQ(overlaps, 0);
+}
+
 TEST(WorldView, draws_a_world_of_which_nothing_is_known) {
   const Picture picture = draw_world_view({});
   EXPECT_EQ(picture.width, 1500);
