@@ -84,7 +84,8 @@ LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& 
   int subsampling = 0;
   int colors = 0;
   const auto size = static_cast<unsigned long>(bytes.size());
-  if (tjDecompressHeader3(decoder.get(), bytes.data(), size, &width, &height, &subsampling, &colors) != 0) {
+  if (tjDecompressHeader3(decoder.get(), bytes.data(), size, &width, &height, &subsampling, &colors) != 0 ||
+      width <= 0) {
     fail(name, std::string("is not a readable JPEG (") + tjGetErrorStr2(decoder.get()) + "): export it again");
   }
   check_panorama_size(width, height, name);
