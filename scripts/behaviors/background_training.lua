@@ -11,7 +11,7 @@ local p = param {
   proof    = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last" },
 }
 
--- Once the robot was lifted, nobody vouches for the pose that it was started with.
+-- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
 local memory = keep { was_lifted = false }
 
 local function is_disturbed() return robot.fallen or robot.carried or robot.penalized end
@@ -63,7 +63,7 @@ behavior "background_training" {
       command.pause_evaluation()
     end,
     update = function()
-      if robot.carried then memory.was_lifted = true end
+      if robot.carried and training.seconds > 0 then memory.was_lifted = true end
     end,
     { "waiting", when = function() return not is_disturbed() end, lasting = 0.3, because = "the robot stands on the field again" },
   },

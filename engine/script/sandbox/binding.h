@@ -94,4 +94,25 @@ struct Bound<Method> {
   }
 };
 
+/// A member function that reads its arguments from the stack itself.
+template <auto Method>
+struct RawBound;
+
+template <typename Self, int (Self::*Method)(lua_State*)>
+struct RawBound<Method> {
+  static int call(lua_State* L) {
+    Self& self = *static_cast<Self*>(lua_touserdata(L, lua_upvalueindex(1)));
+    int results = -1;
+    try {
+      results = (self.*Method)(L);
+    } catch (const std::exception& error) {
+      luaL_where(L, 1);
+      lua_pushstring(L, error.what());
+    }
+    if (results >= 0) return results;
+    lua_concat(L, 2);
+    return lua_error(L);
+  }
+};
+
 }  // namespace reorient::lua
