@@ -1,0 +1,214 @@
+#include "robots/simulator/body/body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/angle.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kLyingHipHeight = 0.09;  // m
+constexpr double kStandingLoad = 5.3;     // kg
+
+double finite(double value) { return std::isfinite(value) ? value : 0.0; }
+
+double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
+
+/// From 0 to 1, with a soft start and end.
+double ease(double share) {
+  const double s = std::clamp(share, 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+}  // namespace
+
+Body::Body(const BodyParameters& parameters, const RobotDimensions& dimensions, const Pose2& start, std::uint64_t seed)
+    : parameters_(parameters),
+      dimensions_(dimensions),
+      random_(seed, 0xb0d7),
+      pose_(start),
+      hip_height_(dimensions.hip_height) {
+  const double scale = parameters_.odometry_scale_error;
+  odometry_scale_ = {1.0 + scale * random_.normal(), 1.0 + scale * random_.normal(), 1.0 + scale * random_.normal()};
+  odometry_drift_ = parameters_.odometry_turn_bias * random_.normal();
+  attitude_bias_ = {parameters_.attitude_bias * random_.normal(), parameters_.attitude_bias * random_.normal()};
+}
+
+void Body::advance(double time_step, const Request& request, std::span<const Barrier> barriers,
+                   const Eigen::Vector2d& bounds) {
+  since_ += time_step;
+  move_head(time_step, request);
+  walk(time_step, request);
+  balance(time_step, request.get_up);
+  if (posture_ != Posture::carried) collide(barriers, bounds);
+}
+
+void Body::pick_up() {
+  if (posture_ == Posture::carried) return;
+  posture_ = Posture::carried;
+  since_ = 0.0;
+  velocity_ = {};
+}
+
+void Body::put_down(const Pose2& where) {
+  posture_ = Posture::upright;
+  since_ = 0.0;
+  pose_ = where;
+  velocity_ = {};
+  torso_ = {};
+  effort_ = 0.0;
+  hip_height_ = dimensions_.hip_height;
+}
+
+void Body::push_over() {
+  if (posture_ != Posture::upright) return;
+  posture_ = Posture::falling;
+  since_ = 0.0;
+  velocity_ = {};
+  // On its face, on its back, or now and then on a side.
+  constexpr double kDown = 1.52;
+  const double way = random_.uniform();
+  if (way < 0.4) {
+    lying_ = {0.0, kDown};
+  } else if (way < 0.8) {
+    lying_ = {0.0, -kDown};
+  } else {
+    lying_ = {way < 0.9 ? kDown : -kDown, 0.0};
+  }
+}
+
+void Body::move_head(double time_step, const Request& request) {
+  if (!request.head) return;
+  const double wanted_speed = finite(request.head->speed);
+  const double most = std::clamp(wanted_speed, 0.0, parameters_.head_speed_limit) * time_step;
+  const HeadAngles wanted = clamp_to_reach({finite(request.head->angles.yaw), finite(request.head->angles.pitch)});
+  head_ = clamp_to_reach({toward(head_.yaw, wanted.yaw, most), toward(head_.pitch, wanted.pitch, most)});
+}
+
+void Body::walk(double time_step, const Request& request) {
+  if (posture_ != Posture::upright) return;
+  WalkVelocity wanted;
+  if (!penalized_) {
+    wanted.forward = std::clamp(finite(request.walk.forward), -parameters_.forward_limit, parameters_.forward_limit);
+    wanted.left = std::clamp(finite(request.walk.left), -parameters_.left_limit, parameters_.left_limit);
+    wanted.turn = std::clamp(finite(request.walk.turn), -parameters_.turn_limit, parameters_.turn_limit);
+  }
+  velocity_.forward = toward(velocity_.forward, wanted.forward, parameters_.acceleration * time_step);
+  velocity_.left = toward(velocity_.left, wanted.left, parameters_.acceleration * time_step);
+  velocity_.turn = toward(velocity_.turn, wanted.turn, parameters_.turn_acceleration * time_step);
+
+  // Along the arc: half of the turn before the way, half after it.
+  const double turn = velocity_.turn * time_step;
+  const Eigen::Vector2d way =
+      Eigen::Rotation2Dd(0.5 * turn) * Eigen::Vector2d(velocity_.forward * time_step, velocity_.left * time_step);
+  const Pose2 step(way, turn);
+  pose_ = pose_ * step;
+  dead_reckon(step);
+
+  const auto share = [](double speed, double limit) { return limit > 0.0 ? std::abs(speed) / limit : 0.0; };
+  const double effort =
+      std::clamp(share(velocity_.forward, parameters_.forward_limit) + share(velocity_.left, parameters_.left_limit) +
+                     share(velocity_.turn, parameters_.turn_limit),
+                 0.0, 1.0);
+  effort_ = toward(effort_, effort, 3.0 * time_step);
+  gait_ = effort_ > 0.0 ? std::fmod(gait_ + 2.0 * kPi * parameters_.step_frequency * time_step, 2.0 * kPi) : 0.0;
+}
+
+void Body::dead_reckon(const Pose2& step) {
+  const double distance = step.position.norm();
+  const double turn = std::abs(step.rotation);
+  if (distance == 0.0 && turn == 0.0) return;
+  const double spread = parameters_.odometry_noise * std::sqrt(distance + 0.05 * turn);
+  const double spread_turn = parameters_.odometry_noise * std::sqrt(turn + 0.5 * distance);
+  odometry_ = odometry_ *
+              Pose2(step.position.x() * odometry_scale_.x() + spread * random_.normal(),
+                    step.position.y() * odometry_scale_.y() + spread * random_.normal(),
+                    step.rotation * odometry_scale_.z() + odometry_drift_ * distance + spread_turn * random_.normal());
+}
+
+void Body::balance(double time_step, bool get_up) {
+  const double stand = dimensions_.hip_height;
+  switch (posture_) {
+    case Posture::upright: {
+      // Feet push the torso from side to side once per double step; it nods and sinks with every step.
+      torso_ = {parameters_.sway_roll * effort_ * std::sin(gait_),
+                parameters_.sway_pitch * effort_ * std::sin(2.0 * gait_ + 0.8)};
+      hip_height_ = stand - parameters_.sway_height * effort_ * (1.0 + std::cos(2.0 * gait_));
+      break;
+    }
+    case Posture::falling: {
+      const double share = since_ / parameters_.fall_time;
+      const double down = std::min(1.0, share * share);
+      torso_ = {down * lying_.roll, down * lying_.pitch};
+      hip_height_ = std::lerp(stand, kLyingHipHeight, down);
+      if (share >= 1.0) {
+        posture_ = Posture::lying;
+        since_ = 0.0;
+      }
+      break;
+    }
+    case Posture::lying:
+      torso_ = lying_;
+      if (get_up && !penalized_) stand_up_again();
+      break;
+    case Posture::getting_up: {
+      const double share = since_ / parameters_.get_up_time;
+      const double up = ease(1.6 * share - 0.5);  // arms and legs first
+      const double rock = 0.15 * std::sin(9.0 * since_) * (1.0 - up) * std::min(1.0, since_);
+      torso_ = {(1.0 - up) * lying_.roll + rock, (1.0 - up) * lying_.pitch + 0.5 * rock};
+      hip_height_ = std::lerp(kLyingHipHeight, stand, up);
+      pose_.rotation = normalize_angle(pose_.rotation + slip_ * time_step / parameters_.get_up_time);
+      if (share >= 1.0) put_down(pose_);
+      break;
+    }
+    case Posture::carried: {
+      torso_ = {0.12 * std::sin(1.9 * since_) + 0.04 * std::sin(4.3 * since_), 0.15 * std::sin(1.3 * since_ + 0.6)};
+      hip_height_ = stand + parameters_.carry_height * ease(since_ / 0.8);
+      pose_.rotation = normalize_angle(pose_.rotation + 0.25 * std::sin(1.1 * since_) * time_step);
+      break;
+    }
+  }
+}
+
+void Body::stand_up_again() {
+  posture_ = Posture::getting_up;
+  since_ = 0.0;
+  slip_ = parameters_.get_up_slip * random_.normal();
+}
+
+void Body::collide(std::span<const Barrier> barriers, const Eigen::Vector2d& bounds) {
+  for (const Barrier& barrier : barriers) {
+    const Clearance clear = clearance(barrier, pose_.position);
+    const double deep = kRadius - clear.distance;
+    if (deep <= 0.0) continue;
+    // What is left of the step slides along. The feet go on walking, and so does the odometry.
+    pose_.position += deep * clear.away;
+  }
+  pose_.position = pose_.position.cwiseMax(-bounds).cwiseMin(bounds);
+}
+
+void Body::measure(Observation& observation) {
+  const double joint = parameters_.head_noise;
+  const double attitude = parameters_.attitude_noise;
+  observation.head = {head_.yaw + joint * random_.normal(), head_.pitch + joint * random_.normal()};
+  observation.torso = {torso_.roll + attitude_bias_.roll + attitude * random_.normal(),
+                       torso_.pitch + attitude_bias_.pitch + attitude * random_.normal()};
+  // The legs' kinematics know nothing of a fall or of hands that hold the robot.
+  observation.hip_height = posture_ == Posture::upright ? hip_height_ : dimensions_.hip_height;
+  observation.odometry = odometry_;
+  const double load = posture_ == Posture::carried ? 0.03 : (posture_ == Posture::upright ? kStandingLoad : 0.5);
+  observation.foot_load = std::max(0.0, load + 0.02 * kStandingLoad * random_.normal());
+  observation.penalized = penalized_;
+}
+
+GroundTruth Body::ground_truth() const {
+  return {pose_, posture_ == Posture::falling || posture_ == Posture::lying || posture_ == Posture::getting_up,
+          posture_ == Posture::carried};
+}
+
+Eigen::Isometry3d Body::field_from_camera() const {
+  return to_isometry(pose_) * robot_from_camera(dimensions_, head_, torso_, hip_height_);
+}
+
+}  // namespace reorient

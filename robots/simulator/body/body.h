@@ -1,0 +1,130 @@
+// The simulated robot's body: a kinematic walk with limits, a head with limits, a torso that sways, and what its
+// sensors make of all that. It can fall, get up, and be carried about.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "geometry/head.h"
+#include "geometry/pose2.h"
+#include "geometry/random.h"
+#include "robots/robot.h"
+#include "robots/simulator/body/obstacle.h"
+
+namespace reorient {
+
+struct BodyParameters {
+  double forward_limit = 0.25;
+  double left_limit = 0.15;
+  double turn_limit = 0.8;
+  double acceleration = 0.35;
+  double turn_acceleration = 1.6;
+  double head_speed_limit = 8.0;
+  double step_frequency = 1.9;
+  double sway_roll = 0.035;
+  double sway_pitch = 0.015;
+  double sway_height = 0.006;
+  double odometry_scale_error = 0.04;
+  double odometry_turn_bias = 0.04;
+  double odometry_noise = 0.06;
+  double head_noise = 0.002;
+  double attitude_noise = 0.004;
+  double attitude_bias = 0.004;
+  double fall_time = 0.8;
+  double get_up_time = 6.0;
+  double get_up_slip = 0.35;
+  double carry_height = 0.6;
+};
+
+template <typename Visit>
+void describe(BodyParameters& p, Visit&& visit) {
+  visit("forward_limit", p.forward_limit, 0.0, 1.0, "m/s", "fastest walk forward and backward");
+  visit("left_limit", p.left_limit, 0.0, 1.0, "m/s", "fastest walk sideways");
+  visit("turn_limit", p.turn_limit, 0.0, 3.0, "rad/s", "fastest turn");
+  visit("acceleration", p.acceleration, 0.05, 5.0, "m/s^2", "change of the walking velocity");
+  visit("turn_acceleration", p.turn_acceleration, 0.1, 20.0, "rad/s^2", "change of the turning velocity");
+  visit("head_speed_limit", p.head_speed_limit, 0.1, 20.0, "rad/s", "what the head's motors can do");
+  visit("step_frequency", p.step_frequency, 0.5, 5.0, "Hz", "double steps per second");
+  visit("sway_roll", p.sway_roll, 0.0, 0.3, "rad", "amplitude of the torso's roll at full walking speed");
+  visit("sway_pitch", p.sway_pitch, 0.0, 0.3, "rad", "amplitude of the torso's pitch at full walking speed");
+  visit("sway_height", p.sway_height, 0.0, 0.05, "m", "amplitude of the hip's height at full walking speed");
+  visit("odometry_scale_error", p.odometry_scale_error, 0.0, 0.5, "",
+        "standard deviation of the robot's own scale errors");
+  visit("odometry_turn_bias", p.odometry_turn_bias, 0.0, 0.5, "rad/m",
+        "standard deviation of the robot's drift to one side");
+  visit("odometry_noise", p.odometry_noise, 0.0, 0.5, "m^0.5", "random error after a metre, and per radian in rad");
+  visit("head_noise", p.head_noise, 0.0, 0.1, "rad", "standard deviation of the measured head angles");
+  visit("attitude_noise", p.attitude_noise, 0.0, 0.1, "rad", "standard deviation of the measured torso attitude");
+  visit("attitude_bias", p.attitude_bias, 0.0, 0.1, "rad",
+        "standard deviation of the robot's own constant attitude error");
+  visit("fall_time", p.fall_time, 0.1, 5.0, "s", "from upright to lying");
+  visit("get_up_time", p.get_up_time, 0.5, 30.0, "s", "from lying to standing");
+  visit("get_up_slip", p.get_up_slip, 0.0, 3.2, "rad",
+        "standard deviation of the turn that nobody measures while getting up");
+  visit("carry_height", p.carry_height, 0.0, 1.5, "m", "how high a robot is held");
+}
+
+class Body {
+ public:
+  enum class Posture { upright, falling, lying, getting_up, carried };
+
+  Body(const BodyParameters& parameters, const RobotDimensions& dimensions, const Pose2& start, std::uint64_t seed);
+
+  /// Moves on by `time_step` seconds. Barriers stop the robot or make it slide along; `bounds` (half sizes of the
+  /// ground, m) hold it.
+  void advance(double time_step, const Request& request, std::span<const Barrier> barriers,
+               const Eigen::Vector2d& bounds);
+
+  void pick_up();
+  void put_down(const Pose2& where);
+  void push_over();
+  void penalize(bool penalized) { penalized_ = penalized; }
+
+  /// The measurements; image, camera and time are left as they are.
+  void measure(Observation& observation);
+
+  GroundTruth ground_truth() const;
+  Posture posture() const { return posture_; }
+  const Pose2& pose() const { return pose_; }
+  const HeadAngles& head() const { return head_; }
+  const TorsoAttitude& torso() const { return torso_; }
+  double hip_height() const { return hip_height_; }  ///< m above the ground; more while it is carried
+  const WalkVelocity& velocity() const { return velocity_; }
+
+  Eigen::Isometry3d field_from_camera() const;
+
+  static constexpr double kRadius = 0.15;  ///< m, for collisions
+
+ private:
+  void move_head(double time_step, const Request& request);
+  void walk(double time_step, const Request& request);
+  void collide(std::span<const Barrier> barriers, const Eigen::Vector2d& bounds);
+  void dead_reckon(const Pose2& step);
+  void balance(double time_step, bool get_up);
+  void stand_up_again();
+
+  BodyParameters parameters_;
+  RobotDimensions dimensions_;
+  Random random_;
+
+  Pose2 pose_;
+  WalkVelocity velocity_;
+  HeadAngles head_;
+  TorsoAttitude torso_;
+  double hip_height_;
+
+  Posture posture_ = Posture::upright;
+  double since_ = 0.0;  // s in this posture
+  bool penalized_ = false;
+  TorsoAttitude lying_;  // the attitude that a fall ends in
+  double slip_ = 0.0;    // rad, of the get-up motion that is going on
+  double gait_ = 0.0;    // rad, phase of the double step
+  double effort_ = 0.0;  // share of full walking speed, smoothed: scales the sway
+
+  Pose2 odometry_;
+  Eigen::Vector3d odometry_scale_;  // forward, left, turn
+  double odometry_drift_;           // rad/m
+  TorsoAttitude attitude_bias_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,32 @@
+// What a robot cannot walk through.
+#pragma once
+
+#include <algorithm>
+
+#include <Eigen/Core>
+
+namespace reorient {
+
+/// Everything on the ground within `radius` of a straight line; a post where both ends are the same. Metres.
+struct Barrier {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  double radius = 0.05;
+};
+
+/// The shortest way from the barrier's surface to a point: metres and a unit vector away from the barrier.
+struct Clearance {
+  double distance = 0.0;  ///< negative inside
+  Eigen::Vector2d away = Eigen::Vector2d::UnitX();
+};
+
+inline Clearance clearance(const Barrier& barrier, const Eigen::Vector2d& point) {
+  const Eigen::Vector2d line = barrier.to - barrier.from;
+  const double length2 = line.squaredNorm();
+  const double share = length2 > 0.0 ? std::clamp((point - barrier.from).dot(line) / length2, 0.0, 1.0) : 0.0;
+  const Eigen::Vector2d apart = point - barrier.from - share * line;
+  const double distance = apart.norm();
+  return {distance - barrier.radius, distance > 1e-9 ? Eigen::Vector2d(apart / distance) : Eigen::Vector2d::UnitX()};
+}
+
+}  // namespace reorient

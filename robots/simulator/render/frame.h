@@ -1,0 +1,45 @@
+// What the renderer fills in, pixel by pixel, before the sensor sees it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/camera.h"
+
+namespace reorient {
+
+/// What a pixel shows, for the most part.
+enum class Label : std::uint8_t { floor, carpet, line, goal, ball, robot, wall, ceiling, person };
+
+/// Linear light and depth of every pixel, row by row.
+struct Frame {
+  int width = 0;
+  int height = 0;
+  std::vector<float> red, green, blue;
+  std::vector<float> depth;   ///< m along the optical axis
+  std::vector<Label> labels;  ///< empty unless asked for
+
+  Frame(int columns, int rows, bool with_labels)
+      : width(columns),
+        height(rows),
+        red(size()),
+        green(size()),
+        blue(size()),
+        depth(size()),
+        labels(with_labels ? size() : 0) {}
+
+  std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  std::size_t row(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
+};
+
+/// The directions in which the pixels look, in the camera frame with x = 1.
+struct RayTable {
+  explicit RayTable(const CameraModel& model);
+
+  CameraModel camera;
+  std::vector<float> left, up;  ///< y and z of the direction
+  std::vector<float> length;    ///< of the direction
+  float pixel_angle = 0.0f;     ///< rad that a pixel spans at the image's centre
+};
+
+}  // namespace reorient

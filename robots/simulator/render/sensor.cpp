@@ -1,0 +1,177 @@
+#include "robots/simulator/render/sensor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/random.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kNoise = 16384;  // values in the noise table; rows are read from it at scattered places
+constexpr float kShoulder = 1.6f;      // the tone curve's softness towards white
+constexpr float kWhite = 255.0f;
+constexpr std::size_t kRing = 3;
+
+/// Scatters frame and row over the noise table (the finaliser of splitmix64).
+std::uint64_t scatter(std::uint64_t value) {
+  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9ull;
+  value = (value ^ (value >> 27)) * 0x94D049BB133111EBull;
+  return value ^ (value >> 31);
+}
+
+std::vector<float> make_vignette(const RayTable& rays, double loss) {
+  std::vector<float> vignette(rays.length.size());
+  float greatest = 1.0f;
+  for (const float length : rays.length) greatest = std::max(greatest, length);
+  const float corner = std::max(1e-6f, greatest * greatest - 1.0f);
+  for (std::size_t i = 0; i < vignette.size(); ++i) {
+    const float share =
+        (rays.length[i] * rays.length[i] - 1.0f) / corner;  // squared distance from the axis, 1 in the corners
+    vignette[i] = 1.0f - static_cast<float>(loss) * share * (1.4f - 0.4f * share);
+  }
+  return vignette;
+}
+
+std::vector<float> make_noise(std::uint64_t seed) {
+  constexpr std::uint64_t kStream = 0x5e4504;
+  Random random(seed, kStream);
+  std::vector<float> noise(kNoise);
+  for (float& value : noise) value = static_cast<float>(std::clamp(random.normal(), -4.0, 4.0));
+  return noise;
+}
+
+inline float tone(float light) { return std::sqrt(light * (1.0f + kShoulder) / (light + kShoulder)); }
+
+inline float limited(float value) {
+  const float positive = value > 0.0f ? value : 0.0f;
+  return positive < kWhite ? positive : kWhite;
+}
+
+}  // namespace
+
+Sensor::Sensor(const SensorParameters& parameters, const RayTable& rays, std::uint64_t seed)
+    : parameters_(parameters),
+      exposure_(parameters.exposure),
+      seed_(seed),
+      vignette_(make_vignette(rays, parameters.vignetting)),
+      noise_(make_noise(seed)),
+      ring_(kRing, Channels(static_cast<std::size_t>(rays.camera.width))),
+      mixed_(static_cast<std::size_t>(rays.camera.width)),
+      luma_(static_cast<std::size_t>(rays.camera.width)),
+      blue_(static_cast<std::size_t>(rays.camera.width)),
+      red_(static_cast<std::size_t>(rays.camera.width)) {}
+
+void Sensor::expose(const Frame& frame, std::uint64_t number, double time_step, Image& image) {
+  if (parameters_.automatic_exposure) adapt(frame, time_step);
+  const auto width = static_cast<std::size_t>(frame.width);
+  blur_row(frame, 0, ring_[0]);
+  const auto side = static_cast<float>(parameters_.blur);
+  const float middle = 1.0f - 2.0f * side;
+  for (int row = 0; row < frame.height; ++row) {
+    if (row + 1 < frame.height) blur_row(frame, row + 1, ring_[static_cast<std::size_t>(row + 1) % kRing]);
+    const Channels& above = ring_[static_cast<std::size_t>(std::max(0, row - 1)) % kRing];
+    const Channels& here = ring_[static_cast<std::size_t>(row) % kRing];
+    const Channels& below = ring_[static_cast<std::size_t>(std::min(row + 1, frame.height - 1)) % kRing];
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < width; ++i) {
+      mixed_.red[i] = middle * here.red[i] + side * (above.red[i] + below.red[i]);
+      mixed_.green[i] = middle * here.green[i] + side * (above.green[i] + below.green[i]);
+      mixed_.blue[i] = middle * here.blue[i] + side * (above.blue[i] + below.blue[i]);
+    }
+    develop(mixed_, vignette_.data() + frame.row(row), frame.width);
+    write_row(number, row, image.row(row));
+  }
+}
+
+void Sensor::adapt(const Frame& frame, double time_step) {
+  // Every fourth row and column is enough to judge the light. A lamp counts as white, not as a thousand whites.
+  double sum = 0.0;
+  int count = 0;
+  constexpr int kStep = 4;
+  for (int row = kStep / 2; row < frame.height; row += kStep) {
+    for (int i = kStep / 2; i < frame.width; i += kStep) {
+      const std::size_t pixel = frame.row(row) + static_cast<std::size_t>(i);
+      sum += std::min(1.0f, 0.299f * frame.red[pixel] + 0.587f * frame.green[pixel] + 0.114f * frame.blue[pixel]);
+      ++count;
+    }
+  }
+  const double mean = std::max(1e-4, sum / std::max(1, count));
+  constexpr double kRange = 4.0;  // of the sensor's gain, up and down
+  const double wanted =
+      std::clamp(parameters_.brightness / mean, parameters_.exposure / kRange, parameters_.exposure * kRange);
+  const double share = adapted_ ? 1.0 - std::exp(-time_step / parameters_.adaptation_time) : 1.0;
+  adapted_ = true;
+  exposure_ *= std::pow(wanted / exposure_, share);
+}
+
+void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
+  const auto side = static_cast<float>(parameters_.blur);
+  const float middle = 1.0f - 2.0f * side;
+  const std::size_t first = frame.row(row);
+  const int last = frame.width - 1;
+  const auto pass = [&](const float* __restrict from, float* __restrict to) {
+    to[0] = (middle + side) * from[0] + side * from[1];
+    for (int i = 1; i < last; ++i) to[i] = middle * from[i] + side * (from[i - 1] + from[i + 1]);
+    to[last] = (middle + side) * from[last] + side * from[last - 1];
+  };
+  pass(frame.red.data() + first, blurred.red.data());
+  pass(frame.green.data() + first, blurred.green.data());
+  pass(frame.blue.data() + first, blurred.blue.data());
+}
+
+void Sensor::develop(const Channels& light, const float* __restrict vignette, int width) {
+  const double gain = exposure_ * std::exp2(stops_);
+  const auto gain_red = static_cast<float>(gain * std::exp(parameters_.warmth));
+  const auto gain_green = static_cast<float>(gain * std::exp(parameters_.tint));
+  const auto gain_blue = static_cast<float>(gain * std::exp(-parameters_.warmth));
+  const auto veil = static_cast<float>(parameters_.black_level);
+  const auto saturation = static_cast<float>(parameters_.saturation);
+  const float* __restrict in_red = light.red.data();
+  const float* __restrict in_green = light.green.data();
+  const float* __restrict in_blue = light.blue.data();
+  float* __restrict luma = luma_.data();
+  float* __restrict cb = blue_.data();
+  float* __restrict cr = red_.data();
+#pragma GCC ivdep
+  for (int i = 0; i < width; ++i) {
+    const float red = kWhite * tone(gain_red * vignette[i] * in_red[i] + veil);
+    const float green = kWhite * tone(gain_green * vignette[i] * in_green[i] + veil);
+    const float blue = kWhite * tone(gain_blue * vignette[i] * in_blue[i] + veil);
+    const float clipped_red = red < kWhite ? red : kWhite;
+    const float clipped_green = green < kWhite ? green : kWhite;
+    const float clipped_blue = blue < kWhite ? blue : kWhite;
+    const float y = 0.299f * clipped_red + 0.587f * clipped_green + 0.114f * clipped_blue;
+    luma[i] = y;
+    cb[i] = 128.0f + saturation * 0.564f * (clipped_blue - y);
+    cr[i] = 128.0f + saturation * 0.713f * (clipped_red - y);
+  }
+}
+
+void Sensor::write_row(std::uint64_t number, int row, std::uint8_t* __restrict bytes) {
+  const std::size_t width = luma_.size();
+  const std::uint64_t place =
+      scatter(seed_ + number * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(row) * 0xD1B54A32D192ED03ull);
+  const std::size_t range = kNoise - width;
+  const float* __restrict luma_noise = noise_.data() + place % range;
+  const float* __restrict cb_noise = noise_.data() + (place >> 20) % range;
+  const float* __restrict cr_noise = noise_.data() + (place >> 40) % range;
+  const float* __restrict luma = luma_.data();
+  const float* __restrict cb = blue_.data();
+  const float* __restrict cr = red_.data();
+  const auto luma_sigma = static_cast<float>(parameters_.luma_noise);
+  const auto chroma_sigma = static_cast<float>(parameters_.chroma_noise);
+  constexpr float kRounding = 0.5f;
+  for (std::size_t i = 0; i < width / 2; ++i) {
+    const float y0 = luma[2 * i] + luma_sigma * luma_noise[2 * i] + kRounding;
+    const float y1 = luma[2 * i + 1] + luma_sigma * luma_noise[2 * i + 1] + kRounding;
+    const float b = 0.5f * (cb[2 * i] + cb[2 * i + 1]) + chroma_sigma * cb_noise[i] + kRounding;
+    const float r = 0.5f * (cr[2 * i] + cr[2 * i + 1]) + chroma_sigma * cr_noise[i] + kRounding;
+    bytes[4 * i] = static_cast<std::uint8_t>(static_cast<int>(limited(y0)));
+    bytes[4 * i + 1] = static_cast<std::uint8_t>(static_cast<int>(limited(b)));
+    bytes[4 * i + 2] = static_cast<std::uint8_t>(static_cast<int>(limited(y1)));
+    bytes[4 * i + 3] = static_cast<std::uint8_t>(static_cast<int>(limited(r)));
+  }
+}
+
+}  // namespace reorient

@@ -1,0 +1,51 @@
+// A picture that is painted in metres, with soft edges, bottom left first. Linear light.
+#pragma once
+
+#include <algorithm>
+
+#include "geometry/random.h"
+#include "robots/simulator/room/texture.h"
+
+namespace reorient {
+
+/// An upright rectangle in metres.
+struct Area {
+  double left = 0.0;
+  double bottom = 0.0;
+  double right = 0.0;
+  double top = 0.0;
+
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+  Area inset(double margin) const { return {left + margin, bottom + margin, right - margin, top - margin}; }
+};
+
+class Canvas {
+ public:
+  /// Of at least `per_meter` texels a metre; its size suits a Texture.
+  Canvas(double width, double height, double per_meter, const LinearColor& color);
+
+  void rectangle(const Area& area, const LinearColor& color, double opacity = 1.0);
+  void ellipse(double x, double y, double radius_x, double radius_y, const LinearColor& color, double opacity = 1.0);
+  /// Multiplies, from `below` at the area's lower edge to `above` at its upper edge.
+  void shade(const Area& area, double below, double above);
+  /// Multiplies with smooth noise of standard deviation about `strength` and blobs of `size` metres.
+  void mottle(const Area& area, double strength, double size, Random& random);
+
+  const LinearImage& image() const { return image_; }
+  Eigen::Vector2d extent() const { return {width_, height_}; }
+
+ private:
+  /// Calls paint(color at that texel, coverage in 0...1, x, y) for every texel that the area touches.
+  template <typename Paint>
+  void for_each(const Area& area, Paint&& paint);
+
+  double width_;
+  double height_;
+  LinearImage image_;
+};
+
+/// A paint from hue (turns), saturation and value in [0, 1], as on a screen.
+LinearColor paint_of(double hue, double saturation, double value);
+
+}  // namespace reorient

@@ -1,0 +1,65 @@
+#include "robots/simulator/room/room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "geometry/angle.h"
+
+namespace reorient {
+namespace {
+
+// Where a cylinder's wall coordinate begins: the same corner as the box's, seen from the centre of a square.
+constexpr double kCylinderStart = -kPi / 4.0;
+
+}  // namespace
+
+double wall_perimeter(const RoomShape& shape) {
+  return shape.form == RoomForm::box ? 2.0 * (shape.length + shape.width) : kPi * shape.length;
+}
+
+double wall_begin(const RoomShape& shape, int side) {
+  if (shape.form == RoomForm::cylinder) return wall_perimeter(shape) * side / 4.0;
+  const double lengths[] = {shape.width, shape.length, shape.width, shape.length};
+  double begin = 0.0;
+  for (int i = 0; i < side; ++i) begin += lengths[i];
+  return begin;
+}
+
+Eigen::Vector2d wall_point(const RoomShape& shape, double wall_coordinate) {
+  const double along = wall_coordinate - wall_perimeter(shape) * std::floor(wall_coordinate / wall_perimeter(shape));
+  if (shape.form == RoomForm::cylinder) {
+    const double azimuth = kCylinderStart + 2.0 * along / shape.length;
+    return 0.5 * shape.length * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
+  }
+  const double half_length = 0.5 * shape.length;
+  const double half_width = 0.5 * shape.width;
+  if (along < wall_begin(shape, 1)) return {half_length, along - half_width};
+  if (along < wall_begin(shape, 2)) return {half_length - (along - wall_begin(shape, 1)), half_width};
+  if (along < wall_begin(shape, 3)) return {-half_length, half_width - (along - wall_begin(shape, 2))};
+  return {along - wall_begin(shape, 3) - half_length, -half_width};
+}
+
+Eigen::Vector2d floor_extent(const RoomShape& shape) {
+  return {shape.length, shape.form == RoomForm::box ? shape.width : shape.length};
+}
+
+void check(const RoomShape& shape) {
+  const Eigen::Vector2d extent = floor_extent(shape);
+  // A round wall goes around the corners of the carpet.
+  const Eigen::Vector2d least =
+      shape.form == RoomForm::box ? Eigen::Vector2d(11.0, 8.0) : Eigen::Vector2d::Constant(13.2);
+  constexpr double kGreatest = 100.0;
+  const bool sound = (extent.array() >= least.array()).all() && (extent.array() <= kGreatest).all() &&
+                     shape.height >= 2.5 && shape.height <= 30.0 && shape.viewpoint_height >= 0.3 &&
+                     shape.viewpoint_height <= 0.96 * shape.height && std::isfinite(shape.turn);
+  if (sound) return;
+  std::ostringstream message;
+  message << "a room of " << extent.x() << " x " << extent.y() << " x " << shape.height << " m, seen from "
+          << shape.viewpoint_height << " m, cannot be built: choose " << least.x() << "...100 x " << least.y()
+          << "...100 x 2.5...30 m and a viewpoint between 0.3 m and just below the ceiling";
+  throw std::runtime_error(message.str());
+}
+
+}  // namespace reorient

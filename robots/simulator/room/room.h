@@ -1,0 +1,71 @@
+// The room around the field: a box or a cylinder of finite size with a picture on its walls, ceiling and floor.
+// Finite, because a robot that walks sees near walls shift against far ones.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "robots/simulator/room/texture.h"
+
+namespace reorient {
+
+enum class RoomForm { box, cylinder };
+
+/// The room's centre is the field's centre; its floor is the field's plane.
+struct RoomShape {
+  RoomForm form = RoomForm::box;
+  double length = 16.8;           ///< m along x; a cylinder's diameter
+  double width = 12.8;            ///< m along y; a cylinder has none
+  double height = 7.0;            ///< m
+  double viewpoint_height = 1.3;  ///< m above the floor, where a panorama was taken
+  double turn = 0.0;              ///< rad to the left, by which a panorama is turned about the field's centre
+};
+
+template <typename Visit>
+void describe(RoomShape& shape, Visit&& visit) {
+  visit("form", shape.form, {"box", "cylinder"}, "whether the room has four walls or one round wall");
+  visit("length", shape.length, 11.0, 100.0, "m", "the room's size along the field; a cylinder's diameter");
+  visit("width", shape.width, 8.0, 100.0, "m", "the room's size across the field; a cylinder has none");
+  visit("height", shape.height, 2.5, 30.0, "m", "from the floor to the ceiling");
+  visit("viewpoint_height", shape.viewpoint_height, 0.3, 2.4, "m", "height at which the panorama was taken");
+  visit("turn", shape.turn, -3.1416, 3.1416, "rad", "turns the panorama to the left about the field's centre");
+}
+
+/// A room that is ready to be rendered. Immutable; copies share their memory.
+struct Room {
+  std::string name;  ///< a file or "hall"
+  RoomShape shape;
+  Texture walls;                            ///< u: wall_coordinate, v: height above the floor
+  Texture ceiling;                          ///< u: x + length / 2, v: y + width / 2
+  Texture floor;                            ///< the same
+  LinearColor light = LinearColor::Ones();  ///< what white paper on the field reflects
+};
+
+/// The room from an equirectangular panorama file (.hdr, .png, .jpg; assets/rooms/README.md).
+/// Throws std::runtime_error with one line that names the file and what to do about it.
+Room load_room(const std::string& path, const RoomShape& shape);
+
+/// The room that the program ships: a sports hall on a tournament day, another one for every seed. Its four walls
+/// differ from each other, so that half a turn can always be told.
+Room procedural_hall(std::uint64_t seed, const RoomShape& shape);
+
+/// Length of the walls, once around, in metres.
+double wall_perimeter(const RoomShape& shape);
+
+/// The four walls, counter-clockwise from the one behind the goal at +x; a cylinder is cut into four arcs.
+/// Where wall `side` begins, in metres of the wall coordinate; side 4 is the end of the perimeter.
+double wall_begin(const RoomShape& shape, int side);
+
+/// The point of the floor plan at a wall coordinate: metres along the walls, counter-clockwise seen from above,
+/// from the corner (+length / 2, -width / 2) or, in a cylinder, from the azimuth of -45 degrees.
+Eigen::Vector2d wall_point(const RoomShape& shape, double wall_coordinate);
+
+/// Throws std::runtime_error where the shape cannot hold a field.
+void check(const RoomShape& shape);
+
+/// The extent in metres of ceiling and floor textures.
+Eigen::Vector2d floor_extent(const RoomShape& shape);
+
+}  // namespace reorient

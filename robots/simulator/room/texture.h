@@ -1,0 +1,121 @@
+// Surfaces as the renderer reads them: linear light, measured in metres, with ever coarser copies for the distance.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace reorient {
+
+/// Linear light (not gamma coded): red, green, blue. 1 is about what white paper reflects in the hall.
+using LinearColor = Eigen::Array3f;
+
+/// A picture in linear light. Row 0 is the top row of a picture and, on a surface, the row at its lowest coordinate.
+struct LinearImage {
+  int width = 0;
+  int height = 0;
+  std::vector<LinearColor> pixels;  ///< row by row
+
+  LinearImage() = default;
+  LinearImage(int columns, int rows, const LinearColor& color = LinearColor::Zero())
+      : width(columns),
+        height(rows),
+        pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), color) {}
+
+  LinearColor& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + x]; }
+  const LinearColor& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + x];
+  }
+};
+
+/// A mip map over a rectangle of `extent` metres. Immutable; copies share their memory.
+class Texture {
+ public:
+  static constexpr int kLevels = 7;
+  /// Widths and heights of a texture's image must be multiples of this: every level halves the one before exactly.
+  static constexpr int kGranularity = 1 << (kLevels - 1);
+
+  enum class Edge { clamp, wrap };
+
+  /// Four channels, in memory as fixed-point numbers: 4096 is 1, so that lamps of up to 16 survive.
+  using Color = float __attribute__((vector_size(16)));
+
+  Texture() = default;
+
+  /// `edge` is what lies beyond the left and right edges; above and below, the last row goes on.
+  /// The fourth channel is `light`, or 1 where `light` is empty (else one value a pixel).
+  Texture(const LinearImage& image, const std::vector<float>& light, const Eigen::Vector2d& extent, Edge edge);
+
+  /// Texels per metre of the finest level (geometric mean of both axes).
+  float texels_per_meter() const { return texels_per_meter_; }
+
+  /// The level whose texels are about as large as `footprint_in_texels` of the finest level.
+  static int level_for(float footprint_in_texels) {
+    constexpr float kBias = 1.3f;  // texels between 0.77 and 1.54 times the footprint
+    constexpr int kExponentOfOne = 127;
+    const int exponent =
+        static_cast<int>(std::bit_cast<std::uint32_t>(footprint_in_texels * kBias) >> 23) - kExponentOfOne;
+    return exponent < 0 ? 0 : (exponent >= kLevels ? kLevels - 1 : exponent);
+  }
+
+  /// Bilinear. `u` and `v` in metres, inside of the extent (a hair outside, from rounding, is fine).
+  Color sample(float u, float v, int level) const {
+    const Level& l = levels_[static_cast<std::size_t>(level)];
+    const float column = limit(u * l.scale_u + 0.5f, l.last_column);
+    const float row = limit(v * l.scale_v + 0.5f, l.last_row);
+    const int i = static_cast<int>(column);
+    const int j = static_cast<int>(row);
+    const float a = column - static_cast<float>(i);
+    const float b = row - static_cast<float>(j);
+    const Texel* lower = l.texels + static_cast<std::ptrdiff_t>(j) * l.stride + i;
+    const Color from = between(lower, a);
+    const Color to = between(lower + l.stride, a);
+    return (from + b * (to - from)) * (1.0f / kUnit);
+  }
+
+ private:
+  static constexpr float kUnit = 4096.0f;
+  using Texel = std::uint16_t __attribute__((vector_size(8)));
+
+  struct Level {
+    const Texel* texels = nullptr;  // with a border of one texel on every side
+    int stride = 0;
+    float scale_u = 0.0f;  // texels per metre
+    float scale_v = 0.0f;
+    float last_column = 0.0f;  // greatest sampling coordinate in the bordered image
+    float last_row = 0.0f;
+  };
+
+  /// From texels[0] to texels[1].
+  static Color between(const Texel* texels, float share) {
+    using Pair = std::uint16_t __attribute__((vector_size(16)));
+    using Whole = std::int32_t __attribute__((vector_size(16)));
+    static_assert(std::endian::native == std::endian::little, "interleaving with zeros widens only this way round");
+    Pair pair;
+    std::memcpy(&pair, texels, sizeof pair);
+    const Pair zeros{};
+    const Pair left = __builtin_shufflevector(pair, zeros, 0, 8, 1, 8, 2, 8, 3, 8);
+    const Pair right = __builtin_shufflevector(pair, zeros, 4, 8, 5, 8, 6, 8, 7, 8);
+    const Color from = __builtin_convertvector(std::bit_cast<Whole>(left), Color);
+    const Color to = __builtin_convertvector(std::bit_cast<Whole>(right), Color);
+    return from + share * (to - from);
+  }
+  static float limit(float value, float greatest) {
+    const float positive = value > 0.0f ? value : 0.0f;
+    return positive < greatest ? positive : greatest;
+  }
+
+  std::shared_ptr<const std::vector<Texel>> memory_;
+  std::array<Level, kLevels> levels_;
+  float texels_per_meter_ = 0.0f;
+};
+
+/// The number of texels for `meters` at about `per_meter`, rounded up to what a Texture asks for.
+int texels_for(double meters, double per_meter);
+
+}  // namespace reorient

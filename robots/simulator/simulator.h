@@ -1,0 +1,114 @@
+// A NAO on a field in a room, simulated a frame at a time: the same seed and the same requests give the same bytes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/field_dimensions.h"
+#include "robots/experimenter.h"
+#include "robots/robot.h"
+#include "robots/simulator/body/ball.h"
+#include "robots/simulator/body/body.h"
+#include "robots/simulator/people/players.h"
+#include "robots/simulator/people/spectators.h"
+#include "robots/simulator/render/renderer.h"
+#include "robots/simulator/render/sensor.h"
+#include "robots/simulator/room/room.h"
+
+namespace reorient {
+
+/// The upper camera's resolution.
+enum class ImageSize { vga_640x480, qvga_320x240, qqvga_160x120 };
+
+struct SimulatorParameters {
+  ImageSize image = ImageSize::vga_640x480;
+  double frame_rate = 30.0;
+  double field_of_view_horizontal = from_degrees(56.3);
+  double field_of_view_vertical = from_degrees(43.7);
+  double distortion_k1 = 0.03;
+  double distortion_k2 = 0.0;
+  double tilt_error = 0.002;
+  int other_robots = 3;
+  int spectators = 36;
+  bool ball = true;
+  bool labels = false;  ///< whether labels() and depth() are kept; not a parameter of the program
+  BodyParameters body;
+  SensorParameters sensor;
+};
+
+template <typename Visit>
+void describe(SimulatorParameters& p, Visit&& visit) {
+  visit("image", p.image, {"640x480", "320x240", "160x120"}, "the camera's resolution in pixels");
+  visit("frame_rate", p.frame_rate, 1.0, 120.0, "Hz", "frames per second of simulated time");
+  visit("field_of_view_horizontal", p.field_of_view_horizontal, 0.35, 2.0, "rad",
+        "the camera's field of view, left to right");
+  visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 1.6, "rad",
+        "the camera's field of view, top to bottom");
+  visit("distortion_k1", p.distortion_k1, -0.3, 0.5, "", "radial distortion of the camera, quadratic");
+  visit("distortion_k2", p.distortion_k2, -0.1, 0.3, "", "radial distortion of the camera, to the fourth power");
+  visit("tilt_error", p.tilt_error, 0.0, 0.1, "rad",
+        "standard deviation of the robot's own camera tilt that its calibration missed");
+  visit("other_robots", p.other_robots, 0, 11, "", "how many other robots stroll about the field");
+  visit("spectators", p.spectators, 0, 300, "", "how many people stand around the field");
+  visit("ball", p.ball, "whether a ball lies on the field");
+}
+
+class Simulator : public Robot, public Experimenter {
+ public:
+  Simulator(const SimulatorParameters& parameters, const FieldDimensions& field, const Room& room, const Pose2& start,
+            std::uint64_t seed);
+
+  const RobotDimensions& dimensions() const override { return dimensions_; }
+  /// Moves the world on by one frame and looks at it. Never ends, never waits.
+  bool observe(Observation& observation) override;
+  void request(const Request& request) override { request_ = request; }
+  std::optional<GroundTruth> ground_truth() const override { return body_.ground_truth(); }
+
+  void pick_up() override { body_.pick_up(); }
+  void put_down(const Pose2& where) override { body_.put_down(where); }
+  void push_over() override { body_.push_over(); }
+  void penalize(bool penalized) override { body_.penalize(penalized); }
+  void set_exposure(double stops) override { sensor_.set_stops(stops); }
+
+  /// What each pixel of the latest image shows, and how far away along the optical axis it is (m), row by row.
+  /// Empty unless SimulatorParameters::labels.
+  std::span<const Label> labels() const;
+  std::span<const float> depth() const;
+
+  /// The pose that the latest image was really taken from.
+  const Eigen::Isometry3d& field_from_camera() const { return field_from_camera_; }
+  const std::vector<Player>& other_robots() const { return players_.all(); }
+  const Ball& ball() const { return ball_; }
+
+ private:
+  void move();
+  void look(Observation& observation);
+
+  SimulatorParameters parameters_;
+  FieldDimensions field_;
+  LinearColor light_;
+  Eigen::Vector2d bounds_;  // m, half sizes of where the robot can go
+  std::vector<Barrier> goals_;
+  std::vector<Barrier> barriers_;  // goals and other robots
+
+  RobotDimensions dimensions_;       // as the robot believes
+  RobotDimensions true_dimensions_;  // with the error of the camera's calibration
+  CameraModel camera_;
+  Body body_;
+  Players players_;
+  Ball ball_;
+  Spectators spectators_;
+  Request request_;
+
+  Renderer renderer_;
+  Sensor sensor_;
+  Scene scene_;
+  std::size_t standing_capsules_ = 0;  // of the goals, at the front of scene_
+  std::size_t standing_shadows_ = 0;
+  Eigen::Isometry3d field_from_camera_ = Eigen::Isometry3d::Identity();
+  Image image_;
+  std::uint64_t frame_ = 0;
+};
+
+}  // namespace reorient
