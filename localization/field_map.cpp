@@ -105,8 +105,8 @@ FieldMap::FieldMap(const FieldDimensions& field) {
       const double mark = distance_to_marks(field, place);
       for (int direction = 0; direction < kDirections; ++direction) {
         const double distance = std::min(mark, distance_to_lines(near_lines, direction * kPi / kDirections));
-        cells_[static_cast<std::size_t>((direction * rows_ + row) * columns_ + column)] =
-            static_cast<std::uint8_t>(std::lround(distance / kStep));
+        const int cell = (direction * rows_ + row) * columns_ + column;
+        cells_[static_cast<std::size_t>(cell)] = static_cast<std::uint8_t>(std::lround(distance / kStep));
       }
     }
   }

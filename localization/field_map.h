@@ -46,19 +46,21 @@ class FieldMap {
   /// Throws std::invalid_argument where the field's size is not in (0, 200] m.
   explicit FieldMap(const FieldDimensions& field);
 
-  /// Distance in steps of kStep from (x, y), m on the field, to the nearest line with about this normal.
-  std::uint8_t steps(float x, float y, BinaryAngle normal) const {
-    const auto column = static_cast<int>(std::min(std::abs(x) * kCellsPerMetre, last_column_));
-    const auto row = static_cast<int>(std::min(std::abs(y) * kCellsPerMetre, last_row_));
-    const BinaryAngle direction = (normal * 2 + kHalfBin) >> 28;
-    const BinaryAngle mirrored = x * y < 0.0f ? (0u - direction) % kDirections : direction;
-    return cells_[(mirrored * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row)) *
-                      static_cast<std::size_t>(columns_) +
-                  static_cast<std::size_t>(column)];
+  /// Where the distance of (x, y), m on the field, from lines with about this normal is stored. Without branches and
+  /// memory accesses, so that a loop over many places can be vectorised.
+  std::int32_t index(float x, float y, BinaryAngle normal) const {
+    const auto column = static_cast<std::int32_t>(std::min(std::abs(x) * kCellsPerMetre, last_column_));
+    const auto row = static_cast<std::int32_t>(std::min(std::abs(y) * kCellsPerMetre, last_row_));
+    const auto direction = static_cast<std::int32_t>((normal * 2 + kHalfBin) >> 28);
+    const std::int32_t mirrored = x * y < 0.0f ? -direction & (kDirections - 1) : direction;
+    return (mirrored * rows_ + row) * columns_ + column;
   }
+  /// That distance, in steps of kStep.
+  std::uint8_t steps_at(std::int32_t index) const { return cells_[static_cast<std::size_t>(index)]; }
+  std::uint8_t steps(float x, float y, BinaryAngle normal) const { return steps_at(index(x, y, normal)); }
   static constexpr double kStep = kMaxDistance / 255.0;  ///< m
 
-  /// The same in metres.
+  /// Distance in metres from `place` to the nearest line with about this normal.
   double distance(const Eigen::Vector2d& place, double normal) const {
     return kStep * steps(static_cast<float>(place.x()), static_cast<float>(place.y()), to_binary_angle(normal));
   }
@@ -67,8 +69,8 @@ class FieldMap {
   static constexpr auto kCellsPerMetre = static_cast<float>(1.0 / kCellSize);
   static constexpr BinaryAngle kHalfBin = 1u << 27;
 
-  int columns_ = 0;
-  int rows_ = 0;
+  std::int32_t columns_ = 0;
+  std::int32_t rows_ = 0;
   float last_column_ = 0.0f;
   float last_row_ = 0.0f;
   std::vector<std::uint8_t> cells_;  ///< [direction][row][column]

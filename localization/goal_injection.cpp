@@ -1,5 +1,6 @@
 #include "localization/goal_injection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -85,19 +86,17 @@ std::optional<Pose2> GoalInjection::draw(const GoalSighting& sighting, SeenGoal 
                                          const MeasurementModel& observed, const InjectionParameters& parameters,
                                          Random& random) {
   const bool opponent_goal = seen_goal == SeenGoal::unknown ? random.below(2) == 0 : seen_goal == SeenGoal::opponent;
-  std::optional<Pose2> best;
-  float least_cost = std::numeric_limits<float>::infinity();
-  for (int i = 0; i < parameters.candidates; ++i) {
+  const auto wanted = static_cast<std::size_t>(std::max(1, parameters.candidates));
+  if (candidates_.size() != wanted) candidates_ = ParticleSet(wanted);
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < wanted; ++i) {
     const std::optional<Pose2> candidate = draw_candidate(sighting, opponent_goal, observed, random);
-    if (!candidate) continue;
-    candidate_.set_pose(0, *candidate);
-    observed.costs(candidate_, cost_);
-    if (cost_[0] < least_cost) {
-      least_cost = cost_[0];
-      best = candidate;
-    }
+    if (candidate) candidates_.set_pose(drawn++, *candidate);
   }
-  return best;
+  if (drawn == 0) return std::nullopt;
+  observed.costs(candidates_, costs_);
+  const auto best = std::min_element(costs_.begin(), costs_.begin() + static_cast<std::ptrdiff_t>(drawn));
+  return candidates_.pose(static_cast<std::size_t>(best - costs_.begin()));
 }
 
 }  // namespace reorient

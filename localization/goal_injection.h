@@ -71,8 +71,8 @@ class GoalInjection {
 
   std::array<Eigen::Vector2d, 4> posts_;
   Eigen::Vector2d half_size_;
-  ParticleSet candidate_ = ParticleSet(1);
-  std::vector<float> cost_ = {0.0f};
+  ParticleSet candidates_;
+  std::vector<float> costs_;
 };
 
 }  // namespace reorient

@@ -96,16 +96,19 @@ Pose2 PoseClusters::center_of_fullest_bin(const ParticleSet& particles) {
     for (const int t : {turn, (turn + 1) % kTurnSteps}) {
       for (const int r : {row, row + 1}) {
         for (const int c : {column, column + 1}) {
-          const auto bin = static_cast<std::size_t>((t * rows_ + r) * columns_ + c);
+          const int index = (t * rows_ + r) * columns_ + c;
+          const auto bin = static_cast<std::size_t>(index);
           bins_[bin] += particles.weight[i];
           if (bins_[bin] > bins_[fullest]) fullest = bin;
         }
       }
     }
   }
-  const auto index = static_cast<int>(fullest);
-  return {(index % columns_) * kBinStep - half_length_, (index / columns_ % rows_) * kBinStep - half_width_,
-          (index / columns_ / rows_) * 2.0 * kPi / kTurnSteps};
+  const int bin = static_cast<int>(fullest);
+  const int column = bin % columns_;
+  const int row = bin / columns_ % rows_;
+  const int turn = bin / columns_ / rows_;
+  return {column * kBinStep - half_length_, row * kBinStep - half_width_, turn * 2.0 * kPi / kTurnSteps};
 }
 
 PoseBelief PoseClusters::find(const ParticleSet& particles, const PoseBelief& last,
