@@ -137,6 +137,9 @@ struct CapsuleInView {
     length = line.norm();
     axis = length > 1e-6f ? Eigen::Vector3f(line / length) : up;
     eye_along = -axis.dot(from);
+    constexpr float kFar = 1e6f;
+    least = what.flat_ends ? -kFar : 0.0f;
+    most = what.flat_ends ? kFar : length;
   }
 
   /// Where a ray comes closest to the axis: metres along the ray and along the axis (anywhere on its line).
@@ -151,9 +154,8 @@ struct CapsuleInView {
     const float left = 1.0f - c.cosine * c.cosine;
     c.sine2 = left > 1e-6f ? left : 1e-6f;
     c.anywhere = (eye_along - c.cosine * c.toward) / c.sine2;
-    const float behind = c.anywhere > 0.0f ? c.anywhere : 0.0f;
-    const float clamped = behind < length ? behind : length;
-    c.along = capsule.flat_ends ? c.anywhere : clamped;
+    const float from_least = c.anywhere > least ? c.anywhere : least;
+    c.along = from_least < most ? from_least : most;
     c.t = c.along * c.cosine - c.toward;
     return c;
   }
@@ -209,7 +211,8 @@ struct CapsuleInView {
   Eigen::Vector3f from;
   Eigen::Vector3f axis;
   float length = 0.0f;
-  float eye_along = 0.0f;  // where the camera is along the axis, m from `from`
+  float least = 0.0f, most = 0.0f;  // where on the axis the closest point may be; the ends of a cylinder are cut later
+  float eye_along = 0.0f;           // where the camera is along the axis, m from `from`
 };
 
 }  // namespace
