@@ -4,7 +4,7 @@
 namespace reorient {
 
 struct ScriptLimits {
-  int instructions_per_frame = 100'000;
+  int instructions_per_frame = 50'000;
   int instructions_per_load = 2'000'000;
   int memory = 4096;         // KiB
   int string_length = 4096;  // bytes
