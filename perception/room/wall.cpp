@@ -53,7 +53,7 @@ bool Wall::surrounds(const Eigen::Vector2d& position) const {
 std::optional<WallPoint> Wall::meet(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const {
   const Eigen::Vector2d foot = from.head<2>();
   const Eigen::Vector2d heading = direction.head<2>();
-  if (!surrounds(foot) || !direction.allFinite() || heading.norm() < kSteepest * direction.norm()) return std::nullopt;
+  if (!surrounds(foot) || !direction.allFinite() || heading.norm() <= kSteepest * direction.norm()) return std::nullopt;
   const double steps = steps_to_circle(foot, heading, radius_);
   const Eigen::Vector2d point = foot + steps * heading;
   const double turns = std::atan2(point.y(), point.x()) / (2.0 * kPi);

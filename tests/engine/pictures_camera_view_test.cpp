@@ -18,7 +18,7 @@ Image plain_image(int width, int height, Ycbcr color) {
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width / 2; ++x) {
-      std::uint8_t* pair = image.row(y) + 4 * x;
+      std::uint8_t* pair = image.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
       pair[0] = pair[2] = color.y;
       pair[1] = color.cb;
       pair[3] = color.cr;

@@ -62,7 +62,7 @@ std::string refusal(const fs::path& file, const Picture& picture) {
 RC_GTEST_FIXTURE_PROP(PngFileProperty, gives_back_the_same_pixels, ()) {
   const int width = *rc::gen::inRange(1, 40);
   const int height = *rc::gen::inRange(1, 40);
-  const auto size = static_cast<std::size_t>(3 * width * height);
+  const auto size = std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const Picture picture{width, height,
                         *rc::gen::container<std::vector<std::uint8_t>>(size, rc::gen::arbitrary<std::uint8_t>())};
   write_png(folder_ / "picture.png", picture);

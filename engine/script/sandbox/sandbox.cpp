@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kHookInterval = 100;  // instructions
 constexpr std::size_t kStringHeader = 32;
-constexpr std::size_t kBytesPerInstruction = 64;
+constexpr std::size_t kBytesPerInstruction = 16;
 constexpr std::int64_t kRefusalsPerBudget = 2;
 constexpr int kDeepestCall = 200;
 

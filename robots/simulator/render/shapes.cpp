@@ -155,7 +155,7 @@ void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f&
     const Eigen::Vector3f center = from + std::clamp(along, 0.0f, length) * axis;
     const Eigen::Vector3f normal = (surface * direction - center) / radius;
     // Lamps above, a little more light from one side, and what the ground sends back.
-    const float shade = 0.66f + 0.34f * normal.dot(up) - 0.12f * normal.y();
+    const float shade = std::clamp(0.66f + 0.34f * normal.dot(up) - 0.12f * normal.y(), 0.2f, 1.2f);
     const bool dark = capsule.football && on_patch(camera_from_field.linear().transpose() * normal);
     cover(frame, pixel, coverage, capsule.color * (dark ? 0.06f * shade : shade), depth, capsule.label);
   });
