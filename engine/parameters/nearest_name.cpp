@@ -35,8 +35,10 @@ std::optional<std::string> nearest_name(std::string_view wanted, std::span<const
     if (name.size() > kLongest) continue;
     int distance = edit_distance(wanted, name);
     // Without its prefix a name is still recognised: "lead" for "orientation.lead".
-    if (name.ends_with(wanted) && name.size() > wanted.size() && name[name.size() - wanted.size() - 1] == '.')
-      distance = 1;
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string::npos && wanted.find('.') == std::string_view::npos) {
+      distance = std::min(distance, edit_distance(wanted, std::string_view(name).substr(dot + 1)));
+    }
     if (distance < best_distance) {
       best_distance = distance;
       best = &name;

@@ -61,7 +61,9 @@ behavior "penalty_marks" {
   state "looking about" {
     enter = function() memory.side = -1 end,
     update = function() walk.stand() end,
-    { "walking", when = function() return time_in_state() > 3.0 and is_sure() end, lasting = "sure_for", because = "the robot is sure of its pose" },
+    { "walking",
+      when = function() return time_in_state() > 3.0 and is_sure() end,
+      lasting = "sure_for", because = "the robot is sure of its pose" },
     { "walking", after = "patience", because = "its patience ended" },
   },
 }

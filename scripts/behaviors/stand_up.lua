@@ -1,6 +1,6 @@
 --- Gets up after a fall, once the robot has come to rest.
 
-local p = param {
+param {
   rest = { 1.0, range = { 0, 10 }, unit = "s", doc = "how long to lie still before getting up" },
 }
 

@@ -36,7 +36,8 @@ std::size_t start_of(lua_State* L, int index, std::size_t size) {
 std::optional<Pattern::Match> search(lua_State* L, std::string_view subject, std::string_view pattern,
                                      std::size_t from) {
   Sandbox& sandbox = Sandbox::of(L);
-  const std::int64_t granted = std::max<std::int64_t>(sandbox.remaining(), 0);
+  constexpr std::int64_t kPrice = 2;  // instructions for one step
+  const std::int64_t granted = std::max<std::int64_t>(sandbox.remaining(), 0) / kPrice;
   std::int64_t steps = granted;
   std::string failure;
   std::optional<Pattern::Match> match;
@@ -47,7 +48,7 @@ std::optional<Pattern::Match> search(lua_State* L, std::string_view subject, std
   } catch (const PatternTooCostly&) {
     steps = -1;
   }
-  sandbox.charge(granted - steps + static_cast<std::int64_t>(pattern.size()));
+  sandbox.charge(kPrice * (granted - steps) + static_cast<std::int64_t>(pattern.size()));
   if (!failure.empty()) luaL_error(L, "%s", failure.c_str());
   return match;
 }
@@ -77,7 +78,8 @@ int find_or_match(lua_State* L, bool find) {
     lua_pushnil(L);
     return 1;
   }
-  if (find && lua_toboolean(L, 4) != 0) {
+  const bool is_plain = pattern.find_first_of("^$*+?.([%-") == std::string_view::npos;
+  if (find && (is_plain || lua_toboolean(L, 4) != 0)) {
     Sandbox::of(L).charge(static_cast<std::int64_t>(subject.size() * (pattern.size() + 1) / 64));
     const std::size_t found = subject.find(pattern, from);
     if (found == std::string_view::npos) {
@@ -262,10 +264,13 @@ int safe_format(lua_State* L) {
     push_text(L, index);
     lua_replace(L, index);
   }
-  Sandbox::of(L).charge(static_cast<std::int64_t>(format.size()));
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
   lua_call(L, count, 1);
+  // Writing a number with hundreds of digits takes a time that grows with their square.
+  constexpr std::int64_t kMostDigits = 512;
+  const auto length = std::min(static_cast<std::int64_t>(lua_rawlen(L, -1)), kMostDigits);
+  Sandbox::of(L).charge(length * length / 64);
   return 1;
 }
 

@@ -12,8 +12,9 @@ namespace {
 
 constexpr int kHookInterval = 100;  // instructions
 constexpr std::size_t kStringHeader = 32;
-constexpr std::size_t kBytesPerInstruction = 64;
-constexpr std::int64_t kRefusalsPerBudget = 8;
+constexpr std::size_t kBytesPerInstruction = 16;
+constexpr std::int64_t kRefusalsPerBudget = 2;
+constexpr int kDeepestCall = 200;
 
 }  // namespace
 
@@ -54,7 +55,12 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
 void Sandbox::count(lua_State* L, lua_Debug*) {
   Sandbox& sandbox = of(L);
   sandbox.spent_ += kHookInterval;
-  if (sandbox.confined_) sandbox.charge(kHookInterval);
+  if (!sandbox.confined_) return;
+  sandbox.charge(kHookInterval);
+  lua_Debug outermost;
+  if (lua_getstack(L, kDeepestCall, &outermost) != 0) {
+    luaL_error(L, "functions call each other more than %d deep: a recursion that does not end", kDeepestCall);
+  }
 }
 
 void Sandbox::grant(std::int64_t instructions) {

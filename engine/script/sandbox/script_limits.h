@@ -4,9 +4,9 @@
 namespace reorient {
 
 struct ScriptLimits {
-  int instructions_per_frame = 100'000;
+  int instructions_per_frame = 50'000;
   int instructions_per_load = 2'000'000;
-  int memory = 4096;         // KiB
+  int memory = 1024;         // KiB
   int string_length = 4096;  // bytes
   int errors = 5;
   double forgiveness = 10.0;  // s
