@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr int kOversampling = 2;
@@ -282,4 +282,4 @@ std::string shortened(std::string_view words, double width, const TextStyle& sty
   return result + "...";
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -8,7 +8,7 @@
 #include "engine/pictures/ycbcr.h"
 #include "tests/engine/pictures_pixels.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -109,4 +109,4 @@ TEST(CameraView, leaves_out_what_is_not_a_number) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -9,7 +9,7 @@
 
 #include "engine/pictures/png_file.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ TEST_F(PngFile, refuses_pictures_whose_bytes_do_not_match_their_size) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures
