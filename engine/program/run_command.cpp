@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <ostream>
@@ -133,6 +134,20 @@ class Progress {
   double next_ = 0.0;
 };
 
+/// Where the robot is and where it believes it is, once a second.
+void log_pose(const World& world) {
+  if (world.time - std::floor(world.time) >= world.time_step || !spdlog::should_log(spdlog::level::debug)) return;
+  const auto text = [](const Pose2& pose) {
+    return fmt::format("({:.2f}, {:.2f}, {:.0f} deg)", pose.position.x(), pose.position.y(), to_degrees(pose.rotation));
+  };
+  spdlog::debug("{:.1f} s: belief {} share {:.2f} reflected {:.2f}, truth {}; {} line points, {} posts, {} tiles, "
+                "coverage {:.2f}, informative {:.2f}, goals {:.2f} {:.2f}",
+                world.time, text(world.pose.pose), world.pose.share, world.pose.reflected_share,
+                world.truth ? text(world.truth->pose) : "unknown", world.line_points, world.goal_posts,
+                world.confidence.visible_tiles, world.confidence.coverage, world.confidence.informative,
+                world.confidence.goal_opponent, world.confidence.goal_own);
+}
+
 std::string room_name(const RunOptions& options) {
   return options.room.empty() ? fmt::format("procedural hall {}", options.hall) : options.room;
 }
@@ -163,6 +178,7 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
     history.add(frame);
     if (options.pictures) pictures.look(frame);
     log_scripts(frame.script_output());
+    log_pose(frame.world());
     progress.show(frame, scripts, start);
     verdict = frame.script_output().verdict;
     if (options.realtime) {

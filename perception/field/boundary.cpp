@@ -10,7 +10,8 @@ constexpr int kColumns = CarpetMap::kColumns;
 /// From the bottom up, carpet speaks for going on and everything else against: a line or a robot across the column
 /// is passed when enough carpet follows, a green banner beyond the field is not reached.
 int highest_carpet(const CarpetMap& map, int column) {
-  constexpr int kLeast = 3;       // cells of carpet
+  constexpr int kLeast = 3;  // cells of carpet
+  constexpr int kAgainst = 2;
   constexpr int kOccluder = -10;  // what is at the image's bottom, however high, counts no more than this
   int best_row = map.rows();
   int best = kLeast - 1;
@@ -18,7 +19,7 @@ int highest_carpet(const CarpetMap& map, int column) {
   for (int row = map.rows() - 1; row >= map.first_cell(); --row) {
     const Surface surface = map.at(column, row);
     if (surface == Surface::carpet) ++score;
-    if (surface == Surface::other) --score;
+    if (surface == Surface::other) score -= kAgainst;
     if (best_row == map.rows()) score = std::max(score, kOccluder);
     if (score <= best || surface != Surface::carpet) continue;
     best = score;
@@ -29,12 +30,14 @@ int highest_carpet(const CarpetMap& map, int column) {
 
 /// Where a column reaches higher than most of its neighbours, it followed something that is not the field.
 int without_spike(const std::array<int, kColumns>& rows, int column) {
-  std::array<int, 5> around{};
-  for (int i = 0; i < 5; ++i) {
-    around[static_cast<std::size_t>(i)] = rows[static_cast<std::size_t>(std::clamp(column + i - 2, 0, kColumns - 1))];
+  constexpr int kReach = 3;
+  std::array<int, 2 * kReach + 1> around{};
+  for (int i = -kReach; i <= kReach; ++i) {
+    around[static_cast<std::size_t>(i + kReach)] =
+        rows[static_cast<std::size_t>(std::clamp(column + i, 0, kColumns - 1))];
   }
-  std::nth_element(around.begin(), around.begin() + 2, around.end());
-  return std::max(rows[static_cast<std::size_t>(column)], around[2]);
+  std::nth_element(around.begin(), around.begin() + kReach, around.end());
+  return std::max(rows[static_cast<std::size_t>(column)], around[kReach]);
 }
 
 }  // namespace

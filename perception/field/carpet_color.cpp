@@ -11,8 +11,9 @@ namespace {
 constexpr int kSampleColumns = 48;
 constexpr int kSampleRows = 36;
 constexpr std::size_t kFewestSamples = 40;
-constexpr double kFewestShare = 0.1;  // of the samples must be of one green
-constexpr double kNear = 4.0;         // m
+constexpr double kFewestShare = 0.1;     // of the samples must be of one green
+constexpr double kShareOfAnother = 0.3;  // before a known colour is given up for another one
+constexpr double kNear = 4.0;            // m
 
 /// Could any carpet have this chroma? From yellowish to bluish green, with room for a white balance that is off.
 bool is_greenish(double b, double r) {
@@ -61,7 +62,9 @@ bool CarpetColor::find_green(double& b, double& r) const {
   constexpr int kRange = 64;
   std::array<int, static_cast<std::size_t>(kBins * kBins)> histogram{};
   const auto bin = [](int chroma) { return std::clamp((chroma + kRange) / 4, 1, kBins - 2); };
-  for (const Sample& sample : samples_) ++histogram[static_cast<std::size_t>(bin(sample.b) * kBins + bin(sample.r))];
+  for (const Sample& sample : samples_) {
+    if (is_greenish(sample.b, sample.r)) ++histogram[static_cast<std::size_t>(bin(sample.b) * kBins + bin(sample.r))];
+  }
 
   int most = 0;
   for (int i = 1; i + 1 < kBins; ++i) {
@@ -88,7 +91,7 @@ void CarpetColor::blend(double b, double r) {
   const double radius = radius_around(b, r);
   double count = 0.0, sum_b = 0.0, sum_r = 0.0, sum_y = 0.0, sum_difference = 0.0;
   for (const Sample& sample : samples_) {
-    if (std::hypot(sample.b - b, sample.r - r) > radius) continue;
+    if (!is_greenish(sample.b, sample.r) || std::hypot(sample.b - b, sample.r - r) > radius) continue;
     count += 1.0;
     sum_b += sample.b;
     sum_r += sample.r;
@@ -97,7 +100,9 @@ void CarpetColor::blend(double b, double r) {
   }
   if (count == 0.0) return;
   const double moved = std::hypot(sum_b / count - b_, sum_r / count - r_);
-  const double kept = known_ && moved < 0.5 * std::hypot(b_, r_) ? parameters_.carpet_memory : 0.0;
+  const bool another = known_ && moved > 0.5 * std::hypot(b_, r_);
+  if (another && count < kShareOfAnother * static_cast<double>(samples_.size())) return;
+  const double kept = known_ && !another ? parameters_.carpet_memory : 0.0;
   const auto mix = [&](double& old, double sum) { old = kept * old + (1.0 - kept) * sum / count; };
   mix(b_, sum_b);
   mix(r_, sum_r);

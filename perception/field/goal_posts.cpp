@@ -35,49 +35,60 @@ void GoalPosts::find(const ImageView& image, const GroundView& view, const Carpe
   if (image.width < 16 || image.height < 16) return;
   const Frame frame{image, view, color};
   // A post crosses everything between its foot and the horizon: in front of the carpet, of its border, of the room.
-  for (const double share : {0.0, -0.15, 0.5, 0.9}) scan(frame, percept.boundary, share, percept);
+  for (const double share : {0.0, -0.15, 0.5, 0.9}) scan(frame, share, percept);
 }
 
-/// Along a line that is at `share` of the way from the boundary (0) up to the horizon (1).
-void GoalPosts::scan(const Frame& frame, const std::vector<float>& boundary, double share, FieldPercept& percept) {
+/// Along a line that is at `share` of the way from the boundary (0) up to the horizon (1). Large images are read at
+/// half their size, which is sharp enough for a post and less noisy.
+void GoalPosts::scan(const Frame& frame, double share, FieldPercept& percept) {
+  const ImageView& image = frame.image;
   const double left = frame.view.horizon(0.0);
-  const double slope = (frame.view.horizon(frame.image.width - 1.0) - left) / std::max(1.0, frame.image.width - 1.0);
-  const auto row_of = [&](int x) {
-    const double border = std::min(boundary_at(boundary, frame.image.width, x), frame.image.height - 1.0);
-    const double horizon = left + slope * x;
-    return std::clamp(static_cast<int>(border + share * (horizon - border)), 0, frame.image.height - 1);
+  const double tilt = (frame.view.horizon(image.width - 1.0) - left) / std::max(1.0, image.width - 1.0);
+  const auto row_of = [&](double x) {
+    const double border = std::min(boundary_at(percept.boundary, image.width, x), image.height - 1.0);
+    return std::clamp(static_cast<int>(border + share * (left + tilt * x - border)), 1, image.height - 2);
   };
-  luma_.resize(static_cast<std::size_t>(frame.image.width));
-  for (int x = 0; x < frame.image.width; ++x) {
-    luma_[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(2 * frame.image.luma(x, row_of(x)));
+  const int step = image.width > 400 ? 2 : 1;
+  luma_.resize(static_cast<std::size_t>(image.width / step));
+  for (std::size_t i = 0; i < luma_.size(); ++i) {
+    const int x = static_cast<int>(i) * step;
+    const int y = row_of(x);
+    int sum = 0;
+    for (int k = -1; k <= 1; ++k) sum += image.luma(x, y + k) + image.luma(x + step - 1, y + k);
+    luma_[i] = static_cast<std::int16_t>(sum);
   }
-  const int contrast = static_cast<int>(2.0 * std::max(parameters_.post_contrast, 2.0 * frame.color.noise()));
-  const int least_slope = contrast / (frame.image.width > 400 ? 4 : 2);  // large images blur an edge over more pixels
-  find_bright_segments(luma_, least_slope, contrast, 0.25 * frame.image.width, segments_);
+  const int contrast = static_cast<int>(6.0 * std::max(parameters_.post_contrast, 2.0 * frame.color.noise()));
+  find_bright_segments(luma_, contrast / 2, contrast, 0.25 * static_cast<double>(luma_.size()), segments_);
   for (const BrightSegment& segment : segments_) {
-    consider(frame, segment, row_of(static_cast<int>(0.5 * (segment.begin + segment.end))), percept);
+    const double x = step * 0.5 * (segment.begin + segment.end) + 0.5 * (step - 1);
+    consider(frame, {x, static_cast<double>(row_of(x))}, step * (segment.end - segment.begin), percept);
   }
 }
 
-void GoalPosts::consider(const Frame& frame, const BrightSegment& segment, int row, FieldPercept& percept) const {
-  constexpr double kGreenest = 0.4;
+void GoalPosts::consider(const Frame& frame, const Vector2d& pixel, double width, FieldPercept& percept) const {
   if (percept.goal_posts.size() >= kMostPosts) return;
   Candidate candidate;
-  candidate.pixel = {0.5 * (segment.begin + segment.end), static_cast<double>(row)};
-  candidate.width = segment.end - segment.begin;
-  candidate.look = pixel_at(frame.image, candidate.pixel);
-  if (candidate.look.y < frame.color.luma() + parameters_.post_contrast ||
-      frame.color.greenness(candidate.look.cb, candidate.look.cr) > kGreenest) {
-    return;
-  }
+  candidate.pixel = pixel;
+  candidate.width = width;
+  candidate.look = pixel_at(frame.image, pixel);
+  if (!may_be_post(frame, candidate.look)) return;
   for (const GoalPost& known : percept.goal_posts) {
     if (std::abs(known.base.x() - candidate.pixel.x()) < 1.5 * candidate.width + 4.0) return;
   }
   candidate.foot = follow(frame, candidate, 1);
   candidate.top = follow(frame, candidate, -1);
   const bool cut_off = candidate.foot.y() >= frame.image.height - 2.0;
-  const auto post = cut_off ? post_without_foot(frame, candidate) : post_on_carpet(frame, candidate);
+  const auto post = cut_off ? post_without_foot(frame, candidate) : post_on_carpet(frame, candidate, percept.boundary);
   if (post) percept.goal_posts.push_back(*post);
+}
+
+/// White, or yellow in 2013; lighter than the carpet.
+bool GoalPosts::may_be_post(const Frame& frame, const Ycbcr& look) const {
+  constexpr double kLighter = 1.4;
+  const double blue = (look.cb - 128) / static_cast<double>(std::max<int>(look.y, 1));
+  const double red = (look.cr - 128) / static_cast<double>(std::max<int>(look.y, 1));
+  if (look.y < std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast)) return false;
+  return field_.yellow_goals ? blue < -0.15 && red > -0.15 && red < 0.3 : std::hypot(blue, red) < 0.16;
 }
 
 bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, const Vector2d& pixel) const {
@@ -107,9 +118,15 @@ Vector2d GoalPosts::follow(const Frame& frame, const Candidate& candidate, int d
   return last;
 }
 
-std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Candidate& candidate) const {
+std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Candidate& candidate,
+                                                  const std::vector<float>& boundary) const {
+  constexpr double kInside =
+      0.25;  // m of carpet that there must be behind it: goal lines are not at the carpet's border
   const auto foot = frame.view.ground(candidate.foot);
   if (!foot || frame.view.distance(*foot) > parameters_.post_range) return std::nullopt;
+  const double border = boundary_at(boundary, frame.image.width, candidate.foot.x());
+  const auto behind = frame.view.ground({candidate.foot.x(), border});
+  if (behind && frame.view.distance(*behind) < frame.view.distance(*foot) + kInside) return std::nullopt;
   const Vector2d below = candidate.foot + Vector2d(0.0, std::max(3.0, 0.25 * candidate.width));
   if (!inside(frame.image, below)) return std::nullopt;
   const Ycbcr ground = pixel_at(frame.image, below);
@@ -142,6 +159,7 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const Frame& frame, const C
 bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, const Vector2d& position) const {
   constexpr int kHeights = 12;
   constexpr double kTallest = 1.12;      // of a post's height; there it must have ended
+  constexpr double kOtherHue = 12.0;     // steps of chroma
   constexpr double kLeastVisible = 0.6;  // of its heights must be in the image
   const double radius = 0.5 * field_.goal_post_diameter;
   const Vector2d away = frame.view.away(position);
@@ -152,9 +170,10 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
     if (pixel && !inside(frame.image, *pixel)) pixel.reset();
     return pixel;
   };
-  const auto differs = [&](const Vector2d& pixel) {
+  const auto differs = [&](const Vector2d& pixel, const Ycbcr& post) {
     const Ycbcr seen = pixel_at(frame.image, pixel);
-    return seen.y < candidate.look.y - 0.5 * parameters_.post_contrast || !has_post_color(frame, candidate, pixel);
+    return std::abs(seen.y - post.y) > 0.7 * parameters_.post_contrast ||
+           std::hypot(seen.cb - post.cb, seen.cr - post.cr) > kOtherHue;
   };
   int visible = 0, in_post = 0, left_free = 0, right_free = 0;
   for (int i = 0; i < kHeights; ++i) {
@@ -164,19 +183,21 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
     if (!middle || !side) continue;
     ++visible;
     const double half = std::abs(side->x() - middle->x());
+    const Ycbcr post = pixel_at(frame.image, *middle);
     const Vector2d beyond(1.3 * half + 2.0, 0.0);
     const Vector2d within(0.5 * half, 0.0);
     in_post += has_post_color(frame, candidate, *middle) ? 1 : 0;
     const bool left_inside = inside(frame.image, *middle - beyond) && inside(frame.image, *middle - within);
     const bool right_inside = inside(frame.image, *middle + beyond) && inside(frame.image, *middle + within);
-    left_free += left_inside && differs(*middle - beyond) && has_post_color(frame, candidate, *middle - within) ? 1 : 0;
+    left_free +=
+        left_inside && differs(*middle - beyond, post) && has_post_color(frame, candidate, *middle - within) ? 1 : 0;
     right_free +=
-        right_inside && differs(*middle + beyond) && has_post_color(frame, candidate, *middle + within) ? 1 : 0;
+        right_inside && differs(*middle + beyond, post) && has_post_color(frame, candidate, *middle + within) ? 1 : 0;
   }
   const double needed = parameters_.post_agreement * visible;
   if (visible < kLeastVisible * kHeights || in_post < needed || left_free < needed || right_free < needed) return false;
   const auto above = project(0.0, kTallest * field_.goal_height);
-  return !above || differs(*above);
+  return !above || differs(*above, candidate.look);
 }
 
 }  // namespace reorient

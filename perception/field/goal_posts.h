@@ -37,11 +37,13 @@ class GoalPosts {
     Eigen::Vector2d foot, top;
   };
 
-  void scan(const Frame& frame, const std::vector<float>& boundary, double share, FieldPercept& percept);
-  void consider(const Frame& frame, const BrightSegment& segment, int row, FieldPercept& percept) const;
+  void scan(const Frame& frame, double share, FieldPercept& percept);
+  void consider(const Frame& frame, const Eigen::Vector2d& pixel, double width, FieldPercept& percept) const;
+  bool may_be_post(const Frame& frame, const Ycbcr& look) const;
   bool has_post_color(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& pixel) const;
   Eigen::Vector2d follow(const Frame& frame, const Candidate& candidate, int direction) const;
-  std::optional<GoalPost> post_on_carpet(const Frame& frame, const Candidate& candidate) const;
+  std::optional<GoalPost> post_on_carpet(const Frame& frame, const Candidate& candidate,
+                                         const std::vector<float>& boundary) const;
   std::optional<GoalPost> post_without_foot(const Frame& frame, const Candidate& candidate) const;
   bool outline_agrees(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& position) const;
 

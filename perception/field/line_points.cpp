@@ -227,10 +227,10 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
 /// Noise and marks stand alone, lines go on. The points that continue a line also tell its direction better than
 /// the gradient at one place, since far away a pixel is a large step along the line of sight.
 void LinePoints::keep_supported(FieldPercept& percept) const {
-  constexpr double kSlant = 0.25;    // tangent of the angle by which a line may bend away from a point's own tangent
+  constexpr double kSlant = 0.12;    // tangent of the angle by which a line may bend away from a point's own tangent
   constexpr double kParallel = 0.9;  // cosine
   for (const Candidate& candidate : candidates_) {
-    const double reach = std::clamp(0.12 * candidate.distance, 0.15, 0.4);
+    const double reach = std::clamp(0.12 * candidate.distance, 0.2, 0.4);
     int support = 0;
     double least = 0.0, most = 0.0;
     Vector2d sum = candidate.position;
@@ -240,7 +240,7 @@ void LinePoints::keep_supported(FieldPercept& percept) const {
       const Vector2d offset = other.position - candidate.position;
       if (std::abs(offset.x()) > reach || std::abs(offset.y()) > reach) continue;
       const Vector2d chord = other.pixel - candidate.pixel;
-      if (std::abs(cross(chord, candidate.tangent)) > 1.5 + kSlant * chord.norm()) continue;
+      if (std::abs(cross(chord, candidate.tangent)) > 1.0 + kSlant * chord.norm()) continue;
       if (std::abs(candidate.tangent.dot(other.tangent)) < kParallel) continue;
       const double along = -offset.x() * candidate.normal.y() + offset.y() * candidate.normal.x();
       least = std::min(least, along);
@@ -249,7 +249,7 @@ void LinePoints::keep_supported(FieldPercept& percept) const {
       squares += offset * offset.transpose();
       ++support;
     }
-    if (support < parameters_.line_support || most - least < 1.2 * field_.penalty_mark_size) continue;
+    if (support < parameters_.line_support || most - least < 2.0 * field_.penalty_mark_size) continue;
     const Vector2d mean = (sum - candidate.position) / (support + 1);
     const Eigen::Matrix2d spread = squares / (support + 1) - mean * mean.transpose();
     const double along_angle = 0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));

@@ -21,23 +21,24 @@ bool is_post(const FieldPercept& percept, double x, double column_width) {
 Obstacles::Obstacles(const FieldFeatureParameters& parameters) : parameters_(parameters) {}
 
 void Obstacles::find(const CarpetMap& map, const GroundView& view, FieldPercept& percept) {
-  constexpr double kSameBase = 0.25;  // of the distance, from column to column
+  constexpr double kSameThing = 2.0;  // a hand at half the camera's height seems to stand twice as far away as the feet
   constexpr double kGap = 0.12;       // m of carpet seen between two legs
   percept.obstacles.clear();
   for (int i = 0; i < CarpetMap::kColumns; ++i) feet_[static_cast<std::size_t>(i)] = foot_in(map, view, percept, i);
   int first = -1;
   int last = -1;
+  double nearest = 0.0;
   for (int i = 0; i < CarpetMap::kColumns; ++i) {
     const Foot& foot = feet_[static_cast<std::size_t>(i)];
     if (foot.row < 0) continue;
     const double gap = std::max(2.0, kGap * view.camera().focal.x() / (foot.distance * map.column_width()));
     const bool goes_on =
-        last >= 0 && i - last <= gap &&
-        std::abs(foot.distance - feet_[static_cast<std::size_t>(last)].distance) < kSameBase * foot.distance;
+        last >= 0 && i - last <= gap && foot.distance < kSameThing * nearest && nearest < kSameThing * foot.distance;
     if (!goes_on) {
       if (last >= 0) add(map, view, first, last, percept);
       first = i;
     }
+    nearest = goes_on ? std::min(nearest, foot.distance) : foot.distance;
     last = i;
   }
   if (last >= 0) add(map, view, first, last, percept);

@@ -1,13 +1,10 @@
 #include "perception/field/field_features.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "geometry/head.h"
-#include "geometry/random.h"
 #include "tests/perception/field/flat_field.h"
 
 namespace reorient {
@@ -143,6 +140,31 @@ TEST_P(FieldFeaturesAtEveryResolution, KeepTheLinesUnderDimAndTintedLight) {
   }
 }
 
+TEST_P(FieldFeaturesAtEveryResolution, SeeTheYellowGoalsOf2013) {
+  FlatField scene = FlatField::with_goals();
+  scene.field.yellow_goals = true;
+  for (Box& post : scene.boxes) post.color = {150, 70, 140};
+  const Stand here = stand({1.8, 0.0, 0.0}, {0.0, 0.1});
+  EXPECT_EQ(percept_of(scene, here).goal_posts.size(), 2u);
+  scene.field.yellow_goals = false;
+  EXPECT_TRUE(percept_of(scene, here).goal_posts.empty());
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, GuessWhereAPostStandsWhoseFootIsBelowTheImage) {
+  const FlatField scene = FlatField::with_goals();
+  const Stand down = stand({3.0, 0.8, 0.0}, {0.0, 0.25});
+  const Stand close = stand({3.6, 0.8, 0.0}, {0.0, -0.05});
+  FieldFeatures features({}, scene.field);
+  const Image carpet = down.see(scene);
+  features.find(carpet.view(), down.camera, down.robot_from_camera);
+  const Image image = close.see(scene);
+  const FieldPercept& percept = features.find(image.view(), close.camera, close.robot_from_camera);
+  ASSERT_EQ(percept.goal_posts.size(), 1u);
+  EXPECT_FALSE(percept.goal_posts[0].base_visible);
+  EXPECT_NEAR(percept.goal_posts[0].position.x(), 0.9, 0.2);
+  EXPECT_NEAR(percept.goal_posts[0].position.y(), 0.0, 0.05);
+}
+
 INSTANTIATE_TEST_SUITE_P(Resolutions, FieldFeaturesAtEveryResolution, testing::Values(640, 320, 160));
 
 TEST(FieldFeatures, SeeLinesWithATorsoThatSways) {
@@ -189,6 +211,19 @@ TEST(FieldFeatures, KeepTheCarpetsColourWhenTheyLookAway) {
   features.find(room.view(), up.camera, up.robot_from_camera);
   EXPECT_EQ(features.carpet_color().surface(75, 105, 108), Surface::carpet);
   EXPECT_EQ(features.carpet_color().surface(190, 126, 130), Surface::other);
+}
+
+TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
+  const FlatField scene = FlatField::with_goals();
+  const Stand down(160, 120, {3.0, 0.8, 0.0}, {0.0, 0.25});
+  const Stand close(160, 120, {3.6, 0.8, 0.0}, {0.0, -0.05});
+  FieldFeatures features({}, scene.field);
+  const Image carpet = down.see(scene);
+  const Image hall = close.see(scene);
+  features.find(carpet.view(), down.camera, down.robot_from_camera);
+  for (int i = 0; i < 20; ++i) features.find(hall.view(), close.camera, close.robot_from_camera);
+  EXPECT_NEAR(features.carpet_color().luma(), 75.0, 15.0);
+  EXPECT_EQ(features.carpet_color().surface(95, 132, 134), Surface::other);
 }
 
 }  // namespace
