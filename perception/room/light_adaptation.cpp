@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace reorient {
+namespace {
+
+/// `share` of `b` and the rest of `a`.
+Light mixed(const Light& a, const Light& b, double share) {
+  return {a.luma + share * (b.luma - a.luma), a.cb + share * (b.cb - a.cb), a.cr + share * (b.cr - a.cr)};
+}
+
+}  // namespace
 
 LightSums& LightSums::operator+=(const LightSums& other) {
   luma += other.luma;
@@ -37,23 +45,40 @@ LightSums sum_light(const ImageView& image, int row, int left, int right, const 
   return sums;
 }
 
-void LightAdaptation::observe(const LightSums& frame, double step, const LightParameters& parameters) {
-  constexpr int kFewest = 50;  // pixels; fewer say nothing about the room
-  if (frame.pixels < kFewest) {
-    unseen_ += step;
-    return;
-  }
-  if (unseen_ > parameters.fresh_after) age_ = 0.0;
+void LightAdaptation::forget_tiles() { std::fill(tiles_.begin(), tiles_.end(), SeenTile{}); }
+
+void LightAdaptation::restart(int tiles) {
+  tiles_.resize(static_cast<std::size_t>(tiles));
+  forget_tiles();
+  light_ = {};
   unseen_ = 0.0;
-  const double memory = std::min(age_, parameters.time_constant);
-  const double share = memory > 0.0 ? step / (memory + step) : 1.0;
-  const Light seen = frame.mean();
-  light_.luma += share * (seen.luma - light_.luma);
-  light_.cb += share * (seen.cb - light_.cb);
-  light_.cr += share * (seen.cr - light_.cr);
-  age_ += std::max(step, 1e-3);
 }
 
-void LightAdaptation::restart() { *this = {}; }
+void LightAdaptation::observe(std::span<const TileLight> frame, double elapsed, const LightParameters& parameters) {
+  constexpr int kFewest = 10;  // pixels of a tile; fewer say nothing about it
+  unseen_ += elapsed;
+  if (unseen_ > parameters.fresh_after) forget_tiles();
+  for (SeenTile& tile : tiles_) {
+    tile.unseen += elapsed;
+    if (tile.unseen > parameters.memory) tile.known = false;
+  }
+  for (const TileLight& seen : frame) {
+    if (seen.sums.pixels < kFewest) continue;
+    SeenTile& tile = tiles_[static_cast<std::size_t>(seen.tile)];
+    const double share = tile.known && elapsed > 0.0 ? elapsed / (parameters.time_constant + elapsed) : 1.0;
+    tile.light = mixed(tile.light, seen.sums.mean(), share);
+    tile.known = true;
+    tile.unseen = 0.0;
+    unseen_ = 0.0;
+  }
+  Light sum{0.0, 0.0, 0.0};
+  int known = 0;
+  for (const SeenTile& tile : tiles_) {
+    if (!tile.known) continue;
+    sum = {sum.luma + tile.light.luma, sum.cb + tile.light.cb, sum.cr + tile.light.cr};
+    ++known;
+  }
+  if (known > 0) light_ = {sum.luma / known, sum.cb / known, sum.cr / known};
+}
 
 }  // namespace reorient

@@ -72,6 +72,7 @@ void PerceivedTiles::find(const RoomView& view, const Wall& wall, const Percepti
   const auto tiles = static_cast<std::size_t>(wall.tiles());
   counts_.assign(tiles, TileCount{});
   tiles_.reserve(tiles);
+  lights_.reserve(tiles);
   if (view.image.empty() || view.image.width < 2) return;
   const bool finite = view.belief.position.allFinite() && std::isfinite(view.belief.rotation) &&
                       view.robot_from_camera.matrix().allFinite();
@@ -196,13 +197,19 @@ void PerceivedTiles::blur(double share) {
   for (PerceivedTile& tile : tiles_) tile.histogram = blurred(tile.histogram, share);
 }
 
-LightSums PerceivedTiles::light(const ImageView& image, const LightParameters& parameters) const {
-  LightSums sums;
+std::span<const TileLight> PerceivedTiles::light(const ImageView& image, const LightParameters& parameters,
+                                                 const PerceptionParameters& perception) {
   for (const TileBlock& block : blocks_) {
     const int middle = (block.pixels.top + block.pixels.bottom) / 2;
-    sums += sum_light(image, middle, block.pixels.left, block.pixels.right, parameters);
+    counts_[static_cast<std::size_t>(block.tile)].light +=
+        sum_light(image, middle, block.pixels.left, block.pixels.right, parameters);
   }
-  return sums;
+  lights_.clear();
+  for (const PerceivedTile& tile : tiles_) {
+    if (tile.coverage() < perception.min_coverage) continue;
+    lights_.push_back({tile.tile, counts_[static_cast<std::size_t>(tile.tile)].light});
+  }
+  return lights_;
 }
 
 void PerceivedTiles::count(const ImageView& image, const ColorThresholds& thresholds,

@@ -56,8 +56,9 @@ class PerceivedTiles {
   /// finite.
   void find(const RoomView& view, const Wall& wall, const PerceptionParameters& parameters);
 
-  /// The light on what is in view of the wall. To be called after find() with the same image.
-  LightSums light(const ImageView& image, const LightParameters& parameters) const;
+  /// The light on each tile of which enough is in view. After find() with the same image; valid until the next call.
+  std::span<const TileLight> light(const ImageView& image, const LightParameters& parameters,
+                                   const PerceptionParameters& perception);
 
   /// Counts the colours of each tile and decides which tiles count. After find() with the same image.
   void count(const ImageView& image, const ColorThresholds& thresholds, const PerceptionParameters& parameters);
@@ -79,6 +80,7 @@ class PerceivedTiles {
 
   struct TileCount {
     ColorCounts colors{};
+    LightSums light;
     double area = 0.0;
   };
 
@@ -90,6 +92,7 @@ class PerceivedTiles {
   std::vector<TileBlock> blocks_;
   std::vector<TileCount> counts_;  // for each tile of the wall
   std::vector<PerceivedTile> tiles_;
+  std::vector<TileLight> lights_;
 };
 
 }  // namespace reorient

@@ -31,8 +31,9 @@ RoomAwareness::RoomAwareness(const RoomParameters& parameters, std::uint64_t see
 }
 
 const Confidences& RoomAwareness::update(const RoomView& view) {
-  const double step = seconds_since_last(view.time);
-  perceive(view, step);
+  const double elapsed = seconds_since_last(view.time);
+  const double step = std::min(elapsed, kLongestStep);
+  perceive(view, elapsed);
   if (view.train) train(step);
   compared_model_.prepare(model_, comparison());
   if (view.evaluate) evaluate(view, step);
@@ -43,14 +44,14 @@ const Confidences& RoomAwareness::update(const RoomView& view) {
 
 double RoomAwareness::seconds_since_last(double time) {
   if (!std::isfinite(time)) return 0.0;
-  const double step = last_time_ ? std::clamp(time - *last_time_, 0.0, kLongestStep) : kFirstStep;
+  const double elapsed = last_time_ ? std::max(time - *last_time_, 0.0) : kFirstStep;
   last_time_ = time;
-  return step;
+  return elapsed;
 }
 
-void RoomAwareness::perceive(const RoomView& view, double step) {
+void RoomAwareness::perceive(const RoomView& view, double elapsed) {
   perceived_.find(view, wall_, parameters_.perception);
-  light_.observe(perceived_.light(view.image, parameters_.light), step, parameters_.light);
+  light_.observe(perceived_.light(view.image, parameters_.light, parameters_.perception), elapsed, parameters_.light);
   const Light light = is_paper() ? Light{} : light_.light();
   perceived_.count(view.image, color_thresholds(parameters_.color, light), parameters_.perception);
   if (is_paper()) perceived_.blur(parameters_.color.blur);
@@ -137,7 +138,7 @@ void RoomAwareness::forget() {
   filter_.spread(parameters_.view_filter.particles);
   filter_.find_clusters();
   confidences_ = {};
-  light_.restart();
+  light_.restart(wall_.tiles());
   last_time_.reset();
   last_direction_.reset();
   view_center_.reset();

@@ -99,8 +99,8 @@ class RoomAwareness {
   void append_state(std::vector<std::uint8_t>& bytes) const;
 
  private:
-  double seconds_since_last(double time);
-  void perceive(const RoomView& view, double step);
+  double seconds_since_last(double time);  // 0 where time does not go on
+  void perceive(const RoomView& view, double elapsed);
   void train(double step);
   void evaluate(const RoomView& view, double step);
   double turn_since_last(const RoomView& view);

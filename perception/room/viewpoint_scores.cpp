@@ -32,6 +32,8 @@ void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const Co
                               const Comparison& comparison) {
   perceived_.clear();
   places_.clear();
+  perceived_.reserve(static_cast<std::size_t>(wall.tiles()));
+  places_.reserve(static_cast<std::size_t>(wall.tiles()));
   for (const PerceivedTile& tile : perceived) {
     if (!tile.counts) continue;
     perceived_.push_back(prepared(comparison.measure, tile.histogram));

@@ -16,7 +16,7 @@ struct WallParameters {
   double bottom = 0.7;
   double top = 3.1;
   int rows = 2;
-  int columns = 32;
+  int columns = 48;
 };
 template <typename Visit>
 void describe(WallParameters& p, Visit&& visit) {

@@ -2,46 +2,62 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 namespace reorient {
 namespace {
 
-LightSums sums_of(const Light& light, int pixels = 1000) {
-  return {light.luma * pixels, light.cb * pixels, light.cr * pixels, pixels};
+/// One frame that shows these tiles in this light.
+void observe(LightAdaptation& adaptation, std::vector<int> tiles, const Light& light, double elapsed = 0.1) {
+  std::vector<TileLight> frame;
+  for (const int tile : tiles) frame.push_back({tile, {light.luma * 100, light.cb * 100, light.cr * 100, 100}});
+  adaptation.observe(frame, elapsed, {});
 }
 
-TEST(LightAdaptation, IsNeutralBeforeAnythingWasSeen) {
-  const LightAdaptation adaptation;
+struct RoomLight : testing::Test {
+  RoomLight() { adaptation.restart(8); }
+  LightAdaptation adaptation;
+};
+
+TEST_F(RoomLight, IsNeutralBeforeAnythingWasSeen) {
+  EXPECT_EQ(adaptation.light().luma, 115.0);
+  observe(adaptation, {}, {});
   EXPECT_EQ(adaptation.light().luma, 115.0);
   EXPECT_EQ(adaptation.light().cb, 128.0);
 }
 
-TEST(LightAdaptation, IsATrueMeanAtFirst) {
-  LightAdaptation adaptation;
-  adaptation.observe(sums_of({100, 120, 130}), 0.1, {});
-  EXPECT_NEAR(adaptation.light().luma, 100.0, 1e-9);
-  adaptation.observe(sums_of({140, 124, 134}), 0.1, {});
-  EXPECT_NEAR(adaptation.light().luma, 120.0, 1e-9);
-  EXPECT_NEAR(adaptation.light().cb, 122.0, 1e-9);
-  EXPECT_NEAR(adaptation.light().cr, 132.0, 1e-9);
+TEST_F(RoomLight, IsTheMeanOverTheTilesHoweverLongEachWasInView) {
+  observe(adaptation, {0, 1, 2}, {100, 120, 130});
+  for (int i = 0; i < 50; ++i) observe(adaptation, {3}, {140, 124, 134});
+  EXPECT_NEAR(adaptation.light().luma, 110.0, 1e-9);
+  EXPECT_NEAR(adaptation.light().cb, 121.0, 1e-9);
+  EXPECT_NEAR(adaptation.light().cr, 131.0, 1e-9);
 }
 
-TEST(LightAdaptation, ForgetsWithItsTimeConstant) {
-  LightAdaptation adaptation;
-  for (int i = 0; i < 600; ++i) adaptation.observe(sums_of({100, 128, 128}), 0.1, {});
-  for (int i = 0; i < 200; ++i) adaptation.observe(sums_of({200, 128, 128}), 0.1, {});
+TEST_F(RoomLight, FollowsATileWithItsTimeConstant) {
+  observe(adaptation, {0}, {100, 128, 128});
+  for (int i = 0; i < 100; ++i) observe(adaptation, {0}, {200, 128, 128}, 0.01);
   EXPECT_NEAR(adaptation.light().luma, 200.0 - 100.0 * std::exp(-1.0), 0.5);
 }
 
-TEST(LightAdaptation, StartsAfreshAfterALongTimeWithoutWall) {
-  LightAdaptation adaptation;
-  for (int i = 0; i < 100; ++i) adaptation.observe(sums_of({100, 128, 128}), 0.1, {});
-  for (int i = 0; i < 30; ++i) adaptation.observe({}, 0.1, {});
+TEST_F(RoomLight, ForgetsTilesThatWereNotSeenForLong) {
+  observe(adaptation, {0}, {100, 128, 128});
+  for (int i = 0; i < 190; ++i) observe(adaptation, {1}, {140, 128, 128});
+  EXPECT_NEAR(adaptation.light().luma, 120.0, 1e-9);
+  for (int i = 0; i < 20; ++i) observe(adaptation, {1}, {140, 128, 128});
+  EXPECT_NEAR(adaptation.light().luma, 140.0, 1e-9);
+}
+
+TEST_F(RoomLight, BeginsAfreshAfterATimeWithoutWallInViewOrWithoutFrames) {
+  observe(adaptation, {0, 1}, {100, 128, 128});
+  for (int i = 0; i < 30; ++i) observe(adaptation, {}, {});
   EXPECT_NEAR(adaptation.light().luma, 100.0, 1e-9) << "nothing new is known yet";
-  adaptation.observe(sums_of({50, 128, 128}), 0.1, {});
+  observe(adaptation, {2}, {50, 128, 128});
   EXPECT_NEAR(adaptation.light().luma, 50.0, 1e-9);
+  observe(adaptation, {3}, {70, 128, 128}, 5.0);
+  EXPECT_NEAR(adaptation.light().luma, 70.0, 1e-9);
 }
 
 TEST(LightAdaptation, LeavesSaturatedAndBlackPixelsOut) {

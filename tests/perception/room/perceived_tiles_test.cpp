@@ -61,7 +61,7 @@ TEST(PerceivedTiles, PixelsBelongToTheTileThatTheirRayMeets) {
           ++all;
         }
       }
-      EXPECT_LT(differ, all / 40) << "only along the borders; k1 " << k1 << ", width " << width;
+      EXPECT_LT(differ, all / 25) << "only along the borders; k1 " << k1 << ", width " << width;
       EXPECT_GT(pixels.size(), static_cast<std::size_t>(all / 3));
     }
   }

@@ -182,10 +182,10 @@ TEST(RoomAwareness, AnotherWallForgetsTheModelAndAnotherNumberDoesNot) {
   parameters.view_filter.noise *= 2.0;
   robot.awareness.set_parameters(parameters);
   EXPECT_GT(robot.awareness.confidences().coverage, 0.5);
-  parameters.wall.columns = 48;
+  parameters.wall.columns = 32;
   robot.awareness.set_parameters(parameters);
   EXPECT_EQ(robot.awareness.confidences().coverage, 0.0);
-  EXPECT_EQ(robot.awareness.model().tiles().size(), 2u * 48u);
+  EXPECT_EQ(robot.awareness.model().tiles().size(), 2u * 32u);
   robot.run(1.0);
   EXPECT_GT(robot.awareness.confidences().visible_tiles, 3);
 }

@@ -28,18 +28,18 @@ TEST(Wall, ItsFirstTileBeginsBehindTheOpponentGoal) {
   EXPECT_LT(ahead->column, 0.1);
   const auto left = wall.meet({0, 0, 0.5}, {0.0, 1.0, 0.1});
   ASSERT_TRUE(left);
-  EXPECT_NEAR(left->column, 8.0, 1e-9);
+  EXPECT_NEAR(left->column, 12.0, 1e-9);
   EXPECT_NEAR(left->row, (0.5 + 0.8 - 0.7) / 1.2, 1e-9);
 }
 
 RC_GTEST_PROP(Wall, ARayToAPointOfTheWallMeetsItThere, ()) {
   const Wall wall;
-  const double column = any_number(0, 31.999);
+  const double column = any_number(0, 47.999);
   const double row = any_number(-1, 3);
   const Eigen::Vector3d eye(any_number(-5, 5), any_number(-5, 5), 0.5);
   const auto met = wall.meet(eye, (wall.point(column, row) - eye) * any_number(0.1, 3.0));
   RC_ASSERT(met);
-  RC_ASSERT(std::abs(std::remainder(met->column - column, 32.0)) < 1e-6);
+  RC_ASSERT(std::abs(std::remainder(met->column - column, 48.0)) < 1e-6);
   RC_ASSERT(std::abs(met->row - row) < 1e-6);
 }
 

@@ -1,0 +1,50 @@
+// Counts allocations: a frame of room awareness makes none once it has seen a few.
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "painted_room.h"
+
+namespace {
+long allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace reorient {
+namespace {
+
+TEST(Memory, TheSteadyStateAllocatesNothing) {
+  for (const RoomMode mode : {RoomMode::adapted, RoomMode::paper}) {
+    RoomParameters parameters;
+    parameters.mode = mode;
+    test::ScanningRobot robot(test::PaintedRoom::colorful(1), parameters, 1);
+    const std::vector<CoveredArea> covered = {{20, 30, 60, 119}};
+    long during_updates = 0;
+    for (int frame = 0; frame < 300; ++frame) {
+      RoomView view = robot.look();
+      view.covered = covered;
+      const long before = allocations;
+      robot.awareness.update(view);
+      if (frame == 150) robot.awareness.on_flip();
+      if (frame > 0) during_updates += allocations - before;
+      robot.time += 1.0 / 15.0;
+      robot.truth.rotation += 0.01;
+      robot.belief = frame < 150 ? robot.truth : reflect(robot.truth);
+    }
+    EXPECT_EQ(during_updates, 0);
+    EXPECT_GT(robot.awareness.confidences().coverage, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace reorient
