@@ -18,9 +18,10 @@ struct NearLine {
   double normal = 0.0;
 };
 
-/// The rectangle in front of both goals that reaches `depth` into the field; only three sides of it are lines.
+/// The rectangle at both goals that reaches `depth` into the field, or out of it where that is negative; the side on
+/// the goal line is none of its own.
 void add_areas(std::vector<FieldLine>& lines, const FieldDimensions& field, double depth, double width) {
-  if (depth <= 0.0 || width <= 0.0) return;
+  if (depth == 0.0 || width <= 0.0) return;
   for (const double side : {1.0, -1.0}) {
     const double goal_line = side * field.length / 2.0;
     const double front = side * (field.length / 2.0 - depth);
@@ -95,7 +96,9 @@ FieldMap::FieldMap(const FieldDimensions& field) {
   cells_.resize(static_cast<std::size_t>(kDirections) * static_cast<std::size_t>(rows_) *
                 static_cast<std::size_t>(columns_));
 
-  const std::vector<FieldLine> lines = field_lines(field);
+  std::vector<FieldLine> lines = field_lines(field);
+  // The white tubes on the carpet that hold a goal's net look like lines, above all to a robot in front of them.
+  add_areas(lines, field, -field.goal_depth, 2.0 * field.goal_post_y);
   std::vector<NearLine> near_lines(lines.size() + 1);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
