@@ -17,6 +17,7 @@ enum class Surface : std::uint8_t { other, carpet, shade };
 class CarpetColor {
  public:
   explicit CarpetColor(const FieldFeatureParameters& parameters);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Looks at the ground close to the robot, where most is carpet. The colour is carried over from image to image; an
   /// image with little green leaves it as it is, one with another green (the light was switched) replaces it.

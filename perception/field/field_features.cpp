@@ -43,6 +43,13 @@ const FieldPercept& FieldFeatures::find(const ImageView& image, const CameraMode
   return percept_;
 }
 
+void FieldFeatures::set_parameters(const FieldFeatureParameters& parameters) {
+  carpet_color_.set_parameters(parameters);
+  goal_posts_.set_parameters(parameters);
+  obstacles_.set_parameters(parameters);
+  line_points_.set_parameters(parameters);
+}
+
 void FieldFeatures::see_nothing(int image_height) {
   percept_.line_points.clear();
   percept_.goal_posts.clear();

@@ -27,6 +27,9 @@ class FieldFeatures {
   const FieldPercept& find(const ImageView& image, const CameraModel& camera,
                            const Eigen::Isometry3d& robot_from_camera);
 
+  /// From the next image on.
+  void set_parameters(const FieldFeatureParameters& parameters);
+
   const CarpetColor& carpet_color() const { return carpet_color_; }
 
  private:

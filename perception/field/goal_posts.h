@@ -18,6 +18,7 @@ namespace reorient {
 class GoalPosts {
  public:
   GoalPosts(const FieldFeatureParameters& parameters, const FieldDimensions& field);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads the percept's boundary and fills in its goal posts.
   void find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept);

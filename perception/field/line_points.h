@@ -16,6 +16,7 @@ namespace reorient {
 class LinePoints {
  public:
   LinePoints(const FieldFeatureParameters& parameters, const FieldDimensions& field);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads boundary, goal posts and obstacles of the percept, and fills in its line points.
   void find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept);

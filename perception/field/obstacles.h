@@ -13,6 +13,7 @@ namespace reorient {
 class Obstacles {
  public:
   explicit Obstacles(const FieldFeatureParameters& parameters);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads the percept's boundary and goal posts and fills in its obstacles.
   void find(const CarpetMap& map, const GroundView& view, FieldPercept& percept);

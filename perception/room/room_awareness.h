@@ -3,46 +3,123 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "geometry/camera.h"
-#include "geometry/image.h"
-#include "geometry/pose2.h"
+#include "perception/room/background_model.h"
+#include "perception/room/color_histogram.h"
+#include "perception/room/confidences.h"
+#include "perception/room/histogram_distance.h"
+#include "perception/room/light_adaptation.h"
+#include "perception/room/perceived_tiles.h"
+#include "perception/room/room_view.h"
+#include "perception/room/self_similarity.h"
+#include "perception/room/view_filter.h"
+#include "perception/room/viewpoint_scores.h"
+#include "perception/room/wall.h"
 
 namespace reorient {
 
-/// A part of the image that does not show the room: a robot, a goal. Pixels, all four sides included.
-struct CoveredArea {
-  int left = 0;
-  int top = 0;
-  int right = 0;
-  int bottom = 0;
+/// Which recipe is followed.
+enum class RoomMode {
+  adapted,  ///< the better default: thresholds follow the light, Hellinger distance with a cap, true means, times
+  paper     ///< the paper's own: fixed thresholds, blur, three dominant bins, Eq. (1) and (2) in frames from the start
 };
 
-/// What one frame tells the module.
-struct RoomView {
-  double time = 0.0;                                ///< s
-  ImageView image;
-  CameraModel camera;
-  Eigen::Isometry3d robot_from_camera = Eigen::Isometry3d::Identity();
-  Pose2 belief;                                     ///< believed pose, field_from_robot
-  std::span<const CoveredArea> covered;
-  bool train = true;                                ///< false: the background model is left as it is
-  bool evaluate = true;                             ///< false: the view filter rests and the confidences stay as they are
+struct RoomModeParameters {
+  RoomMode mode = RoomMode::adapted;
+};
+template <typename Visit>
+void describe(RoomModeParameters& p, Visit&& visit) {
+  visit("mode", p.mode, {"adapted", "paper"}, "adapted: the better default; paper: the recipe as it was published");
+}
+
+/// Each part has its own describe(); the numbers that a mode does not use are said to be the other's.
+struct RoomParameters : RoomModeParameters {
+  WallParameters wall;
+  ColorParameters color;
+  LightParameters light;
+  PerceptionParameters perception;
+  BackgroundParameters background;
+  DistanceParameters distance;
+  ViewFilterParameters view_filter;
+  ConfidenceParameters confidence;
+  EvidenceParameters evidence;
 };
 
-/// All in [0, 1]; `current` and `opposite` are smoothed, their raw values are this frame's.
-struct Confidences {
-  double current = 0.0;
-  double opposite = 0.0;
-  double raw_current = 0.0;
-  double raw_opposite = 0.0;
-  double goal_opponent = 0.0;   ///< share of view particles on the wall behind the goal at +x
-  double goal_own = 0.0;        ///< the same, behind the goal at -x
-  double coverage = 0.0;        ///< share of the wall's tiles that are trained well enough to be compared with
-  double informative = 0.0;     ///< how much the model differs from itself turned by 180 degrees: 0 is the same
-  int visible_tiles = 0;        ///< tiles that counted in this frame
+/// Calls visit(prefix, part) for each part that has a describe() of its own.
+template <typename Visit>
+void for_each_part(RoomParameters& p, Visit&& visit) {
+  visit("room", static_cast<RoomModeParameters&>(p));
+  visit("wall", p.wall);
+  visit("color", p.color);
+  visit("light", p.light);
+  visit("perception", p.perception);
+  visit("background", p.background);
+  visit("distance", p.distance);
+  visit("view_filter", p.view_filter);
+  visit("confidence", p.confidence);
+  visit("evidence", p.evidence);
+}
+
+class RoomAwareness {
+ public:
+  explicit RoomAwareness(const RoomParameters& parameters = {}, std::uint64_t seed = 0);
+
+  /// One frame, in the paper's order: tiles, histograms, background model, view filter, confidences. Views with
+  /// anything that is not finite, or from outside of the wall, show no tiles; then the filter rests too.
+  const Confidences& update(const RoomView& view);
+
+  /// What a granted command means here. The paper starts the confidences from zero on each of the three; otherwise a
+  /// purge leaves them as they are. A flip turns the belief and not the robot: the view particles stay.
+  void on_flip();
+  void on_purge();
+  void on_reset();
+
+  /// Forgets the model, the particles, the confidences and the light; the random numbers go on.
+  void forget();
+
+  /// From the next frame on. Another wall (or another way of counting colours) makes the model void: it is forgotten.
+  void set_parameters(const RoomParameters& parameters);
+  const RoomParameters& parameters() const { return parameters_; }
+
+  const Confidences& confidences() const { return confidences_; }
+  const Wall& wall() const { return wall_; }
+  const BackgroundModel& model() const { return model_; }
+  std::span<const PerceivedTile> perceived() const { return perceived_.tiles(); }
+  std::span<const ViewParticle> particles() const { return filter_.particles(); }
+  std::span<const ViewCluster> clusters() const { return filter_.clusters(); }
+  const ViewpointScores& scores() const { return scores_; }
+  const Light& light() const { return light_.light(); }
+  /// Where on the wall the belief says that the camera looked in the last frame, rad; nothing if nowhere.
+  std::optional<double> center_of_view() const { return view_center_; }
+
+  /// Appends the bytes of everything that decides what comes next: model, particles, confidences, light.
+  void append_state(std::vector<std::uint8_t>& bytes) const;
+
+ private:
+  double seconds_since_last(double time);
+  void perceive(const RoomView& view, double step);
+  void train(double step);
+  void evaluate(const RoomView& view, double step);
+  double turn_since_last(const RoomView& view);
+  Comparison comparison() const;
+  ViewCorrection correction() const;
+  bool is_paper() const { return parameters_.mode == RoomMode::paper; }
+
+  RoomParameters parameters_;
+  Wall wall_;
+  LightAdaptation light_;
+  PerceivedTiles perceived_;
+  BackgroundModel model_;
+  ComparedModel compared_model_;
+  ViewpointScores scores_;
+  ViewFilter filter_;
+  Confidences confidences_;
+  std::optional<double> last_time_;
+  std::optional<double> last_direction_;  // camera yaw in the robot + odometry at the last evaluation, rad
+  std::optional<double> view_center_;
 };
 
 }  // namespace reorient

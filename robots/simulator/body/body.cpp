@@ -182,14 +182,8 @@ void Body::collide(std::span<const Barrier> barriers, const Eigen::Vector2d& bou
     const Clearance clear = clearance(barrier, pose_.position);
     const double deep = kRadius - clear.distance;
     if (deep <= 0.0) continue;
+    // What is left of the step slides along. The feet go on walking, and so does the odometry.
     pose_.position += deep * clear.away;
-    // What is left of the velocity slides along.
-    const Eigen::Vector2d away = Eigen::Rotation2Dd(-pose_.rotation) * clear.away;
-    const double into = away.x() * velocity_.forward + away.y() * velocity_.left;
-    if (into < 0.0) {
-      velocity_.forward -= into * away.x();
-      velocity_.left -= into * away.y();
-    }
   }
   pose_.position = pose_.position.cwiseMax(-bounds).cwiseMin(bounds);
 }

@@ -95,6 +95,7 @@ void Background::intersect(const RayTable& rays, const Eigen::Isometry3f& field_
   float* __restrict footprint = hits_.footprint.data();
   int* __restrict surface = hits_.surface.data();
 
+#pragma GCC ivdep
   for (int i = 0; i < width; ++i) {
     const float dx = r00 + r01 * left[i] + r02 * up[i];
     const float dy = r10 + r11 * left[i] + r12 * up[i];

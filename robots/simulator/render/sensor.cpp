@@ -73,6 +73,7 @@ void Sensor::expose(const Frame& frame, std::uint64_t number, double time_step, 
     const Channels& above = ring_[static_cast<std::size_t>(std::max(0, row - 1)) % kRing];
     const Channels& here = ring_[static_cast<std::size_t>(row) % kRing];
     const Channels& below = ring_[static_cast<std::size_t>(std::min(row + 1, frame.height - 1)) % kRing];
+#pragma GCC ivdep
     for (std::size_t i = 0; i < width; ++i) {
       mixed_.red[i] = middle * here.red[i] + side * (above.red[i] + below.red[i]);
       mixed_.green[i] = middle * here.green[i] + side * (above.green[i] + below.green[i]);
@@ -132,6 +133,7 @@ void Sensor::develop(const Channels& light, const float* __restrict vignette, in
   float* __restrict luma = luma_.data();
   float* __restrict cb = blue_.data();
   float* __restrict cr = red_.data();
+#pragma GCC ivdep
   for (int i = 0; i < width; ++i) {
     const float red = kWhite * tone(gain_red * vignette[i] * in_red[i] + veil);
     const float green = kWhite * tone(gain_green * vignette[i] * in_green[i] + veil);

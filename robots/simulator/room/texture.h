@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -72,9 +73,8 @@ class Texture {
     const float a = column - static_cast<float>(i);
     const float b = row - static_cast<float>(j);
     const Texel* lower = l.texels + static_cast<std::ptrdiff_t>(j) * l.stride + i;
-    const Texel* upper = lower + l.stride;
-    const Color from = load(lower[0]) + a * (load(lower[1]) - load(lower[0]));
-    const Color to = load(upper[0]) + a * (load(upper[1]) - load(upper[0]));
+    const Color from = between(lower, a);
+    const Color to = between(lower + l.stride, a);
     return (from + b * (to - from)) * (1.0f / kUnit);
   }
 
@@ -91,7 +91,20 @@ class Texture {
     float last_row = 0.0f;
   };
 
-  static Color load(Texel texel) { return __builtin_convertvector(texel, Color); }
+  /// From texels[0] to texels[1].
+  static Color between(const Texel* texels, float share) {
+    using Pair = std::uint16_t __attribute__((vector_size(16)));
+    using Whole = std::int32_t __attribute__((vector_size(16)));
+    static_assert(std::endian::native == std::endian::little, "interleaving with zeros widens only this way round");
+    Pair pair;
+    std::memcpy(&pair, texels, sizeof pair);
+    const Pair zeros{};
+    const Pair left = __builtin_shufflevector(pair, zeros, 0, 8, 1, 8, 2, 8, 3, 8);
+    const Pair right = __builtin_shufflevector(pair, zeros, 4, 8, 5, 8, 6, 8, 7, 8);
+    const Color from = __builtin_convertvector(std::bit_cast<Whole>(left), Color);
+    const Color to = __builtin_convertvector(std::bit_cast<Whole>(right), Color);
+    return from + share * (to - from);
+  }
   static float limit(float value, float greatest) {
     const float positive = value > 0.0f ? value : 0.0f;
     return positive < greatest ? positive : greatest;

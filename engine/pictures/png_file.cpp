@@ -1,0 +1,67 @@
+#include "engine/pictures/png_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include <png.h>
+
+namespace reorient::pictures {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw std::runtime_error("cannot write picture " + file.string() + ": " + reason +
+                           "; name a folder that exists and is writable");
+}
+
+std::vector<char> encode(const std::filesystem::path& file, const Picture& picture) {
+  const auto expected = 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  if (picture.width <= 0 || picture.height <= 0 || picture.bytes.size() != expected)
+    throw std::invalid_argument("cannot write picture " + file.string() + ": it has no pixels");
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(picture.width);
+  header.height = static_cast<png_uint_32>(picture.height);
+  header.format = PNG_FORMAT_RGB;
+  std::vector<char> encoded(PNG_IMAGE_PNG_SIZE_MAX(header));
+  png_alloc_size_t size = encoded.size();
+  if (png_image_write_to_memory(&header, encoded.data(), &size, 0, picture.bytes.data(), 0, nullptr) == 0)
+    refuse(file, header.message);
+  encoded.resize(size);
+  return encoded;
+}
+
+std::string last_error() {
+  const int code = errno;
+  return code == 0 ? "the file system refused" : std::generic_category().message(code);
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& file, const Picture& picture) {
+  const std::vector<char> encoded = encode(file, picture);
+  std::filesystem::path partial = file;
+  partial += ".partial";
+
+  errno = 0;
+  std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
+  if (!stream) refuse(file, last_error());
+  stream.write(encoded.data(), static_cast<std::streamsize>(encoded.size()));
+  stream.close();
+
+  std::string failure = stream ? "" : last_error();
+  if (failure.empty()) {
+    std::error_code error;
+    std::filesystem::rename(partial, file, error);
+    if (!error) return;
+    failure = error.message();
+  }
+  std::error_code ignored;
+  std::filesystem::remove(partial, ignored);
+  refuse(file, failure);
+}
+
+}  // namespace reorient::pictures

@@ -1,0 +1,36 @@
+#include "perception/room/background_model.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace reorient {
+
+MovingAverage updated(const MovingAverage& last, double n, double measured) {
+  const double difference = last.mean - measured;
+  MovingAverage result;
+  result.mean = (n * last.mean + measured) / (n + 1.0);
+  result.variance = (n * last.variance + n / (n + 1.0) * difference * difference) / (n + 1.0);
+  return result;
+}
+
+void BackgroundModel::forget(int tiles) { tiles_.assign(static_cast<std::size_t>(tiles), TileModel{}); }
+
+void BackgroundModel::train(int tile, const ColorHistogram& measured, const TrainingStep& how) {
+  TileModel& model = tiles_[static_cast<std::size_t>(tile)];
+  if (model.visits == 0) {
+    model.mean = measured;
+    model.variance.fill(static_cast<float>(how.prior_variance));
+  } else {
+    const double n = how.true_mean_start ? std::min<double>(model.visits, how.n) : how.n;
+    for (std::size_t bin = 0; bin < measured.size(); ++bin) {
+      const MovingAverage bin_now =
+          updated({model.mean[bin], model.variance[bin]}, n, static_cast<double>(measured[bin]));
+      model.mean[bin] = static_cast<float>(bin_now.mean);
+      model.variance[bin] = static_cast<float>(bin_now.variance);
+    }
+  }
+  if (model.visits < std::numeric_limits<int>::max()) ++model.visits;
+  model.trained += how.step;
+}
+
+}  // namespace reorient

@@ -1,0 +1,63 @@
+// The background model (the paper's Section 3.3): for each tile of the wall a histogram with its variance.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "perception/room/color_histogram.h"
+
+namespace reorient {
+
+struct BackgroundParameters {
+  int frames = 100;
+  double time_constant = 30.0;
+  double prior_deviation = 0.1;
+  double trusted_after = 0.3;
+};
+template <typename Visit>
+void describe(BackgroundParameters& p, Visit&& visit) {
+  visit("frames", p.frames, 1, 100000, "", "N of Eq. (1) and (2), in frames (paper's mode only)");
+  visit("time_constant", p.time_constant, 1.0, 3600.0, "s", "N as a time for which a tile is in view");
+  visit("prior_deviation", p.prior_deviation, 0.0, 1.0, "",
+        "standard deviation of each bin before anything was learned");
+  visit("trusted_after", p.trusted_after, 0.0, 60.0, "s", "time of training after which a tile is compared with");
+}
+
+/// One bin's moving average and variance.
+struct MovingAverage {
+  double mean = 0.0;
+  double variance = 0.0;
+};
+
+/// Eq. (1) and (2) of the paper: the average after a measurement that weighs 1 against N.
+MovingAverage updated(const MovingAverage& last, double n, double measured);
+
+/// How one measurement enters a tile.
+struct TrainingStep {
+  double step = 0.0;            ///< s that this measurement stands for
+  double n = 100.0;             ///< N
+  bool true_mean_start = true;  ///< N grows with the visits until it reaches n; otherwise it is n from the second on
+  double prior_variance = 0.0;  ///< of each bin at the first visit, which is copied
+};
+
+struct TileModel {
+  ColorHistogram mean{};
+  ColorHistogram variance{};
+  int visits = 0;        ///< 0: never seen
+  double trained = 0.0;  ///< s
+};
+
+class BackgroundModel {
+ public:
+  /// All tiles unseen.
+  void forget(int tiles);
+  void train(int tile, const ColorHistogram& measured, const TrainingStep& how);
+
+  std::span<const TileModel> tiles() const { return tiles_; }
+  const TileModel& operator[](int tile) const { return tiles_[static_cast<std::size_t>(tile)]; }
+
+ private:
+  std::vector<TileModel> tiles_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,84 @@
+// The paper's colour histogram (Section 3.2, Fig. 3): black, white, and 3 slices of luma x 4 quadrants of chroma.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "geometry/image.h"
+
+namespace reorient {
+
+/// Bin 0 is black, bin 1 white, bin 2 + 4 * slice + quadrant a colour; slice 0 is the darkest, and quadrant is
+/// (Cb above neutral ? 1 : 0) + (Cr above neutral ? 2 : 0).
+inline constexpr int kColorBins = 14;
+
+/// Shares of the bins: they sum up to 1, or are all 0 where nothing was counted.
+using ColorHistogram = std::array<float, kColorBins>;
+/// Numbers of pixels.
+using ColorCounts = std::array<std::uint32_t, kColorBins>;
+
+struct ColorParameters {
+  double dark_below = 85.0;     ///< c1
+  double bright_above = 170.0;  ///< c2
+  double grey_within = 5.0;     ///< c3
+  double blur = 0.05;
+};
+template <typename Visit>
+void describe(ColorParameters& p, Visit&& visit) {
+  visit("dark_below", p.dark_below, 1.0, 254.0, "", "c1: luma below which a colour is a dark one");
+  visit("bright_above", p.bright_above, 1.0, 255.0, "", "c2: luma from which a colour is a bright one");
+  visit("grey_within", p.grey_within, 0.0, 64.0, "", "c3: chroma nearer to neutral than this is black or white");
+  visit("blur", p.blur, 0.0, 0.25, "", "share of a bin that each of its four neighbours gets (paper's mode only)");
+}
+
+/// What the camera makes of the room's light: the means over the wall that count as medium grey.
+struct Light {
+  double luma = 115.0;
+  double cb = 128.0;
+  double cr = 128.0;
+};
+
+/// The 14 regions for the bytes of an image. Thresholds move with the light so that pixels need not.
+struct ColorThresholds {
+  std::uint8_t medium = 85;          ///< from this luma on a colour is in slice 1
+  std::uint8_t bright = 170;         ///< and from this one on in slice 2
+  std::uint8_t white = 128;          ///< grey from this luma on is white
+  std::uint8_t cb_neutral = 128;     ///< from this Cb on a colour is in quadrant 1 or 3
+  std::uint8_t cr_neutral = 128;     ///< from this Cr on in quadrant 2 or 3
+  std::uint8_t cb_grey_first = 124;  ///< both chroma values within first...last: grey
+  std::uint8_t cb_grey_last = 132;
+  std::uint8_t cr_grey_first = 124;
+  std::uint8_t cr_grey_last = 132;
+  bool operator==(const ColorThresholds&) const = default;
+};
+
+/// Thresholds under a given light (findings 1): luma scaled by light.luma / 115, chroma relative to the light's.
+ColorThresholds color_thresholds(const ColorParameters& parameters, const Light& light = {});
+
+/// The bin of one pixel: what the definition says, for readers and tests.
+int color_bin(const Ycbcr& pixel, const ColorThresholds& thresholds);
+
+/// Part of an image: columns left...right - 1 and of the rows top...bottom - 1 every row_step-th, from the top one on.
+struct PixelBlock {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+};
+
+/// Adds the pixels of a block to `counts`, 16 at a time where the processor has SSE4.1. What lies outside of the image
+/// does not count.
+void count_colors(const ImageView& image, const PixelBlock& block, int row_step, const ColorThresholds& thresholds,
+                  ColorCounts& counts);
+
+/// The same, a pixel at a time.
+void count_colors_one_by_one(const ImageView& image, const PixelBlock& block, int row_step,
+                             const ColorThresholds& thresholds, ColorCounts& counts);
+
+ColorHistogram normalized(const ColorCounts& counts);
+
+/// Hands `share` of each bin to each of its four neighbours: the slices above and below (black below the darkest, white
+/// above the brightest) and the two quadrants that differ in one sign. Keeps the sum.
+ColorHistogram blurred(const ColorHistogram& histogram, double share);
+
+}  // namespace reorient

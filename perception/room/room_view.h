@@ -1,0 +1,34 @@
+// What one frame tells room awareness.
+#pragma once
+
+#include <span>
+
+#include "geometry/camera.h"
+#include "geometry/image.h"
+#include "geometry/pose2.h"
+
+namespace reorient {
+
+/// A part of the image that does not show the room: a robot, a goal. Pixels, all four sides included.
+struct CoveredArea {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+};
+
+/// What one frame tells the module.
+struct RoomView {
+  double time = 0.0;  ///< s
+  ImageView image;
+  CameraModel camera;
+  Eigen::Isometry3d robot_from_camera = Eigen::Isometry3d::Identity();
+  Pose2 belief;  ///< believed pose, field_from_robot
+  double odometry_rotation =
+      0.0;  ///< rad turned to the left since the start, by dead reckoning; only its change counts
+  std::span<const CoveredArea> covered;
+  bool train = true;     ///< false: the background model is left as it is
+  bool evaluate = true;  ///< false: the view filter rests and the confidences stay as they are
+};
+
+}  // namespace reorient

@@ -1,0 +1,86 @@
+// The virtual wall around the field: a cylinder of tiles (the paper's Section 3.2). Field frame.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "geometry/pose2.h"
+
+namespace reorient {
+
+struct WallParameters {
+  double radius = 8.0;
+  double bottom = 0.7;
+  double top = 3.1;
+  int rows = 2;
+  int columns = 32;
+};
+template <typename Visit>
+void describe(WallParameters& p, Visit&& visit) {
+  visit("radius", p.radius, 1.0, 100.0, "m", "distance of the virtual wall from the field's centre");
+  visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the lowest row of tiles begins");
+  visit("top", p.top, 0.1, 30.0, "m", "height where the highest row of tiles ends");
+  visit("rows", p.rows, 1, 8, "", "rows of tiles");
+  visit("columns", p.columns, 4, 128, "", "columns of tiles around the field; made even");
+}
+
+/// A place on the wall in units of tiles: column in [0, columns), row in [0, rows) if the place lies on a tile.
+struct WallPoint {
+  double column = 0.0;
+  double row = 0.0;
+};
+
+/// Column 0 begins at azimuth 0 (the +x axis, the opponent goal) and columns count to the left; row 0 is the lowest.
+/// Tile row * columns + column. The reflection of a tile is the tile half the columns further on.
+class Wall {
+ public:
+  explicit Wall(const WallParameters& parameters = {});
+
+  double radius() const { return radius_; }
+  double bottom() const { return bottom_; }
+  double top() const { return top_; }
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  int tiles() const { return rows_ * columns_; }
+  double column_width() const { return 2.0 * kPi / columns_; }    ///< rad
+  double row_height() const { return (top_ - bottom_) / rows_; }  ///< m
+
+  int tile(int row, int column) const { return row * columns_ + column; }
+  int row_of(int tile) const { return tile / columns_; }
+  int column_of(int tile) const { return tile % columns_; }
+  int reflected(int tile) const;
+
+  /// The point of the wall at a fractional column and row, m.
+  Eigen::Vector3d point(double column, double row) const;
+  Eigen::Vector3d center(int tile) const { return point(column_of(tile) + 0.5, row_of(tile) + 0.5); }
+  /// Bottom left, bottom right, top right, top left, as seen from inside; m.
+  std::array<Eigen::Vector3d, 4> corners(int tile) const;
+  /// Outwards, horizontal, of unit length.
+  Eigen::Vector3d normal(int tile) const;
+
+  bool surrounds(const Eigen::Vector2d& position) const;
+
+  /// Where a ray from a point inside meets the wall, which goes on above and below the tiles; nothing for a vertical
+  /// ray, and none from outside.
+  std::optional<WallPoint> meet(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
+
+  /// Azimuth of the wall where a horizontal ray meets it, rad in (-pi, pi]; nothing from outside.
+  std::optional<double> azimuth_seen(const Eigen::Vector2d& from, double direction) const;
+
+  bool operator==(const Wall&) const = default;
+
+ private:
+  double radius_;
+  double bottom_;
+  double top_;
+  int rows_;
+  int columns_;
+};
+
+/// The azimuth of the wall at which the camera looks; nothing if it looks straight up or down, or from outside.
+std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Eigen::Isometry3d& robot_from_camera);
+
+}  // namespace reorient

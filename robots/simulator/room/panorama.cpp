@@ -1,0 +1,132 @@
+#include "robots/simulator/room/panorama.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include <png.h>
+#include <turbojpeg.h>
+
+#include "robots/simulator/room/radiance.h"
+
+namespace reorient {
+namespace {
+
+[[noreturn]] void fail(const std::string& name, const std::string& what) {
+  throw std::runtime_error("panorama '" + name + "' " + what);
+}
+
+std::vector<std::uint8_t> read_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail(path, "does not exist: check the path");
+  if (!std::filesystem::is_regular_file(status)) fail(path, "is not a file: name a .hdr, .png or .jpg file");
+  const auto size = std::filesystem::file_size(path, error);
+  constexpr std::uintmax_t kLargest = 256u << 20;
+  if (error) fail(path, "cannot be read: check its permissions");
+  if (size == 0) fail(path, "is empty: fetch or export it again");
+  if (size > kLargest) fail(path, "is larger than 256 MB: scale it down to at most 8192x4096 pixels");
+  std::vector<std::uint8_t> bytes(size);
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!file) fail(path, "cannot be read: check its permissions");
+  return bytes;
+}
+
+bool begins_with(std::span<const std::uint8_t> bytes, std::initializer_list<std::uint8_t> magic) {
+  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+}
+
+LinearImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&png, png_image_free);
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
+    fail(name, std::string("is not a readable PNG (") + png.message + "): export it again");
+  }
+  constexpr png_uint_32 kSane = 1u << 20;
+  check_panorama_size(static_cast<int>(std::min(png.width, kSane)), static_cast<int>(std::min(png.height, kSane)),
+                      name);
+  png.format = PNG_FORMAT_LINEAR_RGB;
+  std::vector<png_uint_16> light(3 * static_cast<std::size_t>(png.width) * png.height);
+  if (png_image_finish_read(&png, nullptr, light.data(), 0, nullptr) == 0) {
+    fail(name, std::string("is damaged (") + png.message + "): fetch or export it again");
+  }
+  LinearImage image(static_cast<int>(png.width), static_cast<int>(png.height));
+  constexpr float kFull = 65535.0f;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = LinearColor(light[3 * i], light[3 * i + 1], light[3 * i + 2]) / kFull;
+  }
+  return image;
+}
+
+/// From sRGB's gamma (IEC 61966-2-1) to linear light.
+std::array<float, 256> linear_from_srgb() {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double value = static_cast<double>(i) / 255.0;
+    table[i] = static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+  }
+  return table;
+}
+
+LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), tjDestroy);
+  if (!decoder) fail(name, "cannot be decoded: out of memory");
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int colors = 0;
+  const auto size = static_cast<unsigned long>(bytes.size());
+  if (tjDecompressHeader3(decoder.get(), bytes.data(), size, &width, &height, &subsampling, &colors) != 0 ||
+      width <= 0) {
+    fail(name, std::string("is not a readable JPEG (") + tjGetErrorStr2(decoder.get()) + "): export it again");
+  }
+  check_panorama_size(width, height, name);
+  std::vector<std::uint8_t> shown(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  if (tjDecompress2(decoder.get(), bytes.data(), size, shown.data(), width, 0, height, TJPF_RGB, TJFLAG_ACCURATEDCT) !=
+      0) {
+    fail(name, std::string("is damaged (") + tjGetErrorStr2(decoder.get()) + "): fetch or export it again");
+  }
+  static const std::array<float, 256> linear = linear_from_srgb();
+  LinearImage image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = {linear[shown[3 * i]], linear[shown[3 * i + 1]], linear[shown[3 * i + 2]]};
+  }
+  return image;
+}
+
+}  // namespace
+
+void check_panorama_size(int width, int height, const std::string& name) {
+  constexpr int kSmallest = 32;
+  constexpr int kLargest = 8192;
+  constexpr double kTolerance = 0.1;
+  std::ostringstream what;
+  what << "is " << width << " x " << height << " pixels: ";
+  if (width < kSmallest || height < kSmallest / 2 || width > kLargest || height > kLargest / 2) {
+    what << "scale it to between 32 x 16 and 8192 x 4096";
+    fail(name, what.str());
+  }
+  if (std::abs(static_cast<double>(width) / height - 2.0) > kTolerance) {
+    what << "an equirectangular panorama is twice as wide as high, so export it as such";
+    fail(name, what.str());
+  }
+}
+
+LinearImage decode_panorama(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (looks_like_radiance(bytes)) return decode_radiance(bytes, name);
+  if (begins_with(bytes, {0x89, 'P', 'N', 'G'})) return decode_png(bytes, name);
+  if (begins_with(bytes, {0xff, 0xd8, 0xff})) return decode_jpeg(bytes, name);
+  fail(name, "is neither a Radiance .hdr nor a .png nor a .jpg: convert it to one of them");
+}
+
+LinearImage read_panorama(const std::string& path) { return decode_panorama(read_file(path), path); }
+
+}  // namespace reorient

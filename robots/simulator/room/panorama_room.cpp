@@ -1,0 +1,132 @@
+// A room from a panorama: every point of wall, ceiling and floor takes the light that the panorama shows in its
+// direction from the viewpoint. The projection is exact for walls where the panorama was taken in such a room, and
+// believable elsewhere.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/angle.h"
+#include "robots/simulator/room/panorama.h"
+#include "robots/simulator/room/room.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kWallTexelsPerMeter = 50.0;
+constexpr double kLevelTexelsPerMeter = 32.0;
+constexpr int kWidest = 4096;        // pixels; finer panoramas are averaged down first
+constexpr float kBrightest = 12.0f;  // of the mean brightness of what is around
+
+LinearImage halve(const LinearImage& fine) {
+  LinearImage coarse(fine.width / 2, fine.height / 2);
+  for (int y = 0; y < coarse.height; ++y) {
+    for (int x = 0; x < coarse.width; ++x) {
+      coarse.at(x, y) = 0.25f * (fine.at(2 * x, 2 * y) + fine.at(2 * x + 1, 2 * y) + fine.at(2 * x, 2 * y + 1) +
+                                 fine.at(2 * x + 1, 2 * y + 1));
+    }
+  }
+  return coarse;
+}
+
+float brightness(const LinearColor& color) { return 0.299f * color.x() + 0.587f * color.y() + 0.114f * color.z(); }
+
+/// Scales the panorama so that what is around the field has the brightness of an ordinary wall (the geometric mean:
+/// windows and lamps do not count more than they look), and keeps lamps within what textures hold.
+void normalize(LinearImage& panorama) {
+  constexpr double kOrdinary = 0.16;
+  const int top = panorama.height * 30 / 100;     // elevations from 36 degrees up
+  const int bottom = panorama.height * 58 / 100;  // to 14 degrees down
+  double sum = 0.0;
+  int count = 0;
+  for (int y = top; y < bottom; ++y) {
+    for (int x = 0; x < panorama.width; ++x, ++count) sum += std::log(std::max(1e-5f, brightness(panorama.at(x, y))));
+  }
+  const auto scale = static_cast<float>(kOrdinary / std::exp(sum / count));
+  for (LinearColor& color : panorama.pixels) color = (scale * color).max(0.0f).min(kBrightest);
+}
+
+/// What white paper on the field reflects: the mean light from above, weighed by the cosine, half way to grey because
+/// the camera's white balance makes up for the rest; with the brightness of a dim hall.
+LinearColor light_of(const LinearImage& panorama) {
+  LinearColor sum = LinearColor::Constant(1e-6f);
+  for (int y = 0; y < panorama.height / 2; ++y) {
+    const double elevation = kPi * (0.5 - (y + 0.5) / panorama.height);
+    const auto weight = static_cast<float>(std::sin(elevation) * std::cos(elevation));
+    for (int x = 0; x < panorama.width; ++x) sum += weight * panorama.at(x, y);
+  }
+  constexpr float kDim = 0.55f;
+  return kDim * (0.5f + 0.5f * sum / brightness(sum));
+}
+
+/// Looks up directions from the viewpoint.
+class Viewpoint {
+ public:
+  Viewpoint(const LinearImage& panorama, const RoomShape& shape) : panorama_(panorama), shape_(shape) {}
+
+  LinearColor toward(const Eigen::Vector3d& point) const {
+    const double azimuth = std::atan2(point.y(), point.x()) - shape_.turn;
+    const double elevation = std::atan2(point.z() - shape_.viewpoint_height, point.head<2>().norm());
+    const double u = (0.5 - azimuth / (2.0 * kPi)) * panorama_.width - 0.5;
+    const double v = (0.5 - elevation / kPi) * panorama_.height - 0.5;
+    const double left = std::floor(u);
+    const double above = std::floor(v);
+    const auto a = static_cast<float>(u - left);
+    const auto b = static_cast<float>(v - above);
+    const int x = static_cast<int>(left);
+    const int y = static_cast<int>(above);
+    return (1.0f - b) * ((1.0f - a) * pixel(x, y) + a * pixel(x + 1, y)) +
+           b * ((1.0f - a) * pixel(x, y + 1) + a * pixel(x + 1, y + 1));
+  }
+
+ private:
+  const LinearColor& pixel(int x, int y) const {
+    const int column = ((x % panorama_.width) + panorama_.width) % panorama_.width;
+    return panorama_.at(column, std::clamp(y, 0, panorama_.height - 1));
+  }
+
+  const LinearImage& panorama_;
+  const RoomShape& shape_;
+};
+
+Texture bake_walls(const Viewpoint& viewpoint, const RoomShape& shape) {
+  const double perimeter = wall_perimeter(shape);
+  LinearImage image(texels_for(perimeter, kWallTexelsPerMeter), texels_for(shape.height, kWallTexelsPerMeter));
+  for (int i = 0; i < image.width; ++i) {
+    const Eigen::Vector2d ground = wall_point(shape, (i + 0.5) * perimeter / image.width);
+    for (int j = 0; j < image.height; ++j) {
+      image.at(i, j) = viewpoint.toward({ground.x(), ground.y(), (j + 0.5) * shape.height / image.height});
+    }
+  }
+  return {image, {}, {perimeter, shape.height}, Texture::Edge::wrap};
+}
+
+Texture bake_level(const Viewpoint& viewpoint, const RoomShape& shape, double height) {
+  const Eigen::Vector2d extent = floor_extent(shape);
+  LinearImage image(texels_for(extent.x(), kLevelTexelsPerMeter), texels_for(extent.y(), kLevelTexelsPerMeter));
+  for (int j = 0; j < image.height; ++j) {
+    const double y = ((j + 0.5) / image.height - 0.5) * extent.y();
+    for (int i = 0; i < image.width; ++i) {
+      image.at(i, j) = viewpoint.toward({((i + 0.5) / image.width - 0.5) * extent.x(), y, height});
+    }
+  }
+  return {image, {}, extent, Texture::Edge::clamp};
+}
+
+}  // namespace
+
+Room load_room(const std::string& path, const RoomShape& shape) {
+  check(shape);
+  LinearImage panorama = read_panorama(path);
+  while (panorama.width > kWidest) panorama = halve(panorama);
+  normalize(panorama);
+  const Viewpoint viewpoint(panorama, shape);
+  Room room;
+  room.name = path;
+  room.shape = shape;
+  room.walls = bake_walls(viewpoint, shape);
+  room.ceiling = bake_level(viewpoint, shape, shape.height);
+  room.floor = bake_level(viewpoint, shape, 0.0);
+  room.light = light_of(panorama);
+  return room;
+}
+
+}  // namespace reorient

@@ -1,0 +1,160 @@
+#include "perception/room/color_histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geometry/random.h"
+
+namespace reorient {
+namespace {
+
+/// Random bytes in rows of any stride, without a byte to spare at the end: reading too far is an error under asan.
+struct Noise {
+  Noise(int width, int height, int gap, std::uint64_t seed) : stride(2 * width + gap) {
+    Random random(seed);
+    bytes.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height) - static_cast<std::size_t>(gap));
+    // Half of the values near the thresholds, where mistakes would be.
+    for (std::uint8_t& value : bytes) {
+      value = static_cast<std::uint8_t>(random.uniform() < 0.5 ? random.below(256) : 118 + random.below(20));
+    }
+    view = {bytes.data(), width, height, stride};
+  }
+  int stride;
+  std::vector<std::uint8_t> bytes;
+  ImageView view;
+};
+
+ColorThresholds any_thresholds() {
+  const auto byte = [] { return *rc::gen::arbitrary<std::uint8_t>(); };
+  ColorThresholds thresholds;
+  if (*rc::gen::arbitrary<bool>()) return thresholds;
+  thresholds = {byte(), byte(), byte(), byte(), byte(), byte(), byte(), byte(), byte()};
+  if (thresholds.medium > thresholds.bright) std::swap(thresholds.medium, thresholds.bright);
+  return thresholds;
+}
+
+TEST(ColorHistogram, HasTheFourteenRegionsOfTheDefinition) {
+  const ColorThresholds thresholds = color_thresholds({});
+  EXPECT_EQ(color_bin({20, 128, 128}, thresholds), 0);
+  EXPECT_EQ(color_bin({230, 128, 128}, thresholds), 1);
+  EXPECT_EQ(color_bin({127, 132, 124}, thresholds), 0);
+  EXPECT_EQ(color_bin({128, 124, 132}, thresholds), 1);
+  for (int slice = 0; slice < 3; ++slice) {
+    const auto luma = static_cast<std::uint8_t>(40 + 85 * slice);
+    EXPECT_EQ(color_bin({luma, 100, 100}, thresholds), 2 + 4 * slice);
+    EXPECT_EQ(color_bin({luma, 160, 100}, thresholds), 3 + 4 * slice);
+    EXPECT_EQ(color_bin({luma, 100, 160}, thresholds), 4 + 4 * slice);
+    EXPECT_EQ(color_bin({luma, 160, 160}, thresholds), 5 + 4 * slice);
+  }
+  EXPECT_EQ(color_bin({84, 100, 100}, thresholds), 2);
+  EXPECT_EQ(color_bin({85, 100, 100}, thresholds), 6);
+  EXPECT_EQ(color_bin({169, 100, 100}, thresholds), 6);
+  EXPECT_EQ(color_bin({170, 100, 100}, thresholds), 10);
+  EXPECT_EQ(color_bin({40, 128, 133}, thresholds), 5) << "one chroma value alone is not enough for grey";
+}
+
+RC_GTEST_PROP(ColorHistogram, TheFastPathCountsWhatThePlainOneCounts, ()) {
+  const int width = 2 * *rc::gen::inRange(1, 90);
+  const int height = *rc::gen::inRange(1, 40);
+  const Noise image(width, height, *rc::gen::inRange(0, 9), *rc::gen::arbitrary<std::uint64_t>());
+  const ColorThresholds thresholds = any_thresholds();
+  const PixelBlock block{*rc::gen::inRange(-5, width + 5), *rc::gen::inRange(-5, height + 5),
+                         *rc::gen::inRange(-5, width + 25), *rc::gen::inRange(-5, height + 5)};
+  const int row_step = *rc::gen::inRange(1, 6);
+  ColorCounts fast{};
+  ColorCounts plain{};
+  count_colors(image.view, block, row_step, thresholds, fast);
+  count_colors_one_by_one(image.view, block, row_step, thresholds, plain);
+  RC_ASSERT(fast == plain);
+}
+
+TEST(ColorHistogram, CountsLargeImagesOfOneColorWithoutOverflow) {
+  Image image(1280, 960);
+  for (int y = 0; y < image.height(); ++y) std::fill_n(image.row(y), 2 * image.width(), std::uint8_t{200});
+  ColorCounts counts{};
+  count_colors(image.view(), {0, 0, 1280, 960}, 1, {}, counts);
+  EXPECT_EQ(counts[13], 1280u * 960u);
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0u), 1280u * 960u);
+}
+
+TEST(ColorHistogram, CountsNothingInAnEmptyImage) {
+  ColorCounts counts{};
+  count_colors({}, {0, 0, 100, 100}, 1, {}, counts);
+  count_colors_one_by_one({}, {0, 0, 100, 100}, 1, {}, counts);
+  EXPECT_EQ(counts, ColorCounts{});
+  EXPECT_EQ(normalized(counts), ColorHistogram{});
+}
+
+RC_GTEST_PROP(ColorHistogram, AddsWhatItCountsToWhatIsThere, (std::uint64_t seed)) {
+  const Noise image(64, 16, 0, seed);
+  ColorCounts whole{};
+  ColorCounts halves{};
+  const int border = *rc::gen::inRange(0, 65);
+  count_colors(image.view, {0, 0, 64, 16}, 1, {}, whole);
+  count_colors(image.view, {0, 0, border, 16}, 1, {}, halves);
+  count_colors(image.view, {border, 0, 64, 16}, 1, {}, halves);
+  RC_ASSERT(whole == halves);
+}
+
+TEST(ColorHistogram, ThresholdsMoveWithTheLight) {
+  const ColorThresholds dim = color_thresholds({}, {57.5, 120.0, 140.5});
+  EXPECT_EQ(dim.medium, 43);
+  EXPECT_EQ(dim.bright, 85);
+  EXPECT_EQ(dim.cb_neutral, 120);
+  EXPECT_EQ(dim.cr_neutral, 141);
+  EXPECT_EQ(dim.cb_grey_first, 116);
+  EXPECT_EQ(dim.cb_grey_last, 124);
+  EXPECT_EQ(dim.cr_grey_first, 136);
+  EXPECT_EQ(dim.cr_grey_last, 145);
+}
+
+TEST(ColorHistogram, ThresholdsStayBytesUnderAbsurdLight) {
+  const ColorThresholds bright = color_thresholds({}, {1e9, 1e9, -1e9});
+  EXPECT_EQ(bright.bright, 255);
+  EXPECT_EQ(bright.cb_neutral, 255);
+  EXPECT_EQ(bright.cr_neutral, 0);
+}
+
+/// Shares that sum up to 1.
+ColorHistogram any_histogram() {
+  ColorCounts counts{};
+  for (auto& count : counts) count = *rc::gen::inRange<std::uint32_t>(0, 1000);
+  counts[0] += 1;
+  return normalized(counts);
+}
+
+RC_GTEST_PROP(ColorHistogram, BlurringKeepsTheSumAndLeavesAnEvenHistogramAsItIs, ()) {
+  const ColorHistogram histogram = any_histogram();
+  const double share = *rc::gen::inRange(0, 26) / 100.0;
+  const ColorHistogram result = blurred(histogram, share);
+  RC_ASSERT(std::abs(std::accumulate(result.begin(), result.end(), 0.0) - 1.0) < 1e-5);
+  ColorHistogram even;
+  even.fill(1.0f / 14.0f);
+  for (const float value : blurred(even, share)) RC_ASSERT(std::abs(value - 1.0f / 14.0f) < 1e-6f);
+}
+
+TEST(ColorHistogram, EveryBinHasFourNeighboursInBothDirections) {
+  bool neighbours[kColorBins][kColorBins];
+  for (int from = 0; from < kColorBins; ++from) {
+    ColorHistogram one{};
+    one[static_cast<std::size_t>(from)] = 1.0f;
+    const ColorHistogram spread = blurred(one, 0.1);
+    int count = 0;
+    for (int to = 0; to < kColorBins; ++to) {
+      neighbours[from][to] = to != from && spread[static_cast<std::size_t>(to)] > 0.0f;
+      count += neighbours[from][to] ? 1 : 0;
+    }
+    EXPECT_EQ(count, 4) << "bin " << from;
+  }
+  for (int a = 0; a < kColorBins; ++a) {
+    for (int b = 0; b < kColorBins; ++b) EXPECT_EQ(neighbours[a][b], neighbours[b][a]);
+  }
+}
+
+}  // namespace
+}  // namespace reorient

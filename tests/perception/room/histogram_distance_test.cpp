@@ -1,0 +1,74 @@
+#include "perception/room/histogram_distance.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace reorient {
+namespace {
+
+ColorHistogram any_histogram() {
+  ColorCounts counts{};
+  for (auto& count : counts) count = *rc::gen::inRange<std::uint32_t>(0, 100);
+  counts[3] += 1;
+  return normalized(counts);
+}
+
+ColorHistogram all_in(int bin) {
+  ColorHistogram histogram{};
+  histogram[static_cast<std::size_t>(bin)] = 1.0f;
+  return histogram;
+}
+
+constexpr Distance kAll[] = {Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon};
+
+RC_GTEST_PROP(HistogramDistance, IsZeroToItselfAndNeverNegative, ()) {
+  const ColorHistogram a = any_histogram();
+  const ColorHistogram b = any_histogram();
+  for (const Distance measure : kAll) {
+    RC_ASSERT(distance(measure, a, a) < 1e-3);
+    RC_ASSERT(distance(measure, a, b) >= 0.0);
+  }
+}
+
+RC_GTEST_PROP(HistogramDistance, IsSymmetricButForTheDominantBins, ()) {
+  const ColorHistogram a = any_histogram();
+  const ColorHistogram b = any_histogram();
+  for (const Distance measure : {Distance::ssd14, Distance::hellinger, Distance::jensen_shannon}) {
+    RC_ASSERT(std::abs(distance(measure, a, b) - distance(measure, b, a)) < 1e-6);
+  }
+}
+
+TEST(HistogramDistance, IsOneBetweenHistogramsWithNothingInCommon) {
+  EXPECT_NEAR(distance(Distance::hellinger, all_in(1), all_in(9)), 1.0, 1e-6);
+  EXPECT_NEAR(distance(Distance::jensen_shannon, all_in(1), all_in(9)), 1.0, 1e-6);
+  EXPECT_NEAR(distance(Distance::ssd14, all_in(1), all_in(9)), 2.0, 1e-6);
+}
+
+TEST(HistogramDistance, SsdOverThreeBinsLooksAtThePerceivedHistogramsGreatest) {
+  ColorHistogram perceived{};
+  perceived[4] = 0.4f;
+  perceived[7] = 0.3f;
+  perceived[9] = 0.2f;
+  perceived[10] = 0.1f;
+  ColorHistogram model{};
+  model[4] = 0.1f;
+  model[7] = 0.3f;
+  model[13] = 0.6f;
+  EXPECT_NEAR(distance(Distance::ssd3, perceived, model), 0.09 + 0.0 + 0.04, 1e-6);
+  EXPECT_NEAR(distance(Distance::ssd14, perceived, model), 0.09 + 0.04 + 0.01 + 0.36, 1e-6);
+}
+
+TEST(HistogramDistance, ByHand) {
+  ColorHistogram half{};
+  half[2] = 0.5f;
+  half[3] = 0.5f;
+  EXPECT_NEAR(distance(Distance::hellinger, half, all_in(2)), std::sqrt(1.0 - std::sqrt(0.5)), 1e-6);
+  // Against the mixture (3/4, 1/4): half of log2(4/3) + half of (1/2 log2(2/3) + 1/2 log2 2).
+  const double divergence = 0.5 * std::log2(4.0 / 3.0) + 0.25 * std::log2(2.0 / 3.0) + 0.25;
+  EXPECT_NEAR(distance(Distance::jensen_shannon, half, all_in(2)), std::sqrt(divergence), 1e-6);
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,95 @@
+// Views that no healthy robot delivers, in any order: nothing may crash, no confidence may leave its range.
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "painted_room.h"
+
+namespace reorient {
+namespace {
+
+void expect_sound(const Confidences& confidences) {
+  for (const double value :
+       {confidences.current, confidences.opposite, confidences.raw_current, confidences.raw_opposite,
+        confidences.goal_opponent, confidences.goal_own, confidences.coverage, confidences.informative}) {
+    ASSERT_GE(value, 0.0);
+    ASSERT_LE(value, 1.0);
+  }
+  ASSERT_TRUE(std::isfinite(confidences.evidence));
+}
+
+TEST(HostileViews, LeaveTheConfidencesSoundAndTheModelAsItWas) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  test::ScanningRobot robot(test::PaintedRoom::colorful(1), {}, 1);
+  robot.run(6.0);
+  const double coverage = robot.awareness.confidences().coverage;
+  const auto try_view = [&](auto&& spoil) {
+    RoomView view = robot.look();
+    spoil(view);
+    robot.awareness.update(view);
+    expect_sound(robot.awareness.confidences());
+    EXPECT_EQ(robot.awareness.confidences().visible_tiles, 0);
+    EXPECT_EQ(robot.awareness.confidences().coverage, coverage);
+  };
+  try_view([](RoomView& view) { view.image = {}; });
+  try_view([](RoomView& view) { view.image.height = -1; });
+  try_view([&](RoomView& view) { view.belief.position.x() = nan; });
+  try_view([&](RoomView& view) { view.belief.rotation = nan; });
+  try_view([](RoomView& view) { view.belief.position = {100, 100}; });
+  try_view([&](RoomView& view) { view.robot_from_camera.translation().z() = nan; });
+  try_view([](RoomView& view) {
+    view.robot_from_camera.linear() = Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  });
+  try_view([](RoomView& view) {
+    view.robot_from_camera.linear() = Eigen::AngleAxisd(-kPi / 2, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  });
+  try_view([](RoomView& view) { view.camera.height = 0; });
+  robot.run(3.0);
+  EXPECT_GT(robot.awareness.confidences().visible_tiles, 3) << "and it goes on as if nothing had been";
+}
+
+TEST(HostileViews, TimeThatStandsStillJumpsOrIsNoNumberIsNoTime) {
+  test::ScanningRobot robot(test::PaintedRoom::colorful(1), {}, 1);
+  robot.run(6.0);
+  for (const double time : {robot.time, robot.time, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::infinity(), 0.0}) {
+    RoomView view = robot.look();
+    view.time = time;
+    robot.awareness.update(view);
+    expect_sound(robot.awareness.confidences());
+  }
+  for (const TileModel& tile : robot.awareness.model().tiles()) EXPECT_LT(tile.trained, 7.0);
+  RoomView view = robot.look();
+  view.odometry_rotation = std::numeric_limits<double>::quiet_NaN();
+  robot.awareness.update(view);
+  expect_sound(robot.awareness.confidences());
+}
+
+RC_GTEST_PROP(HostileViews, AnyParametersGiveSoundConfidences, (std::uint64_t seed)) {
+  const auto number = [](double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; };
+  RoomParameters parameters;
+  parameters.mode = *rc::gen::element(RoomMode::adapted, RoomMode::paper);
+  parameters.distance.measure =
+      *rc::gen::element(Distance::mode, Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon);
+  parameters.wall.rows = *rc::gen::inRange(1, 9);
+  parameters.wall.columns = *rc::gen::inRange(4, 129);
+  parameters.wall.radius = number(1, 100);
+  parameters.wall.top = number(0.1, 30);
+  parameters.perception.bands = *rc::gen::inRange(8, 481);
+  parameters.perception.sampled_rows = *rc::gen::inRange(8, 4097);
+  parameters.view_filter.particles = *rc::gen::inRange(10, 300);
+  parameters.view_filter.sharpness = parameters.view_filter.paper_sharpness = number(0, 5000);
+  parameters.view_filter.injection = number(0, 10);
+  parameters.confidence.time_constant = number(0, 3);
+  parameters.background.trusted_after = 0.0;
+  test::ScanningRobot robot(test::PaintedRoom::colorful(seed), parameters, seed);
+  robot.truth = robot.belief = Pose2(number(-4, 4), number(-4, 4), number(-3, 3));
+  robot.run(1.0);
+  expect_sound(robot.awareness.confidences());
+}
+
+}  // namespace
+}  // namespace reorient

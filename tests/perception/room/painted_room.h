@@ -1,0 +1,73 @@
+// A round hall with painted panels, and a robot in it that scans with its head: the closed loop for tests.
+#pragma once
+
+#include <vector>
+
+#include "geometry/head.h"
+#include "geometry/random.h"
+#include "perception/room/room_awareness.h"
+
+namespace reorient::test {
+
+/// What the hall's light and the camera's settings do to a colour.
+struct Exposure {
+  double gain = 1.0;
+  double cb_shift = 0.0;
+  double cr_shift = 0.0;
+};
+
+class PaintedRoom {
+ public:
+  static PaintedRoom colorful(std::uint64_t seed);
+  static PaintedRoom symmetric(std::uint64_t seed);  ///< the same after half a turn
+  static PaintedRoom plain();                        ///< white all around
+
+  Image render(const CameraModel& camera, const Eigen::Isometry3d& field_from_camera, const Exposure& exposure,
+               Random& noise) const;
+
+  double radius = 8.0;
+
+ private:
+  static constexpr int kColumns = 24;
+  static constexpr int kRows = 3;
+  Ycbcr color(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction) const;
+
+  std::vector<Ycbcr> panels_;
+};
+
+inline CameraModel small_camera() {
+  return CameraModel::from_fields_of_view(160, 120, from_degrees(56.3), from_degrees(43.7));
+}
+
+/// The camera of a robot that stands upright.
+inline Eigen::Isometry3d standing_camera(double yaw, double pitch = 0.0) {
+  const RobotDimensions dimensions;
+  return robot_from_camera(dimensions, {yaw, pitch}, {}, dimensions.hip_height);
+}
+
+/// A robot that stands somewhere and scans with its head, with a belief of its own.
+class ScanningRobot {
+ public:
+  ScanningRobot(const PaintedRoom& where, const RoomParameters& parameters, std::uint64_t seed)
+      : room(where), awareness(parameters, seed), noise_(seed, 7) {}
+
+  /// Scans for some seconds; frames at 15 Hz.
+  void run(double seconds);
+  /// The frame that the robot sees now; the image lives until the next call.
+  RoomView look();
+
+  PaintedRoom room;
+  RoomAwareness awareness;
+  Pose2 truth{-3.2, -3.5, kPi / 2};
+  Pose2 belief = truth;
+  Exposure exposure;
+  bool train = true;
+  bool evaluate = true;
+  double time = 0.0;
+
+ private:
+  Random noise_;
+  Image image_;
+};
+
+}  // namespace reorient::test

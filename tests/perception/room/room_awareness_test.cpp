@@ -1,0 +1,300 @@
+#include "perception/room/room_awareness.h"
+
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "painted_room.h"
+
+namespace reorient {
+namespace {
+
+using test::Exposure;
+using test::PaintedRoom;
+using test::ScanningRobot;
+
+RoomParameters in_mode(RoomMode mode) {
+  RoomParameters parameters;
+  parameters.mode = mode;
+  return parameters;
+}
+
+/// A robot that has learned the room for 20 s from where it knows that it stands, and learns no more.
+ScanningRobot trained_robot(const PaintedRoom& room, const RoomParameters& parameters, std::uint64_t seed = 1) {
+  ScanningRobot robot(room, parameters, seed);
+  robot.run(20.0);
+  robot.train = false;
+  return robot;
+}
+
+void turn_the_belief(ScanningRobot& robot) {
+  robot.belief = reflect(robot.truth);
+  robot.awareness.on_flip();  // the confidences start afresh, as after any correction
+}
+
+class EachMode : public testing::TestWithParam<RoomMode> {};
+INSTANTIATE_TEST_SUITE_P(RoomAwareness, EachMode, testing::Values(RoomMode::adapted, RoomMode::paper),
+                         [](const auto& each) { return each.param == RoomMode::paper ? "paper" : "adapted"; });
+
+TEST_P(EachMode, ARightBeliefWins) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), in_mode(GetParam()), seed);
+    robot.awareness.on_flip();
+    robot.run(8.0);
+    EXPECT_GT(robot.awareness.confidences().current, 0.6) << "room " << seed;
+    EXPECT_LT(robot.awareness.confidences().opposite, 0.15) << "room " << seed;
+  }
+}
+
+TEST_P(EachMode, AReflectedBeliefLosesWithinSeconds) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), in_mode(GetParam()), seed);
+    turn_the_belief(robot);
+    robot.run(8.0);
+    EXPECT_GT(robot.awareness.confidences().opposite, 0.6) << "room " << seed;
+    EXPECT_LT(robot.awareness.confidences().current, 0.15) << "room " << seed;
+    EXPECT_GT(robot.awareness.confidences().evidence, 5.0) << "room " << seed;
+  }
+}
+
+TEST_P(EachMode, AFlipOfAReflectedBeliefMakesItWin) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(5), in_mode(GetParam()));
+  turn_the_belief(robot);
+  robot.run(6.0);
+  robot.belief = reflect(robot.belief);
+  robot.awareness.on_flip();
+  robot.run(6.0);
+  EXPECT_GT(robot.awareness.confidences().current, 0.6);
+  EXPECT_LT(robot.awareness.confidences().evidence, -5.0);
+}
+
+TEST(RoomAwareness, NoticesAReflectedBeliefUnderAnotherLight) {
+  const Exposure lights[] = {{1.35, 0, 0}, {0.74, 0, 0}, {1.0, 12, -10}, {1.2, -10, 12}};
+  for (const Exposure& light : lights) {
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), in_mode(RoomMode::adapted));
+    robot.exposure = light;
+    turn_the_belief(robot);
+    robot.run(12.0);
+    EXPECT_GT(robot.awareness.confidences().opposite, 0.6) << "gain " << light.gain << ", Cb " << light.cb_shift;
+  }
+}
+
+TEST(RoomAwareness, KeepsTrustInARightBeliefWhenTheLightChanges) {
+  const Exposure lights[] = {{1.35, 0, 0}, {0.74, 0, 0}, {1.0, 12, -10}, {1.2, -10, 12}};
+  for (const Exposure& light : lights) {
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), in_mode(RoomMode::adapted));
+    robot.exposure = light;
+    for (int i = 0; i < 12; ++i) {
+      robot.run(1.0);
+      EXPECT_LT(robot.awareness.confidences().opposite, 0.5) << "gain " << light.gain << ", Cb " << light.cb_shift;
+    }
+    EXPECT_GT(robot.awareness.confidences().current, 0.6) << "gain " << light.gain << ", Cb " << light.cb_shift;
+  }
+}
+
+TEST(RoomAwareness, TellsInformativeRoomsFromOthers) {
+  const RoomParameters parameters;
+  EXPECT_GT(trained_robot(PaintedRoom::colorful(2), parameters).awareness.confidences().informative, 0.3);
+  EXPECT_LT(trained_robot(PaintedRoom::symmetric(2), parameters).awareness.confidences().informative, 0.15);
+  EXPECT_LT(trained_robot(PaintedRoom::plain(), parameters).awareness.confidences().informative, 0.05);
+}
+
+TEST(RoomAwareness, AWhiteRoomConvincesOfNothing) {
+  ScanningRobot robot = trained_robot(PaintedRoom::plain(), in_mode(RoomMode::adapted));
+  turn_the_belief(robot);
+  for (int i = 0; i < 20; ++i) {
+    robot.run(1.0);
+    EXPECT_LT(robot.awareness.confidences().opposite, 0.5);
+    EXPECT_LT(robot.awareness.confidences().current, 0.5);
+    EXPECT_LT(std::abs(robot.awareness.confidences().evidence), 2.0);
+  }
+}
+
+TEST(RoomAwareness, CoverageGrowsWithWhatWasSeen) {
+  ScanningRobot robot(PaintedRoom::colorful(1), RoomParameters{}, 1);
+  EXPECT_EQ(robot.awareness.confidences().coverage, 0.0);
+  robot.run(1.0);
+  const double soon = robot.awareness.confidences().coverage;
+  robot.run(10.0);
+  EXPECT_GT(robot.awareness.confidences().coverage, soon);
+  EXPECT_GT(robot.awareness.confidences().coverage, 0.6);
+}
+
+TEST(RoomAwareness, AnUntrainedRoomIsNoEvidence) {
+  ScanningRobot robot(PaintedRoom::colorful(1), RoomParameters{}, 1);
+  robot.train = false;
+  robot.run(10.0);
+  EXPECT_EQ(robot.awareness.confidences().evidence, 0.0);
+  EXPECT_EQ(robot.awareness.confidences().coverage, 0.0);
+  EXPECT_LT(robot.awareness.confidences().current, 0.35);
+  EXPECT_LT(robot.awareness.confidences().opposite, 0.35);
+}
+
+TEST(RoomAwareness, WithoutTrainingTheModelStaysAsItIs) {
+  ScanningRobot robot(PaintedRoom::colorful(1), RoomParameters{}, 1);
+  robot.train = false;
+  robot.run(1.0);
+  for (const TileModel& tile : robot.awareness.model().tiles()) EXPECT_EQ(tile.visits, 0);
+  EXPECT_GT(robot.awareness.confidences().visible_tiles, 3);
+}
+
+TEST(RoomAwareness, WithoutEvaluationFilterAndConfidencesRest) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
+  const Confidences before = robot.awareness.confidences();
+  const double azimuth = robot.awareness.particles()[0].azimuth;
+  robot.evaluate = false;
+  turn_the_belief(robot);
+  robot.run(3.0);
+  EXPECT_EQ(robot.awareness.confidences().raw_current, before.raw_current);
+  EXPECT_EQ(robot.awareness.confidences().opposite, 0.0);
+  EXPECT_EQ(robot.awareness.particles()[0].azimuth, azimuth);
+}
+
+TEST(RoomAwareness, AdaptedConfidencesSurviveAPurgeButNotAFlip) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), in_mode(RoomMode::adapted));
+  const double before = robot.awareness.confidences().current;
+  ASSERT_GT(before, 0.5);
+  robot.awareness.on_purge();
+  EXPECT_EQ(robot.awareness.confidences().current, before);
+  robot.awareness.on_flip();
+  EXPECT_EQ(robot.awareness.confidences().current, 0.0);
+}
+
+TEST(RoomAwareness, ThePapersConfidencesStartFromZeroOnEverySignal) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), in_mode(RoomMode::paper));
+  for (void (RoomAwareness::*signal)() :
+       {&RoomAwareness::on_flip, &RoomAwareness::on_purge, &RoomAwareness::on_reset}) {
+    robot.run(1.0);
+    ASSERT_GT(robot.awareness.confidences().current, 0.0);
+    (robot.awareness.*signal)();
+    EXPECT_EQ(robot.awareness.confidences().current, 0.0);
+    EXPECT_EQ(robot.awareness.confidences().opposite, 0.0);
+  }
+}
+
+TEST(RoomAwareness, AnotherWallForgetsTheModelAndAnotherNumberDoesNot) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
+  RoomParameters parameters = robot.awareness.parameters();
+  parameters.view_filter.noise *= 2.0;
+  robot.awareness.set_parameters(parameters);
+  EXPECT_GT(robot.awareness.confidences().coverage, 0.5);
+  parameters.wall.columns = 48;
+  robot.awareness.set_parameters(parameters);
+  EXPECT_EQ(robot.awareness.confidences().coverage, 0.0);
+  EXPECT_EQ(robot.awareness.model().tiles().size(), 2u * 48u);
+  robot.run(1.0);
+  EXPECT_GT(robot.awareness.confidences().visible_tiles, 3);
+}
+
+TEST(RoomAwareness, AnotherNumberOfParticlesTakesEffectAtOnce) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
+  RoomParameters parameters = robot.awareness.parameters();
+  parameters.view_filter.particles = 30;
+  robot.awareness.set_parameters(parameters);
+  EXPECT_EQ(robot.awareness.particles().size(), 30u);
+  robot.run(6.0);
+  EXPECT_GT(robot.awareness.confidences().current, 0.5);
+}
+
+TEST(RoomAwareness, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
+  const auto state = [](std::uint64_t seed) {
+    ScanningRobot robot(PaintedRoom::colorful(1), RoomParameters{}, 1);
+    robot.awareness = RoomAwareness(RoomParameters{}, seed);
+    robot.run(3.0);
+    std::vector<std::uint8_t> bytes;
+    robot.awareness.append_state(bytes);
+    return bytes;
+  };
+  EXPECT_EQ(state(11), state(11));
+  EXPECT_NE(state(11), state(12));
+}
+
+TEST(RoomAwareness, AJumpOfTheBeliefDoesNotMoveTheParticles) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
+  RoomParameters parameters;
+  parameters.view_filter.noise = 0.0;
+  parameters.view_filter.sharpness = 0.0;
+  parameters.view_filter.injection = 0.0;
+  robot.awareness.set_parameters(parameters);
+  RoomView view = robot.look();
+  robot.awareness.update(view);
+  const double before = robot.awareness.particles()[0].azimuth;
+  view.belief = reflect(view.belief);
+  view.time += 0.03;
+  robot.awareness.update(view);
+  EXPECT_NEAR(robot.awareness.particles()[0].azimuth, before, 1e-9);
+}
+
+TEST(RoomAwareness, ParticlesTurnWithTheBody) {
+  RoomParameters parameters;
+  parameters.view_filter.noise = 0.0;
+  parameters.view_filter.injection = 0.0;
+  ScanningRobot robot(PaintedRoom::colorful(1), parameters, 1);
+  robot.train = false;
+  robot.truth = robot.belief = Pose2(0.0, 0.0, 0.0);
+  RoomView view = robot.look();
+  view.robot_from_camera = Eigen::Isometry3d::Identity();
+  robot.awareness.update(view);
+  const double before = robot.awareness.particles()[0].azimuth;
+  view.odometry_rotation += 0.25;
+  view.belief.rotation += 0.25;
+  view.time += 0.03;
+  robot.awareness.update(view);
+  EXPECT_NEAR(angle_difference(robot.awareness.particles()[0].azimuth, before), 0.25, 1e-9);
+}
+
+TEST(RoomAwareness, KnowsWhichGoalIsInView) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(3), RoomParameters{});
+  RoomView view = robot.look();
+  robot.belief = robot.truth = Pose2(-1.0, 0.0, 0.0);  // towards the opponent goal
+  view.robot_from_camera = test::standing_camera(0.0);
+  view.belief = robot.belief;
+  Random noise(1);
+  const Image image = robot.room.render(view.camera, to_isometry(robot.truth) * view.robot_from_camera, {}, noise);
+  view.image = image.view();
+  for (int i = 0; i < 60; ++i) {
+    view.time += 1.0 / 30.0;
+    robot.awareness.update(view);
+  }
+  EXPECT_GT(robot.awareness.confidences().goal_opponent, 0.4);
+  EXPECT_LT(robot.awareness.confidences().goal_own, 0.1);
+}
+
+/// Reads declarations as the engine does.
+struct DeclarationReader {
+  int numbers = 0;
+  int choices = 0;
+
+  template <typename Number>
+  void operator()(const char* name, Number& value, double low, double high, const char*, const char*) {
+    EXPECT_LE(low, value) << name;
+    EXPECT_GE(high, value) << name;
+    ++numbers;
+  }
+  template <typename Choice>
+  void operator()(const char* name, Choice& value, std::initializer_list<const char*> names, const char*) {
+    EXPECT_LT(static_cast<std::size_t>(value), names.size()) << name;
+    ++choices;
+  }
+};
+
+TEST(RoomAwareness, DeclaresParametersWhoseDefaultsAreWithinTheirRanges) {
+  RoomParameters parameters;
+  DeclarationReader reader;
+  std::vector<std::string> parts;
+  for_each_part(parameters, [&](const char* name, auto& part) {
+    parts.emplace_back(name);
+    const int before = reader.numbers + reader.choices;
+    describe(part, reader);
+    EXPECT_GT(reader.numbers + reader.choices, before) << name;
+  });
+  EXPECT_EQ(parts.size(), 10u);
+  EXPECT_EQ(reader.choices, 2);
+}
+
+}  // namespace
+}  // namespace reorient

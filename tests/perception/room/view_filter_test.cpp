@@ -1,0 +1,174 @@
+#include "perception/room/view_filter.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "perception/room/confidences.h"
+
+namespace reorient {
+namespace {
+
+/// A wall of one row whose every column has colours of its own, and what a camera sees of it.
+struct OneRow {
+  OneRow() {
+    WallParameters parameters;
+    parameters.rows = 1;
+    parameters.columns = 16;
+    wall = Wall(parameters);
+    model.forget(16);
+    for (int column = 0; column < 16; ++column) model.train(column, colors_of(column), {1.0, 100.0, true, 0.0});
+    compared.prepare(model, comparison);
+  }
+  static ColorHistogram colors_of(int column) {
+    ColorHistogram histogram{};
+    histogram[static_cast<std::size_t>(column % 14)] = 0.7f;
+    histogram[static_cast<std::size_t>((3 * column + 1) % 14)] += 0.3f;
+    return histogram;
+  }
+  /// The scores if the belief says that columns first...first + 3 are in view, and they are `turn` further left.
+  ViewpointScores scores(int first, int turn) const {
+    std::vector<PerceivedTile> perceived;
+    for (int column = first; column < first + 4; ++column) {
+      PerceivedTile tile;
+      tile.tile = column % 16;
+      tile.counts = true;
+      tile.histogram = colors_of((column + turn) % 16);
+      perceived.push_back(tile);
+    }
+    ViewpointScores result;
+    result.compute(perceived, compared, wall, comparison);
+    return result;
+  }
+  Wall wall;
+  BackgroundModel model;
+  Comparison comparison;
+  ComparedModel compared;
+};
+
+RC_GTEST_PROP(ViewpointScores, TheBestCellIsTheTurnBetweenBeliefAndTruth, ()) {
+  const OneRow room;
+  const int turn = *rc::gen::inRange(0, 16);
+  const ViewpointScores scores = room.scores(*rc::gen::inRange(0, 16), turn);
+  RC_ASSERT(scores.best() == turn);
+  RC_ASSERT(scores.evidence());
+  RC_ASSERT(scores.least() < 1e-3);
+  RC_ASSERT(std::abs(scores.distance(turn + 0.5) - 0.5 * (scores.at(turn).distance + scores.at(turn + 1).distance)) <
+            1e-9);
+  RC_ASSERT(std::abs(scores.distance(turn - 16.0) - scores.at(turn).distance) < 1e-9);
+}
+
+TEST(ViewpointScores, AViewThatPredictsNothingIsNoEvidence) {
+  OneRow room;
+  room.model.forget(16);
+  for (int column = 0; column < 6; ++column) room.model.train(column, OneRow::colors_of(column), {1.0, 9.0, true, 0.0});
+  room.compared.prepare(room.model, room.comparison);
+  const ViewpointScores scores = room.scores(1, 0);
+  EXPECT_TRUE(scores.at(0).known);
+  EXPECT_FALSE(scores.at(8).known);
+  EXPECT_FALSE(scores.evidence());
+  EXPECT_NEAR(room.compared.coverage(), 6.0 / 16.0, 1e-9);
+}
+
+TEST(ViewFilter, SpreadsItsParticlesEvenly) {
+  ViewFilter filter(1);
+  filter.spread(360);
+  for (double azimuth = -3.0; azimuth < 3.0; azimuth += 0.5) {
+    EXPECT_NEAR(filter.share_near(azimuth, from_degrees(30.0)), 1.0 / 6.0, 0.01);
+  }
+}
+
+TEST(ViewFilter, FindsTheTurnAndForgetsTheRest) {
+  const OneRow room;
+  ViewFilter filter(1);
+  filter.spread(100);
+  const double center = 0.4;
+  for (int i = 0; i < 60; ++i) {
+    filter.predict(0.0, 1.0 / 30.0, {});
+    filter.correct(room.scores(0, 6), center, 1.0 / 30.0, {});
+  }
+  EXPECT_GT(filter.share_near(center + 6 * 2 * kPi / 16, from_degrees(20.0)), 0.8);
+  EXPECT_EQ(filter.particles().size(), 100u);
+  filter.find_clusters();
+  ASSERT_FALSE(filter.clusters().empty());
+  EXPECT_NEAR(angle_difference(filter.clusters()[0].azimuth, center + 6 * 2 * kPi / 16), 0.0, 0.1);
+  EXPECT_LT(filter.clusters()[0].spread, 0.3);
+}
+
+TEST(ViewFilter, FindsTheTurnFromAWrongClusterByInjection) {
+  const OneRow room;
+  ViewFilter filter(1);
+  filter.spread(100);
+  for (int i = 0; i < 60; ++i) filter.correct(room.scores(0, 0), 0.0, 1.0 / 30.0, {});
+  ASSERT_GT(filter.share_near(0.0, 0.5), 0.9);
+  for (int i = 0; i < 60; ++i) filter.correct(room.scores(0, 8), 0.0, 1.0 / 30.0, {});
+  EXPECT_GT(filter.share_near(kPi, 0.5), 0.9);
+}
+
+RC_GTEST_PROP(ViewFilter, WeightsSumUpToOneAndAzimuthsStayNormalized, (std::uint64_t seed)) {
+  const OneRow room;
+  ViewFilter filter(seed);
+  filter.spread(50);
+  const double sharpness = *rc::gen::element(0.0, 150.0, 1e9);
+  for (int i = 0; i < 5; ++i) {
+    filter.predict(2.5, 0.1, {});
+    filter.correct(room.scores(2, 5), -3.0, 0.1, {sharpness, 0.0, 0.05});
+  }
+  for (const ViewParticle& particle : filter.particles()) {
+    RC_ASSERT(particle.azimuth > -kPi - 1e-12 && particle.azimuth <= kPi);
+    RC_ASSERT(std::isfinite(particle.weight));
+  }
+}
+
+TEST(ViewFilter, ClustersCoverAllParticlesAndAreNotCutAtTheBackOfTheCircle) {
+  const OneRow room;
+  ViewFilter filter(4);
+  filter.spread(100);
+  for (int i = 0; i < 60; ++i) {
+    filter.predict(0.0, 1.0 / 30.0, {});
+    filter.correct(room.scores(0, 8), 0.0, 1.0 / 30.0, {});
+  }
+  filter.find_clusters();
+  double share = 0.0;
+  for (const ViewCluster& cluster : filter.clusters()) share += cluster.share;
+  EXPECT_NEAR(share, 1.0, 1e-9);
+  EXPECT_GT(filter.clusters()[0].share, 0.8);
+  EXPECT_NEAR(std::abs(filter.clusters()[0].azimuth), kPi, 0.2);
+}
+
+TEST(Confidences, SmoothByATimeConstantOrByEquationOne) {
+  const ConfidenceParameters parameters;
+  EXPECT_NEAR(smoothing_share(parameters, 3.0, false), 1.0 - std::exp(-1.0), 1e-12);
+  EXPECT_NEAR(smoothing_share(parameters, 3.0, true), 1.0 / 61.0, 1e-12);
+  // Two halves of a step smooth as much as the whole step does.
+  const double half = smoothing_share(parameters, 0.05, false);
+  EXPECT_NEAR((1 - half) * (1 - half), 1 - smoothing_share(parameters, 0.1, false), 1e-12);
+}
+
+TEST(Confidences, CountParticlesAroundBothViewCentresAndBehindTheGoals) {
+  ViewFilter filter(1);
+  filter.spread(3600);
+  Confidences confidences;
+  update_confidences(confidences, filter, 1.0, 1.0, {});
+  EXPECT_NEAR(confidences.raw_current, 60.0 / 360.0, 2e-3);
+  EXPECT_NEAR(confidences.raw_opposite, 60.0 / 360.0, 2e-3);
+  EXPECT_NEAR(confidences.goal_opponent, 25.0 / 360.0, 2e-3);
+  EXPECT_NEAR(confidences.goal_own, 25.0 / 360.0, 2e-3);
+  EXPECT_EQ(confidences.current, confidences.raw_current);
+}
+
+TEST(Confidences, EvidenceSpeaksForTheBetterOfTheTwoAndStaysWithinItsLimit) {
+  const OneRow room;
+  double evidence = 0.0;
+  for (int i = 0; i < 300; ++i) evidence = updated_evidence(evidence, room.scores(3, 8), 1.0 / 30.0, {});
+  EXPECT_GT(evidence, 5.0);
+  EXPECT_LE(evidence, EvidenceParameters{}.limit);
+  for (int i = 0; i < 900; ++i) evidence = updated_evidence(evidence, room.scores(3, 0), 1.0 / 30.0, {});
+  EXPECT_LT(evidence, -5.0);
+  EXPECT_NEAR(updated_evidence(4.0, ViewpointScores{}, 10.0, {}), 4.0 * std::exp(-1.0), 1e-9) << "it fades";
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,131 @@
+#include "robots/simulator/room/panorama.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <png.h>
+#include <turbojpeg.h>
+
+#include "robots/simulator/room/room.h"
+
+namespace reorient {
+namespace {
+
+constexpr int kWidth = 64;
+constexpr int kHeight = 32;
+
+/// Left half one grey, right half another; gamma-coded, three bytes a pixel.
+std::vector<std::uint8_t> two_greys(std::uint8_t left, std::uint8_t right) {
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < kWidth * kHeight; ++i) pixels.insert(pixels.end(), 3, i % kWidth < kWidth / 2 ? left : right);
+  return pixels;
+}
+
+std::vector<std::uint8_t> encode_png(const std::vector<std::uint8_t>& pixels) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = kWidth;
+  png.height = kHeight;
+  png.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = 0;
+  png_image_write_to_memory(&png, nullptr, &size, 0, pixels.data(), 0, nullptr);
+  std::vector<std::uint8_t> bytes(size);
+  png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr);
+  bytes.resize(size);
+  return bytes;
+}
+
+std::vector<std::uint8_t> encode_jpeg(const std::vector<std::uint8_t>& pixels) {
+  const std::unique_ptr<void, decltype(&tjDestroy)> encoder(tjInitCompress(), tjDestroy);
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  tjCompress2(encoder.get(), pixels.data(), kWidth, 0, kHeight, TJPF_RGB, &data, &size, TJSAMP_444, 95, 0);
+  std::vector<std::uint8_t> bytes(data, data + size);
+  tjFree(data);
+  return bytes;
+}
+
+template <typename Act>
+std::string message_of(Act&& act) {
+  try {
+    act();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_refused(const std::vector<std::uint8_t>& bytes, const std::string& part) {
+  const std::string message = message_of([&] { decode_panorama(bytes, "room.file"); });
+  EXPECT_NE(message.find("'room.file'"), std::string::npos) << message;
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+TEST(Panorama, TurnsTheGammaOfAPngIntoLinearLight) {
+  const LinearImage image = decode_panorama(encode_png(two_greys(0, 188)), "test");
+  ASSERT_EQ(image.width, kWidth);
+  EXPECT_NEAR(image.at(5, 5).x(), 0.0f, 1e-3f);
+  EXPECT_NEAR(image.at(60, 5).y(), 0.503f, 0.01f);
+}
+
+TEST(Panorama, TurnsTheGammaOfAJpegIntoLinearLight) {
+  const LinearImage image = decode_panorama(encode_jpeg(two_greys(20, 188)), "test");
+  ASSERT_EQ(image.height, kHeight);
+  EXPECT_NEAR(image.at(5, 5).x(), 0.007f, 0.004f);
+  EXPECT_NEAR(image.at(60, 5).z(), 0.503f, 0.02f);
+}
+
+TEST(Panorama, RefusesTruncatedPictures) {
+  auto png = encode_png(two_greys(30, 200));
+  auto jpeg = encode_jpeg(two_greys(30, 200));
+  png.resize(png.size() / 2);
+  jpeg.resize(jpeg.size() / 2);
+  expect_refused(png, "again");
+  expect_refused(jpeg, "again");
+  png.resize(10);
+  jpeg.resize(10);
+  expect_refused(png, "again");
+  expect_refused(jpeg, "again");
+}
+
+TEST(Panorama, RefusesWhatIsNoPicture) {
+  expect_refused({'P', '6', '\n', '1'}, "convert it");
+  expect_refused({0}, "convert it");
+}
+
+TEST(Panorama, RefusesFilesThatCannotBeRead) {
+  const auto folder = std::filesystem::temp_directory_path() / "reorient_panorama_test";
+  std::filesystem::create_directories(folder);
+  const std::string empty = folder / "empty.hdr";
+  std::ofstream(empty).flush();
+  EXPECT_NE(message_of([&] { read_panorama(folder / "absent.hdr"); }).find("does not exist"), std::string::npos);
+  EXPECT_NE(message_of([&] { read_panorama(folder); }).find("is not a file"), std::string::npos);
+  EXPECT_NE(message_of([&] { read_panorama(empty); }).find("is empty"), std::string::npos);
+  EXPECT_NE(message_of([&] { load_room(empty, RoomShape{}); }).find("empty.hdr"), std::string::npos);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Panorama, OfEveryRealRoomBecomesARoom) {
+  const char* shared = std::getenv("REORIENT_SHARED");
+  if (shared == nullptr) GTEST_SKIP() << "set REORIENT_SHARED to the folder that holds rooms/*.hdr";
+  int rooms = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(shared) / "rooms")) {
+    if (entry.path().extension() != ".hdr") continue;
+    const LinearImage image = read_panorama(entry.path());
+    EXPECT_EQ(image.width, 1024) << entry.path();
+    EXPECT_EQ(image.height, 512) << entry.path();
+    for (const LinearColor& color : image.pixels) ASSERT_TRUE(color.isFinite().all() && color.minCoeff() >= 0.0f);
+    ++rooms;
+  }
+  EXPECT_GT(rooms, 0);
+}
+
+}  // namespace
+}  // namespace reorient

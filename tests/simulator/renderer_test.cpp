@@ -1,0 +1,205 @@
+#include "robots/simulator/render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geometry/head.h"
+
+namespace reorient {
+namespace {
+
+CameraModel camera() {
+  CameraModel model = CameraModel::from_fields_of_view(320, 240, from_degrees(56.3), from_degrees(43.7));
+  model.k1 = 0.05;
+  return model;
+}
+
+Eigen::Isometry3d standing(const Pose2& pose, const HeadAngles& head) {
+  return to_isometry(pose) * robot_from_camera(RobotDimensions{}, head, TorsoAttitude{}, 0.25);
+}
+
+/// A grey box with one bright stripe on its walls, 0.1 m wide, around a wall coordinate.
+Room room_with_stripe(double wall_coordinate) {
+  Room room;
+  const double perimeter = wall_perimeter(room.shape);
+  LinearImage walls(4096, 64, LinearColor::Constant(0.05f));
+  for (int i = 0; i < walls.width; ++i) {
+    if (std::abs((i + 0.5) * perimeter / walls.width - wall_coordinate) > 0.05) continue;
+    for (int j = 0; j < walls.height; ++j) walls.at(i, j) = LinearColor::Constant(2.0f);
+  }
+  const LinearImage plain(64, 64, LinearColor::Constant(0.05f));
+  room.walls = {walls, {}, {perimeter, room.shape.height}, Texture::Edge::wrap};
+  room.floor = {plain, {}, floor_extent(room.shape), Texture::Edge::clamp};
+  room.ceiling = room.floor;
+  return room;
+}
+
+const Room& plain_room() {
+  static const Room room = room_with_stripe(3.0);
+  return room;
+}
+
+Scene goals() {
+  Scene scene;
+  add_goals(scene, FieldDimensions{}, LinearColor::Ones());
+  return scene;
+}
+
+/// What a standing robot sees.
+class View {
+ public:
+  View(Renderer& renderer, const Pose2& pose, const HeadAngles& head, const Scene& scene)
+      : field_from_camera_(standing(pose, head)), frame_(renderer.render(field_from_camera_, scene)) {}
+
+  Eigen::Vector2d pixel_of(const Eigen::Vector3d& point) const {
+    const auto pixel = camera().project(field_from_camera_.inverse() * point);
+    return pixel ? *pixel : Eigen::Vector2d(-1e9, -1e9);
+  }
+  bool sees(const Eigen::Vector3d& point) const {
+    const Eigen::Vector2d pixel = pixel_of(point);
+    return pixel.x() > 3 && pixel.y() > 3 && pixel.x() < 316 && pixel.y() < 236;
+  }
+  Label label_at(const Eigen::Vector3d& point) const { return frame_.labels[index_at(point)]; }
+  double depth_at(const Eigen::Vector3d& point) const { return frame_.depth[index_at(point)]; }
+  double depth_of(const Eigen::Vector3d& point) const { return (field_from_camera_.inverse() * point).x(); }
+  const Frame& frame() const { return frame_; }
+
+ private:
+  std::size_t index_at(const Eigen::Vector3d& point) const {
+    const Eigen::Vector2d pixel = pixel_of(point);
+    return frame_.row(static_cast<int>(std::lround(pixel.y()))) + static_cast<std::size_t>(std::lround(pixel.x()));
+  }
+
+  Eigen::Isometry3d field_from_camera_;
+  const Frame& frame_;
+};
+
+View view_in_plain_room(const Pose2& pose, const HeadAngles& head = {}) {
+  static Renderer renderer(camera(), FieldDimensions{}, plain_room(), true);
+  return {renderer, pose, head, goals()};
+}
+
+TEST(Renderer, ShowsThePenaltyMarkWhereTheCameraModelProjectsIt) {
+  const View view = view_in_plain_room(Pose2(1.8, 0.2, 0.0), {0.0, 0.1});
+  ASSERT_TRUE(view.sees({3.2, 0.0, 0.0}));
+  EXPECT_EQ(view.label_at({3.2, 0.0, 0.0}), Label::line);
+  EXPECT_EQ(view.label_at({3.2, 0.2, 0.0}), Label::carpet);
+  EXPECT_NEAR(view.depth_at({3.2, 0.0, 0.0}), view.depth_of({3.2, 0.0, 0.0}), 0.02);
+}
+
+TEST(Renderer, ShowsGoalPostsWhereTheCameraModelProjectsThem) {
+  const View view = view_in_plain_room(Pose2(1.5, 0.3, 0.1), {});
+  for (const double side : {0.8, -0.8}) {
+    for (const double height : {0.03, 0.4, 0.77}) {
+      const Eigen::Vector3d post(4.5, side, height);
+      ASSERT_TRUE(view.sees(post));
+      EXPECT_EQ(view.label_at(post), Label::goal);
+      EXPECT_NEAR(view.depth_at(post), view.depth_of(post) - 0.05, 0.03);
+    }
+    EXPECT_NE(view.label_at({4.5, side * 1.15, 0.4}), Label::goal) << "beside the post";
+    EXPECT_NE(view.label_at({4.5, side, 0.95}), Label::goal) << "above the post";
+  }
+  EXPECT_EQ(view.label_at({4.5, 0.3, 0.8}), Label::goal) << "crossbar";
+}
+
+RC_GTEST_PROP(Renderer, MeasuresTheDepthOfTheCarpetItShows, ()) {
+  const Pose2 pose(*rc::gen::inRange(-4000, 2000) * 1e-3, *rc::gen::inRange(-3000, 3000) * 1e-3,
+                   *rc::gen::inRange(-3000, 3000) * 1e-3);
+  const HeadAngles head = clamp_to_reach({*rc::gen::inRange(-1500, 1500) * 1e-3, *rc::gen::inRange(0, 400) * 1e-3});
+  const View view = view_in_plain_room(pose, head);
+  const Pose2 gaze(pose.position, pose.rotation + head.yaw);
+  const Eigen::Vector2d ground = gaze * Eigen::Vector2d(1.5, *rc::gen::inRange(-300, 300) * 1e-3);
+  const Eigen::Vector3d point(ground.x(), ground.y(), 0.0);
+  RC_PRE(view.sees(point) && std::abs(point.x()) < 5.1 && std::abs(point.y()) < 3.6);
+  const Label label = view.label_at(point);
+  RC_PRE(label != Label::goal);
+  RC_ASSERT(label == Label::carpet || label == Label::line);
+  RC_ASSERT(std::abs(view.depth_at(point) - view.depth_of(point)) < 0.03);
+}
+
+TEST(Renderer, TellsCarpetFloorWallAndCeilingApart) {
+  const View level = view_in_plain_room(Pose2(0.0, 0.0, 0.0), {0.0, 0.0});
+  EXPECT_EQ(level.label_at({2.0, 0.3, 0.0}), Label::carpet);
+  EXPECT_EQ(level.label_at({7.5, 2.0, 0.0}), Label::floor);
+  EXPECT_EQ(level.label_at({8.4, 2.0, 1.5}), Label::wall);
+  const View up = view_in_plain_room(Pose2(-7.0, 0.0, 0.0), {0.0, -0.6});
+  EXPECT_EQ(up.label_at({3.0, 0.5, 7.0}), Label::ceiling);
+}
+
+TEST(Renderer, ShiftsANearWallMoreThanAFarOne) {
+  // The stripe is on the wall behind the goal at +x, at y = 1.4 (wall coordinate 7.8). Whoever walks towards it sees it
+  // move outwards exactly as the point on the wall projects: the room is finite.
+  Renderer renderer(camera(), FieldDimensions{}, room_with_stripe(7.8), false);
+  for (const double x : {-6.0, -2.0, 2.0, 4.0}) {
+    const View view(renderer, Pose2(x, 0.0, 0.0), {}, Scene{});
+    const Eigen::Vector3d stripe(8.4, 1.4, 1.3);
+    ASSERT_TRUE(view.sees(stripe));
+    const Eigen::Vector2d expected = view.pixel_of(stripe);
+    const std::size_t first = view.frame().row(static_cast<int>(std::lround(expected.y())));
+    double weight = 0.0;
+    double sum = 0.0;
+    for (int u = 0; u < 320; ++u) {
+      const double light = std::max(0.0f, view.frame().red[first + static_cast<std::size_t>(u)] - 0.06f);
+      weight += light;
+      sum += light * u;
+    }
+    ASSERT_GT(weight, 0.0);
+    EXPECT_NEAR(sum / weight, expected.x(), 0.5) << "from x = " << x;
+  }
+}
+
+TEST(Renderer, ShowsARoundWallAtItsDistance) {
+  Room room = plain_room();
+  room.shape.form = RoomForm::cylinder;
+  room.shape.length = 16.0;
+  Renderer renderer(camera(), FieldDimensions{}, room, true);
+  const View view(renderer, Pose2(-3.0, 2.0, 0.0), {}, Scene{});
+  for (const double azimuth : {0.0, 0.2, 0.35}) {
+    const Eigen::Vector3d point(8.0 * std::cos(azimuth), 8.0 * std::sin(azimuth), 2.0);
+    ASSERT_TRUE(view.sees(point));
+    EXPECT_EQ(view.label_at(point), Label::wall);
+    EXPECT_NEAR(view.depth_at(point), view.depth_of(point), 0.05);
+  }
+}
+
+int pixels_of(Label label, const Frame& frame) {
+  return static_cast<int>(std::count(frame.labels.begin(), frame.labels.end(), label));
+}
+
+TEST(Renderer, HidesWhatStandsBehindARobot) {
+  Renderer renderer(camera(), FieldDimensions{}, plain_room(), true);
+  const Eigen::Isometry3d eye = standing(Pose2(0.0, 0.0, 0.0), {0.0, 0.1});
+  Scene scene;
+  add_ball(scene, {2.0, -0.05}, LinearColor::Ones());
+  const int free = pixels_of(Label::ball, renderer.render(eye, scene));
+  EXPECT_GT(free, 100);
+  add_robot(scene, Pose2(1.2, 0.0, kPi), 0.0, LinearColor::Ones(), LinearColor::Ones());
+  const Frame& frame = renderer.render(eye, scene);
+  EXPECT_GT(pixels_of(Label::robot, frame), 1000);
+  EXPECT_LT(pixels_of(Label::ball, frame), free / 4);
+}
+
+TEST(Renderer, StaysFiniteWhereverTheCameraIs) {
+  Renderer renderer(camera(), FieldDimensions{}, plain_room(), false);
+  Scene scene;
+  add_goals(scene, FieldDimensions{}, LinearColor::Ones());
+  add_robot(scene, Pose2(0.1, 0.0, 0.0), 0.0, LinearColor::Ones(), LinearColor::Ones());
+  for (const double pitch : {-kPi / 2, -0.5, 0.0, kPi / 2}) {
+    for (const Eigen::Vector3d& where :
+         {Eigen::Vector3d(0.1, 0.0, 0.3), Eigen::Vector3d(50.0, -50.0, -3.0), Eigen::Vector3d(4.5, 0.8, 0.4)}) {
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      pose.translation() = where;
+      pose.linear() = Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()).toRotationMatrix();
+      const Frame& frame = renderer.render(pose, scene);
+      for (const float light : frame.green) {
+        ASSERT_TRUE(light >= 0.0f && light < 20.0f) << light << " at " << where.transpose() << ", pitch " << pitch;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,256 @@
+#include "robots/simulator/simulator.h"
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace reorient {
+namespace {
+
+const Pose2 kBesideTheField(-3.2, -3.5, kPi / 2.0);
+
+const Room& hall() {
+  static const Room room = procedural_hall(1, RoomShape{});
+  return room;
+}
+
+SimulatorParameters small() {
+  SimulatorParameters parameters;
+  parameters.image = ImageSize::qqvga_160x120;
+  return parameters;
+}
+
+Request walking_and_looking(int frame) {
+  Request request;
+  request.head = HeadRequest{{1.5 * std::sin(0.05 * frame), 0.1}, 2.0};
+  request.walk = {0.2, 0.0, 0.1};
+  return request;
+}
+
+std::vector<std::uint8_t> bytes_of(const ImageView& image) {
+  return {image.data, image.data + static_cast<std::ptrdiff_t>(image.stride) * image.height};
+}
+
+double mean_luma(const ImageView& image) {
+  double sum = 0.0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) sum += image.luma(x, y);
+  }
+  return sum / (image.width * image.height);
+}
+
+TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {
+  Simulator one(small(), FieldDimensions{}, hall(), kBesideTheField, 5);
+  Simulator two(small(), FieldDimensions{}, hall(), kBesideTheField, 5);
+  Observation a;
+  Observation b;
+  for (int frame = 0; frame < 60; ++frame) {
+    one.request(walking_and_looking(frame));
+    two.request(walking_and_looking(frame));
+    if (frame == 20) one.push_over(), two.push_over();
+    ASSERT_TRUE(one.observe(a) && two.observe(b));
+    ASSERT_EQ(bytes_of(a.image), bytes_of(b.image)) << "frame " << frame;
+    ASSERT_EQ(a.odometry.position, b.odometry.position);
+    ASSERT_EQ(a.head.yaw, b.head.yaw);
+    ASSERT_EQ(a.torso.roll, b.torso.roll);
+    ASSERT_EQ(a.foot_load, b.foot_load);
+  }
+}
+
+TEST(Simulator, ShowsAnotherScenePerSeed) {
+  Simulator one(small(), FieldDimensions{}, hall(), kBesideTheField, 5);
+  Simulator two(small(), FieldDimensions{}, hall(), kBesideTheField, 6);
+  Observation a;
+  Observation b;
+  one.observe(a);
+  two.observe(b);
+  EXPECT_NE(bytes_of(a.image), bytes_of(b.image));
+}
+
+TEST(Simulator, MovesOnByOneFramePerObservation) {
+  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Observation observation;
+  for (int frame = 0; frame < 31; ++frame) simulator.observe(observation);
+  EXPECT_NEAR(observation.time, 1.0, 1e-9);
+}
+
+TEST(Simulator, DeliversEveryResolutionThroughTheSameWindow) {
+  const std::pair<ImageSize, int> sizes[] = {
+      {ImageSize::vga_640x480, 640}, {ImageSize::qvga_320x240, 320}, {ImageSize::qqvga_160x120, 160}};
+  for (const auto& [size, width] : sizes) {
+    SimulatorParameters parameters;
+    parameters.image = size;
+    Simulator simulator(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
+    Observation observation;
+    simulator.observe(observation);
+    EXPECT_EQ(observation.image.width, width);
+    EXPECT_EQ(observation.image.height, width * 3 / 4);
+    EXPECT_EQ(observation.camera.width, width);
+    EXPECT_NEAR(observation.camera.project({1.0, 0.3, 0.2})->x() / width, 0.2158, 2e-3);
+  }
+}
+
+TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
+  SimulatorParameters parameters = small();
+  parameters.labels = true;
+  parameters.tilt_error = 0.0;
+  parameters.other_robots = 0;
+  parameters.body.head_noise = parameters.body.attitude_noise = parameters.body.attitude_bias = 0.0;
+  Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(2.0, 0.0, 0.0), 1);
+  Observation observation;
+  simulator.observe(observation);
+  const Eigen::Isometry3d field_from_camera =
+      to_isometry(simulator.ground_truth()->pose) *
+      robot_from_camera(simulator.dimensions(), observation.head, observation.torso, observation.hip_height);
+  const auto pixel = observation.camera.project(field_from_camera.inverse() * Eigen::Vector3d(4.5, 0.8, 0.4));
+  ASSERT_TRUE(pixel && observation.camera.contains(*pixel));
+  const auto index = static_cast<std::size_t>(std::lround(pixel->y()) * 160 + std::lround(pixel->x()));
+  EXPECT_EQ(simulator.labels()[index], Label::goal);
+  EXPECT_NEAR(simulator.depth()[index], 2.4, 0.05);
+}
+
+TEST(Simulator, KeepsLabelsAndDepthOnlyWhenAsked) {
+  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Observation observation;
+  simulator.observe(observation);
+  EXPECT_TRUE(simulator.labels().empty());
+  EXPECT_TRUE(simulator.depth().empty());
+}
+
+TEST(Simulator, LooksTheSameInLabelsButNotInColoursAfterHalfATurn) {
+  SimulatorParameters parameters = small();
+  parameters.labels = true;
+  parameters.other_robots = 0;
+  parameters.spectators = 0;
+  parameters.ball = false;
+  parameters.tilt_error = 0.0;
+  Simulator here(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator there(parameters, FieldDimensions{}, hall(), reflect(kBesideTheField), 1);
+  Observation a;
+  Observation b;
+  here.observe(a);
+  there.observe(b);
+  int different_labels = 0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < here.labels().size(); ++i)
+    different_labels += here.labels()[i] != there.labels()[i] ? 1 : 0;
+  for (int y = 0; y < 50; ++y) {
+    for (int x = 0; x < 160; ++x) difference += std::abs(a.image.luma(x, y) - b.image.luma(x, y)) / (50.0 * 160.0);
+  }
+  EXPECT_LT(different_labels, 60) << "of 19200: rounding on edges";
+  EXPECT_GT(difference, 8.0);
+}
+
+TEST(Simulator, SeesGroundOrCeilingAfterAFall) {
+  SimulatorParameters parameters = small();
+  parameters.labels = true;
+  std::set<Label> seen;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(-1.5, 1.5, 0.0), seed);
+    Observation observation;
+    simulator.observe(observation);
+    simulator.push_over();
+    for (int i = 0; i < 40; ++i) simulator.observe(observation);
+    EXPECT_TRUE(simulator.ground_truth()->fallen);
+    EXPECT_GT(std::hypot(observation.torso.roll, observation.torso.pitch), 1.3);
+    seen.insert(simulator.labels()[60 * 160 + 80]);
+  }
+  EXPECT_TRUE(seen.count(Label::carpet) + seen.count(Label::ceiling) > 0);
+}
+
+TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
+  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Observation observation;
+  simulator.observe(observation);
+  const Pose2 odometry = observation.odometry;
+  simulator.pick_up();
+  for (int i = 0; i < 30; ++i) simulator.observe(observation);
+  EXPECT_LT(observation.foot_load, 0.6);
+  simulator.put_down(reflect(kBesideTheField));
+  simulator.observe(observation);
+  EXPECT_GT(observation.foot_load, 4.0);
+  EXPECT_EQ(observation.odometry.position, odometry.position);
+  EXPECT_LT((simulator.ground_truth()->pose.position + kBesideTheField.position).norm(), 1e-9);
+}
+
+TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
+  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Observation observation;
+  double before = 1e9;
+  for (const double stops : {1.0, 0.0, -1.0, -2.0}) {
+    simulator.set_exposure(stops);
+    simulator.observe(observation);
+    EXPECT_LT(mean_luma(observation.image), before - 5.0);
+    before = mean_luma(observation.image);
+  }
+}
+
+TEST(Simulator, StopsTheRobotAtAGoalPost) {
+  SimulatorParameters parameters = small();
+  parameters.other_robots = 0;
+  Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(4.0, 0.8, 0.0), 1);
+  Observation observation;
+  Request request;
+  request.walk.forward = 0.25;
+  simulator.request(request);
+  for (int i = 0; i < 150; ++i) simulator.observe(observation);
+  EXPECT_LT(simulator.ground_truth()->pose.position.x(), 4.5 - 0.05 - Body::kRadius + 1e-6);
+  EXPECT_GT(observation.odometry.position.x(), 0.5) << "its feet go on";
+}
+
+TEST(Simulator, KeepsRobotsApart) {
+  SimulatorParameters parameters = small();
+  parameters.other_robots = 8;
+  Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(0.0, 0.0, 0.0), 3);
+  Observation observation;
+  for (int i = 0; i < 600; ++i) {
+    Request request;
+    request.walk = {0.25, 0.0, 0.6 * std::sin(0.02 * i)};
+    simulator.request(request);
+    simulator.observe(observation);
+    const Eigen::Vector2d robot = simulator.ground_truth()->pose.position;
+    for (const Player& player : simulator.other_robots()) {
+      ASSERT_GT((player.pose.position - robot).norm(), Body::kRadius + Players::kRadius - 0.02) << "frame " << i;
+    }
+  }
+}
+
+/// Stands in for the engine's list of parameters.
+struct Visitor {
+  std::set<std::string> names;
+  void operator()(const char* name, double& value, double least, double most, const char*, const char* text) {
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_TRUE(least <= value && value <= most) << name;
+    EXPECT_NE(std::string(text), "");
+  }
+  void operator()(const char* name, int& value, int least, int most, const char*, const char*) {
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_TRUE(least <= value && value <= most) << name;
+  }
+  void operator()(const char* name, bool&, const char*) { EXPECT_TRUE(names.insert(name).second) << name; }
+  template <typename Choice>
+  void operator()(const char* name, Choice& value, std::initializer_list<const char*> choices, const char*) {
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_LT(static_cast<std::size_t>(value), choices.size());
+  }
+};
+
+TEST(Simulator, DeclaresEveryParameterWithADefaultInsideOfItsRange) {
+  SimulatorParameters parameters;
+  RoomShape shape;
+  Visitor simulator;
+  Visitor body;
+  Visitor sensor;
+  Visitor room;
+  describe(parameters, simulator);
+  describe(parameters.body, body);
+  describe(parameters.sensor, sensor);
+  describe(shape, room);
+  EXPECT_EQ(simulator.names.size() + body.names.size() + sensor.names.size() + room.names.size(), 10u + 20u + 12u + 6u);
+}
+
+}  // namespace
+}  // namespace reorient
