@@ -32,10 +32,8 @@ int highest_carpet(const CarpetMap& map, int column) {
 int without_spike(const std::array<int, kColumns>& rows, int column) {
   constexpr int kReach = 3;
   std::array<int, 2 * kReach + 1> around{};
-  for (int i = -kReach; i <= kReach; ++i) {
-    around[static_cast<std::size_t>(i + kReach)] =
-        rows[static_cast<std::size_t>(std::clamp(column + i, 0, kColumns - 1))];
-  }
+  int neighbour = column - kReach;
+  for (int& row : around) row = rows[static_cast<std::size_t>(std::clamp(neighbour++, 0, kColumns - 1))];
   std::nth_element(around.begin(), around.begin() + kReach, around.end());
   return std::max(rows[static_cast<std::size_t>(column)], around[kReach]);
 }

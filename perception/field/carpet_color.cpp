@@ -58,28 +58,29 @@ void CarpetColor::collect(const ImageView& image, const GroundView& view) {
 
 /// The densest greenish chroma among the samples.
 bool CarpetColor::find_green(double& b, double& r) const {
-  constexpr int kBins = 32;  // 4 steps of chroma each
+  constexpr std::size_t kBins = 32;  // 4 steps of chroma each
   constexpr int kRange = 64;
-  std::array<int, static_cast<std::size_t>(kBins * kBins)> histogram{};
-  const auto bin = [](int chroma) { return std::clamp((chroma + kRange) / 4, 1, kBins - 2); };
+  std::array<std::array<int, kBins>, kBins> histogram{};
+  const auto bin = [](int chroma) {
+    return static_cast<std::size_t>(std::clamp((chroma + kRange) / 4, 1, static_cast<int>(kBins) - 2));
+  };
   for (const Sample& sample : samples_) {
-    if (is_greenish(sample.b, sample.r)) ++histogram[static_cast<std::size_t>(bin(sample.b) * kBins + bin(sample.r))];
+    if (is_greenish(sample.b, sample.r)) ++histogram[bin(sample.b)][bin(sample.r)];
   }
+  const auto middle = [](std::size_t index) { return 4.0 * static_cast<double>(index) - kRange + 1.5; };
 
   int most = 0;
-  for (int i = 1; i + 1 < kBins; ++i) {
-    for (int j = 1; j + 1 < kBins; ++j) {
-      const double bin_b = 4 * i - kRange + 1.5;
-      const double bin_r = 4 * j - kRange + 1.5;
-      if (!is_greenish(bin_b, bin_r)) continue;
+  for (std::size_t i = 1; i + 1 < kBins; ++i) {
+    for (std::size_t j = 1; j + 1 < kBins; ++j) {
+      if (!is_greenish(middle(i), middle(j))) continue;
       int count = 0;
-      for (int di = -1; di <= 1; ++di) {
-        for (int dj = -1; dj <= 1; ++dj) count += histogram[static_cast<std::size_t>((i + di) * kBins + j + dj)];
+      for (std::size_t k = i - 1; k <= i + 1; ++k) {
+        count += histogram[k][j - 1] + histogram[k][j] + histogram[k][j + 1];
       }
       if (count <= most) continue;
       most = count;
-      b = bin_b;
-      r = bin_r;
+      b = middle(i);
+      r = middle(j);
     }
   }
   return static_cast<std::size_t>(most) >= kFewestSamples &&
