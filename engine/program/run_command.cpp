@@ -61,7 +61,16 @@ void override_parameters(ParameterRegistry& registry, const RunOptions& options)
   }
 }
 
-/// Found out before the run, not after it.
+/// Found out before the run, not after it; so is the next.
+void require_writable_file(const std::filesystem::path& file) {
+  std::filesystem::path probe = file;
+  probe += ".partial";
+  std::error_code failed;
+  const bool writable = !std::filesystem::is_directory(file, failed) && std::ofstream(probe).put('x').flush().good();
+  std::filesystem::remove(probe, failed);
+  if (!writable) throw std::runtime_error("cannot write '" + file.string() + "'; name another file with --json");
+}
+
 void require_writable(const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
@@ -161,12 +170,14 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   scripts.load_scenario(options.scenario);
   for (const std::string& unclaimed : tuning.registry.unclaimed()) throw std::runtime_error(unclaimed);
   const FieldDimensions field = load_field(options.field);
-  if (options.pictures) require_writable(options.out);
   const Room room = options.room.empty() ? procedural_hall(options.hall, tuning.room_shape)
                                          : load_room(options.room, tuning.room_shape);
   const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);
   Simulator simulator(tuning.simulator, field, room, beside_the_field, options.seed);
   FrameLoop frame(simulator, scripts, tuning.core, field, {options.seed, options.room_awareness});
+  // Last, so that a mistake in anything else leaves no empty folder behind.
+  if (!options.json.empty()) require_writable_file(options.json);
+  if (options.pictures) require_writable(options.out);
 
   RunHistory history;
   RunPictures pictures;

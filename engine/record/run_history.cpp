@@ -17,12 +17,12 @@ bool is_right(const Pose2& belief, const Pose2& truth) {
 
 void RunHistory::add(const FrameLoop& frame) {
   const World& world = frame.world();
-  samples_.push_back({world.time, world.confidence, world.pose, world.truth, world.training, world.evaluating,
-                      world.carried, world.fallen});
+  add(FrameSample{world.time, world.confidence, world.pose, world.truth, world.training, world.evaluating, world.carried,
+                  world.fallen});
   const ScriptOutput& output = frame.script_output();
   transitions_.insert(transitions_.end(), output.transitions.begin(), output.transitions.end());
   commands_.insert(commands_.end(), frame.commands().begin(), frame.commands().end());
-  if (frame.rearrangement()) rearrangements_.push_back(*frame.rearrangement());
+  if (frame.rearrangement()) add(*frame.rearrangement());
 }
 
 RunSummary summarize(const RunHistory& history, const std::optional<ScenarioVerdict>& verdict) {

@@ -33,6 +33,8 @@ bool is_right(const Pose2& belief, const Pose2& truth);
 class RunHistory {
  public:
   void add(const FrameLoop& frame);
+  void add(const FrameSample& sample) { samples_.push_back(sample); }
+  void add(const Rearrangement& rearrangement) { rearrangements_.push_back(rearrangement); }
 
   const std::vector<FrameSample>& samples() const { return samples_; }
   const std::vector<TransitionRecord>& transitions() const { return transitions_; }

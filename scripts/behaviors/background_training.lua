@@ -9,10 +9,11 @@ local p = param {
   most     = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever the coverage" },
   lead     = { 0.3,  range = { 0, 1 },               doc = "how far the believed pose must be ahead to train on" },
   proof    = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last" },
+  wary     = { 8.0,  range = { 0, 60 },  unit = "s", doc = "how long after a disturbance older confidences may still speak: no training" },
 }
 
 -- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
-local memory = keep { was_lifted = false }
+local memory = keep { was_lifted = false, stands_since = -1000.0 }
 
 local function is_disturbed() return robot.fallen or robot.carried or robot.penalized end
 
@@ -22,6 +23,9 @@ local function knows_the_room()
 end
 
 local function lead() return confidence.current - confidence.opposite end
+
+-- The confidences are smoothed: just after the robot was put down they still speak of where it was before.
+local function wins() return lead() > p.lead and clock.time - memory.stands_since > p.wary end
 
 behavior "background_training" {
   priority = 40,
@@ -49,7 +53,7 @@ behavior "background_training" {
 
     state "watching" {
       enter = function() command.pause_training() end,
-      { "refining", when = function() return lead() > p.lead end, lasting = "proof", because = "the current pose wins" },
+      { "refining", when = wins, lasting = "proof", because = "the current pose wins" },
     },
 
     state "refining" {
@@ -65,6 +69,7 @@ behavior "background_training" {
     update = function()
       if robot.carried and training.seconds > 0 then memory.was_lifted = true end
     end,
+    exit = function() memory.stands_since = clock.time end,
     { "waiting", when = function() return not is_disturbed() end, lasting = 0.3, because = "the robot stands on the field again" },
   },
 }

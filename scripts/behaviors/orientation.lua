@@ -1,6 +1,6 @@
 --- Which of the two look-alike poses is the robot really in? When the reflection of the believed pose wins, the belief
---- is flipped; when the believed pose wins while wrong beliefs linger, they are purged; after a fall that the robot got
---- up from, the orientation is reset. Nothing is decided before enough of the room was learned, nor in a room that
+--- is flipped; when the believed pose then wins, or wins while wrong beliefs linger, those are purged; after a fall that
+--- the robot got up from, the orientation is reset. Nothing is decided before enough of the room was learned, nor in a room that
 --- looks the same after half a turn.
 
 local p = param {
@@ -12,7 +12,10 @@ local p = param {
   lingering   = { 0.1,  range = { 0, 1 },              doc = "share of reflected pose particles that is worth a purge" },
 }
 
-local memory = keep { flips = 0, purges = 0, resets = 0 }
+local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false }
+
+-- A flip turns every belief round, right ones as well: once it has proved right, what it turned wrong is purged.
+local function is_purge_due() return memory.confirm or pose.reflected_share > p.lingering end
 
 local function may_decide()
   return confidence.coverage >= p.coverage and confidence.informative >= p.informative
@@ -33,15 +36,14 @@ behavior "orientation" {
       when = function() return may_decide() and confidence.opposite - confidence.current > p.lead end,
       lasting = "proof", because = "the opposite pose won" },
     { "purging",
-      when = function()
-        return may_decide() and confidence.current - confidence.opposite > p.lead and pose.reflected_share > p.lingering
-      end,
-      lasting = "proof", because = "the current pose won while reflected beliefs linger" },
+      when = function() return may_decide() and confidence.current - confidence.opposite > p.lead and is_purge_due() end,
+      lasting = "proof", because = "the current pose won while reflected beliefs may linger" },
   },
 
   state "correcting" {
     enter = function()
       memory.flips = memory.flips + 1
+      memory.confirm = true
       command.flip_pose()
     end,
     { "watching", after = "settle" },
@@ -50,6 +52,7 @@ behavior "orientation" {
   state "purging" {
     enter = function()
       memory.purges = memory.purges + 1
+      memory.confirm = false
       command.purge_reflection()
     end,
     { "watching", after = "settle" },
@@ -68,6 +71,6 @@ behavior "orientation" {
   },
 
   state "carried" {
-    { "watching", when = function() return not is_lifted_or_down() end, lasting = 0.2, because = "the robot stands again" },
+    { "watching", when = function() return not is_lifted_or_down() end, lasting = "settle", because = "the robot stands again" },
   },
 }

@@ -78,6 +78,18 @@ for _, what in ipairs { "fallen", "carried", "penalized" } do
   end)
 end
 
+test("after it was put down it does not train on confidences from before", function()
+  learned()
+  set { confidence = { current = 0.9 }, robot = { carried = true } }
+  advance(1)
+  set { robot = { carried = false } }
+  advance(7)
+  expect.state("background_training", "trusting/watching")
+  expect.lease("pause_training")
+  advance(3)
+  expect.state("background_training", "trusting/refining")
+end)
+
 test("a robot that was lifted before it had learned the room does not learn from a pose that nobody vouches for", function()
   start()
   set { training = { seconds = 5 } }

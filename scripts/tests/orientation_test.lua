@@ -57,7 +57,7 @@ test("purges when the current pose wins while reflected beliefs linger", functio
   set { confidence = { current = 0.9 }, pose = { reflected_share = 0.3 } }
   advance(0.7)
   expect.command("purge_reflection", "granted")
-  expect.reason("orientation", "the current pose won while reflected beliefs linger")
+  expect.reason("orientation", "the current pose won while reflected beliefs may linger")
 end)
 
 test("does not purge when hardly any reflected belief is left", function()
@@ -88,8 +88,23 @@ test("does nothing while it is carried", function()
   expect.state("orientation", "carried")
   expect.no_command()
   set { robot = { carried = false } }
-  advance(1)
+  advance(2.5)
+  expect.no_command()   -- the confidences still speak of where it was before
+  advance(1.5)
   expect.command("flip_pose", "granted")
+end)
+
+test("purges once after a flip that proved right, however few reflected beliefs there are", function()
+  learned_room()
+  set { confidence = { opposite = 1.0 } }
+  advance(0.7)
+  expect.command("flip_pose", "granted")
+  set { confidence = { current = 0.9, opposite = 0.0 } }
+  advance(4)
+  expect.command("purge_reflection", "granted")
+  expect.state("orientation", "purging")
+  advance(10)
+  expect.state("orientation", "watching")
 end)
 
 test("an edit of the lead changes nothing of the state and counts at once", function()
