@@ -7,7 +7,7 @@
 #include "engine/pictures/legend.h"
 #include "engine/pictures/ycbcr.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr int kWidth = 1280;
@@ -149,4 +149,4 @@ Picture draw_camera_view(const CameraView& camera) {
   return canvas.finish();
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -10,7 +10,7 @@
 #include "engine/pictures/histogram_bars.h"
 #include "geometry/image.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 /// A tile of the wall, projected back into the image from the believed pose.
 struct ImageTile {
@@ -52,4 +52,4 @@ struct CameraView {
 /// 1280 pixels wide, whatever the image's size, with the legend below the image.
 Picture draw_camera_view(const CameraView& camera);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

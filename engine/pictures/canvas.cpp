@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr int kOversampling = 2;
@@ -123,7 +123,7 @@ void Canvas::paint(Color color, const Box& bounds,
       const float share = full * static_cast<float>(cover[x]);
       for (int channel = 0; channel < 3; ++channel) {
         const float beneath = pixel[channel];
-        pixel[channel] = static_cast<std::uint8_t>(beneath + share * (paint[channel] - beneath) + 0.5F);
+        pixel[channel] = cv::saturate_cast<std::uint8_t>(beneath + share * (paint[channel] - beneath));
       }
     }
   }
@@ -137,7 +137,9 @@ void Canvas::line(const Pixel& from, const Pixel& to, Color color, double thickn
 void Canvas::dashed_line(const Pixel& from, const Pixel& to, Color color, double thickness, double dash) {
   const double length = (to - from).norm();
   if (!std::isfinite(length) || !(dash >= 1.0) || length > kFarAway) return;
-  for (double start = 0.0; start < length; start += 2.0 * dash) {
+  const int dashes = static_cast<int>(std::ceil(length / (2.0 * dash)));
+  for (int i = 0; i < dashes; ++i) {
+    const double start = 2.0 * i * dash;
     const double end = std::min(start + dash, length);
     line(from + (to - from) * (start / length), from + (to - from) * (end / length), color, thickness);
   }
@@ -261,7 +263,7 @@ std::vector<Pixel> arc(const Pixel& center, double radius, double from, double t
   points.reserve(static_cast<std::size_t>(steps) + 1);
   for (int i = 0; i <= steps; ++i) {
     const double angle = from + turn * i / steps;
-    points.push_back(center + radius * Pixel(std::cos(angle), -std::sin(angle)));
+    points.emplace_back(center + radius * Pixel(std::cos(angle), -std::sin(angle)));
   }
   return points;
 }
@@ -280,4 +282,4 @@ std::string shortened(std::string_view words, double width, const TextStyle& sty
   return result + "...";
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

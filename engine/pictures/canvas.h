@@ -15,7 +15,7 @@
 #include "engine/pictures/palette.h"
 #include "engine/pictures/picture.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 using Pixel = Eigen::Vector2d;
 
@@ -88,4 +88,4 @@ std::vector<Pixel> ring_sector(const Pixel& center, double inner, double outer, 
 /// The largest part of `words` that fits, with dots at its end where something was cut off.
 std::string shortened(std::string_view words, double width, const TextStyle& style);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

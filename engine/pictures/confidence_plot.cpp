@@ -9,7 +9,7 @@
 #include "engine/pictures/canvas.h"
 #include "engine/pictures/legend.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr int kWidth = 1500;
@@ -242,4 +242,4 @@ Picture draw_confidence_plot(const ConfidencePlot& plot) {
   return canvas.finish();
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -6,7 +6,7 @@
 
 #include "engine/pictures/picture.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 /// Confidences are in [0, 1]; one that is not finite leaves a gap.
 struct ConfidenceSample {
@@ -41,4 +41,4 @@ struct ConfidencePlot {
 
 Picture draw_confidence_plot(const ConfidencePlot& plot);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

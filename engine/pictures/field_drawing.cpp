@@ -5,7 +5,7 @@
 
 #include "geometry/angle.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 class LinePainter {
@@ -140,4 +140,4 @@ void draw_scale_bar(Canvas& canvas, const FieldView& view, const Pixel& center, 
               {.size = 17.0, .color = color, .align = Align::center, .halo = palette::page});
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

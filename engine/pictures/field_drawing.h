@@ -7,7 +7,7 @@
 #include "geometry/field_dimensions.h"
 #include "geometry/pose2.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 /// From metres on the field (x right, y up) to pixels.
 struct FieldView {
@@ -41,4 +41,4 @@ void draw_pose_particles(Canvas& canvas, const FieldView& view, std::span<const 
 /// "2 m", so that sizes can be read off.
 void draw_scale_bar(Canvas& canvas, const FieldView& view, const Pixel& center, Color color);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

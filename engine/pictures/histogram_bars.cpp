@@ -5,7 +5,7 @@
 
 #include "engine/pictures/ycbcr.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr double kGap = 0.1;  // of a bin's width, between two bars
@@ -75,4 +75,4 @@ void draw_bin_legend(Canvas& canvas, const Pixel& top_left) {
   canvas.text(top_left + Pixel(0.0, 2.0 * kSquare + 44.0), "squares: Cb right, Cr up", axes);
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -7,7 +7,7 @@
 
 #include "engine/pictures/canvas.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 /// Bin 0 is black, 1 white, then 2 + 4 * slice + quadrant: slices of Y from dark (0) to bright (2), quadrants
 /// (Cb >= 128) + 2 * (Cr >= 128).
@@ -35,4 +35,4 @@ void draw_histogram(Canvas& canvas, const HistogramBars& bars, const Box& box, d
 /// pixels.
 void draw_bin_legend(Canvas& canvas, const Pixel& top_left);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

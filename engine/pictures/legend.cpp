@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr double kSymbolWidth = 40.0;
@@ -59,4 +59,4 @@ LegendEntry dot_entry(Color color, double radius, std::string meaning) {
   return {symbol, std::move(meaning)};
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

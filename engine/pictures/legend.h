@@ -7,7 +7,7 @@
 
 #include "engine/pictures/canvas.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 struct LegendEntry {
   std::function<void(Canvas&, const Pixel& center)> symbol;  ///< at most 36 x 20 pixels
@@ -26,4 +26,4 @@ LegendEntry line_entry(Color color, double thickness, std::string meaning);
 LegendEntry patch_entry(Color color, std::string meaning);
 LegendEntry dot_entry(Color color, double radius, std::string meaning);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

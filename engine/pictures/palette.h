@@ -4,7 +4,7 @@
 
 #include "engine/pictures/picture.h"
 
-namespace reorient::palette {
+namespace reorient::pictures::palette {
 
 inline constexpr Color page{251, 251, 249};
 inline constexpr Color ink{36, 42, 51};
@@ -27,4 +27,4 @@ inline constexpr Color goal_area{0, 150, 136};
 inline constexpr Color percept{0, 214, 255};  ///< what was found in the image
 inline constexpr Color obstacle{255, 96, 32};
 
-}  // namespace reorient::palette
+}  // namespace reorient::pictures::palette

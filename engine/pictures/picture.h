@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace reorient {
+namespace reorient::pictures {
 
 struct Color {
   std::uint8_t red = 0;
@@ -32,4 +32,4 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-}  // namespace reorient
+}  // namespace reorient::pictures

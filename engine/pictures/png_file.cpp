@@ -9,7 +9,7 @@
 
 #include <png.h>
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
@@ -64,4 +64,4 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
   refuse(file, failure);
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -8,7 +8,7 @@
 #include "engine/pictures/legend.h"
 #include "geometry/angle.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr int kWidth = 1500;
@@ -96,4 +96,4 @@ Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<
   return canvas.finish();
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -9,7 +9,7 @@
 #include "geometry/field_dimensions.h"
 #include "geometry/pose2.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 struct PoseSnapshot {
   std::vector<Pose2> particles;
@@ -27,4 +27,4 @@ struct Reorientation {
 /// One line of two panels a command, the first ten of them.
 Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<Reorientation>& reorientations);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -8,7 +8,7 @@
 #include "engine/pictures/legend.h"
 #include "geometry/angle.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr int kWidth = 1500;
@@ -222,4 +222,4 @@ Picture draw_world_view(const WorldView& world) {
   return canvas.finish();
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

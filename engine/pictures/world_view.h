@@ -9,7 +9,7 @@
 #include "geometry/field_dimensions.h"
 #include "geometry/pose2.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 /// A tile of the wall around the field. Azimuths are seen from the field's centre: rad, 0 towards +x, turning left.
 struct WallTile {
@@ -48,4 +48,4 @@ struct WorldView {
 
 Picture draw_world_view(const WorldView& world);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace reorient {
+namespace reorient::pictures {
 
 Color to_color(Ycbcr color) {
   const double cb = color.cb - 128.0;
@@ -25,4 +25,4 @@ Picture to_picture(const ImageView& image) {
   return picture;
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -4,11 +4,11 @@
 #include "engine/pictures/picture.h"
 #include "geometry/image.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 /// Full-range BT.601, as JPEG has it.
 Color to_color(Ycbcr color);
 
 Picture to_picture(const ImageView& image);
 
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -8,7 +8,7 @@
 #include "engine/pictures/ycbcr.h"
 #include "tests/engine/pictures_pixels.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -18,7 +18,7 @@ Image plain_image(int width, int height, Ycbcr color) {
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width / 2; ++x) {
-      std::uint8_t* pair = image.row(y) + 4 * x;
+      std::uint8_t* pair = image.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
       pair[0] = pair[2] = color.y;
       pair[1] = color.cb;
       pair[3] = color.cr;
@@ -109,4 +109,4 @@ TEST(CameraView, leaves_out_what_is_not_a_number) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -8,7 +8,7 @@
 #include "engine/pictures/field_drawing.h"
 #include "tests/engine/pictures_pixels.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr Color kWhite{255, 255, 255};
@@ -156,4 +156,4 @@ TEST(FieldDrawing, survives_fields_that_are_none) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

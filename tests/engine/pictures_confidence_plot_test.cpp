@@ -7,7 +7,7 @@
 #include "engine/pictures/palette.h"
 #include "tests/engine/pictures_pixels.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -98,4 +98,4 @@ TEST(ConfidencePlot, draws_a_run_in_which_nothing_happened) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

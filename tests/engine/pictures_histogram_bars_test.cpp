@@ -8,7 +8,7 @@
 #include "engine/pictures/ycbcr.h"
 #include "tests/engine/pictures_pixels.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 constexpr Color kGround{207, 212, 218};
@@ -97,4 +97,4 @@ TEST(Ycbcr, reads_pixels_by_the_stride) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -6,7 +6,7 @@
 
 #include "engine/pictures/picture.h"
 
-namespace reorient {
+namespace reorient::pictures {
 
 inline bool alike(const Color& a, const Color& b, int tolerance = 12) {
   return std::abs(a.red - b.red) <= tolerance && std::abs(a.green - b.green) <= tolerance &&
@@ -26,4 +26,4 @@ inline int count(const Picture& picture, const Color& color) {
   return count(picture, color, 0, 0, picture.width, picture.height);
 }
 
-}  // namespace reorient
+}  // namespace reorient::pictures

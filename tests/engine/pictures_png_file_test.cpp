@@ -9,7 +9,7 @@
 
 #include "engine/pictures/png_file.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,7 +62,7 @@ std::string refusal(const fs::path& file, const Picture& picture) {
 RC_GTEST_FIXTURE_PROP(PngFileProperty, gives_back_the_same_pixels, ()) {
   const int width = *rc::gen::inRange(1, 40);
   const int height = *rc::gen::inRange(1, 40);
-  const auto size = static_cast<std::size_t>(3 * width * height);
+  const auto size = std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const Picture picture{width, height,
                         *rc::gen::container<std::vector<std::uint8_t>>(size, rc::gen::arbitrary<std::uint8_t>())};
   write_png(folder_ / "picture.png", picture);
@@ -116,4 +116,4 @@ TEST_F(PngFile, refuses_pictures_whose_bytes_do_not_match_their_size) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

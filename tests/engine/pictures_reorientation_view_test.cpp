@@ -6,7 +6,7 @@
 #include "engine/pictures/reorientation_view.h"
 #include "tests/engine/pictures_pixels.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 // Of the two panels, below title and legend; the picture's own numbers.
@@ -57,4 +57,4 @@ TEST(ReorientationView, leaves_out_poses_that_are_none) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -8,7 +8,7 @@
 #include "geometry/angle.h"
 #include "tests/engine/pictures_pixels.h"
 
-namespace reorient {
+namespace reorient::pictures {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -138,4 +138,4 @@ TEST(WorldView, leaves_out_what_is_not_a_number) {
 }
 
 }  // namespace
-}  // namespace reorient
+}  // namespace reorient::pictures

@@ -1,5 +1,6 @@
 #include "robots/simulator/render/frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace reorient {
@@ -16,6 +17,10 @@ RayTable::RayTable(const CameraModel& model)
       left.push_back(static_cast<float>(ray.y()));
       up.push_back(static_cast<float>(ray.z()));
       length.push_back(static_cast<float>(ray.norm()));
+      most_left = std::max(most_left, left.back());
+      most_right = std::max(most_right, -left.back());
+      most_up = std::max(most_up, up.back());
+      most_down = std::max(most_down, -up.back());
     }
   }
 }

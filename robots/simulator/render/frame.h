@@ -32,14 +32,15 @@ struct Frame {
   std::size_t row(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
 };
 
-/// The directions in which the pixels look, in the camera frame with x = 1.
+/// The directions in which the pixels look, in the camera frame with x = 1. The image must be 8 pixels wide or more.
 struct RayTable {
   explicit RayTable(const CameraModel& model);
 
   CameraModel camera;
-  std::vector<float> left, up;  ///< y and z of the direction
-  std::vector<float> length;    ///< of the direction
-  float pixel_angle = 0.0f;     ///< rad that a pixel spans at the image's centre
+  std::vector<float> left, up;                                                  ///< y and z of the direction
+  std::vector<float> length;                                                    ///< of the direction
+  float most_left = 0.0f, most_right = 0.0f, most_up = 0.0f, most_down = 0.0f;  ///< steepest directions of all pixels
+  float pixel_angle = 0.0f;  ///< rad that a pixel spans at the image's centre
 };
 
 }  // namespace reorient

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <span>
 
 namespace reorient {
 namespace {
@@ -16,12 +14,20 @@ struct Box {
   int left, top, right, bottom;
 };
 
-/// The pixels that balls of `radius` around the convex hull of `points` (camera frame) can touch.
+/// The pixels that the convex hull of balls (camera frame) can touch.
 class Bounds {
  public:
-  explicit Bounds(const RayTable& rays) : camera_(rays.camera) {}
+  explicit Bounds(const RayTable& rays) : rays_(rays), camera_(rays.camera) {}
 
   void add(const Eigen::Vector3f& center, float radius) {
+    // Beyond one side of the pyramid that the camera sees? A ball reaches over a side by more than its radius.
+    const auto beyond = [&](float off_axis, float steepest) {
+      return off_axis - steepest * center.x() > radius * std::sqrt(1.0f + steepest * steepest);
+    };
+    beyond_left_ = beyond_left_ && beyond(center.y(), rays_.most_left);
+    beyond_right_ = beyond_right_ && beyond(-center.y(), rays_.most_right);
+    beyond_top_ = beyond_top_ && beyond(center.z(), rays_.most_up);
+    beyond_bottom_ = beyond_bottom_ && beyond(-center.z(), rays_.most_down);
     const float nearest = std::max(center.x() - radius, kNearest);
     for (const float side : {-radius, radius}) {
       for (const float depth : {nearest, center.x() + radius}) {
@@ -31,9 +37,10 @@ class Bounds {
   }
 
   Box box() const {
+    if (beyond_left_ || beyond_right_ || beyond_top_ || beyond_bottom_) return {0, 0, -1, -1};
     // A distorted straight line bends out of the box of its ends.
-    const bool bends = camera_.k1 != 0.0 || camera_.k2 != 0.0;
-    const double margin = 1.0 + (bends ? 0.05 * (right_ - left_ + bottom_ - top_) : 0.0);
+    const double bend = std::min(0.25, 0.5 * std::abs(camera_.k1) + 0.5 * std::abs(camera_.k2));
+    const double margin = 1.0 + bend * (right_ - left_ + bottom_ - top_);
     const auto pixel = [](double value, int count) {
       return static_cast<int>(std::clamp(std::floor(value), -1.0, static_cast<double>(count)));
     };
@@ -57,7 +64,12 @@ class Bounds {
     bottom_ = std::max(bottom_, pixel.y());
   }
 
+  const RayTable& rays_;
   const CameraModel& camera_;
+  bool beyond_left_ = true;
+  bool beyond_right_ = true;
+  bool beyond_top_ = true;
+  bool beyond_bottom_ = true;
   double left_ = 1e9;
   double right_ = -1e9;
   double top_ = 1e9;
@@ -111,54 +123,120 @@ void for_each(const Box& box, const RayTable& rays, const Frame& frame, Touch&& 
   }
 }
 
-}  // namespace
+constexpr int kLanes = 8;  // pixels that are looked at together
 
-void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {
-  const Eigen::Vector3f from = camera_from_field * capsule.from;
-  const Eigen::Vector3f to = camera_from_field * capsule.to;
-  const Eigen::Vector3f up = camera_from_field.linear().col(2);
-  const float radius = capsule.radius;
-  Eigen::Vector3f clipped_from = from;
-  Eigen::Vector3f clipped_to = to;
-  if (!clip(clipped_from, clipped_to, kNearest - radius)) return;
-  Bounds bounds(rays);
-  bounds.add(clipped_from, radius);
-  bounds.add(clipped_to, radius);
+/// A capsule in the camera frame.
+struct CapsuleInView {
+  CapsuleInView(const Capsule& what, const RayTable& table, const Eigen::Isometry3f& camera_from_field)
+      : capsule(what),
+        rays(table),
+        field_from_camera(camera_from_field.linear().transpose()),
+        up(camera_from_field.linear().col(2)),
+        from(camera_from_field * what.from) {
+    const Eigen::Vector3f line = camera_from_field * what.to - from;
+    length = line.norm();
+    axis = length > 1e-6f ? Eigen::Vector3f(line / length) : up;
+    eye_along = -axis.dot(from);
+    constexpr float kFar = 1e6f;
+    least = what.flat_ends ? -kFar : 0.0f;
+    most = what.flat_ends ? kFar : length;
+  }
 
-  const float length = (to - from).norm();
-  const Eigen::Vector3f axis = length > 1e-6f ? Eigen::Vector3f((to - from) / length) : up;
-  const float eye_along = -axis.dot(from);
-  for_each(bounds.box(), rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
-    const Eigen::Vector3f direction = ray / ray_length;
-    const float cosine = direction.dot(axis);
-    const float sine2 = std::max(1e-6f, 1.0f - cosine * cosine);
-    const float toward = -direction.dot(from);
-    const float anywhere = (eye_along - cosine * toward) / sine2;
-    const float along = capsule.flat_ends ? anywhere : std::clamp(anywhere, 0.0f, length);
-    const float t = along * cosine - toward;
-    if (t < kNearest) return;
-    const Eigen::Vector3f apart = t * direction - from - along * axis;
-    const float half_pixel = 0.5f * t * rays.pixel_angle;
+  /// Where a ray comes closest to the axis: metres along the ray and along the axis (anywhere on its line).
+  struct Closest {
+    float toward, cosine, sine2, anywhere, along, t;
+  };
+
+  Closest closest(const Eigen::Vector3f& direction) const {
+    Closest c{};
+    c.toward = -(direction.x() * from.x() + direction.y() * from.y() + direction.z() * from.z());
+    c.cosine = direction.x() * axis.x() + direction.y() * axis.y() + direction.z() * axis.z();
+    const float left = 1.0f - c.cosine * c.cosine;
+    c.sine2 = left > 1e-6f ? left : 1e-6f;
+    c.anywhere = (eye_along - c.cosine * c.toward) / c.sine2;
+    const float from_least = c.anywhere > least ? c.anywhere : least;
+    c.along = from_least < most ? from_least : most;
+    c.t = c.along * c.cosine - c.toward;
+    return c;
+  }
+
+  /// Which of kLanes pixels from `first` on may be touched. False: none of them. Written for SIMD.
+  bool find(std::size_t first, std::array<bool, kLanes>& near) const {
+    float clear[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const std::size_t pixel = first + static_cast<std::size_t>(lane);
+      const float scale = 1.0f / rays.length[pixel];
+      const Eigen::Vector3f direction(scale, rays.left[pixel] * scale, rays.up[pixel] * scale);
+      const Closest c = closest(direction);
+      const float x = c.t * direction.x() - from.x() - c.along * axis.x();
+      const float y = c.t * direction.y() - from.y() - c.along * axis.y();
+      const float z = c.t * direction.z() - from.z() - c.along * axis.z();
+      const float reach = capsule.radius + 0.5f * c.t * rays.pixel_angle;
+      clear[lane] = c.t < kNearest ? 1.0f : x * x + y * y + z * z - reach * reach;
+    }
+    bool any = false;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      near[lane] = clear[lane] < 0.0f;
+      any = any || near[lane];
+    }
+    return any;
+  }
+
+  void paint(std::size_t pixel, Frame& frame) const {
+    const float radius = capsule.radius;
+    const Eigen::Vector3f direction = Eigen::Vector3f(1.0f, rays.left[pixel], rays.up[pixel]) / rays.length[pixel];
+    const Closest c = closest(direction);
+    const Eigen::Vector3f apart = c.t * direction - from - c.along * axis;
+    const float half_pixel = 0.5f * c.t * rays.pixel_angle;
     const float distance = apart.norm();
     float coverage = overlap(distance, half_pixel, -radius, radius);
-    if (coverage <= 0.0f) return;
     const float sagitta = std::sqrt(std::max(0.0f, radius * radius - distance * distance));
-    const bool side = anywhere >= 0.0f && anywhere <= length;
-    const float surface = std::max(kNearest, t - (side ? sagitta / std::sqrt(sine2) : sagitta));
-    if (capsule.flat_ends) {
-      const float height = eye_along + cosine * surface;
-      coverage *= overlap(height, half_pixel, 0.0f, length);
-      if (coverage <= 0.0f) return;
-    }
-    const float depth = surface / ray_length;
-    if (depth > frame.depth[pixel]) return;
-    const Eigen::Vector3f center = from + std::clamp(along, 0.0f, length) * axis;
+    const bool side = c.anywhere >= 0.0f && c.anywhere <= length;
+    const float surface = std::max(kNearest, c.t - (side ? sagitta / std::sqrt(c.sine2) : sagitta));
+    if (capsule.flat_ends) coverage *= overlap(eye_along + c.cosine * surface, half_pixel, 0.0f, length);
+    const float depth = surface / rays.length[pixel];
+    if (coverage <= 0.0f || depth > frame.depth[pixel]) return;
+    const Eigen::Vector3f center = from + std::clamp(c.along, 0.0f, length) * axis;
     const Eigen::Vector3f normal = (surface * direction - center) / radius;
     // Lamps above, a little more light from one side, and what the ground sends back.
     const float shade = std::clamp(0.66f + 0.34f * normal.dot(up) - 0.12f * normal.y(), 0.2f, 1.2f);
-    const bool dark = capsule.football && on_patch(camera_from_field.linear().transpose() * normal);
+    const bool dark = capsule.football && on_patch(field_from_camera * normal);
     cover(frame, pixel, coverage, capsule.color * (dark ? 0.06f * shade : shade), depth, capsule.label);
-  });
+  }
+
+  const Capsule& capsule;
+  const RayTable& rays;
+  Eigen::Matrix3f field_from_camera;  // directions only
+  Eigen::Vector3f up;
+  Eigen::Vector3f from;
+  Eigen::Vector3f axis;
+  float length = 0.0f;
+  float least = 0.0f, most = 0.0f;  // where on the axis the closest point may be; the ends of a cylinder are cut later
+  float eye_along = 0.0f;           // where the camera is along the axis, m from `from`
+};
+
+}  // namespace
+
+void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {
+  const CapsuleInView view(capsule, rays, camera_from_field);
+  Eigen::Vector3f from = view.from;
+  Eigen::Vector3f to = view.from + view.length * view.axis;
+  if (!clip(from, to, kNearest - capsule.radius)) return;
+  Bounds bounds(rays);
+  bounds.add(from, capsule.radius);
+  bounds.add(to, capsule.radius);
+  const Box box = bounds.box();
+  std::array<bool, kLanes> near{};
+  for (int y = box.top; y <= box.bottom; ++y) {
+    for (int x = box.left; x <= box.right; x += kLanes) {
+      const int start = std::min(x, frame.width - kLanes);  // some pixels twice rather than the next row's
+      const std::size_t first = frame.row(y) + static_cast<std::size_t>(start);
+      if (!view.find(first, near)) continue;
+      for (int lane = x - start; lane < kLanes; ++lane) {
+        if (near[static_cast<std::size_t>(lane)]) view.paint(first + static_cast<std::size_t>(lane), frame);
+      }
+    }
+  }
 }
 
 void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {

@@ -1,0 +1,36 @@
+// What the field features of one image cost, on a simulated image with lines, a goal, other robots and people.
+#include <benchmark/benchmark.h>
+
+#include "perception/field/field_features.h"
+#include "robots/simulator/simulator.h"
+
+namespace reorient {
+namespace {
+
+void field_features(benchmark::State& state) {
+  const FieldDimensions field;
+  SimulatorParameters parameters;
+  parameters.image = static_cast<ImageSize>(state.range(0));
+  const Room room = procedural_hall(1, {});
+  Simulator simulator(parameters, field, room, {1.0, 0.5, 0.0}, 1);
+  Request request;
+  request.head = HeadRequest{{0.0, 0.15}, 10.0};
+  simulator.request(request);
+  Observation observation;
+  for (int i = 0; i < 10; ++i) simulator.observe(observation);
+  const auto attitude =
+      robot_from_camera(simulator.dimensions(), observation.head, observation.torso, observation.hip_height);
+  FieldFeatures features({}, field);
+  std::size_t points = 0;
+  for (auto _ : state) points = features.find(observation.image, observation.camera, attitude).line_points.size();
+  state.counters["line_points"] = static_cast<double>(points);
+  state.SetLabel(std::to_string(observation.image.width) + "x" + std::to_string(observation.image.height));
+}
+BENCHMARK(field_features)
+    ->Arg(static_cast<int>(ImageSize::vga_640x480))
+    ->Arg(static_cast<int>(ImageSize::qvga_320x240))
+    ->Arg(static_cast<int>(ImageSize::qqvga_160x120))
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,42 @@
+// One simulated frame: moving the world, rendering it, reading the sensor out.
+#include <cmath>
+
+#include <benchmark/benchmark.h>
+
+#include "robots/simulator/simulator.h"
+
+namespace reorient {
+namespace {
+
+void simulate(benchmark::State& state, bool labels) {
+  static const Room hall = procedural_hall(1, RoomShape{});
+  SimulatorParameters parameters;
+  parameters.image = static_cast<ImageSize>(state.range(0));
+  parameters.labels = labels;
+  Simulator simulator(parameters, FieldDimensions{}, hall, Pose2(-3.2, -3.5, 0.5 * kPi), 1);
+  Observation observation;
+  int frame = 0;
+  for (auto _ : state) {
+    Request request;  // looks to and fro over the field, as a scanning robot does
+    request.head = HeadRequest{{1.2 * std::sin(0.03 * frame++), 0.1}, 3.0};
+    simulator.request(request);
+    simulator.observe(observation);
+    benchmark::DoNotOptimize(observation.image.data);
+  }
+  state.SetItemsProcessed(state.iterations() * observation.image.width * observation.image.height);
+}
+
+void simulated_frame(benchmark::State& state) { simulate(state, false); }
+void simulated_frame_with_labels(benchmark::State& state) { simulate(state, true); }
+
+void procedural_hall_made(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(procedural_hall(1, RoomShape{}).walls.texels_per_meter());
+}
+
+// 0: 640x480, 1: 320x240, 2: 160x120.
+BENCHMARK(simulated_frame)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(simulated_frame_with_labels)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(procedural_hall_made)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace reorient

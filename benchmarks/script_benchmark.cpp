@@ -1,0 +1,103 @@
+// What scripts cost: a frame of all shipped behaviours, one call, a reload, the end of a runaway.
+#include <filesystem>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "engine/script/script_host.h"
+
+namespace reorient {
+namespace {
+
+const std::filesystem::path kScripts = std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts";
+
+/// A world in which every frame differs a little from the one before.
+void step(World& world) {
+  world.time += world.time_step;
+  ++world.frame;
+  const double wave = 0.1 * static_cast<double>(world.frame % 10);
+  world.head = {wave, -0.1};
+  world.pose.pose = Pose2(wave, -wave, wave);
+  world.pose.reflected_share = 0.01 * wave;
+  world.confidence.current = 0.5 + 0.1 * wave;
+  world.confidence.opposite = 0.1 * wave;
+  world.confidence.raw_current = wave;
+  world.confidence.raw_opposite = 1.0 - wave;
+  world.confidence.coverage = 0.9;
+  world.confidence.informative = 0.3;
+  world.trained_seconds += world.time_step;
+  world.line_points = static_cast<int>(world.frame % 40);
+}
+
+void BM_FrameOfAllShippedBehaviours(benchmark::State& state) {
+  ParameterRegistry parameters;
+  ScriptHost host(kScripts, parameters);
+  for (const char* name : {"orientation", "background_training", "head_scan", "stand_up", "penalty_marks"})
+    host.load_behavior(name);
+  World world;
+  world.pose_known = true;
+  for (auto _ : state) {
+    step(world);
+    benchmark::DoNotOptimize(host.tick(world));
+  }
+}
+BENCHMARK(BM_FrameOfAllShippedBehaviours);
+
+/// One behaviour whose `update` is an empty function: what a call from C++ costs.
+void BM_CallOfAnEmptyFunction(benchmark::State& state) {
+  Sandbox sandbox{ScriptLimits{}};
+  sandbox.grant(1'000'000'000'000);
+  sandbox.compile("return function() end", "empty");
+  sandbox.call(0, 1);
+  const int function = luaL_ref(sandbox.state(), LUA_REGISTRYINDEX);
+  for (auto _ : state) {
+    lua_rawgeti(sandbox.state(), LUA_REGISTRYINDEX, function);
+    benchmark::DoNotOptimize(sandbox.call(0, 0));
+  }
+}
+BENCHMARK(BM_CallOfAnEmptyFunction);
+
+/// Read, hash, compile, declare, validate, swap and run one frame.
+void BM_Reload(benchmark::State& state) {
+  ParameterRegistry parameters;
+  ScriptHost host(kScripts, parameters);
+  host.load_behavior("orientation");
+  const std::string text = host.read_file("behaviors/orientation.lua").value();
+  World world;
+  int edits = 0;
+  for (auto _ : state) {
+    host.replace_file("behaviors/orientation.lua", text + "-- " + std::to_string(++edits));
+    if (!host.reload_changed(world.time).at(0).accepted) state.SkipWithError("the edit was refused");
+    step(world);
+    benchmark::DoNotOptimize(host.tick(world));
+  }
+}
+BENCHMARK(BM_Reload)->Unit(benchmark::kMicrosecond);
+
+/// From the call to the error, for scripts that never end by themselves.
+void end_runaway(benchmark::State& state, const std::string& body) {
+  const ScriptLimits limits;
+  Sandbox sandbox(limits);
+  sandbox.grant(limits.instructions_per_load);
+  sandbox.compile("return function() " + body + " end", "runaway");
+  sandbox.call(0, 1);
+  const int function = luaL_ref(sandbox.state(), LUA_REGISTRYINDEX);
+  for (auto _ : state) {
+    sandbox.grant(limits.instructions_per_frame);
+    lua_rawgeti(sandbox.state(), LUA_REGISTRYINDEX, function);
+    if (!sandbox.call(0, 0)) state.SkipWithError("it ended by itself");
+  }
+}
+BENCHMARK_CAPTURE(end_runaway, loop, "while true do end")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, loop_in_pcall, "while true do pcall(function() while true do end end) end")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, pattern, "(\"a\"):rep(700):find(\".-.-.-b\")")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, recursion, "local function f() return 1 + f() end f()")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, table, "local t = {} for i = 1, 1e12 do t[i] = i end")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, tables, "local t = {} while true do t = { t, {}, {}, {} } end")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, format, "while true do string.format(\"%99.99f\", 1e308) end")
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace reorient

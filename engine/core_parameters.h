@@ -1,0 +1,27 @@
+// The parameters of everything below the scripts, in one place, changed live through the registry.
+#pragma once
+
+#include "engine/arbiter.h"
+#include "engine/goal_view.h"
+#include "engine/robot_state.h"
+#include "localization/pose_filter.h"
+#include "perception/field/field_features.h"
+#include "perception/room/room_awareness.h"
+
+namespace reorient {
+
+class ParameterRegistry;
+
+struct CoreParameters {
+  RobotStateParameters robot_state;
+  FieldFeatureParameters field_features;
+  PoseFilterParameters pose_filter;
+  RoomParameters room;
+  GoalViewParameters goal_view;
+  ArbiterParameters arbiter;
+};
+
+/// Declares every number of `parameters` in the registry, which changes them in place: both must live equally long.
+void declare(CoreParameters& parameters, ParameterRegistry& registry);
+
+}  // namespace reorient

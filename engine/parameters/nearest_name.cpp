@@ -1,0 +1,56 @@
+#include "engine/parameters/nearest_name.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace reorient {
+
+int edit_distance(std::string_view left, std::string_view right) {
+  const std::size_t columns = right.size() + 1;
+  std::vector<int> before(columns);
+  std::vector<int> previous(columns);
+  std::vector<int> row(columns);
+  for (std::size_t j = 0; j < columns; ++j) previous[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= left.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j < columns; ++j) {
+      const int replaced = previous[j - 1] + (left[i - 1] == right[j - 1] ? 0 : 1);
+      row[j] = std::min({previous[j] + 1, row[j - 1] + 1, replaced});
+      const bool swapped = i > 1 && j > 1 && left[i - 1] == right[j - 2] && left[i - 2] == right[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    std::swap(before, previous);
+    std::swap(previous, row);
+  }
+  return previous[columns - 1];
+}
+
+std::optional<std::string> nearest_name(std::string_view wanted, std::span<const std::string> known) {
+  constexpr std::size_t kLongest = 80;  // nobody mistypes more than that
+  if (wanted.empty() || wanted.size() > kLongest) return std::nullopt;
+  const int tolerated = std::max(1, static_cast<int>(wanted.size()) / 3);
+  const std::string* best = nullptr;
+  int best_distance = tolerated + 1;
+  for (const std::string& name : known) {
+    if (name.size() > kLongest) continue;
+    int distance = edit_distance(wanted, name);
+    // Without its prefix a name is still recognised: "lead" for "orientation.lead".
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string::npos && wanted.find('.') == std::string_view::npos) {
+      distance = std::min(distance, edit_distance(wanted, std::string_view(name).substr(dot + 1)));
+    }
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = &name;
+    }
+  }
+  if (best == nullptr) return std::nullopt;
+  return *best;
+}
+
+std::string did_you_mean(std::string_view wanted, std::span<const std::string> known) {
+  const std::optional<std::string> name = nearest_name(wanted, known);
+  return name ? " (did you mean '" + *name + "'?)" : std::string();
+}
+
+}  // namespace reorient

@@ -1,0 +1,127 @@
+// Every tunable number of the program under one roof: listed, overridden by a file, the command line or live.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "engine/parameters/parameter.h"
+
+namespace reorient {
+
+class ParameterRegistry {
+ public:
+  using Apply = std::function<void(const ParameterValue&)>;
+
+  /// Declares every member that `describe(parameters, visit)` visits as "prefix.name"; later changes are written into
+  /// `parameters`, which must live as long as the registry. Throws when a name is taken or an override does not fit.
+  template <typename Parameters>
+  void bind(const std::string& prefix, Parameters& parameters);
+
+  /// `apply` is called with the value at once and with each later one. Throws as bind() does.
+  void declare(ParameterDeclaration declaration, Apply apply = {});
+
+  /// What one script declares, in place of what it declared before; several scripts may declare one name (a shared
+  /// library's). An override that no longer fits is clamped; returned is one line about each that was.
+  std::vector<std::string> declare_for(const std::string& owner, const std::vector<ParameterDeclaration>& declarations);
+
+  /// Throws std::runtime_error with one line: the name is unknown, the text is of a wrong type or out of range.
+  void set(std::string_view name, std::string_view text, ParameterOrigin origin);
+
+  /// As set(), but a name that nobody has declared yet is kept until somebody does.
+  void set_early(const std::string& name, std::string_view text, ParameterOrigin origin);
+
+  /// Tables are prefixes: [orientation] lead = 0.4. Names may be declared later. Throws with one line: file, line, why.
+  void load_file(const std::filesystem::path& file);
+
+  /// Writes what differs from the defaults as such a file (beside it first, then renamed). Throws when it cannot.
+  void save_file(const std::filesystem::path& file) const;
+
+  const Parameter* find(std::string_view name) const;
+  const ParameterValue& value(std::string_view name) const;  ///< throws on an unknown name
+  std::vector<Parameter> list() const;                       ///< by name
+
+  /// An override whose name was never declared, as a line for the user.
+  std::vector<std::string> unclaimed() const;
+
+  /// What `declaration` would get if it were declared now: an override, clamped into its range, or the default.
+  ParameterValue preview(const ParameterDeclaration& declaration) const;
+
+  /// Throws with one line when an override of this name does not fit the declaration.
+  void check_override(const ParameterDeclaration& declaration) const;
+  /// The program itself declared this name, so that no script can.
+  bool belongs_to_program(std::string_view name) const;
+
+  /// Changes whenever some value does.
+  std::uint64_t revision() const { return revision_; }
+
+ private:
+  struct Override {
+    std::string text;
+    ParameterOrigin origin = ParameterOrigin::standard;
+  };
+  struct Entry {
+    Parameter parameter;
+    Apply apply;
+    std::set<std::string> owners;  ///< scripts; empty: the program itself
+  };
+  struct Binder;
+
+  std::vector<std::string> names() const;
+  void assign(Entry& entry, ParameterValue value, ParameterOrigin origin);
+  void forget(const std::string& owner, const std::vector<ParameterDeclaration>& kept);
+
+  std::map<std::string, Entry, std::less<>> entries_;
+  std::map<std::string, Override, std::less<>> overrides_;
+  std::uint64_t revision_ = 1;
+};
+
+/// The visitor that describe() is called with.
+struct ParameterRegistry::Binder {
+  ParameterRegistry& registry;
+  std::string prefix;
+
+  void operator()(const char* name, double& value, double minimum, double maximum, const char* unit,
+                  const char* sentence) const {
+    registry.declare({prefix + name, ParameterKind::real, value, minimum, maximum, unit, sentence, {}},
+                     [&value](const ParameterValue& set) { value = std::get<double>(set); });
+  }
+  void operator()(const char* name, int& value, int minimum, int maximum, const char* unit,
+                  const char* sentence) const {
+    const auto low = static_cast<double>(minimum);
+    const auto high = static_cast<double>(maximum);
+    registry.declare({prefix + name, ParameterKind::whole, value, low, high, unit, sentence, {}},
+                     [&value](const ParameterValue& set) { value = std::get<int>(set); });
+  }
+  void operator()(const char* name, bool& value, const char* sentence) const {
+    registry.declare({prefix + name, ParameterKind::yes_no, value, 0.0, 0.0, "", sentence, {}},
+                     [&value](const ParameterValue& set) { value = std::get<bool>(set); });
+  }
+  template <typename Enum>
+  requires std::is_enum_v<Enum>
+  void operator()(const char* name, Enum& value, std::initializer_list<const char*> choices,
+                  const char* sentence) const {
+    const std::vector<std::string> list(choices.begin(), choices.end());
+    registry.declare(
+        {prefix + name, ParameterKind::choice, list.at(static_cast<std::size_t>(value)), 0.0, 0.0, "", sentence, list},
+        [&value, list](const ParameterValue& set) {
+          for (std::size_t i = 0; i < list.size(); ++i) {
+            if (list[i] == std::get<std::string>(set)) value = static_cast<Enum>(i);
+          }
+        });
+  }
+};
+
+template <typename Parameters>
+void ParameterRegistry::bind(const std::string& prefix, Parameters& parameters) {
+  describe(parameters, Binder{*this, prefix + "."});
+}
+
+}  // namespace reorient

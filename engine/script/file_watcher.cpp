@@ -1,0 +1,111 @@
+#include "engine/script/file_watcher.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <set>
+#include <utility>
+
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include "engine/script/script_folder.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::uint32_t kEvents = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO |
+                                  IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
+
+}  // namespace
+
+FileWatcher::FileWatcher(std::filesystem::path root, Means means) : root_(std::move(root)) {
+  if (means == Means::automatic) descriptor_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  if (descriptor_ >= 0) watch_directories();
+  if (descriptor_ >= 0 && watched_.empty()) {
+    close(descriptor_);
+    descriptor_ = -1;
+  }
+  signature_ = signature();
+}
+
+FileWatcher::~FileWatcher() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+/// The root and all directories below it. Watching one again is no new watch.
+void FileWatcher::watch_directories() {
+  std::error_code error;
+  const auto watch = [this](const std::filesystem::path& directory) {
+    const int watch_id = inotify_add_watch(descriptor_, directory.c_str(), kEvents);
+    if (watch_id >= 0) watched_[watch_id] = directory;
+  };
+  watch(root_);
+  for (std::filesystem::recursive_directory_iterator entry(root_, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code gone;
+    if (entry->is_directory(gone)) watch(entry->path());
+  }
+}
+
+/// Whether there was any event. New directories are watched too, whose files may be older than the watch: that they
+/// came is an event itself, and whoever asked reads everything anew.
+bool FileWatcher::read_events() {
+  alignas(inotify_event) std::array<char, 16 * 1024> buffer;
+  bool any = false;
+  bool rescan = false;
+  for (ssize_t length = 0; (length = read(descriptor_, buffer.data(), buffer.size())) > 0;) {
+    any = true;
+    for (const char* at = buffer.data(); at < buffer.data() + length;) {
+      inotify_event event;
+      std::memcpy(&event, at, sizeof(event));
+      at += sizeof(event) + event.len;
+      if ((event.mask & IN_IGNORED) != 0) watched_.erase(event.wd);
+      rescan |= (event.mask & (IN_ISDIR | IN_Q_OVERFLOW | IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED)) != 0;
+    }
+  }
+  if (rescan) watch_directories();
+  return any;
+}
+
+std::uint64_t FileWatcher::signature() const {
+  std::set<std::string> lines;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator entry(root_, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code gone;
+    if (!entry->is_regular_file(gone)) continue;
+    const auto time = entry->last_write_time(gone).time_since_epoch().count();
+    lines.insert(entry->path().string() + " " + std::to_string(time) + " " + std::to_string(entry->file_size(gone)));
+  }
+  std::uint64_t hash = 0;
+  for (const std::string& line : lines) hash = hash * 31 + content_hash(line);
+  return hash;
+}
+
+bool FileWatcher::compare_files() {
+  const std::uint64_t now = signature();
+  return std::exchange(signature_, now) != now;
+}
+
+bool FileWatcher::poll(double time) {
+  bool changed = false;
+  if (uses_inotify()) {
+    changed = read_events();
+  } else if (!looked_ || time >= next_look_ || pending_) {
+    changed = compare_files();
+    looked_ = true;
+    next_look_ = time + kInterval;
+  }
+  if (changed) {
+    if (!pending_) first_change_ = time;
+    last_change_ = time;
+    pending_ = true;
+  }
+  if (!pending_) return false;
+  const bool settled = time - last_change_ >= kQuiet || time - first_change_ >= kPatience;
+  if (settled) pending_ = false;
+  return settled;
+}
+
+}  // namespace reorient

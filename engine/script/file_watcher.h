@@ -1,0 +1,48 @@
+// Notices that files below a folder were changed, in place or by renaming, one or many at once.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace reorient {
+
+/// Watches the directories with inotify; where that is not to be had, compares times and sizes now and then.
+class FileWatcher {
+ public:
+  enum class Means { automatic, polling };
+
+  explicit FileWatcher(std::filesystem::path root, Means means = Means::automatic);
+  ~FileWatcher();
+  FileWatcher(const FileWatcher&) = delete;
+  FileWatcher& operator=(const FileWatcher&) = delete;
+
+  /// Never blocks. True once after something has changed and then been quiet for a moment (or has not been quiet for
+  /// `kPatience`): files that are saved together are reported together. `time` in s, from any steady clock.
+  bool poll(double time);
+
+  bool uses_inotify() const { return descriptor_ >= 0; }
+
+  static constexpr double kQuiet = 0.04;    ///< s
+  static constexpr double kPatience = 0.1;  ///< s
+  static constexpr double kInterval = 0.2;  ///< s between two looks without inotify
+
+ private:
+  void watch_directories();
+  bool read_events();
+  bool compare_files();
+  std::uint64_t signature() const;
+
+  std::filesystem::path root_;
+  int descriptor_ = -1;
+  std::map<int, std::filesystem::path> watched_;
+  double first_change_ = -1.0;
+  double last_change_ = -1.0;
+  bool pending_ = false;
+  double next_look_ = 0.0;
+  bool looked_ = false;
+  std::uint64_t signature_ = 0;
+};
+
+}  // namespace reorient

@@ -1,0 +1,75 @@
+#include "engine/script/language/behavior_view.h"
+
+#include "engine/parameters/nearest_name.h"
+
+namespace reorient {
+namespace {
+
+const MachineDirectory& directory_of(lua_State* L) {
+  return *static_cast<const MachineDirectory*>(lua_touserdata(L, lua_upvalueindex(1)));
+}
+
+int refuse_writing(lua_State* L) { return luaL_error(L, "behaviors are read-only: nobody sets another's state"); }
+
+MachineSight look_up(lua_State* L, const char* name) {
+  MachineSight sight;
+  const MachineDirectory& directory = directory_of(L);
+  if (directory.look_up(name, sight)) return sight;
+  const std::string hint = did_you_mean(name, directory.machine_names());
+  luaL_error(L, "there is no behavior '%s'%s", name, hint.c_str());
+  return sight;
+}
+
+/// Upvalues: the directory, the machine's name. Arguments: its table, a key.
+int read_field(lua_State* L) {
+  const std::string_view key = luaL_checkstring(L, 2);
+  const MachineSight sight = look_up(L, lua_tostring(L, lua_upvalueindex(2)));
+  if (key == "state") {
+    lua_pushlstring(L, sight.state.data(), sight.state.size());
+  } else if (key == "time_in_state") {
+    lua_pushnumber(L, sight.time_in_state);
+  } else {
+    return luaL_error(L, "a behavior has 'state' and 'time_in_state', not '%s'", key.data());
+  }
+  return 1;
+}
+
+void set_reader(lua_State* L) {
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, refuse_writing);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+}
+
+/// Upvalues: the directory, the tables made so far. Arguments: `behaviors`, a name.
+int find_machine(lua_State* L) {
+  const char* const name = luaL_checkstring(L, 2);
+  look_up(L, name);
+  if (lua_getfield(L, lua_upvalueindex(2), name) == LUA_TTABLE) return 1;
+  lua_newtable(L);
+  lua_createtable(L, 0, 3);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_pushvalue(L, 2);
+  lua_pushcclosure(L, read_field, 2);
+  set_reader(L);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, lua_upvalueindex(2), name);
+  return 1;
+}
+
+}  // namespace
+
+void add_behavior_view(lua_State* L, const MachineDirectory& directory) {
+  lua_newtable(L);
+  lua_createtable(L, 0, 3);
+  // Lua has no pointer to const; the directory is only ever read through it.
+  lua_pushlightuserdata(L, const_cast<MachineDirectory*>(&directory));
+  lua_newtable(L);
+  lua_pushcclosure(L, find_machine, 2);
+  set_reader(L);
+  lua_setglobal(L, "behaviors");
+}
+
+}  // namespace reorient

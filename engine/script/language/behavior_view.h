@@ -1,0 +1,29 @@
+// `behaviors.orientation.state`: how scripts see each other's machines.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <lua.hpp>
+
+namespace reorient {
+
+/// A machine as it stood when the frame began, whatever has ticked since.
+struct MachineSight {
+  std::string_view state;      ///< path
+  double time_in_state = 0.0;  ///< s
+};
+
+class MachineDirectory {
+ public:
+  virtual ~MachineDirectory() = default;
+  /// False: there is no such machine.
+  virtual bool look_up(std::string_view name, MachineSight& sight) const = 0;
+  virtual std::vector<std::string> machine_names() const = 0;
+};
+
+/// Makes the global `behaviors` of `L`; the directory must outlive it.
+void add_behavior_view(lua_State* L, const MachineDirectory& directory);
+
+}  // namespace reorient

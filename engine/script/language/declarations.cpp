@@ -1,0 +1,282 @@
+#include "engine/script/language/declarations.h"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/script/language/machine_reader.h"
+#include "engine/script/language/world_view.h"
+#include "engine/script/sandbox/sandbox.h"
+
+namespace reorient {
+namespace {
+
+struct Place {
+  std::string file;
+  int line = 0;
+};
+
+/// Where the script's function at `level` of the call stack stands.
+Place place_of(lua_State* L, int level) {
+  lua_Debug record;
+  if (lua_getstack(L, level, &record) == 0 || lua_getinfo(L, "Sl", &record) == 0) return {};
+  const std::string source = record.source;
+  return {source.starts_with('@') ? source.substr(1) : source, record.currentline};
+}
+
+std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+std::string at(const Place& place, const std::string& message) {
+  return place.file + ":" + std::to_string(place.line) + ": " + message;
+}
+
+bool is_name(std::string_view text) {
+  if (text.empty() || (text[0] >= '0' && text[0] <= '9')) return false;
+  return text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") ==
+         std::string_view::npos;
+}
+
+/// Pushes the field of the table at `index`, without metamethods.
+int raw_field(lua_State* L, int index, const char* name) {
+  const int table = lua_absindex(L, index);
+  lua_pushstring(L, name);
+  return lua_rawget(L, table);
+}
+
+double raw_number(lua_State* L, int table, int index, const char* what) {
+  if (lua_rawgeti(L, table, index) != LUA_TNUMBER) throw std::runtime_error(std::string(what) + " takes numbers");
+  const double number = lua_tonumber(L, -1);
+  lua_pop(L, 1);
+  if (!std::isfinite(number)) throw std::runtime_error(std::string(what) + " takes finite numbers");
+  return number;
+}
+
+std::string raw_text(lua_State* L, int table, const char* name) {
+  std::string text;
+  const int type = raw_field(L, table, name);
+  if (type == LUA_TSTRING) text = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  if (type != LUA_TSTRING && type != LUA_TNIL) throw std::runtime_error(std::string(name) + " is a text in quotes");
+  return text;
+}
+
+void check_keys(lua_State* L, int table, const std::vector<std::string>& known) {
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) continue;
+    const std::string key = lua_tostring(L, -2);
+    bool found = false;
+    for (const std::string& name : known) found |= name == key;
+    if (!found) throw std::runtime_error("there is no '" + key + "' here" + did_you_mean(key, known));
+  }
+}
+
+void push_value(lua_State* L, const ParameterValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) lua_pushnumber(L, *real);
+  if (const auto* whole = std::get_if<int>(&value)) lua_pushinteger(L, *whole);
+  if (const auto* yes = std::get_if<bool>(&value)) lua_pushboolean(L, *yes ? 1 : 0);
+  if (const auto* text = std::get_if<std::string>(&value)) lua_pushlstring(L, text->data(), text->size());
+}
+
+}  // namespace
+
+/// Runs a member function; a std::exception becomes a Lua error whose message already says where.
+template <int (Declarations::*Method)(lua_State*)>
+int Declarations::bound(lua_State* L) {
+  auto& self = *static_cast<Declarations*>(lua_touserdata(L, lua_upvalueindex(1)));
+  int results = -1;
+  try {
+    if (self.closed_) throw std::runtime_error("a script declares itself while it is loaded, not later");
+    results = (self.*Method)(L);
+  } catch (const std::exception& error) {
+    const std::string text = error.what();
+    const bool has_place = read_fault(text, "").line > 0;
+    const std::string message = has_place ? text : at(place_of(L, 1), text);
+    lua_pushlstring(L, message.data(), message.size());
+  }
+  return results >= 0 ? results : lua_error(L);
+}
+
+template <int (Declarations::*Method)(lua_State*)>
+void Declarations::add(const char* name) {
+  lua_pushlightuserdata(lua_, this);
+  lua_pushcclosure(lua_, &Declarations::bound<Method>, 1);
+  lua_setglobal(lua_, name);
+}
+
+Declarations::Declarations(lua_State* L, bool is_scenario, std::function<std::string_view(const std::string&)> text_of,
+                           std::function<ParameterValue(const ParameterDeclaration&)> preview)
+    : lua_(L), is_scenario_(is_scenario), text_of_(std::move(text_of)), preview_(std::move(preview)) {
+  add<&Declarations::param>("param");
+  add<&Declarations::keep>("keep");
+  add<&Declarations::state>("state");
+  add<&Declarations::machine>(is_scenario ? "scenario" : "behavior");
+}
+
+ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, const std::string& name) {
+  const int table = lua_gettop(L);
+  check_keys(L, table, {"range", "unit", "doc", "choices", "whole"});
+  ParameterDeclaration declaration;
+  declaration.unit = raw_text(L, table, "unit");
+  declaration.sentence = raw_text(L, table, "doc");
+  if (declaration.sentence.empty())
+    throw std::runtime_error("param " + name + " needs a sentence: doc = \"what it is\"");
+  const int type = lua_rawgeti(L, table, 1);
+  if (type == LUA_TBOOLEAN) {
+    declaration.kind = ParameterKind::yes_no;
+    declaration.standard = lua_toboolean(L, -1) != 0;
+    lua_pop(L, 1);
+    return declaration;
+  }
+  if (type == LUA_TSTRING) {
+    declaration.kind = ParameterKind::choice;
+    declaration.standard = std::string(lua_tostring(L, -1));
+    lua_pop(L, 1);
+    if (raw_field(L, table, "choices") != LUA_TTABLE)
+      throw std::runtime_error("param " + name + " needs choices = { ... }");
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+      if (lua_rawgeti(L, -1, i) != LUA_TSTRING) throw std::runtime_error("the choices of param " + name + " are texts");
+      declaration.choices.emplace_back(lua_tostring(L, -1));
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return declaration;
+  }
+  if (type != LUA_TNUMBER) throw std::runtime_error("param " + name + " begins with its default: { 0.5, range = ... }");
+  const double number = lua_tonumber(L, -1);
+  lua_pop(L, 1);
+  raw_field(L, table, "whole");
+  const bool whole = lua_toboolean(L, -1) != 0;
+  lua_pop(L, 1);
+  if (raw_field(L, table, "range") != LUA_TTABLE)
+    throw std::runtime_error("param " + name + " needs range = { least, greatest }");
+  declaration.minimum = raw_number(L, lua_gettop(L), 1, "range");
+  declaration.maximum = raw_number(L, lua_gettop(L), 2, "range");
+  lua_pop(L, 1);
+  if (declaration.minimum > declaration.maximum) throw std::runtime_error("the range of param " + name + " is empty");
+  constexpr double kMostWhole = std::numeric_limits<int>::max();
+  if (whole &&
+      (std::abs(number) > kMostWhole || declaration.maximum > kMostWhole || declaration.minimum < -kMostWhole)) {
+    throw std::runtime_error("param " + name + " is too large for a whole number");
+  }
+  if (whole) {
+    declaration.kind = ParameterKind::whole;
+    declaration.standard = static_cast<int>(number);
+  } else {
+    declaration.standard = number;
+  }
+  return declaration;
+}
+
+void Declarations::read_parameter(lua_State* L, const std::string& file, int line) {
+  const std::string key = lua_tostring(L, -2);
+  if (!is_name(key)) throw std::runtime_error("'" + key + "' cannot be a param's name: letters, digits and _ only");
+  if (lua_type(L, -1) != LUA_TTABLE)
+    throw std::runtime_error("param " + key + " is a table: { default, range = { 0, 1 }, doc = \"...\" }");
+  DeclaredParameter parameter;
+  parameter.key = key;
+  parameter.declaration = read_parameter_declaration(L, key);
+  parameter.declaration.name = stem_of(file) + "." + key;
+  parse_parameter(parameter.declaration, to_text(parameter.declaration.standard));  // the default must fit its range
+  for (const DeclaredParameter& other : parameters) {
+    if (other.declaration.name == parameter.declaration.name) {
+      throw std::runtime_error(at({file, line}, "param " + parameter.declaration.name + " is declared twice"));
+    }
+  }
+  parameters.push_back(std::move(parameter));
+}
+
+int Declarations::param(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 1);
+  const Place place = place_of(L, 1);
+  const std::size_t first = parameters.size();
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("each param has a name: param { name = { ... } }");
+    read_parameter(L, place.file, place.line);
+  }
+  lua_newtable(L);
+  for (std::size_t i = first; i < parameters.size(); ++i) {
+    lua_pushvalue(L, -1);
+    parameters[i].values = luaL_ref(L, LUA_REGISTRYINDEX);
+    set_value(parameters[i], preview_(parameters[i].declaration));
+  }
+  make_read_only(L, "param " + stem_of(place.file));
+  return 1;
+}
+
+void Declarations::set_value(DeclaredParameter& parameter, const ParameterValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) parameter.number = *real;
+  if (const auto* whole = std::get_if<int>(&value)) parameter.number = *whole;
+  lua_rawgeti(lua_, LUA_REGISTRYINDEX, parameter.values);
+  lua_pushlstring(lua_, parameter.key.data(), parameter.key.size());
+  push_value(lua_, value);
+  lua_rawset(lua_, -3);
+  lua_pop(lua_, 1);
+}
+
+int Declarations::keep(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 1);
+  const std::string file = place_of(L, 1).file;
+  int ordinal = 1;
+  for (const KeptMemory& other : memories) ordinal += other.name.starts_with(file + "#") ? 1 : 0;
+  lua_pushvalue(L, 1);
+  memories.push_back({file + "#" + std::to_string(ordinal), luaL_ref(L, LUA_REGISTRYINDEX)});
+  return 1;
+}
+
+int Declarations::state(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  if (name.empty() || name.find('/') != std::string::npos) throw std::runtime_error("a state needs a name without '/'");
+  lua_pushlightuserdata(L, this);
+  lua_pushvalue(L, 1);
+  lua_pushinteger(L, place_of(L, 1).line);
+  lua_pushcclosure(L, &Declarations::bound<&Declarations::state_body>, 3);
+  return 1;
+}
+
+int Declarations::state_body(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  mark_state(L, 1, lua_upvalueindex(2), lua_upvalueindex(3));
+  lua_settop(L, 1);
+  return 1;
+}
+
+int Declarations::machine(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  if (!is_name(name)) throw std::runtime_error("'" + name + "' cannot be a name here: letters, digits and _ only");
+  lua_pushlightuserdata(L, this);
+  lua_pushvalue(L, 1);
+  lua_pushinteger(L, place_of(L, 1).line);
+  lua_pushcclosure(L, &Declarations::bound<&Declarations::machine_body>, 3);
+  return 1;
+}
+
+int Declarations::machine_body(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 1);
+  MachineDefinition definition;
+  definition.name = lua_tostring(L, lua_upvalueindex(2));
+  definition.file = place_of(L, 1).file;
+  definition.line = static_cast<int>(lua_tointeger(L, lua_upvalueindex(3)));
+  definition.is_scenario = is_scenario_;
+  for (const MachineDefinition& other : machines) {
+    if (other.name == definition.name) throw std::runtime_error("'" + definition.name + "' is declared twice");
+  }
+  std::vector<std::string> names;
+  for (const DeclaredParameter& parameter : parameters) names.push_back(parameter.declaration.name);
+  MachineReader(L, definition, names, text_of_(definition.file)).read(1);
+  const std::vector<DeclarationError> errors = resolve(definition);
+  if (!errors.empty()) {
+    std::string message = errors.front().message;
+    if (errors.size() > 1) message += " (and " + std::to_string(errors.size() - 1) + " more errors like this)";
+    throw std::runtime_error(at({definition.file, errors.front().line}, message));
+  }
+  machines.push_back(std::move(definition));
+  return 0;
+}
+
+}  // namespace reorient

@@ -1,0 +1,29 @@
+// A script's `keep` memory outside of Lua: plain values, so that it survives a reload.
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <lua.hpp>
+
+namespace reorient {
+
+struct KeptValue;
+using KeptKey = std::variant<lua_Integer, double, bool, std::string>;
+using KeptTable = std::map<KeptKey, KeptValue>;
+
+struct KeptValue {
+  std::variant<bool, lua_Integer, double, std::string, KeptTable> value;
+};
+
+/// The plain values of the table at `index`. What cannot be kept (functions, tables within themselves, too many) is
+/// left out and named in `left_out`.
+KeptTable read_kept(lua_State* L, int index, std::vector<std::string>& left_out);
+
+/// Writes kept values over the table at `index`. Where the table already has a value of another type, that one stays:
+/// the script has changed its mind about what it keeps there.
+void write_kept(lua_State* L, int index, const KeptTable& kept);
+
+}  // namespace reorient

@@ -1,0 +1,118 @@
+// The thin typed layer between C++ and Lua: a member function becomes a Lua function that checks its arguments.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <lua.hpp>
+
+namespace reorient::lua {
+
+/// How a C++ type is read from and written to Lua's stack, and what the documentation calls it.
+template <typename T>
+struct Value;
+
+template <>
+struct Value<double> {
+  static constexpr std::string_view name = "number";
+  static double read(lua_State* L, int index) {
+    const double number = luaL_checknumber(L, index);
+    if (!std::isfinite(number)) luaL_argerror(L, index, "a finite number expected");
+    return number;
+  }
+  static void push(lua_State* L, double number) { lua_pushnumber(L, number); }
+};
+
+template <>
+struct Value<bool> {
+  static constexpr std::string_view name = "boolean";
+  static bool read(lua_State* L, int index) {
+    luaL_checktype(L, index, LUA_TBOOLEAN);
+    return lua_toboolean(L, index) != 0;
+  }
+  static void push(lua_State* L, bool yes) { lua_pushboolean(L, yes ? 1 : 0); }
+};
+
+/// Valid while the function runs: its caller holds the string.
+template <>
+struct Value<std::string_view> {
+  static constexpr std::string_view name = "string";
+  static std::string_view read(lua_State* L, int index) {
+    std::size_t length = 0;
+    const char* text = luaL_checklstring(L, index, &length);
+    return {text, length};
+  }
+  static void push(lua_State* L, std::string_view text) { lua_pushlstring(L, text.data(), text.size()); }
+};
+
+template <typename T>
+struct Value<std::optional<T>> {
+  static std::optional<T> read(lua_State* L, int index) {
+    if (lua_isnoneornil(L, index)) return std::nullopt;
+    return Value<T>::read(L, index);
+  }
+};
+
+template <auto Method>
+struct Bound;
+
+/// The object is the closure's first upvalue. A std::exception becomes a Lua error at the caller's line.
+template <typename Self, typename Result, typename... Arguments, Result (Self::*Method)(Arguments...)>
+struct Bound<Method> {
+  static int call(lua_State* L) {
+    const int results = attempt(L, std::index_sequence_for<Arguments...>{});
+    if (results >= 0) return results;
+    luaL_where(L, 1);
+    lua_insert(L, -2);
+    lua_concat(L, 2);
+    return lua_error(L);
+  }
+
+ private:
+  /// How many results were pushed; -1: an error message was.
+  template <std::size_t... Index>
+  static int attempt(lua_State* L, std::index_sequence<Index...>) {
+    Self& self = *static_cast<Self*>(lua_touserdata(L, lua_upvalueindex(1)));
+    try {
+      if constexpr (std::is_void_v<Result>) {
+        (self.*Method)(Value<Arguments>::read(L, static_cast<int>(Index) + 1)...);
+        return 0;
+      } else {
+        const Result result = (self.*Method)(Value<Arguments>::read(L, static_cast<int>(Index) + 1)...);
+        Value<Result>::push(L, result);
+        return 1;
+      }
+    } catch (const std::exception& error) {
+      lua_pushstring(L, error.what());
+      return -1;
+    }
+  }
+};
+
+/// A member function that reads its arguments from the stack itself.
+template <auto Method>
+struct RawBound;
+
+template <typename Self, int (Self::*Method)(lua_State*)>
+struct RawBound<Method> {
+  static int call(lua_State* L) {
+    Self& self = *static_cast<Self*>(lua_touserdata(L, lua_upvalueindex(1)));
+    int results = -1;
+    try {
+      results = (self.*Method)(L);
+    } catch (const std::exception& error) {
+      luaL_where(L, 1);
+      lua_pushstring(L, error.what());
+    }
+    if (results >= 0) return results;
+    lua_concat(L, 2);
+    return lua_error(L);
+  }
+};
+
+}  // namespace reorient::lua

@@ -1,0 +1,78 @@
+// One script's own Lua: no way out, a budget of instructions, a memory cap, and string functions that cannot run away.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <lua.hpp>
+
+#include "engine/script/sandbox/script_limits.h"
+
+namespace reorient {
+
+/// What went wrong in a script, and where. `line` 0: the place is not known.
+struct ScriptFault {
+  std::string file;
+  int line = 0;
+  std::string message;    ///< one line, without the place
+  std::string traceback;  ///< several lines, may be empty
+
+  std::string text() const { return (line > 0 ? file + ":" + std::to_string(line) : file) + ": " + message; }
+};
+
+class Sandbox {
+ public:
+  explicit Sandbox(const ScriptLimits& limits);
+  ~Sandbox();
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+
+  lua_State* state() const { return lua_; }
+  static Sandbox& of(lua_State* L);
+
+  /// Starts a new budget; what was left of the old one is gone.
+  void grant(std::int64_t instructions);
+
+  /// Compiles text (never bytecode) and pushes it as a function; on a fault nothing is pushed.
+  std::optional<ScriptFault> compile(std::string_view text, const std::string& file);
+
+  /// Calls the function below `arguments` values on the stack under the budget; on a fault nothing is left there.
+  std::optional<ScriptFault> call(int arguments, int results);
+
+  /// For C++ functions that a script called: pays for their work; raises a Lua error when the budget is spent.
+  void charge(std::int64_t work);
+  /// What may still be spent.
+  std::int64_t remaining() const { return remaining_; }
+  bool exhausted() const { return exhausted_; }
+  /// Raises a Lua error if the budget is spent: after each catch of a script's own errors.
+  void raise_if_exhausted();
+
+  std::size_t string_length() const { return static_cast<std::size_t>(limits_.string_length); }
+  std::size_t memory() const { return memory_; }        ///< bytes held
+  std::int64_t instructions() const { return spent_; }  ///< since the beginning, in steps of a hundred
+
+ private:
+  static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+  static void count(lua_State* L, lua_Debug* record);
+  static int explain(lua_State* L);
+  ScriptFault take_fault();
+
+  ScriptLimits limits_;
+  std::size_t memory_ = 0;
+  std::int64_t granted_ = 0;
+  std::int64_t remaining_ = 0;
+  std::int64_t spent_ = 0;
+  bool exhausted_ = false;
+  bool confined_ = false;  ///< a script runs: the caps hold. The host's own work must not fail on them.
+  std::string traceback_;
+  lua_State* lua_ = nullptr;
+};
+
+/// "behaviors/orientation.lua:12: message" in its parts; the whole text is the message where it has no such place.
+ScriptFault read_fault(std::string_view text, const std::string& file);
+
+}  // namespace reorient

@@ -1,0 +1,31 @@
+// What one script may use. Nothing here depends on the clock: a script behaves the same on a slow machine.
+#pragma once
+
+namespace reorient {
+
+struct ScriptLimits {
+  int instructions_per_frame = 50'000;
+  int instructions_per_load = 2'000'000;
+  int memory = 1024;         // KiB
+  int string_length = 4096;  // bytes
+  int errors = 5;
+  double forgiveness = 10.0;  // s
+  double probation = 2.0;     // s
+};
+
+template <typename Visit>
+void describe(ScriptLimits& limits, Visit&& visit) {
+  visit("instructions_per_frame", limits.instructions_per_frame, 1000, 100'000'000, "",
+        "how many Lua instructions a script may run in one frame");
+  visit("instructions_per_load", limits.instructions_per_load, 1000, 1'000'000'000, "",
+        "how many Lua instructions a script may run while it is loaded");
+  visit("memory", limits.memory, 256, 1'048'576, "KiB", "how much memory a script may hold");
+  visit("string_length", limits.string_length, 256, 16'777'216, "byte", "the longest string that a script may make");
+  visit("errors", limits.errors, 1, 1000, "", "after how many run-time errors a script is rolled back or stopped");
+  visit("forgiveness", limits.forgiveness, 0.1, 3600.0, "s",
+        "how long without an error until earlier ones are forgotten");
+  visit("probation", limits.probation, 0.0, 3600.0, "s",
+        "how long a version must run without an error to count as good");
+}
+
+}  // namespace reorient

@@ -1,0 +1,244 @@
+#include "engine/script/script.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/script/language/world_fields.h"
+#include "engine/script/sandbox/binding.h"
+#include "engine/script/script_error.h"
+
+namespace reorient {
+namespace {
+
+Script& script_of(lua_State* L) { return *static_cast<Script*>(lua_touserdata(L, lua_upvalueindex(1))); }
+
+/// Arguments: the globals, a name that is not among them.
+int refuse_unknown_global(lua_State* L) {
+  if (lua_type(L, 2) != LUA_TSTRING) return 0;
+  const std::string name = lua_tostring(L, 2);
+  std::vector<std::string> known;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
+  }
+  std::sort(known.begin(), known.end());
+  const std::string hint = did_you_mean(name, known);
+  return luaL_error(L, "there is no '%s'%s", name.c_str(), hint.c_str());
+}
+
+int refuse_new_global(lua_State* L) {
+  return luaL_error(L,
+                    "'%s' would be a global variable, which no reload keeps: write 'local %s', or keep { } for memory",
+                    luaL_tolstring(L, 2, nullptr), luaL_tolstring(L, 2, nullptr));
+}
+
+}  // namespace
+
+Script::Script(const ScriptFolder& folder, const std::string& file, ScriptKind kind, const ScriptLimits& limits,
+               const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes)
+    : folder_(folder), limits_(limits), registry_(parameters), hashes_(&hashes), sandbox_(limits) {
+  sandbox_.grant(limits.instructions_per_load);
+  add_globals(directory, kind);
+  load_module(file);
+  lua_pop(sandbox_.state(), 1);
+  declarations_->close();
+  texts_.clear();
+  is_loaded_ = true;
+  hashes_ = nullptr;
+  if (!declarations_->machines.empty()) return;
+  const char* what = kind == ScriptKind::behavior ? "behavior \"name\" { ... }" : "scenario \"name\" { ... }";
+  throw ScriptError({file, 1, std::string("the script declares nothing: it needs ") + what, {}});
+}
+
+void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
+  lua_State* const L = sandbox_.state();
+  const bool for_scenario = kind == ScriptKind::scenario;
+  world_ = std::make_unique<WorldView>(L, for_scenario);
+  add_script_functions(L, actions_, for_scenario);
+  add_behavior_view(L, directory);
+  declarations_ = std::make_unique<Declarations>(
+      L, for_scenario, [this](const std::string& file) -> std::string_view { return texts_[file]; },
+      [this](const ParameterDeclaration& declaration) { return registry_.preview(declaration); });
+  lua_newtable(L);
+  loaded_ = luaL_ref(L, LUA_REGISTRYINDEX);
+  lua_pushlightuserdata(L, this);
+  lua_pushcclosure(L, &Script::require, 1);
+  lua_setglobal(L, "require");
+  lua_pushlightuserdata(L, &actions_);
+  lua_pushcclosure(L, &Script::print, 1);
+  lua_setglobal(L, "print");
+  lua_pushglobaltable(L);
+  lua_createtable(L, 0, 3);
+  lua_pushcfunction(L, refuse_unknown_global);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, refuse_new_global);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+  lua_pop(L, 1);
+}
+
+std::string_view Script::read(const std::string& file) {
+  std::optional<std::string> text = folder_.read(file);
+  (*hashes_)[file] = text ? std::optional<std::uint64_t>(content_hash(*text)) : std::nullopt;
+  if (!text) throw ScriptError({file, 0, "there is no such script below " + folder_.root().string(), {}});
+  return texts_[file] = std::move(*text);
+}
+
+void Script::load_module(const std::string& file) {
+  const std::string_view text = read(file);
+  if (std::optional<ScriptFault> fault = sandbox_.compile(text, file)) throw ScriptError(std::move(*fault));
+  loading_.push_back(file);
+  std::optional<ScriptFault> fault = sandbox_.call(0, 1);
+  loading_.pop_back();
+  if (!fault) return;
+  if (fault->file.empty()) fault->file = file;
+  throw ScriptError(std::move(*fault));
+}
+
+/// require "lib.walk": the value that scripts/lib/walk.lua returns, the same one each time.
+int Script::require(lua_State* L) {
+  Script& script = script_of(L);
+  const char* const module = luaL_checkstring(L, 1);
+  std::string failure;
+  bool has_place = false;
+  lua_rawgeti(L, LUA_REGISTRYINDEX, script.loaded_);
+  if (lua_getfield(L, -1, module) != LUA_TNIL) return 1;
+  lua_pop(L, 1);
+  try {
+    const std::optional<std::string> file = module_file(module);
+    if (script.is_loaded_) {
+      failure = "require stands at the top of a script, not in its functions";
+    } else if (!file) {
+      failure = "require takes a name like \"lib.walk\"";
+    } else if (std::find(script.loading_.begin(), script.loading_.end(), *file) != script.loading_.end()) {
+      failure = *file + " requires itself, over others or directly";
+    } else {
+      script.load_module(*file);
+    }
+  } catch (const ScriptError& error) {
+    failure = error.what();
+    has_place = error.fault.line > 0;
+  }
+  if (!failure.empty()) {
+    script.sandbox_.raise_if_exhausted();
+    if (has_place) {
+      lua_pushlstring(L, failure.data(), failure.size());
+      return lua_error(L);
+    }
+    return luaL_error(L, "%s", failure.c_str());
+  }
+  if (lua_isnil(L, -1)) {
+    lua_pop(L, 1);
+    lua_pushboolean(L, 1);
+  }
+  lua_pushvalue(L, -1);
+  lua_setfield(L, -3, module);
+  return 1;
+}
+
+/// As Lua's print, into the log.
+int Script::print(lua_State* L) {
+  const int count = lua_gettop(L);
+  luaL_Buffer line;
+  luaL_buffinit(L, &line);
+  for (int i = 1; i <= count; ++i) {
+    if (i > 1) luaL_addchar(&line, ' ');
+    lua_getglobal(L, "tostring");
+    lua_pushvalue(L, i);
+    lua_call(L, 1, 1);
+    luaL_addvalue(&line);
+  }
+  luaL_pushresult(&line);
+  lua_replace(L, 1);
+  lua_settop(L, 1);
+  return lua::Bound<&ScriptActions::inform>::call(L);
+}
+
+std::vector<ParameterDeclaration> Script::parameters() const {
+  std::vector<ParameterDeclaration> all;
+  for (const DeclaredParameter& parameter : declarations_->parameters) all.push_back(parameter.declaration);
+  return all;
+}
+
+void Script::begin_frame(const std::vector<double>& world, FrameDraft& draft) {
+  draft_ = &draft;
+  exit_faults_.clear();
+  world_->refresh(world);
+  if (parameter_revision_ != registry_.revision()) {
+    parameter_revision_ = registry_.revision();
+    for (DeclaredParameter& parameter : declarations_->parameters) {
+      const Parameter* known = registry_.find(parameter.declaration.name);
+      if (known != nullptr) declarations_->set_value(parameter, known->value);
+    }
+  }
+  sandbox_.grant(limits_.instructions_per_frame);
+}
+
+void Script::push_function(int function) { lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function); }
+
+bool Script::holds(Machine& machine, int state, int function) {
+  actions_.speak(draft_, &machine, state, ScriptActions::Phase::looking);
+  push_function(function);
+  if (std::optional<ScriptFault> fault = sandbox_.call(0, 1)) throw ScriptError(std::move(*fault));
+  const bool result = lua_toboolean(sandbox_.state(), -1) != 0;
+  lua_pop(sandbox_.state(), 1);
+  return result;
+}
+
+double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
+  if (dwell.kind == Dwell::Kind::seconds) return dwell.seconds;
+  if (dwell.kind == Dwell::Kind::parameter)
+    return declarations_->parameters[static_cast<std::size_t>(dwell.index)].number;
+  actions_.speak(draft_, &machine, state, ScriptActions::Phase::looking);
+  push_function(dwell.index);
+  if (std::optional<ScriptFault> fault = sandbox_.call(0, 1)) throw ScriptError(std::move(*fault));
+  const bool is_number = lua_type(sandbox_.state(), -1) == LUA_TNUMBER;
+  const double seconds = lua_tonumber(sandbox_.state(), -1);
+  lua_pop(sandbox_.state(), 1);
+  if (is_number && seconds >= 0.0) return seconds;
+  throw ScriptError({machine.definition().file,
+                     machine.definition().states[static_cast<std::size_t>(state)].line,
+                     "a function for lasting or after must give a number of seconds, 0 or more",
+                     {}});
+}
+
+void Script::run(Machine& machine, int state, int function) {
+  if (function == LUA_NOREF) return;
+  actions_.speak(draft_, &machine, state, ScriptActions::Phase::acting);
+  push_function(function);
+  if (std::optional<ScriptFault> fault = sandbox_.call(0, 0)) throw ScriptError(std::move(*fault));
+}
+
+void Script::run_exit(Machine& machine, int state, int function) {
+  try {
+    run(machine, state, function);
+  } catch (ScriptError& error) {
+    exit_faults_.push_back(std::move(error.fault));
+  }
+}
+
+std::map<std::string, KeptTable> Script::memory(std::vector<std::string>& left_out) const {
+  std::map<std::string, KeptTable> all;
+  lua_State* const L = sandbox_.state();
+  for (const KeptMemory& kept : declarations_->memories) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
+    all[kept.name] = read_kept(L, -1, left_out);
+    lua_pop(L, 1);
+  }
+  return all;
+}
+
+void Script::restore(const std::map<std::string, KeptTable>& memory) {
+  lua_State* const L = sandbox_.state();
+  for (const KeptMemory& kept : declarations_->memories) {
+    const auto found = memory.find(kept.name);
+    if (found == memory.end()) continue;
+    lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
+    write_kept(L, -1, found->second);
+    lua_pop(L, 1);
+  }
+}
+
+}  // namespace reorient

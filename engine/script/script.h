@@ -1,0 +1,82 @@
+// One version of one script: a behaviour or scenario and all that it requires, compiled, declared and validated.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/parameters/parameter_registry.h"
+#include "engine/script/language/behavior_view.h"
+#include "engine/script/language/declarations.h"
+#include "engine/script/language/kept_value.h"
+#include "engine/script/language/script_actions.h"
+#include "engine/script/language/world_view.h"
+#include "engine/script/machine.h"
+#include "engine/script/sandbox/sandbox.h"
+#include "engine/script/script_folder.h"
+
+namespace reorient {
+
+enum class ScriptKind { behavior, scenario };
+
+/// The files of a script as they were read, by name; no hash: the file could not be read.
+using BundleHashes = std::map<std::string, std::optional<std::uint64_t>>;
+
+class Script : public MachineCallbacks {
+ public:
+  /// Reads, compiles, runs the declarations and validates them. Throws ScriptError. `hashes` gets every file that was
+  /// looked at, also on failure. `parameters` and `directory` must outlive the script.
+  Script(const ScriptFolder& folder, const std::string& file, ScriptKind kind, const ScriptLimits& limits,
+         const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes);
+  Script(const Script&) = delete;
+  Script& operator=(const Script&) = delete;
+
+  const std::deque<MachineDefinition>& machines() const { return declarations_->machines; }
+  std::vector<ParameterDeclaration> parameters() const;
+  const Sandbox& sandbox() const { return sandbox_; }
+
+  /// Before the machines tick: the frame's world, changed parameters, a new budget.
+  void begin_frame(const std::vector<double>& world, FrameDraft& draft);
+  void end_frame() { actions_.fall_silent(); }
+  /// Errors in `exit` since the frame began.
+  std::vector<ScriptFault>& exit_faults() { return exit_faults_; }
+
+  /// The `keep` memory of all its files. `left_out` names what could not be kept.
+  std::map<std::string, KeptTable> memory(std::vector<std::string>& left_out) const;
+  void restore(const std::map<std::string, KeptTable>& memory);
+
+  bool holds(Machine& machine, int state, int function) override;
+  double seconds(Machine& machine, int state, const Dwell& dwell) override;
+  void run(Machine& machine, int state, int function) override;
+  void run_exit(Machine& machine, int state, int function) override;
+
+ private:
+  static int require(lua_State* L);
+  static int print(lua_State* L);
+  /// Pushes what the file returns. Throws ScriptError.
+  void load_module(const std::string& file);
+  std::string_view read(const std::string& file);
+  void add_globals(const MachineDirectory& directory, ScriptKind kind);
+  void push_function(int function);
+
+  const ScriptFolder& folder_;
+  ScriptLimits limits_;
+  const ParameterRegistry& registry_;
+  BundleHashes* hashes_;                      ///< while it is loaded
+  std::map<std::string, std::string> texts_;  ///< while it is loaded
+  std::vector<std::string> loading_;          ///< files whose `require` has not returned yet
+  Sandbox sandbox_;
+  ScriptActions actions_;
+  std::unique_ptr<WorldView> world_;
+  std::unique_ptr<Declarations> declarations_;
+  FrameDraft* draft_ = nullptr;
+  std::uint64_t parameter_revision_ = 0;
+  std::vector<ScriptFault> exit_faults_;
+  int loaded_ = LUA_NOREF;  ///< table of what was required so far
+  bool is_loaded_ = false;
+};
+
+}  // namespace reorient

@@ -1,0 +1,60 @@
+#include "engine/script/script_folder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+namespace reorient {
+namespace {
+
+constexpr std::uintmax_t kLargest = 1024 * 1024;
+
+bool is_below(const std::filesystem::path& file, const std::filesystem::path& root) {
+  const auto [end, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+  return end == root.end() || (std::next(end) == root.end() && end->empty());
+}
+
+}  // namespace
+
+std::optional<std::string> ScriptFolder::read(const std::string& relative) const {
+  if (const auto found = replaced_.find(relative); found != replaced_.end()) return found->second;
+  std::error_code error;
+  const std::filesystem::path root = std::filesystem::canonical(root_, error);
+  if (error) return std::nullopt;
+  // Symbolic links are followed first, so that none leads out of the root.
+  const std::filesystem::path file = std::filesystem::canonical(root / relative, error);
+  if (error || !is_below(file, root) || !std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  if (std::filesystem::file_size(file, error) > kLargest || error) return std::nullopt;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in || text.str().size() > kLargest) return std::nullopt;
+  return std::move(text).str();
+}
+
+std::uint64_t content_hash(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325ull;
+  for (const char letter : text) {
+    hash ^= static_cast<unsigned char>(letter);
+    hash *= 0x100000001B3ull;
+  }
+  return hash;
+}
+
+std::optional<std::string> module_file(std::string_view module) {
+  constexpr std::size_t kLongest = 100;
+  if (module.empty() || module.size() > kLongest) return std::nullopt;
+  std::string file;
+  char before = '.';
+  for (const char letter : module) {
+    const bool in_name = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+    if (!in_name && (letter != '.' || before == '.')) return std::nullopt;
+    file += letter == '.' ? '/' : letter;
+    before = letter;
+  }
+  if (before == '.') return std::nullopt;
+  return file + ".lua";
+}
+
+}  // namespace reorient

@@ -1,0 +1,37 @@
+// The files under the scripts' root, and nothing else.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace reorient {
+
+class ScriptFolder {
+ public:
+  explicit ScriptFolder(std::filesystem::path root) : root_(std::move(root)) {}
+
+  const std::filesystem::path& root() const { return root_; }
+
+  /// The text of "behaviors/orientation.lua"; nothing where there is no such file below the root, it is not a plain
+  /// file, or it is larger than a script may be (1 MiB).
+  std::optional<std::string> read(const std::string& relative) const;
+
+  /// From now on this text stands in place of the file: tests edit scripts without touching the disk.
+  void replace(const std::string& relative, std::string text) { replaced_[relative] = std::move(text); }
+
+ private:
+  std::filesystem::path root_;
+  std::map<std::string, std::string> replaced_;
+};
+
+/// FNV-1a, 64 bits.
+std::uint64_t content_hash(std::string_view text);
+
+/// "lib.walk" as "lib/walk.lua"; nothing when it is not a name of that kind.
+std::optional<std::string> module_file(std::string_view module);
+
+}  // namespace reorient

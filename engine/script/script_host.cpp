@@ -1,0 +1,289 @@
+#include "engine/script/script_host.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/script/language/world_fields.h"
+#include "engine/script/script_error.h"
+
+namespace reorient {
+
+/// One script's place: its present version, the last good one, and what the engine keeps for it.
+struct ScriptHost::Slot {
+  struct Running {
+    Machine machine;
+    std::string_view seen_state;  ///< as the frame began
+    double seen_entered_at = 0.0;
+  };
+
+  std::string file;
+  ScriptKind kind = ScriptKind::behavior;
+  std::unique_ptr<Script> script;
+  std::unique_ptr<Script> last_good;  ///< while the present version is on probation
+  BundleHashes read;                  ///< the files as they were last read, accepted or not
+  std::vector<Running> machines;
+  double swapped_at = 0.0;
+  int recent_errors = 0;
+  int errors = 0;
+  double last_error_at = 0.0;
+  std::string last_error;
+  bool stopped = false;
+  std::int64_t frames = 0;
+  std::int64_t instructions_before = 0;
+  double microseconds = 0.0;
+};
+
+ScriptHost::ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters, ScriptLimits limits)
+    : folder_(std::move(scripts_root)), parameters_(parameters), limits_(limits), watcher_(folder_.root()) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder_.root(), error)) {
+    throw std::runtime_error(folder_.root().string() + ": there is no such folder of scripts");
+  }
+  draft_.output = &output_;
+}
+
+ScriptHost::~ScriptHost() = default;
+
+void ScriptHost::load_behavior(const std::string& name) { load(name, ScriptKind::behavior); }
+
+void ScriptHost::load_scenario(const std::string& name) {
+  // The scenario is read first, for its list, and takes its place behind the behaviours.
+  const Slot& scenario = load(name, ScriptKind::scenario);
+  const std::string file = scenario.file;
+  for (const MachineDefinition& machine : scenario.script->machines()) {
+    for (const std::string& behavior : machine.behaviors) load_behavior(behavior);
+  }
+  std::stable_partition(slots_.begin(), slots_.end(), [&](const auto& slot) { return slot->file != file; });
+}
+
+/// A name as people give it, as a file below the root.
+std::string ScriptHost::file_of(const std::string& name, ScriptKind kind) const {
+  std::error_code error;
+  std::filesystem::path path = name;
+  if (path.extension() != ".lua") return (kind == ScriptKind::behavior ? "behaviors/" : "scenarios/") + name + ".lua";
+  const std::filesystem::path from_root = std::filesystem::relative(path, folder_.root(), error);
+  const bool is_inside = !error && !from_root.empty() && *from_root.begin() != "..";
+  if (is_inside && std::filesystem::exists(path, error)) return from_root.generic_string();
+  return path.generic_string();
+}
+
+ScriptHost::Slot& ScriptHost::load(const std::string& name, ScriptKind kind) {
+  auto slot = std::make_unique<Slot>();
+  slot->file = file_of(name, kind);
+  slot->kind = kind;
+  for (const auto& other : slots_) {
+    if (other->file == slot->file) return *other;
+  }
+  std::unique_ptr<Script> script = compile(*slot, slot->read);
+  for (const ParameterDeclaration& declaration : script->parameters()) {
+    // At the start a setting that does not fit is a mistake to be told; at a reload it is clamped.
+    try {
+      parameters_.check_override(declaration);
+    } catch (const std::runtime_error& error) {
+      throw ScriptError({slot->file, 0, error.what(), {}});
+    }
+  }
+  swap_in(*slot, script);
+  slots_.push_back(std::move(slot));
+  return *slots_.back();
+}
+
+std::unique_ptr<Script> ScriptHost::compile(const Slot& slot, BundleHashes& hashes) const {
+  auto script = std::make_unique<Script>(folder_, slot.file, slot.kind, limits_, parameters_, *this, hashes);
+  refuse_taken_names(slot, *script);
+  return script;
+}
+
+void ScriptHost::refuse_taken_names(const Slot& slot, const Script& script) const {
+  for (const auto& other : slots_) {
+    if (other.get() == &slot) continue;
+    for (const Slot::Running& running : other->machines) {
+      for (const MachineDefinition& machine : script.machines()) {
+        if (machine.name != running.machine.definition().name) continue;
+        throw ScriptError(
+            {machine.file, machine.line, "'" + machine.name + "' is declared in " + other->file + " too", {}});
+      }
+    }
+  }
+  for (const ParameterDeclaration& declaration : script.parameters()) {
+    if (!parameters_.belongs_to_program(declaration.name)) continue;
+    throw ScriptError({slot.file, 0, "param " + declaration.name + " already belongs to the program; rename it", {}});
+  }
+}
+
+/// Hands everything that the engine keeps over to another version of the script, which changes places with the present
+/// one. Returns what the user should know.
+std::vector<std::string> ScriptHost::swap_in(Slot& slot, std::unique_ptr<Script>& script) {
+  std::vector<std::string> warnings = parameters_.declare_for(slot.file, script->parameters());
+  if (slot.script) {
+    std::vector<std::string> left_out;
+    script->restore(slot.script->memory(left_out));
+    for (const std::string& name : left_out) warnings.push_back("keep: '" + name + "' cannot be kept over a reload");
+  }
+  std::vector<Slot::Running> machines;
+  for (const MachineDefinition& definition : script->machines()) {
+    machines.push_back({Machine(definition), {}, 0.0});
+    for (const Slot::Running& before : slot.machines) {
+      if (before.machine.definition().name != definition.name) continue;
+      const std::string warning = machines.back().machine.adopt(before.machine);
+      if (!warning.empty()) warnings.push_back(warning);
+    }
+  }
+  slot.machines = std::move(machines);
+  slot.script.swap(script);
+  slot.swapped_at = time_;
+  slot.recent_errors = 0;
+  slot.stopped = false;
+  slot.frames = 0;
+  slot.instructions_before = slot.script->sandbox().instructions();
+  return warnings;
+}
+
+ReloadReport ScriptHost::reload(Slot& slot, double time) {
+  ReloadReport report{time, slot.file, false, {}, {}};
+  BundleHashes hashes;
+  try {
+    std::unique_ptr<Script> script = compile(slot, hashes);
+    const bool runs_well = slot.recent_errors == 0 && !slot.stopped;
+    const bool is_proven = slot.frames > 0 && time_ - slot.swapped_at >= limits_.probation;
+    report.warnings = swap_in(slot, script);
+    if (runs_well && (is_proven || !slot.last_good)) slot.last_good = std::move(script);
+    report.accepted = true;
+  } catch (const ScriptError& error) {
+    report.fault = error.fault;
+  }
+  slot.read = std::move(hashes);
+  return report;
+}
+
+std::vector<ReloadReport> ScriptHost::poll_files(double time) {
+  if (!watcher_.poll(time)) return {};
+  return reload_changed(time);
+}
+
+std::vector<ReloadReport> ScriptHost::reload_changed(double time) {
+  std::vector<ReloadReport> reports;
+  for (const auto& slot : slots_) {
+    const bool changed = std::any_of(slot->read.begin(), slot->read.end(), [this](const auto& file) {
+      const std::optional<std::string> text = folder_.read(file.first);
+      return file.second != (text ? std::optional<std::uint64_t>(content_hash(*text)) : std::nullopt);
+    });
+    if (changed) reports.push_back(reload(*slot, time));
+  }
+  return reports;
+}
+
+const ScriptOutput& ScriptHost::tick(const World& world) {
+  time_ = world.time;
+  output_.commands.clear();
+  output_.leases.clear();
+  output_.transitions.clear();
+  output_.logs.clear();
+  output_.faults.clear();
+  output_.actions.clear();
+  output_.request = {};
+  draft_ = {&output_, world.time};
+  read_world(world, world_);
+  for (const auto& slot : slots_) {
+    for (Slot::Running& running : slot->machines) {
+      running.seen_state = running.machine.state();
+      running.seen_entered_at = running.machine.entered_at();
+    }
+  }
+  for (const auto& slot : slots_) tick(*slot);
+  for (const auto& slot : slots_) {
+    for (const Slot::Running& running : slot->machines) running.machine.append_leases(output_.leases);
+  }
+  return output_;
+}
+
+void ScriptHost::tick(Slot& slot) {
+  if (slot.stopped) return;
+  const auto begin = std::chrono::steady_clock::now();
+  ++slot.frames;
+  slot.script->begin_frame(world_, draft_);
+  std::optional<ScriptFault> failure;
+  try {
+    for (Slot::Running& running : slot.machines) running.machine.tick(*slot.script, time_, output_.transitions);
+  } catch (ScriptError& error) {
+    failure = std::move(error.fault);
+  }
+  slot.script->end_frame();
+  slot.microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  std::vector<ScriptFault> faults;
+  faults.swap(slot.script->exit_faults());
+  if (failure) faults.push_back(std::move(*failure));
+  for (ScriptFault& fault : faults) note_fault(slot, std::move(fault));
+}
+
+/// Counts the error; too many in a row end this version: the last good one takes over, or the script is stopped.
+void ScriptHost::note_fault(Slot& slot, ScriptFault fault) {
+  if (time_ - slot.last_error_at > limits_.forgiveness) slot.recent_errors = 0;
+  ++slot.errors;
+  ++slot.recent_errors;
+  slot.last_error_at = time_;
+  slot.last_error = fault.text();
+  FaultRecord record{time_, slot.file, std::move(fault), FaultRecord::Consequence::none};
+  if (slot.recent_errors >= limits_.errors && !slot.stopped) {
+    if (slot.last_good) {
+      record.consequence = FaultRecord::Consequence::rolled_back;
+      std::unique_ptr<Script> script = std::move(slot.last_good);
+      swap_in(slot, script);
+    } else {
+      record.consequence = FaultRecord::Consequence::stopped;
+      slot.stopped = true;
+      for (Slot::Running& running : slot.machines) running.machine.end_leases();
+    }
+  }
+  output_.faults.push_back(std::move(record));
+}
+
+bool ScriptHost::look_up(std::string_view name, MachineSight& sight) const {
+  for (const auto& slot : slots_) {
+    for (const Slot::Running& running : slot->machines) {
+      if (running.machine.definition().name != name) continue;
+      sight = {running.seen_state, time_ - running.seen_entered_at};
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::string> ScriptHost::machine_names() const {
+  std::vector<std::string> names;
+  for (const MachineDefinition* definition : definitions()) names.push_back(definition->name);
+  return names;
+}
+
+std::vector<const MachineDefinition*> ScriptHost::definitions() const {
+  std::vector<const MachineDefinition*> all;
+  for (const auto& slot : slots_) {
+    for (const Slot::Running& running : slot->machines) all.push_back(&running.machine.definition());
+  }
+  return all;
+}
+
+std::vector<MachineStatus> ScriptHost::machines() const {
+  std::vector<MachineStatus> all;
+  for (const auto& slot : slots_) {
+    const Sandbox& sandbox = slot->script->sandbox();
+    for (const Slot::Running& running : slot->machines) {
+      const MachineDefinition& definition = running.machine.definition();
+      MachineStatus status{definition.name,         slot->file,
+                           running.machine.state(), time_ - running.machine.entered_at(),
+                           definition.priority,     definition.is_scenario,
+                           slot->stopped,           slot->errors,
+                           slot->last_error};
+      const std::int64_t spent = sandbox.instructions() - slot->instructions_before;
+      status.instructions = slot->frames > 0 ? spent / slot->frames : 0;
+      status.microseconds = slot->microseconds;
+      status.memory = sandbox.memory();
+      all.push_back(std::move(status));
+    }
+  }
+  return all;
+}
+
+}  // namespace reorient

@@ -1,0 +1,171 @@
+#include "localization/pose_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "localization/reorientation.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::uint64_t kRandomStream = 0x706F7365;  // "pose": apart from the streams of the other rooms
+constexpr double kFoundShare = 0.6;                  // of all particles in one cluster ends the search from anywhere
+constexpr float kLeastWeight = 1e-12f;               // no particle is ever ruled out for good by one frame
+
+std::size_t particle_count(const PoseFilterParameters& parameters) {
+  return static_cast<std::size_t>(std::max(1, parameters.particles));
+}
+
+}  // namespace
+
+PoseFilter::PoseFilter(const PoseFilterParameters& parameters, const FieldDimensions& field, std::uint64_t seed)
+    : parameters_(parameters),
+      half_size_(believable_half_size(field)),
+      random_(seed, kRandomStream),
+      measurement_(field, parameters.measurement),
+      injection_(field),
+      clusters_(field),
+      particles_(particle_count(parameters)),
+      scratch_(particle_count(parameters)),
+      costs_(particle_count(parameters)) {
+  start_anywhere();
+}
+
+void PoseFilter::start_at(const Pose2& pose, double position_deviation, double rotation_deviation) {
+  if (!pose.position.allFinite() || !std::isfinite(pose.rotation + position_deviation + rotation_deviation)) {
+    start_anywhere();
+    return;
+  }
+  particles_ = ParticleSet(particles_.size());
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const Eigen::Vector2d offset(rough_normal(random_), rough_normal(random_));
+    const Eigen::Vector2d position = pose.position + position_deviation * offset;
+    particles_.set_pose(i, {position.cwiseMax(-half_size_).cwiseMin(half_size_),
+                            pose.rotation + rotation_deviation * static_cast<double>(rough_normal(random_))});
+  }
+  recovery_.restart();
+  searching_ = false;
+  belief_ = PoseBelief{.pose = pose};
+  find_belief();
+}
+
+void PoseFilter::start_anywhere() {
+  particles_ = ParticleSet(particles_.size());
+  const Eigen::Vector2d carpet = half_size_ - Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const double x = random_.uniform(-carpet.x(), carpet.x());
+    const double y = random_.uniform(-carpet.y(), carpet.y());
+    particles_.set_pose(i, {x, y, random_.uniform(-kPi, kPi)});
+  }
+  recovery_.restart();
+  searching_ = true;
+  belief_ = PoseBelief();
+  find_belief();
+}
+
+void PoseFilter::predict(const Pose2& odometry_step, double time_step) {
+  reorient::predict(particles_, odometry_step, time_step, parameters_.motion, half_size_, random_);
+  if (std::isfinite(time_step)) elapsed_ += std::max(0.0, time_step);
+  belief_.pose = belief_.pose * believable_step(odometry_step);
+  belief_.pose.position = belief_.pose.position.cwiseMax(-half_size_).cwiseMin(half_size_);
+}
+
+void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal) {
+  measurement_.observe(percept);
+  if (measurement_.terms() > 0.0) {
+    weigh();
+    resample();
+    inject(percept, seen_goal);
+  }
+  find_belief();
+  if (belief_.share > kFoundShare) searching_ = false;
+}
+
+void PoseFilter::weigh() {
+  measurement_.costs(particles_, costs_);
+  double mean_cost = 0.0;
+  for (std::size_t i = 0; i < particles_.size(); ++i)
+    mean_cost += static_cast<double>(particles_.weight[i]) * costs_[i];
+  const InjectionParameters& p = parameters_.injection;
+  recovery_.update(std::exp(-mean_cost / measurement_.terms()), elapsed_, p.slow_time, p.fast_time);
+
+  const double correlation_time = parameters_.measurement.correlation_time;
+  const auto frame_weight = elapsed_ < correlation_time ? static_cast<float>(elapsed_ / correlation_time) : 1.0f;
+  elapsed_ = 0.0;
+  // Only differences of costs matter; the best particle keeps its weight.
+  const float least = *std::min_element(costs_.begin(), costs_.end());
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_.weight[i] = std::max(particles_.weight[i] * std::exp(frame_weight * (least - costs_[i])), kLeastWeight);
+  }
+  normalize_weights(particles_);
+}
+
+void PoseFilter::resample() {
+  const double count = static_cast<double>(particles_.size());
+  if (effective_sample_size(particles_) >= parameters_.resample_below * count) return;
+  resample_systematic(particles_, scratch_, random_.uniform());
+  std::swap(particles_, scratch_);
+}
+
+void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal) {
+  const InjectionParameters& p = parameters_.injection;
+  if (!p.enabled) return;
+  const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_.line_points(), p);
+  if (!goal) return;
+  const double lostness = searching_ ? 1.0 : recovery_.lostness(p.lost_margin);
+  const double rate =
+      (seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate) + p.lost_rate * lostness;
+  // Fractions of a particle are injected by chance, so that rates below one particle a frame count as well.
+  const auto count = static_cast<int>(rate * static_cast<double>(particles_.size()) + random_.uniform());
+  for (int i = 0; i < count; ++i) {
+    const std::optional<Pose2> pose = injection_.draw(*goal, seen_goal, measurement_, p, random_);
+    if (!pose) continue;
+    const std::size_t replaced = random_.below(particles_.size());
+    particles_.set_pose(replaced, *pose);
+    particles_.weight[replaced] = 1.0f / static_cast<float>(particles_.size());
+  }
+  if (count > 0) normalize_weights(particles_);
+}
+
+void PoseFilter::flip_pose() {
+  reorient::flip_pose(particles_);
+  belief_ = flipped(belief_);
+}
+
+void PoseFilter::purge_reflection() {
+  reorient::purge_reflection(particles_, belief_.pose, scratch_, random_);
+  find_belief();
+}
+
+void PoseFilter::reset_orientation() {
+  reorient::reset_orientation(particles_, random_);
+  recovery_.restart();
+  find_belief();
+}
+
+void PoseFilter::set_parameters(const PoseFilterParameters& parameters) {
+  parameters_ = parameters;
+  measurement_.set_parameters(parameters.measurement);
+  const std::size_t count = particle_count(parameters);
+  if (count == particles_.size()) return;
+  scratch_ = ParticleSet(count);
+  resample_systematic(particles_, scratch_, random_.uniform());
+  std::swap(particles_, scratch_);
+  scratch_ = ParticleSet(count);
+  costs_.resize(count);
+  find_belief();
+}
+
+void PoseFilter::append_poses(std::vector<Pose2>& poses) const {
+  for (std::size_t i = 0; i < particles_.size(); ++i) poses.push_back(particles_.pose(i));
+}
+
+void PoseFilter::append_state(std::vector<float>& values) const {
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    values.insert(values.end(), {particles_.x[i], particles_.y[i],
+                                 static_cast<float>(to_radians(particles_.rotation[i])), particles_.weight[i]});
+  }
+}
+
+}  // namespace reorient

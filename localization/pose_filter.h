@@ -1,0 +1,95 @@
+// Self-localization: a particle filter (Monte Carlo localization) over poses on a field that looks the same from every
+// pose and its reflection. It cannot tell the two apart, and does not pretend to: behaviours correct it by commands.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/field_dimensions.h"
+#include "geometry/pose2.h"
+#include "geometry/random.h"
+#include "localization/goal_injection.h"
+#include "localization/measurement_model.h"
+#include "localization/motion_model.h"
+#include "localization/particle_set.h"
+#include "localization/pose_belief.h"
+#include "localization/pose_clusters.h"
+#include "localization/recovery_estimator.h"
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+struct PoseFilterParameters {
+  int particles = 200;
+  double resample_below = 0.5;
+  MotionModelParameters motion;
+  MeasurementModelParameters measurement;
+  InjectionParameters injection;
+  PoseClusterParameters clusters;
+};
+
+/// Of the filter itself; the nested structures are described one by one.
+template <typename Visit>
+void describe(PoseFilterParameters& p, Visit&& visit) {
+  visit("particles", p.particles, 10, 10000, "", "how many pose particles");
+  visit("resample_below", p.resample_below, 0.0, 1.0, "",
+        "resample once the effective number of particles is below this share of all");
+}
+
+/// Everything that it does follows from its arguments and the seed. In the steady state it allocates no memory.
+class PoseFilter {
+ public:
+  /// Starts anywhere. Throws std::invalid_argument for impossible field dimensions.
+  PoseFilter(const PoseFilterParameters& parameters, const FieldDimensions& field, std::uint64_t seed);
+
+  /// Somebody told where the robot stands. Standard deviations in m (along each axis) and rad.
+  /// Where any of that is not finite, the same as start_anywhere().
+  void start_at(const Pose2& pose, double position_deviation, double rotation_deviation);
+  /// Nobody knows.
+  void start_anywhere();
+
+  /// Follows the robot's motion since the last frame, `odometry_step` = last.inverse() * now, over `time_step` seconds.
+  void predict(const Pose2& odometry_step, double time_step);
+  /// Weighs and resamples the particles by what was seen, and injects new ones where a goal was seen. What is not
+  /// finite in the percept is left out.
+  void update(const FieldPercept& percept, SeenGoal seen_goal);
+
+  /// The commands; belief() is up to date when they return.
+  void flip_pose();
+  void purge_reflection();
+  void reset_orientation();
+
+  /// From now on. A new number of particles is drawn from the old ones.
+  void set_parameters(const PoseFilterParameters& parameters);
+
+  const PoseBelief& belief() const { return belief_; }
+  const ParticleSet& particles() const { return particles_; }
+  const RecoveryEstimator& recovery() const { return recovery_; }
+
+  /// For drawing: the poses of all particles, appended.
+  void append_poses(std::vector<Pose2>& poses) const;
+  /// For a fingerprint of the run: x, y, rotation and weight of each particle, appended.
+  void append_state(std::vector<float>& values) const;
+
+ private:
+  void weigh();
+  void resample();
+  void inject(const FieldPercept& percept, SeenGoal seen_goal);
+  void find_belief() { belief_ = clusters_.find(particles_, belief_, parameters_.clusters); }
+
+  PoseFilterParameters parameters_;
+  Eigen::Vector2d half_size_;
+  Random random_;
+  MeasurementModel measurement_;
+  GoalInjection injection_;
+  RecoveryEstimator recovery_;
+  PoseClusters clusters_;
+  ParticleSet particles_;
+  ParticleSet scratch_;
+  std::vector<float> costs_;
+  double elapsed_ = 1.0;   ///< s, predicted since the last update
+  bool searching_ = true;  ///< started anywhere, and not found yet
+  PoseBelief belief_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,30 @@
+// Notices that the pose particles have lost the robot.
+#pragma once
+
+namespace reorient {
+
+/// Augmented Monte Carlo localization (Thrun, Burgard, Fox: Probabilistic Robotics, table 8.3): follows how well the
+/// particles fit the observations, once slowly and once fast. When the fast value falls behind, the robot is lost.
+class RecoveryEstimator {
+ public:
+  /// Forgets what fit is usual here.
+  void restart() { *this = RecoveryEstimator(); }
+
+  /// Takes in the fit of a frame, a likelihood per observation in [0, 1], `elapsed` seconds after the one before.
+  /// Both averages are true means until their time constants (s) have passed.
+  void update(double fit, double elapsed, double slow_time, double fast_time);
+
+  double slow() const { return slow_; }
+  double fast() const { return fast_; }
+
+  /// How sure it is that the robot is lost: 0 while fast >= margin * slow, 1 where nothing fits any more. 0 before the
+  /// first frame.
+  double lostness(double margin) const;
+
+ private:
+  double age_ = 0.0;  ///< s
+  double slow_ = 0.0;
+  double fast_ = 0.0;
+};
+
+}  // namespace reorient

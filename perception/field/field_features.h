@@ -1,0 +1,47 @@
+// What one image shows of the field: its border, points on its lines, goal posts, obstacles.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "geometry/camera.h"
+#include "geometry/field_dimensions.h"
+#include "geometry/image.h"
+#include "perception/field/boundary.h"
+#include "perception/field/carpet_color.h"
+#include "perception/field/carpet_map.h"
+#include "perception/field/field_feature_parameters.h"
+#include "perception/field/goal_posts.h"
+#include "perception/field/line_points.h"
+#include "perception/field/obstacles.h"
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+/// From the image alone: no pose, no time. What it carries from image to image is the carpet's colour.
+class FieldFeatures {
+ public:
+  FieldFeatures(const FieldFeatureParameters& parameters, const FieldDimensions& field);
+
+  /// Valid until the next call. Empty, with a boundary at the image's bottom, where there is nothing to be seen: no
+  /// carpet known yet, a camera that lies, hangs head down or has no finite place, an empty image.
+  const FieldPercept& find(const ImageView& image, const CameraModel& camera,
+                           const Eigen::Isometry3d& robot_from_camera);
+
+  /// From the next image on.
+  void set_parameters(const FieldFeatureParameters& parameters);
+
+  const CarpetColor& carpet_color() const { return carpet_color_; }
+
+ private:
+  void see_nothing(int image_height);
+
+  CarpetColor carpet_color_;
+  CarpetMap carpet_map_;
+  Boundary boundary_;
+  GoalPosts goal_posts_;
+  Obstacles obstacles_;
+  LinePoints line_points_;
+  FieldPercept percept_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,54 @@
+// Where the pixels of one image lie on the ground, and where the ground's points lie in the image.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "geometry/camera.h"
+
+namespace reorient {
+
+/// One camera in one attitude above the ground. Points are in the robot frame (m), pixels as in CameraModel.
+class GroundView {
+ public:
+  /// Nothing for a camera that does not look at the ground from above and roughly upright: numbers that are not
+  /// finite, on the ground or far up, rolled by more than 35 degrees, looking (almost) straight down or up.
+  static std::optional<GroundView> look(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
+
+  const CameraModel& camera() const { return camera_; }
+  double camera_height() const { return robot_from_camera_.translation().z(); }
+
+  /// On the ground; nothing at and above the horizon.
+  std::optional<Eigen::Vector2d> ground(const Eigen::Vector2d& pixel) const { return at_height(pixel, 0.0); }
+
+  /// On the level plane at a height above the ground (m); nothing where the pixel's ray does not meet it.
+  std::optional<Eigen::Vector2d> at_height(const Eigen::Vector2d& pixel, double height) const;
+
+  std::optional<Eigen::Vector2d> pixel(const Eigen::Vector3d& point) const;
+
+  /// Along the ground, from the point below the camera.
+  double distance(const Eigen::Vector2d& point) const {
+    return (point - robot_from_camera_.translation().head<2>()).norm();
+  }
+
+  /// Away from the camera along the ground; the zero vector right below it.
+  Eigen::Vector2d away(const Eigen::Vector2d& point) const;
+
+  /// Row of the horizon in a column; it may lie outside of the image.
+  double horizon(double column) const;
+
+  /// How far the image of a vertical edge moves to the right from one row to the next lower one, pixels.
+  double vertical_slant(const Eigen::Vector2d& pixel) const;
+
+ private:
+  GroundView(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
+
+  CameraModel camera_;
+  Eigen::Isometry3d robot_from_camera_;
+  Eigen::Isometry3d camera_from_robot_;
+  Eigen::Vector3d down_;  ///< in the camera frame
+};
+
+}  // namespace reorient

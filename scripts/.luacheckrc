@@ -1,0 +1,55 @@
+-- For luacheck. Generated from the declarations that make the bindings; do not edit.
+-- `REORIENT_REGENERATE=1 ./test` writes it anew.
+local function fields(...)
+  local known = {}
+  for _, name in ipairs { ... } do known[name] = {} end
+  return { fields = known }
+end
+
+stds.reorient = { read_globals = {
+  "assert", "error", "getmetatable", "ipairs", "pairs", "pcall", "rawequal", "rawget", "rawlen", "rawset", "select", "setmetatable", "tonumber", "tostring", "type", "xpcall",
+  math = fields("abs", "acos", "asin", "atan", "ceil", "cos", "deg", "exp", "floor", "fmod", "huge", "log", "max", "maxinteger", "min", "mininteger", "modf", "pi", "rad", "random", "sin", "sqrt", "tan", "tointeger", "type", "ult"),
+  string = fields("byte", "char", "find", "format", "gmatch", "gsub", "len", "lower", "match", "rep", "reverse", "sub", "upper"),
+  table = fields("concat", "insert", "move", "pack", "remove", "sort", "unpack"),
+  behavior = {},
+  behaviors = { other_fields = true },
+  keep = {},
+  param = {},
+  print = {},
+  require = {},
+  scenario = {},
+  state = {},
+  time_in_state = {},
+  belief = fields("start_at"),
+  clock = fields("time", "step", "frame"),
+  command = fields("flip_pose", "purge_reflection", "reset_orientation", "pause_training", "pause_evaluation"),
+  confidence = fields("current", "opposite", "raw_current", "raw_opposite", "goal_opponent", "goal_own", "coverage", "informative", "visible_tiles"),
+  evaluation = fields("active"),
+  experimenter = fields("pick_up", "put_down", "push_over", "penalize", "set_exposure"),
+  field = fields("length", "width", "border", "penalty_mark_x", "penalty_area_depth", "penalty_area_width", "goal_post_y", "center_circle_radius"),
+  head = fields("look"),
+  log = fields("info"),
+  motion = fields("get_up"),
+  pose = fields("x", "y", "rotation", "known", "share", "reflected_share"),
+  robot = fields("fallen", "carried", "penalized", "head_yaw", "head_pitch"),
+  seen = fields("goal_posts", "line_points"),
+  training = fields("seconds", "active"),
+  truth = fields("x", "y", "rotation", "fallen", "carried"),
+  verdict = fields("succeed", "fail"),
+  walk = fields("velocity", "stand"),
+} }
+stds.reorient_test = { read_globals = {
+  expect = { other_fields = true },
+  advance = {},
+  load = {},
+  load_scenario = {},
+  reload = {},
+  set = {},
+  set_param = {},
+  test = {},
+} }
+
+std = "reorient"
+files["**/*_test.lua"].std = "reorient+reorient_test"
+exclude_files = { "annotations", "**/annotations" }
+max_line_length = 140

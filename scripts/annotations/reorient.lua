@@ -1,0 +1,331 @@
+---@meta
+-- What scripts can see and say, for the Lua language server. Generated from the declarations that make the
+-- bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.
+
+---@class reorient.State
+---@field priority? number
+---@field initial? string
+---@field history? boolean
+---@field always? table[]
+---@field behaviors? string[]
+---@field enter? fun()
+---@field update? fun()
+---@field exit? fun()
+---@field [integer] table
+
+---Time.
+---@class reorient.clock
+---@field time number s, since the robot was switched on
+---@field step number s, since the frame before
+---@field frame number number of this frame
+clock = {}
+
+---The robot's own body.
+---@class reorient.robot
+---@field fallen boolean the torso lies
+---@field carried boolean there is no load on the feet: somebody carries it
+---@field penalized boolean the referee has taken it out of the game
+---@field head_yaw number rad, measured angle of the head, to the left
+---@field head_pitch number rad, measured angle of the head, downwards
+robot = {}
+
+---Where the robot believes that it is, in the field's frame: x towards the opponent goal, y to the left.
+---@class reorient.pose
+---@field x number m, towards the opponent goal
+---@field y number m, to the left
+---@field rotation number rad, 0 looks towards the opponent goal, positive turns left
+---@field known boolean somebody told where the robot stands, or the pose filter has found it
+---@field share number of all pose particles, in the cluster that is believed
+---@field reflected_share number of all pose particles, near the reflection of the believed pose
+pose = {}
+
+---What room awareness says about the believed pose; all from 0 to 1 unless said.
+---@class reorient.confidence
+---@field current number in the believed pose, smoothed
+---@field opposite number in the reflection of the believed pose, smoothed
+---@field raw_current number in the believed pose, this frame's
+---@field raw_opposite number in the reflection, this frame's
+---@field goal_opponent number that the robot looks at the wall behind the opponent goal
+---@field goal_own number that the robot looks at the wall behind its own goal
+---@field coverage number share of the wall that is trained well enough to be compared with
+---@field informative number how much the room differs from itself turned by half a turn; 0: it looks the same
+---@field visible_tiles number how many tiles of the wall counted in this frame
+confidence = {}
+
+---The background model of the room.
+---@class reorient.training
+---@field seconds number s, how long the background model was trained so far
+---@field active boolean it was trained in the frame before
+training = {}
+
+---The comparison of what is seen with the background model.
+---@class reorient.evaluation
+---@field active boolean it went on in the frame before
+evaluation = {}
+
+---What was seen of the field in this frame.
+---@class reorient.seen
+---@field goal_posts number how many goal posts
+---@field line_points number how many points on field lines
+seen = {}
+
+---The field as drawn, to the centres of its lines; the origin is its centre.
+---@class reorient.field
+---@field length number m, between the goal lines
+---@field width number m, between the touchlines
+---@field border number m, carpet beyond the lines
+---@field penalty_mark_x number m, distance of both penalty marks from the centre
+---@field penalty_area_depth number m, from the goal line
+---@field penalty_area_width number m, along the goal line
+---@field goal_post_y number m, distance of a goal's posts from its middle
+---@field center_circle_radius number m, radius of the centre circle
+field = {}
+
+---Where the robot really is; only where a simulator or a tracking camera knows.
+---@class reorient.truth
+---@field x number m, towards the opponent goal
+---@field y number m, to the left
+---@field rotation number rad, 0 looks towards the opponent goal, positive turns left
+---@field fallen boolean the robot really lies
+---@field carried boolean the robot really hangs in the air
+truth = {}
+
+command = {}
+
+---Asks that the belief be turned into its reflection, in this frame.
+function command.flip_pose() end
+
+---Asks that beliefs in the reflected pose be removed, in this frame.
+function command.purge_reflection() end
+
+---Asks that the orientation be forgotten and the position kept, in this frame.
+function command.reset_orientation() end
+
+---Stops the training of the background model until the state that says so is left.
+function command.pause_training() end
+
+---Stops the evaluation of the room until the state that says so is left.
+function command.pause_evaluation() end
+
+head = {}
+
+---Turns the head to these angles (rad; to the left, downwards) at a speed (rad/s). Holds for one frame.
+---@param yaw number
+---@param pitch number
+---@param speed? number
+function head.look(yaw, pitch, speed) end
+
+walk = {}
+
+---Walks with this velocity (m/s, m/s, rad/s to the left). Holds for one frame.
+---@param forward number
+---@param left number
+---@param turn number
+function walk.velocity(forward, left, turn) end
+
+---Stands still: a walk request like any other. Holds for one frame.
+function walk.stand() end
+
+motion = {}
+
+---Gets up after a fall. Holds for one frame.
+function motion.get_up() end
+
+log = {}
+
+---Writes a line into the run's log, with the time and the state.
+---@param text string
+function log.info(text) end
+
+---Seconds since the state was entered whose function asks.
+---@return number
+function time_in_state() end
+
+experimenter = {}
+
+---Takes the robot off the ground.
+function experimenter.pick_up() end
+
+---Puts the robot down at this pose (m, m, rad), upright and standing.
+---@param x number
+---@param y number
+---@param rotation number
+function experimenter.put_down(x, y, rotation) end
+
+---Makes the robot fall.
+function experimenter.push_over() end
+
+---Takes the robot out of the game, or lets it in again.
+---@param penalized boolean
+function experimenter.penalize(penalized) end
+
+---Changes the hall's light against the camera's exposure, in powers of two.
+---@param stops number
+function experimenter.set_exposure(stops) end
+
+belief = {}
+
+---Tells the robot where it stands (m, m, rad).
+---@param x number
+---@param y number
+---@param rotation number
+function belief.start_at(x, y, rotation) end
+
+verdict = {}
+
+---Ends the run: the robot did right, and why.
+---@param text string
+function verdict.succeed(text) end
+
+---Ends the run: the robot did wrong, and why.
+---@param text string
+function verdict.fail(text) end
+
+---Declares numbers that can be tuned: default, range, unit, sentence. `{ true, doc = ... }` is a switch, `{ "slow", choices = { "slow", "fast" }, doc = ... }` a choice, `whole = true` asks for whole numbers. The result is a read-only table of the present values. Their full name is the file's name, a dot, and the name.
+---@param declarations table<string, table>
+---@return table<string, any> values
+function param(declarations) end
+
+---A table of plain values that survives a reload. Local variables do not.
+---@generic T: table
+---@param defaults T
+---@return T memory
+function keep(defaults) end
+
+---Declares a state machine. `priority`: the greater wins where two want the same. `initial`: the first state. `always`: transitions out of whichever state, not taken while their target is active.
+---@param name string
+---@return fun(body: reorient.State)
+function behavior(name) end
+
+---Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within it, then also `initial`, `always`, and `history = true` to resume the inner state that was active last.
+---@param name string
+---@return fun(body: reorient.State): table
+function state(name) end
+
+---Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the field. `behaviors`: which to load. It alone has `truth`, `experimenter`, `belief` and `verdict`.
+---@param name string
+---@return fun(body: reorient.State)
+function scenario(name) end
+
+---What the file lib/walk.lua below the scripts' root returns. Stands at the top of a script.
+---@param module string
+---@return any
+function require(module) end
+
+---The other machines as they stood when the frame began, read-only: `state` (path) and `time_in_state` (s).
+---@class reorient.Machine
+---@field state string path of the innermost active state
+---@field time_in_state number s
+
+---@type table<string, reorient.Machine>
+behaviors = {}
+
+---Writes a line into the run's log.
+---@param ... any
+function print(...) end
+
+expect = {}
+
+---Declares a test, with a world, a clock and scripts of its own.
+---@param name string
+---@param run fun()
+function test(name, run) end
+
+---Loads a behaviour.
+---@param behavior string
+function load(behavior) end
+
+---Loads a scenario and its behaviours.
+---@param scenario string
+function load_scenario(scenario) end
+
+---Changes the fake world, from the next frame on.
+---@param world table<string, table<string, number|boolean>>
+function set(world) end
+
+---Changes a parameter as a user does live.
+---@param name string
+---@param value string
+function set_param(name, value) end
+
+---Lets so many seconds pass, 30 frames each; one frame at least.
+---@param seconds number
+function advance(seconds) end
+
+---Edits a text of a script (the one that was loaded last, where no file is named) and reloads it.
+---@param edit { from: string, to: string, file: string? }
+function reload(edit) end
+
+---The machine is in this state (path).
+---@param machine string
+---@param path string
+function expect.state(machine, path) end
+
+---The machine's last transition had this reason.
+---@param machine string
+---@param text string
+function expect.reason(machine, text) end
+
+---The command was uttered during the last `advance`, with this verdict if one is named (granted, outranked, too_soon, not_allowed).
+---@param name string
+---@param verdict? string
+function expect.command(name, verdict) end
+
+---The command, or any reorientation, was not uttered during the last `advance`.
+---@param name? string
+function expect.no_command(name) end
+
+---Some state holds this pause now.
+---@param name string
+function expect.lease(name) end
+
+---No state holds this pause now.
+---@param name string
+function expect.no_lease(name) end
+
+---The head is asked to turn there (yaw, pitch, rad).
+---@param yaw number
+---@param pitch number
+function expect.head(yaw, pitch) end
+
+---The robot is asked to walk so (m/s, m/s, rad/s).
+---@param forward number
+---@param left number
+---@param turn number
+function expect.walk(forward, left, turn) end
+
+---The robot is asked, or is not asked, to get up.
+---@param wanted boolean
+function expect.get_up(wanted) end
+
+---A log line of the last `advance` contains this.
+---@param text string
+function expect.log(text) end
+
+---The scenario did this during the last `advance`.
+---@param name string
+function expect.action(name) end
+
+---The scenario's verdict, and a part of its text.
+---@param succeeded boolean
+---@param text string
+function expect.verdict(succeeded, text) end
+
+---A script failed so; without this, a failing script fails the test.
+---@param text string
+function expect.error(text) end
+
+---The reload was refused so; without this, that fails the test.
+---@param text string
+function expect.refused(text) end
+
+---Two values are the same; the first is what was seen.
+---@param actual any
+---@param expected any
+function expect.equal(actual, expected) end
+
+---Two numbers differ by no more than the third.
+---@param actual number
+---@param expected number
+---@param tolerance number
+function expect.near(actual, expected, tolerance) end

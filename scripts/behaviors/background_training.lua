@@ -1,0 +1,70 @@
+--- When may the background model of the room be trained, and when is it trusted? With a known pose and no model the
+--- room is learned first, and the evaluation waits until enough of it is known. From then on the model is trained only
+--- while the believed pose clearly wins: training on a reflected belief would paint the room the wrong way round.
+--- A robot that lies, is carried or is penalised neither trains nor evaluates.
+
+local p = param {
+  least    = { 20.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
+  coverage = { 0.5,  range = { 0, 1 },               doc = "share of the wall that must be learned before it is trusted" },
+  most     = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever the coverage" },
+  lead     = { 0.3,  range = { 0, 1 },               doc = "how far the believed pose must be ahead to train on" },
+  proof    = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last" },
+}
+
+-- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
+local memory = keep { was_lifted = false }
+
+local function is_disturbed() return robot.fallen or robot.carried or robot.penalized end
+
+local function knows_the_room()
+  if training.seconds >= p.most then return true end
+  return training.seconds >= p.least and confidence.coverage >= p.coverage
+end
+
+local function lead() return confidence.current - confidence.opposite end
+
+behavior "background_training" {
+  priority = 40,
+  initial = "waiting",
+  always = {
+    { "disturbed", when = is_disturbed, because = "the robot lies, is carried or is penalized" },
+  },
+
+  state "waiting" {
+    enter = function()
+      command.pause_training()
+      command.pause_evaluation()
+    end,
+    { "trusting", when = knows_the_room, because = "the room is known" },
+    { "learning", when = function() return pose.known and not memory.was_lifted end, because = "the pose is known and the room is not" },
+  },
+
+  state "learning" {
+    enter = function() command.pause_evaluation() end,
+    { "trusting", when = knows_the_room, because = "enough of the room was learned" },
+  },
+
+  state "trusting" {
+    initial = "watching",
+
+    state "watching" {
+      enter = function() command.pause_training() end,
+      { "refining", when = function() return lead() > p.lead end, lasting = "proof", because = "the current pose wins" },
+    },
+
+    state "refining" {
+      { "watching", when = function() return lead() <= p.lead end, because = "the current pose does not win clearly" },
+    },
+  },
+
+  state "disturbed" {
+    enter = function()
+      command.pause_training()
+      command.pause_evaluation()
+    end,
+    update = function()
+      if robot.carried and training.seconds > 0 then memory.was_lifted = true end
+    end,
+    { "waiting", when = function() return not is_disturbed() end, lasting = 0.3, because = "the robot stands on the field again" },
+  },
+}

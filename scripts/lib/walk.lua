@@ -1,0 +1,57 @@
+--- Walking to a place on the field, by the pose that the robot believes in.
+
+local p = param {
+  speed    = { 0.2, range = { 0, 0.4 }, unit = "m/s",   doc = "how fast to walk forward" },
+  turn     = { 0.6, range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn" },
+  near     = { 0.3, range = { 0, 2 },   unit = "m",     doc = "from this distance on walk slower and without turning to the target" },
+  aligned  = { 0.4, range = { 0, 3.2 }, unit = "rad",   doc = "up to this bearing walk while turning; beyond turn on the spot" },
+  distance = { 0.1, range = { 0, 1 },   unit = "m",     doc = "how near counts as arrived" },
+  angle    = { 0.1, range = { 0, 3.2 }, unit = "rad",   doc = "which error of direction counts as arrived" },
+}
+
+local walk_library = {}
+
+--- The same direction in (-pi, pi].
+function walk_library.normalize(angle)
+  local turned = angle % (2 * math.pi)
+  if turned > math.pi then turned = turned - 2 * math.pi end
+  return turned
+end
+
+local function clamp(value, limit) return math.max(-limit, math.min(limit, value)) end
+
+--- Distance (m) and bearing (rad, to the left of where the robot looks) of a point on the field.
+function walk_library.to_point(x, y)
+  local dx, dy = x - pose.x, y - pose.y
+  return math.sqrt(dx * dx + dy * dy), walk_library.normalize(math.atan(dy, dx) - pose.rotation)
+end
+
+--- Whether the robot believes that it stands within `distance` (m) of a point.
+function walk_library.is_near(x, y, distance) return (walk_library.to_point(x, y)) <= distance end
+
+--- One frame's walk towards (x, y); there it turns to `rotation`, if one is given. True: it has arrived.
+function walk_library.walk_to(x, y, rotation)
+  local distance, bearing = walk_library.to_point(x, y)
+  if distance > p.near then
+    local forward = math.abs(bearing) < p.aligned and p.speed or 0.0
+    walk.velocity(forward, 0.0, clamp(2.0 * bearing, p.turn))
+    return false
+  end
+  local error = rotation and walk_library.normalize(rotation - pose.rotation) or 0.0
+  if distance > p.distance then
+    local speed = math.min(p.speed, distance)
+    walk.velocity(speed * math.cos(bearing), speed * math.sin(bearing), clamp(error, p.turn))
+    return false
+  end
+  if math.abs(error) > p.angle then
+    walk.velocity(0.0, 0.0, clamp(2.0 * error, p.turn))
+    return false
+  end
+  walk.stand()
+  return true
+end
+
+--- Turns on the spot with `speed` (rad/s, to the left).
+function walk_library.turn(speed) walk.velocity(0.0, 0.0, speed) end
+
+return walk_library

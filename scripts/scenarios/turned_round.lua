@@ -1,0 +1,86 @@
+--- The main job: a robot stands beside the field, is told where, and learns the room while it walks and looks about.
+--- Then it is picked up and put down where its belief is the exact reflection of the truth. It should notice, flip its
+--- belief, and walk to the right penalty mark.
+
+local p = param {
+  learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "how long the robot may learn the room" },
+  carry   = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "how long it is in the air" },
+  goal    = { 0.5,   range = { 0.1, 2 },  unit = "m", doc = "how near to the right mark is right" },
+  stay    = { 0.5,   range = { 0, 10 },   unit = "s", doc = "how long it must stay near a mark" },
+  timeout = { 120.0, range = { 1, 600 },  unit = "s", doc = "how long it may take after being put down" },
+}
+
+local START = { x = -3.2, y = -3.5, rotation = math.rad(90) }
+
+local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
+
+local function is_at(x)
+  local dx, dy = truth.x - x, truth.y
+  return dx * dx + dy * dy < p.goal * p.goal
+end
+
+local function note_truth(what)
+  log.info(string.format("%s: truth (%.2f, %.2f, %.0f deg), belief (%.2f, %.2f, %.0f deg)", what,
+    truth.x, truth.y, math.deg(truth.rotation), pose.x, pose.y, math.deg(pose.rotation)))
+end
+
+scenario "turned_round" {
+  behaviors = { "orientation", "background_training", "head_scan", "stand_up", "penalty_marks" },
+  priority = 100,
+  initial = "placing",
+
+  state "placing" {
+    enter = function()
+      experimenter.put_down(START.x, START.y, START.rotation)
+      belief.start_at(START.x, START.y, START.rotation)
+    end,
+    { "learning", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "learning" {
+    { "carrying", after = "learn", because = "the time to learn is over" },
+  },
+
+  state "carrying" {
+    enter = function()
+      memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
+      note_truth("picked up")
+      experimenter.pick_up()
+    end,
+    { "turned round", after = "carry", because = "put down on the reflection of its belief" },
+  },
+
+  state "turned round" {
+    initial = "lost",
+    enter = function() experimenter.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,
+    { "failed", after = "timeout", because = "the time is up" },
+
+    state "lost" {
+      { "right", when = function() return is_at(-field.penalty_mark_x) and behaviors.penalty_marks.state == "on the mark" end,
+        lasting = "stay", because = "the robot stands on the right mark" },
+      { "wrong", when = function() return is_at(field.penalty_mark_x) and behaviors.penalty_marks.state == "on the mark" end,
+        lasting = "stay", because = "the robot stands on the wrong mark" },
+    },
+
+    state "right" {
+      enter = function()
+        note_truth("arrived")
+        verdict.succeed("the robot noticed that it was turned round and walked to the right mark")
+      end,
+    },
+
+    state "wrong" {
+      enter = function()
+        note_truth("arrived")
+        verdict.fail("the robot believes its reflected pose and stands on the wrong mark")
+      end,
+    },
+  },
+
+  state "failed" {
+    enter = function()
+      note_truth("gave up")
+      verdict.fail("the robot did not reach the right mark in time")
+    end,
+  },
+}

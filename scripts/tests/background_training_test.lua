@@ -1,0 +1,99 @@
+--- Tests of behaviors/background_training.lua.
+
+local function start()
+  load "background_training"
+  set { pose = { known = true } }
+  advance(0.1)
+end
+
+local function learned()
+  start()
+  set { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
+  advance(0.1)
+end
+
+test("with a known pose and no model it trains first and does not evaluate", function()
+  start()
+  expect.state("background_training", "learning")
+  expect.lease("pause_evaluation")
+  expect.no_lease("pause_training")
+end)
+
+test("without a known pose it neither trains nor evaluates", function()
+  load "background_training"
+  advance(1)
+  expect.state("background_training", "waiting")
+  expect.lease("pause_training")
+  expect.lease("pause_evaluation")
+end)
+
+test("it goes on learning until enough of the wall is covered", function()
+  start()
+  set { training = { seconds = 25 }, confidence = { coverage = 0.2 } }
+  advance(1)
+  expect.state("background_training", "learning")
+end)
+
+test("it trusts the model after a while whatever the coverage", function()
+  start()
+  set { training = { seconds = 36 }, confidence = { coverage = 0.2 } }
+  advance(0.1)
+  expect.state("background_training", "trusting/watching")
+end)
+
+test("a learned room is evaluated and no longer trained", function()
+  learned()
+  expect.state("background_training", "trusting/watching")
+  expect.reason("background_training", "enough of the room was learned")
+  expect.lease("pause_training")
+  expect.no_lease("pause_evaluation")
+end)
+
+test("it trains on only while the current pose clearly wins", function()
+  learned()
+  set { confidence = { current = 0.8, opposite = 0.1 } }
+  advance(0.9)
+  expect.lease("pause_training")
+  advance(0.3)
+  expect.state("background_training", "trusting/refining")
+  expect.no_lease("pause_training")
+  set { confidence = { current = 0.3 } }
+  advance(0.1)
+  expect.state("background_training", "trusting/watching")
+  expect.lease("pause_training")
+end)
+
+for _, what in ipairs { "fallen", "carried", "penalized" } do
+  test("it pauses both while the robot is " .. what, function()
+    learned()
+    set { robot = { [what] = true } }
+    advance(0.1)
+    expect.state("background_training", "disturbed")
+    expect.lease("pause_training")
+    expect.lease("pause_evaluation")
+    set { robot = { [what] = false } }
+    advance(0.5)
+    expect.state("background_training", "trusting/watching")
+    expect.no_lease("pause_evaluation")
+  end)
+end
+
+test("a robot that was lifted before it had learned the room does not learn from a pose that nobody vouches for", function()
+  start()
+  set { training = { seconds = 5 } }
+  set { robot = { carried = true } }
+  advance(1)
+  set { robot = { carried = false } }
+  advance(5)
+  expect.state("background_training", "waiting")
+  expect.lease("pause_training")
+end)
+
+test("a reload in the middle keeps the leases", function()
+  learned()
+  reload { from = "doc = \"how long that lead must last\"", to = "doc = \"how long it must last\"" }
+  advance(0.1)
+  expect.state("background_training", "trusting/watching")
+  expect.lease("pause_training")
+  expect.no_lease("pause_evaluation")
+end)

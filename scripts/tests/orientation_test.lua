@@ -1,0 +1,134 @@
+--- Tests of behaviors/orientation.lua.
+
+local function learned_room()
+  load "orientation"
+  set { confidence = { coverage = 0.9, informative = 0.3 } }
+  advance(0.1)
+end
+
+test("watches first", function()
+  learned_room()
+  expect.state("orientation", "watching")
+  expect.no_command()
+end)
+
+test("flips once when the opposite pose wins", function()
+  learned_room()
+  set { confidence = { opposite = 0.9, current = 0.05 } }
+  advance(0.4)
+  expect.no_command()
+  advance(0.3)
+  expect.state("orientation", "correcting")
+  expect.reason("orientation", "the opposite pose won")
+  expect.command("flip_pose", "granted")
+  advance(2.0)
+  expect.no_command()
+end)
+
+test("does not flip on a lead that does not last", function()
+  learned_room()
+  for _ = 1, 10 do
+    set { confidence = { opposite = 0.9 } }
+    advance(0.3)
+    set { confidence = { opposite = 0.1 } }
+    advance(0.1)
+  end
+  expect.state("orientation", "watching")
+  expect.no_command()
+end)
+
+test("does not decide before enough of the room was learned", function()
+  learned_room()
+  set { confidence = { opposite = 1.0, coverage = 0.1 } }
+  advance(10)
+  expect.no_command()
+end)
+
+test("does not flip in a room that looks the same after half a turn", function()
+  learned_room()
+  set { confidence = { opposite = 1.0, informative = 0.0 } }
+  advance(10)
+  expect.no_command()
+  expect.state("orientation", "watching")
+end)
+
+test("purges when the current pose wins while reflected beliefs linger", function()
+  learned_room()
+  set { confidence = { current = 0.9 }, pose = { reflected_share = 0.3 } }
+  advance(0.7)
+  expect.command("purge_reflection", "granted")
+  expect.reason("orientation", "the current pose won while reflected beliefs linger")
+end)
+
+test("does not purge when hardly any reflected belief is left", function()
+  learned_room()
+  set { confidence = { current = 0.9 }, pose = { reflected_share = 0.02 } }
+  advance(5)
+  expect.no_command()
+end)
+
+test("resets the orientation after a fall, once the robot is up", function()
+  learned_room()
+  set { robot = { fallen = true } }
+  advance(3)
+  expect.state("orientation", "fallen")
+  expect.no_command()
+  set { robot = { fallen = false } }
+  advance(0.5)
+  expect.state("orientation", "resetting")
+  expect.command("reset_orientation", "granted")
+  advance(3)
+  expect.state("orientation", "watching")
+end)
+
+test("does nothing while it is carried", function()
+  learned_room()
+  set { robot = { carried = true }, confidence = { opposite = 1.0 } }
+  advance(5)
+  expect.state("orientation", "carried")
+  expect.no_command()
+  set { robot = { carried = false } }
+  advance(1)
+  expect.command("flip_pose", "granted")
+end)
+
+test("an edit of the lead changes nothing of the state and counts at once", function()
+  learned_room()
+  set { confidence = { opposite = 0.4 } }
+  advance(2)
+  expect.no_command()
+  reload { from = "lead        = { 0.5,", to = "lead        = { 0.3," }
+  advance(0.6)
+  expect.command("flip_pose", "granted")
+end)
+
+test("an edit while it settles keeps the time that it has settled", function()
+  learned_room()
+  set { confidence = { opposite = 0.9 } }
+  advance(0.6)
+  expect.state("orientation", "correcting")
+  set { confidence = { opposite = 0.0 } }
+  advance(2.0)
+  reload { from = "priority = 50", to = "priority = 51" }
+  advance(0.5)
+  expect.state("orientation", "correcting")
+  advance(0.6)
+  expect.state("orientation", "watching")
+end)
+
+test("a broken edit leaves the version before running", function()
+  learned_room()
+  reload { from = "initial = \"watching\"", to = "initial = \"wathcing\"" }
+  expect.refused("did you mean 'watching'?")
+  set { confidence = { opposite = 0.9 } }
+  advance(0.7)
+  expect.command("flip_pose", "granted")
+end)
+
+test("the lead can be set", function()
+  set_param("orientation.lead", "0.2")
+  learned_room()
+  set { confidence = { opposite = 0.3 } }
+  advance(0.7)
+  expect.command("flip_pose")
+end)

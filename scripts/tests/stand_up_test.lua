@@ -1,0 +1,26 @@
+--- Tests of behaviors/stand_up.lua.
+
+test("gets up after a moment of rest", function()
+  load "stand_up"
+  advance(0.1)
+  expect.get_up(false)
+  set { robot = { fallen = true } }
+  advance(0.5)
+  expect.state("stand_up", "lying")
+  expect.get_up(false)
+  advance(1.0)
+  expect.state("stand_up", "getting up")
+  expect.get_up(true)
+  set { robot = { fallen = false } }
+  advance(0.1)
+  expect.state("stand_up", "upright")
+  expect.get_up(false)
+end)
+
+test("does not kick while somebody carries it", function()
+  load "stand_up"
+  set { robot = { fallen = true, carried = true } }
+  advance(3)
+  expect.state("stand_up", "upright")
+  expect.get_up(false)
+end)

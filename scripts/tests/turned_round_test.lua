@@ -1,0 +1,57 @@
+--- Tests of scenarios/turned_round.lua.
+
+local function set_truth(x, y, rotation) set { truth = { x = x, y = y, rotation = rotation } } end
+local function set_belief(x, y, rotation) set { pose = { x = x, y = y, rotation = rotation } } end
+
+--- Up to the moment when the robot stands where its belief is reflected.
+local function put_down()
+  set_truth(-3.2, -3.5, math.rad(90))
+  load_scenario "turned_round"
+  advance(0.1)
+  expect.action("put_down")
+  expect.action("start_at")
+  set_belief(1, 0.5, 0)
+  advance(40.1)
+  expect.state("turned_round", "carrying")
+  expect.action("pick_up")
+  set { robot = { carried = true } }
+  advance(1.6)
+  expect.state("turned_round", "turned round/lost")
+  expect.action("put_down")
+  set { robot = { carried = false } }
+  set_truth(-1, -0.5, math.pi)
+  advance(0.1)
+end
+
+test("succeeds when the robot stands on the right mark", function()
+  put_down()
+  advance(30)
+  set_truth(-3.1, 0.1, 0)
+  set_belief(-3.2, 0, 0)
+  advance(1)
+  expect.verdict(true, "walked to the right mark")
+end)
+
+test("fails when the robot stands on the wrong mark", function()
+  put_down()
+  advance(30)
+  set_truth(3.1, 0.1, 0)
+  set_belief(-3.2, 0, 0)
+  advance(1)
+  expect.verdict(false, "wrong mark")
+end)
+
+test("fails when the time is up", function()
+  put_down()
+  advance(121)
+  expect.verdict(false, "in time")
+end)
+
+test("loads the behaviours that it needs", function()
+  put_down()
+  expect.state("orientation", "carried")
+  expect.state("stand_up", "upright")
+  expect.state("background_training", "disturbed")
+  expect.state("penalty_marks", "helpless")
+  expect.head(1.1, 0.25)
+end)

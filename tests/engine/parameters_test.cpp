@@ -1,0 +1,170 @@
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/parameter_registry.h"
+#include "tests/engine/script_fixture.h"
+
+namespace reorient {
+namespace {
+
+enum class Distance { hellinger, ssd3 };
+
+struct FilterParameters {
+  int particles = 100;
+  double noise = 0.05;
+  bool paper = false;
+  Distance distance = Distance::hellinger;
+};
+
+template <typename Visit>
+void describe(FilterParameters& p, Visit&& visit) {
+  visit("particles", p.particles, 10, 1000, "", "how many");
+  visit("noise", p.noise, 0.0, 1.0, "rad", "how much");
+  visit("paper", p.paper, "as in the paper");
+  visit("distance", p.distance, {"hellinger", "ssd3"}, "which distance");
+}
+
+class Parameters : public ::testing::Test {
+ protected:
+  Parameters() { registry.bind("view", filter); }
+
+  std::string refusal(const std::string& name, const std::string& text) {
+    try {
+      registry.set(name, text, ParameterOrigin::command_line);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  std::string file_refusal(const std::string& text) {
+    folder.write("p.toml", text);
+    try {
+      registry.load_file(folder.path() / "p.toml");
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  TemporaryFolder folder;
+  FilterParameters filter;
+  ParameterRegistry registry;
+};
+
+TEST_F(Parameters, ASettingIsWrittenIntoTheBoundStruct) {
+  registry.set("view.particles", "30", ParameterOrigin::live);
+  registry.set("view.noise", "0.5", ParameterOrigin::live);
+  registry.set("view.paper", "true", ParameterOrigin::live);
+  registry.set("view.distance", "ssd3", ParameterOrigin::live);
+  EXPECT_EQ(filter.particles, 30);
+  EXPECT_EQ(filter.noise, 0.5);
+  EXPECT_TRUE(filter.paper);
+  EXPECT_EQ(filter.distance, Distance::ssd3);
+}
+
+TEST_F(Parameters, AreListedWithValueDefaultAndOrigin) {
+  registry.set("view.noise", "0.5", ParameterOrigin::command_line);
+  const std::vector<Parameter> list = registry.list();
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_EQ(list[1].name, "view.noise");
+  EXPECT_EQ(to_text(list[1].value), "0.5");
+  EXPECT_EQ(to_text(list[1].standard), "0.05");
+  EXPECT_EQ(to_string(list[1].origin), "command line");
+  EXPECT_EQ(range_text(list[1]), "0 to 1 rad");
+  EXPECT_EQ(to_string(list[0].origin), "default");
+}
+
+TEST_F(Parameters, MistakesAreToldInOneLineWithARemedy) {
+  EXPECT_EQ(refusal("view.nosie", "1"), "there is no parameter 'view.nosie' (did you mean 'view.noise'?)");
+  EXPECT_EQ(refusal("noise", "1"), "there is no parameter 'noise' (did you mean 'view.noise'?)");
+  EXPECT_EQ(refusal("view.noise", "2"), "parameter view.noise cannot be '2': its range is 0 to 1 rad");
+  EXPECT_EQ(refusal("view.particles", "1.5"),
+            "parameter view.particles cannot be '1.5': it is a whole number from 10 to 1000");
+  EXPECT_EQ(refusal("view.paper", "maybe"), "parameter view.paper cannot be 'maybe': it is true or false");
+  EXPECT_EQ(refusal("view.distance", "helinger"),
+            "parameter view.distance cannot be 'helinger': choose one of hellinger, ssd3 (did you mean 'hellinger'?)");
+  for (const char* text : {"", "nan", "inf", "-inf", "1e999", "0x1", "1 ", " 1", "1,5", "--1", "1e"}) {
+    EXPECT_NE(refusal("view.noise", text), "accepted") << text;
+  }
+  EXPECT_EQ(filter.noise, 0.05);
+}
+
+TEST_F(Parameters, ASettingMayComeBeforeItsDeclaration) {
+  registry.set_early("late.x", "0.25", ParameterOrigin::command_line);
+  ASSERT_EQ(registry.unclaimed().size(), 1u);
+  double x = 0.0;
+  registry.declare({"late.x", ParameterKind::real, 0.5, 0.0, 1.0, "", "x", {}},
+                   [&](const ParameterValue& value) { x = std::get<double>(value); });
+  EXPECT_EQ(x, 0.25);
+  EXPECT_TRUE(registry.unclaimed().empty());
+}
+
+TEST_F(Parameters, ASettingThatNobodyClaimsIsNamed) {
+  registry.set_early("view.noize", "0.25", ParameterOrigin::file);
+  EXPECT_EQ(
+      registry.unclaimed(),
+      std::vector<std::string>{"there is no parameter 'view.noize' (set by the file) (did you mean 'view.noise'?)"});
+}
+
+TEST_F(Parameters, AFileDoesNotUndoTheCommandLine) {
+  registry.set("view.noise", "0.9", ParameterOrigin::command_line);
+  registry.set("view.noise", "0.1", ParameterOrigin::file);
+  EXPECT_EQ(filter.noise, 0.9);
+  registry.set("view.noise", "0.2", ParameterOrigin::live);
+  EXPECT_EQ(filter.noise, 0.2);
+}
+
+TEST_F(Parameters, AFilesTablesArePrefixes) {
+  EXPECT_EQ(file_refusal("[view]\nparticles = 50\npaper = true\ndistance = \"ssd3\"\n[orientation]\nlead = 0.4\n"),
+            "accepted");
+  EXPECT_EQ(filter.particles, 50);
+  EXPECT_EQ(filter.distance, Distance::ssd3);
+  EXPECT_EQ(registry.unclaimed().size(), 1u);
+}
+
+TEST_F(Parameters, AFilesMistakesAreToldWithFileAndLine) {
+  EXPECT_NE(file_refusal("[view]\nnoise = 7\n").find("p.toml:2: parameter view.noise cannot be '7'"),
+            std::string::npos);
+  EXPECT_NE(file_refusal("[view]\nnoise = [1]\n").find("p.toml:2: a parameter is a number"), std::string::npos);
+  EXPECT_NE(file_refusal("[view\n").find("p.toml:1"), std::string::npos);
+  EXPECT_NE(file_refusal(std::string("\0\xff\x01", 3)).find("p.toml"), std::string::npos);
+  EXPECT_EQ(file_refusal(""), "accepted");
+  EXPECT_THROW(registry.load_file(folder.path() / "gone.toml"), std::runtime_error);
+  EXPECT_THROW(registry.load_file(folder.path()), std::runtime_error);
+}
+
+TEST_F(Parameters, WhatIsSavedIsReadBack) {
+  registry.set("view.noise", "0.123456789012345", ParameterOrigin::live);
+  registry.set("view.distance", "ssd3", ParameterOrigin::live);
+  registry.save_file(folder.path() / "saved.toml");
+  FilterParameters other;
+  ParameterRegistry second;
+  second.bind("view", other);
+  second.load_file(folder.path() / "saved.toml");
+  EXPECT_EQ(other.noise, filter.noise);
+  EXPECT_EQ(other.distance, Distance::ssd3);
+  EXPECT_EQ(second.find("view.particles")->origin, ParameterOrigin::standard);
+  EXPECT_THROW(registry.save_file(folder.path() / "gone" / "saved.toml"), std::runtime_error);
+}
+
+TEST_F(Parameters, ANameIsDeclaredOnce) { EXPECT_THROW(registry.bind("view", filter), std::runtime_error); }
+
+RC_GTEST_PROP(ParameterText, ANumberIsReadBackAsItWasWritten, (double number)) {
+  const ParameterDeclaration declaration{"x", ParameterKind::real, 0.0, -1e300, 1e300, "", "", {}};
+  RC_PRE(std::abs(number) <= 1e300);
+  RC_ASSERT(std::get<double>(parse_parameter(declaration, to_text(number))) == number);
+}
+
+RC_GTEST_PROP(EditDistance, IsSymmetricAndZeroForTheSame, (const std::string& left, const std::string& right)) {
+  RC_ASSERT(edit_distance(left, right) == edit_distance(right, left));
+  RC_ASSERT(edit_distance(left, left) == 0);
+  RC_ASSERT((edit_distance(left, right) == 0) == (left == right));
+}
+
+TEST(EditDistance, ASwapOfNeighboursIsOneSlip) { EXPECT_EQ(edit_distance("wathcing", "watching"), 1); }
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,230 @@
+#include "perception/field/field_features.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "geometry/head.h"
+#include "tests/perception/field/flat_field.h"
+
+namespace reorient {
+namespace {
+
+/// A NAO that stands somewhere on the field, its camera, and where that really is.
+struct Stand {
+  CameraModel camera;
+  Eigen::Isometry3d robot_from_camera;
+  Pose2 field_from_robot;
+
+  Stand(int width, int height, const Pose2& pose, const HeadAngles& head, const TorsoAttitude& torso = {})
+      : camera(CameraModel::from_fields_of_view(width, height, from_degrees(56.3), from_degrees(43.7))),
+        robot_from_camera(reorient::robot_from_camera({}, head, torso, RobotDimensions{}.hip_height)),
+        field_from_robot(pose) {}
+
+  Image see(const FlatField& scene) const {
+    return render(scene, camera, to_isometry(field_from_robot) * robot_from_camera);
+  }
+};
+
+FieldPercept percept_of(const FlatField& scene, const Stand& stand) {
+  FieldFeatures features({}, scene.field);
+  const Image image = stand.see(scene);
+  return features.find(image.view(), stand.camera, stand.robot_from_camera);
+}
+
+bool is_empty(const FieldPercept& percept) {
+  return percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty();
+}
+
+/// Share of line points that lie on a true line, and of those whose normal is that line's.
+void expect_line_points_on_lines(const FieldPercept& percept, const FlatField& scene, const Stand& stand) {
+  int misplaced = 0;
+  int twisted = 0;
+  for (const LinePoint& point : percept.line_points) {
+    const NearestLine line = nearest_line(scene.field, stand.field_from_robot * point.position);
+    const double turned = normalize_angle(2.0 * (point.normal + stand.field_from_robot.rotation - line.normal)) / 2.0;
+    misplaced += line.distance > 0.05 + 0.03 * point.position.norm() ? 1 : 0;
+    twisted += std::abs(turned) > from_degrees(10.0) ? 1 : 0;
+    EXPECT_GT(point.normal, -0.5 * kPi);
+    EXPECT_LE(point.normal, 0.5 * kPi);
+  }
+  const double count = static_cast<double>(percept.line_points.size());
+  EXPECT_LE(misplaced, 0.02 * count) << "of " << count;
+  EXPECT_LE(twisted, 0.15 * count) << "of " << count;
+}
+
+class FieldFeaturesAtEveryResolution : public testing::TestWithParam<int> {
+ protected:
+  Stand stand(const Pose2& pose, const HeadAngles& head = {0.0, 0.25}) const {
+    return {GetParam(), GetParam() * 3 / 4, pose, head};
+  }
+};
+
+TEST_P(FieldFeaturesAtEveryResolution, PutLinePointsOnTheLinesAround) {
+  const FlatField scene;
+  const Pose2 poses[] = {
+      {-2.0, 0.0, 0.0}, {2.0, 0.5, 0.3}, {-3.2, 3.5, -0.5 * kPi}, {0.0, -1.5, 2.0}, {3.0, 1.0, -2.5}};
+  for (const Pose2& pose : poses) {
+    SCOPED_TRACE(testing::Message() << pose.position.transpose() << " " << pose.rotation);
+    const Stand here = stand(pose);
+    const FieldPercept percept = percept_of(scene, here);
+    EXPECT_GE(percept.line_points.size(), 10u);
+    expect_line_points_on_lines(percept, scene, here);
+  }
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, SeeNoLinePointsWhereThereAreNoLines) {
+  FlatField scene = FlatField::with_goals();
+  scene.lines = false;
+  for (const Pose2& pose : {Pose2{-2.0, 0.0, 0.0}, Pose2{2.5, 0.5, 0.1}, Pose2{3.0, 0.0, -0.2}}) {
+    EXPECT_TRUE(percept_of(scene, stand(pose)).line_points.empty());
+  }
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, SeeBothPostsOfAGoalWhereTheyStand) {
+  const FlatField scene = FlatField::with_goals();
+  for (const double x : {1.0, 1.8, 2.4}) {
+    const Stand here = stand({x, 0.0, 0.0}, {0.0, 0.1});
+    const FieldPercept percept = percept_of(scene, here);
+    ASSERT_EQ(percept.goal_posts.size(), 2u) << "from x = " << x;
+    for (const GoalPost& post : percept.goal_posts) {
+      const Eigen::Vector2d seen = here.field_from_robot * post.position;
+      const Eigen::Vector2d real(4.5, std::copysign(0.8, seen.y()));
+      EXPECT_TRUE(post.base_visible);
+      EXPECT_LT((seen - real).norm(), 0.1 * (4.5 - x)) << seen.transpose();
+    }
+  }
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, SeeTheBorderOfTheCarpet) {
+  const FlatField scene;
+  const Stand here = stand({0.0, 0.0, 0.0}, {0.0, 0.0});
+  const FieldPercept percept = percept_of(scene, here);
+  ASSERT_EQ(percept.boundary.size(), static_cast<std::size_t>(CarpetMap::kColumns));
+  const auto border = here.camera.project(here.robot_from_camera.inverse() * Eigen::Vector3d(5.2, 0.0, 0.0));
+  ASSERT_TRUE(border);
+  EXPECT_NEAR(percept.boundary[CarpetMap::kColumns / 2], border->y(), 2.0 + here.camera.height / 240.0);
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, SeeARobotAsAnObstacleAndNotAsAPost) {
+  FlatField scene;
+  scene.boxes.push_back({{2.0, 0.2}, 0.25, 0.55, {200, 126, 130}});
+  const FieldPercept percept = percept_of(scene, stand({0.0, 0.0, 0.0}));
+  EXPECT_TRUE(percept.goal_posts.empty());
+  ASSERT_EQ(percept.obstacles.size(), 1u);
+  EXPECT_NEAR(percept.obstacles[0].position.x(), 1.875, 0.2);
+  EXPECT_NEAR(percept.obstacles[0].position.y(), 0.2, 0.1);
+  for (const LinePoint& point : percept.line_points) {
+    EXPECT_FALSE(point.pixel.x() > percept.obstacles[0].left && point.pixel.x() < percept.obstacles[0].right &&
+                 point.pixel.y() < percept.obstacles[0].bottom);
+  }
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, SeeNothingWhenTheyLookUpAtTheRoom) {
+  EXPECT_TRUE(is_empty(percept_of(FlatField::with_goals(), stand({4.0, 0.0, 0.0}, {0.0, -0.67}))));
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, KeepTheLinesUnderDimAndTintedLight) {
+  FlatField scene;
+  for (const auto& [gain, tint] : {std::pair{0.45, 0.0}, {1.2, 0.0}, {0.9, 0.06}, {0.9, -0.06}}) {
+    const auto lit = [&, g = gain, t = tint](const Ycbcr& c) {
+      return Ycbcr{static_cast<std::uint8_t>(std::min(255.0, g * c.y)),
+                   static_cast<std::uint8_t>(128 + g * (c.cb - 128) - t * g * c.y),
+                   static_cast<std::uint8_t>(128 + g * (c.cr - 128) + t * g * c.y)};
+    };
+    scene.colors = {lit(Colors{}.carpet), lit(Colors{}.line), lit(Colors{}.wall), lit(Colors{}.post)};
+    const Stand here = stand({-2.0, 0.0, 0.0});
+    const FieldPercept percept = percept_of(scene, here);
+    EXPECT_GE(percept.line_points.size(), 10u) << gain << " " << tint;
+    expect_line_points_on_lines(percept, scene, here);
+  }
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, SeeTheYellowGoalsOf2013) {
+  FlatField scene = FlatField::with_goals();
+  scene.field.yellow_goals = true;
+  for (Box& post : scene.boxes) post.color = {150, 70, 140};
+  const Stand here = stand({1.8, 0.0, 0.0}, {0.0, 0.1});
+  EXPECT_EQ(percept_of(scene, here).goal_posts.size(), 2u);
+  scene.field.yellow_goals = false;
+  EXPECT_TRUE(percept_of(scene, here).goal_posts.empty());
+}
+
+TEST_P(FieldFeaturesAtEveryResolution, GuessWhereAPostStandsWhoseFootIsBelowTheImage) {
+  const FlatField scene = FlatField::with_goals();
+  const Stand down = stand({3.0, 0.8, 0.0}, {0.0, 0.25});
+  const Stand close = stand({3.6, 0.8, 0.0}, {0.0, -0.05});
+  FieldFeatures features({}, scene.field);
+  const Image carpet = down.see(scene);
+  features.find(carpet.view(), down.camera, down.robot_from_camera);
+  const Image image = close.see(scene);
+  const FieldPercept& percept = features.find(image.view(), close.camera, close.robot_from_camera);
+  ASSERT_EQ(percept.goal_posts.size(), 1u);
+  EXPECT_FALSE(percept.goal_posts[0].base_visible);
+  EXPECT_NEAR(percept.goal_posts[0].position.x(), 0.9, 0.2);
+  EXPECT_NEAR(percept.goal_posts[0].position.y(), 0.0, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Resolutions, FieldFeaturesAtEveryResolution, testing::Values(640, 320, 160));
+
+TEST(FieldFeatures, SeeLinesWithATorsoThatSways) {
+  const FlatField scene;
+  for (const double roll : {-0.15, 0.1}) {
+    const Stand here(640, 480, {-2.0, 0.3, 0.1}, {0.3, 0.2}, {roll, 0.05});
+    const FieldPercept percept = percept_of(scene, here);
+    EXPECT_GE(percept.line_points.size(), 10u);
+    expect_line_points_on_lines(percept, scene, here);
+  }
+}
+
+TEST(FieldFeatures, SeeNothingFromTheGround) {
+  const Stand upright(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
+  const Image image = upright.see(FlatField::with_goals());
+  FieldFeatures features({}, {});
+  for (const TorsoAttitude& torso : {TorsoAttitude{0.5 * kPi, 0.0}, TorsoAttitude{-0.5 * kPi, 0.0},
+                                     TorsoAttitude{0.0, 0.5 * kPi}, TorsoAttitude{0.0, -0.5 * kPi}}) {
+    EXPECT_TRUE(is_empty(features.find(image.view(), upright.camera, robot_from_camera({}, {}, torso, 0.1))));
+  }
+}
+
+TEST(FieldFeatures, AreTheSameForTheSameImages) {
+  const Stand here(320, 240, {-1.0, 1.0, 0.4}, {0.0, 0.2});
+  const Image image = here.see(FlatField::with_goals());
+  FieldFeatures one({}, {});
+  FieldFeatures other({}, {});
+  const FieldPercept& a = one.find(image.view(), here.camera, here.robot_from_camera);
+  const FieldPercept& b = other.find(image.view(), here.camera, here.robot_from_camera);
+  ASSERT_EQ(a.line_points.size(), b.line_points.size());
+  ASSERT_FALSE(a.line_points.empty());
+  for (std::size_t i = 0; i < a.line_points.size(); ++i)
+    EXPECT_EQ(a.line_points[i].position, b.line_points[i].position);
+}
+
+TEST(FieldFeatures, KeepTheCarpetsColourWhenTheyLookAway) {
+  const FlatField scene = FlatField::with_goals();
+  const Stand down(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
+  const Stand up(320, 240, {-2.0, 0.0, 0.0}, {0.0, -0.6});
+  FieldFeatures features({}, scene.field);
+  const Image carpet = down.see(scene);
+  const Image room = up.see(scene);
+  features.find(carpet.view(), down.camera, down.robot_from_camera);
+  features.find(room.view(), up.camera, up.robot_from_camera);
+  EXPECT_EQ(features.carpet_color().surface(75, 105, 108), Surface::carpet);
+  EXPECT_EQ(features.carpet_color().surface(190, 126, 130), Surface::other);
+}
+
+TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
+  const FlatField scene = FlatField::with_goals();
+  const Stand down(160, 120, {3.0, 0.8, 0.0}, {0.0, 0.25});
+  const Stand close(160, 120, {3.6, 0.8, 0.0}, {0.0, -0.05});
+  FieldFeatures features({}, scene.field);
+  const Image carpet = down.see(scene);
+  const Image hall = close.see(scene);
+  features.find(carpet.view(), down.camera, down.robot_from_camera);
+  for (int i = 0; i < 20; ++i) features.find(hall.view(), close.camera, close.robot_from_camera);
+  EXPECT_NEAR(features.carpet_color().luma(), 75.0, 15.0);
+  EXPECT_EQ(features.carpet_color().surface(95, 132, 134), Surface::other);
+}
+
+}  // namespace
+}  // namespace reorient
