@@ -128,10 +128,12 @@ TEST(PerceivedTiles, ATileThatIsMostlyCoveredDoesNotCount) {
 TEST(PerceivedTiles, NearAndSlantingTilesDoNotCount) {
   Scene scene(640, 480, {7.0, 0.0, 0.0});
   scene.view.robot_from_camera = test::standing_camera(0.0);
-  for (const PerceivedTile& tile : scene.perceive().tiles()) EXPECT_FALSE(tile.counts && tile.distance <= 1.5);
+  const PerceivedTiles near = scene.perceive();
+  for (const PerceivedTile& tile : near.tiles()) EXPECT_FALSE(tile.counts && tile.distance <= 1.5);
   scene.view.belief = {0.0, 7.0, 0.0};
+  const PerceivedTiles beside = scene.perceive();
   int slanting = 0;
-  for (const PerceivedTile& tile : scene.perceive().tiles()) {
+  for (const PerceivedTile& tile : beside.tiles()) {
     EXPECT_FALSE(tile.counts && tile.incidence <= 0.45);
     slanting += tile.incidence <= 0.45 ? 1 : 0;
   }
