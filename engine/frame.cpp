@@ -31,6 +31,7 @@ FrameLoop::FrameLoop(Robot& robot, ScriptHost& scripts, const CoreParameters& pa
       field_features_(parameters.field_features, field),
       pose_filter_(parameters.pose_filter, field, options.seed),
       percept_(&nothing_seen_),
+      script_output_(&nothing_said_),
       arbitration_(&nothing_asked_) {
   if (options.room_awareness) room_.emplace(parameters.room, options.seed);
   world_.field = field;
@@ -163,6 +164,9 @@ void FrameLoop::fingerprint() {
   for (const double value : {observation_.head.yaw, observation_.head.pitch, observation_.torso.roll,
                              observation_.torso.pitch, observation_.odometry.position.x(),
                              observation_.odometry.position.y(), observation_.odometry.rotation, observation_.foot_load,
+                             observation_.hip_height, observation_.penalized ? 1.0 : 0.0, observation_.camera.focal.x(),
+                             observation_.camera.focal.y(), observation_.camera.center.x(),
+                             observation_.camera.center.y(), observation_.camera.k1, observation_.camera.k2,
                              world_.pose.pose.position.x(), world_.pose.pose.position.y(), world_.pose.pose.rotation,
                              world_.pose.share, world_.confidence.current, world_.confidence.opposite}) {
     digest_.add(value);

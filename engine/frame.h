@@ -90,7 +90,8 @@ class FrameLoop {
   FieldPercept nothing_seen_;
   std::vector<CoveredArea> covered_;
   World world_;
-  const ScriptOutput* script_output_ = nullptr;
+  ScriptOutput nothing_said_;
+  const ScriptOutput* script_output_;
   Arbitration nothing_asked_;
   const Arbitration* arbitration_;
   std::optional<Rearrangement> rearrangement_;

@@ -78,7 +78,7 @@ FieldDimensions load_field(const std::filesystem::path& file) {
   }
   FieldDimensions field;
   for (const Length& length : kLengths) read_length(table, length, file, field);
-  const std::optional<bool> yellow = table["yellow_goals"].value<bool>();
+  const std::optional<bool> yellow = table["yellow_goals"].value_exact<bool>();
   if (!yellow) fail(file, "'yellow_goals' must be true or false");
   field.yellow_goals = *yellow;
   return field;

@@ -1,8 +1,13 @@
 #include "engine/program/program.h"
 
+#include <charconv>
+#include <cstdint>
 #include <exception>
+#include <memory>
 #include <ostream>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -32,13 +37,33 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// CLI11 by itself takes a negative or too large number for a seed and wraps it round.
+std::string check_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error == std::errc() && end == text.data() + text.size()) return {};
+  return "'" + text + "' is no whole number from 0 to 2^64 - 1";
+}
+
+/// CLI11's own range lets NaN through.
+std::string check_seconds(const std::string& text) {
+  constexpr double kLeast = 0.1, kMost = 86400.0;
+  double seconds = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (whole && seconds >= kLeast && seconds <= kMost) return {};
+  return "'" + text + "' is no number from 0.1 to 86400";
+}
+
 void add_run_options(CLI::App& run, RunOptions& options) {
   run.add_option("scenario", options.scenario, "scripts/scenarios/NAME.lua, or a path to a file")
       ->capture_default_str();
   run.add_option("--room", options.room, "equirectangular panorama: .hdr, .png or .jpg (default: a procedural hall)");
-  run.add_option("--hall", options.hall, "seed of the procedural hall")->capture_default_str();
+  run.add_option("--hall", options.hall, "seed of the procedural hall")->check(check_seed)->capture_default_str();
   run.add_option("--field", options.field, "field dimensions (default: assets/fields/spl.toml)");
-  run.add_option("--seed", options.seed, "of all noise; one seed, one digest")->capture_default_str();
+  run.add_option("--seed", options.seed, "of all noise; one seed, one digest")
+      ->check(check_seed)
+      ->capture_default_str();
   run.add_option("--width", options.width, "of the camera image, pixels")
       ->check(CLI::IsMember({160, 320, 640}))
       ->capture_default_str();
@@ -52,7 +77,7 @@ void add_run_options(CLI::App& run, RunOptions& options) {
   run.add_flag("!--no-pictures", options.pictures, "write no pictures");
   run.add_option("--json", options.json, "write the summary into this file, for programs");
   run.add_option("--seconds", options.seconds, "longest run, in the robot's seconds")
-      ->check(CLI::Range(0.1, 86400.0))
+      ->check(check_seconds)
       ->capture_default_str();
   run.add_flag("--every-transition", options.every_transition, "show busy behaviours' transitions as well");
 }
@@ -61,7 +86,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   CLI::App app{"Reorient: a robot that notices that it is turned round."};
   app.name("reorient");
   app.footer(kExamples);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);   // none is told below, so that an unknown one is told by its name
   std::string log_level = "info";
   app.add_option("--log", log_level, "what to log: debug, info, warning, error, off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
@@ -87,7 +112,11 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     err << "reorient: " << one_line(error.what()) << " (see reorient --help)\n";
     return kBadInput;
   }
+  if (app.get_subcommands().empty()) {
+    throw std::runtime_error("name a subcommand: run, test or version (see reorient --help)");
+  }
 
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
   spdlog::set_level(spdlog::level::from_str(log_level));
   if (version->parsed()) {
     out << "reorient " << REORIENT_VERSION << '\n';
