@@ -88,7 +88,8 @@ FieldMap::FieldMap(const FieldDimensions& field) {
   if (!is_size(field.length) || !is_size(field.width) || !(field.border >= 0.0 && field.border <= 50.0)) {
     throw std::invalid_argument("field map: length and width must be in (0, 200] m, border in [0, 50] m");
   }
-  const Eigen::Vector2d half_size(field.length / 2.0 + kMaxDistance, field.width / 2.0 + kMaxDistance);
+  const Eigen::Vector2d half_size(field.length / 2.0 + std::max(0.0, field.goal_depth) + kMaxDistance,
+                                  field.width / 2.0 + kMaxDistance);
   columns_ = static_cast<int>(std::ceil(half_size.x() / kCellSize)) + 1;
   rows_ = static_cast<int>(std::ceil(half_size.y() / kCellSize)) + 1;
   last_column_ = static_cast<float>(columns_ - 1);

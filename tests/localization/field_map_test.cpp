@@ -68,6 +68,14 @@ TEST(FieldMap, IsFarFromAllLinesBeyondItsEdge) {
   }
 }
 
+TEST(FieldMap, TakesTheTubesBehindAGoalForLines) {
+  const FieldDimensions field;
+  const double rear = field.length / 2.0 + field.goal_depth;
+  EXPECT_LT(spl_map().distance({rear, 0.3}, 0.0), 0.05);
+  EXPECT_LT(spl_map().distance({rear - 0.2, -field.goal_post_y}, kPi / 2.0), 0.05);
+  EXPECT_GT(spl_map().distance({rear + 0.4, 0.0}, 0.0), 0.3);
+}
+
 TEST(FieldMap, HasNoGoalAreaWhereItsDepthIsZero) {
   FieldDimensions field;
   const std::size_t with = field_lines(field).size();
