@@ -121,7 +121,7 @@ void FrameLoop::decide() {
 }
 
 void FrameLoop::start_at(const Pose2& told) {
-  constexpr double kPositionDeviation = 0.1;                 // m, of somebody who places a robot by eye
+  constexpr double kPositionDeviation = 0.1;  // m, of somebody who places a robot by eye
   constexpr double kRotationDeviation = from_degrees(5.0);
   pose_filter_.start_at(told, kPositionDeviation, kRotationDeviation);
   world_.pose_known = true;
@@ -148,7 +148,8 @@ void FrameLoop::rearrange(Command command) {
       if (room_) room_->on_reset();
       break;
     case Command::pause_training:
-    case Command::pause_evaluation: break;
+    case Command::pause_evaluation:
+      break;
   }
   // After a reset nobody knows the orientation; a flip or a purge says that the room has told it.
   world_.pose_known = command != Command::reset_orientation;
@@ -159,16 +160,31 @@ void FrameLoop::rearrange(Command command) {
 void FrameLoop::fingerprint() {
   digest_.add(observation_.time);
   for (int y = 0; y < observation_.image.height; ++y) {
-    digest_.add(std::as_bytes(std::span(observation_.image.row(y), static_cast<std::size_t>(2 * observation_.image.width))));
+    digest_.add(
+        std::as_bytes(std::span(observation_.image.row(y), static_cast<std::size_t>(2 * observation_.image.width))));
   }
-  for (const double value : {observation_.head.yaw, observation_.head.pitch, observation_.torso.roll,
-                             observation_.torso.pitch, observation_.odometry.position.x(),
-                             observation_.odometry.position.y(), observation_.odometry.rotation, observation_.foot_load,
-                             observation_.hip_height, observation_.penalized ? 1.0 : 0.0, observation_.camera.focal.x(),
-                             observation_.camera.focal.y(), observation_.camera.center.x(),
-                             observation_.camera.center.y(), observation_.camera.k1, observation_.camera.k2,
-                             world_.pose.pose.position.x(), world_.pose.pose.position.y(), world_.pose.pose.rotation,
-                             world_.pose.share, world_.confidence.current, world_.confidence.opposite}) {
+  for (const double value : {observation_.head.yaw,
+                             observation_.head.pitch,
+                             observation_.torso.roll,
+                             observation_.torso.pitch,
+                             observation_.odometry.position.x(),
+                             observation_.odometry.position.y(),
+                             observation_.odometry.rotation,
+                             observation_.foot_load,
+                             observation_.hip_height,
+                             observation_.penalized ? 1.0 : 0.0,
+                             observation_.camera.focal.x(),
+                             observation_.camera.focal.y(),
+                             observation_.camera.center.x(),
+                             observation_.camera.center.y(),
+                             observation_.camera.k1,
+                             observation_.camera.k2,
+                             world_.pose.pose.position.x(),
+                             world_.pose.pose.position.y(),
+                             world_.pose.pose.rotation,
+                             world_.pose.share,
+                             world_.confidence.current,
+                             world_.confidence.opposite}) {
     digest_.add(value);
   }
   for (const CommandRecord& record : arbitration_->records) {

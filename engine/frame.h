@@ -21,7 +21,7 @@ namespace reorient {
 
 /// The pose particles around one granted reorientation: the paper's Fig. 6.
 struct Rearrangement {
-  double time = 0.0;   ///< s
+  double time = 0.0;  ///< s
   Command command = Command::flip_pose;
   std::vector<Pose2> particles_before;
   std::vector<Pose2> particles_after;
@@ -32,7 +32,7 @@ struct Rearrangement {
 
 struct FrameOptions {
   std::uint64_t seed = 1;
-  bool room_awareness = true;   ///< false: no view of the room, confidences stay at zero
+  bool room_awareness = true;  ///< false: no view of the room, confidences stay at zero
 };
 
 class FrameLoop {

@@ -9,9 +9,9 @@
 namespace reorient {
 
 struct RobotStateParameters {
-  double fallen_angle = 0.8;    ///< rad
-  double carried_load = 1.5;    ///< kg
-  double settle_time = 0.15;    ///< s
+  double fallen_angle = 0.8;  ///< rad
+  double carried_load = 1.5;  ///< kg
+  double settle_time = 0.15;  ///< s
 };
 
 template <typename Visit>
@@ -43,7 +43,7 @@ class RobotState {
  private:
   bool fallen_ = false;
   bool carried_ = false;
-  double changing_for_ = 0.0;   ///< s that the load has contradicted carried_
+  double changing_for_ = 0.0;  ///< s that the load has contradicted carried_
 };
 
 }  // namespace reorient

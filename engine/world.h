@@ -15,22 +15,22 @@
 namespace reorient {
 
 struct World {
-  double time = 0.0;               ///< s
-  double time_step = 1.0 / 30.0;   ///< s since the frame before
+  double time = 0.0;              ///< s
+  double time_step = 1.0 / 30.0;  ///< s since the frame before
   std::uint64_t frame = 0;
 
-  bool fallen = false;             ///< the torso lies
-  bool carried = false;            ///< no load on the feet
+  bool fallen = false;   ///< the torso lies
+  bool carried = false;  ///< no load on the feet
   bool penalized = false;
   HeadAngles head;
 
   PoseBelief pose;
-  bool pose_known = false;         ///< somebody told where the robot stands, or the filter has found it
+  bool pose_known = false;  ///< somebody told where the robot stands, or the filter has found it
   Confidences confidence;
-  double trained_seconds = 0.0;    ///< time during which the background model was trained so far
-  bool training = false;           ///< in the frame before
+  double trained_seconds = 0.0;  ///< time during which the background model was trained so far
+  bool training = false;         ///< in the frame before
   bool evaluating = false;
-  int goal_posts = 0;              ///< seen in this frame
+  int goal_posts = 0;  ///< seen in this frame
   int line_points = 0;
   FieldDimensions field;
 

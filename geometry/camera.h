@@ -9,11 +9,11 @@ namespace reorient {
 
 /// Intrinsics of one camera at one resolution. Pixel (0, 0) is the centre of the top left pixel, u right, v down.
 struct CameraModel {
-  int width = 640;                          ///< pixels
-  int height = 480;                         ///< pixels
-  Eigen::Vector2d focal{617.0, 616.0};      ///< pixels, horizontal and vertical
-  Eigen::Vector2d center{319.5, 239.5};     ///< principal point, pixels
-  double k1 = 0.0;                          ///< radial distortion: r' = r (1 + k1 r^2 + k2 r^4), r in units of focal
+  int width = 640;                       ///< pixels
+  int height = 480;                      ///< pixels
+  Eigen::Vector2d focal{617.0, 616.0};   ///< pixels, horizontal and vertical
+  Eigen::Vector2d center{319.5, 239.5};  ///< principal point, pixels
+  double k1 = 0.0;                       ///< radial distortion: r' = r (1 + k1 r^2 + k2 r^4), r in units of focal
   double k2 = 0.0;
 
   /// A camera without distortion from its fields of view (radians), with the principal point at the image centre.

@@ -22,10 +22,10 @@ struct TorsoAttitude {
 
 /// Lengths in metres, angles in radians. The torso's origin is midway between the hip joints.
 struct RobotDimensions {
-  double hip_height = 0.24809;     ///< standing straight: thigh 0.1 + tibia 0.1029 + ankle 0.04519
-  double neck_height = 0.2115;     ///< above the torso's origin
+  double hip_height = 0.24809;  ///< standing straight: thigh 0.1 + tibia 0.1029 + ankle 0.04519
+  double neck_height = 0.2115;  ///< above the torso's origin
   Eigen::Vector3d camera_in_head{0.05871, 0.0, 0.06364};
-  double camera_tilt = 0.0209;     ///< downwards, 1.2 degrees
+  double camera_tilt = 0.0209;  ///< downwards, 1.2 degrees
 };
 
 /// What the neck can reach, rad: |yaw| at most 119.5 degrees, the range of the pitch shrinks with |yaw|.

@@ -17,9 +17,9 @@ struct Ycbcr {
 /// Somebody else's image. Valid as long as its owner is.
 struct ImageView {
   const std::uint8_t* data = nullptr;
-  int width = 0;    ///< pixels, even
-  int height = 0;   ///< pixels
-  int stride = 0;   ///< bytes from one row to the next, at least 2 * width
+  int width = 0;   ///< pixels, even
+  int height = 0;  ///< pixels
+  int stride = 0;  ///< bytes from one row to the next, at least 2 * width
 
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
   const std::uint8_t* row(int y) const { return data + static_cast<std::ptrdiff_t>(y) * stride; }
@@ -35,7 +35,9 @@ class Image {
  public:
   Image() = default;
   Image(int width, int height)
-      : width_(width), height_(height), bytes_(static_cast<std::size_t>(2 * width) * static_cast<std::size_t>(height)) {}
+      : width_(width),
+        height_(height),
+        bytes_(static_cast<std::size_t>(2 * width) * static_cast<std::size_t>(height)) {}
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -37,7 +37,9 @@ class Random {
   double uniform() { return static_cast<double>((*this)() >> 11) * 0x1.0p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// In [0, count).
-  std::uint64_t below(std::uint64_t count) { return static_cast<std::uint64_t>(uniform() * static_cast<double>(count)); }
+  std::uint64_t below(std::uint64_t count) {
+    return static_cast<std::uint64_t>(uniform() * static_cast<double>(count));
+  }
 
   /// Normal with mean 0 and standard deviation 1 (Box and Muller, 1958).
   double normal() {

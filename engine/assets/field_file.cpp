@@ -74,7 +74,8 @@ FieldDimensions load_field(const std::filesystem::path& file) {
     fail(file, text.str());
   }
   for (const auto& [key, value] : table) {
-    if (!is_key(key.str())) fail(file, "'" + std::string(key.str()) + "' is no key of a field; see assets/fields/README.md");
+    if (!is_key(key.str()))
+      fail(file, "'" + std::string(key.str()) + "' is no key of a field; see assets/fields/README.md");
   }
   FieldDimensions field;
   for (const Length& length : kLengths) read_length(table, length, file, field);

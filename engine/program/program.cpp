@@ -86,7 +86,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   CLI::App app{"Reorient: a robot that notices that it is turned round."};
   app.name("reorient");
   app.footer(kExamples);
-  app.require_subcommand(0, 1);   // none is told below, so that an unknown one is told by its name
+  app.require_subcommand(0, 1);  // none is told below, so that an unknown one is told by its name
   std::string log_level = "info";
   app.add_option("--log", log_level, "what to log: debug, info, warning, error, off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
@@ -116,7 +116,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     throw std::runtime_error("name a subcommand: run, test or version (see reorient --help)");
   }
 
-  spdlog::set_default_logger(std::make_shared<spdlog::logger>("reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
   spdlog::set_level(spdlog::level::from_str(log_level));
   if (version->parsed()) {
     out << "reorient " << REORIENT_VERSION << '\n';

@@ -13,7 +13,7 @@
 namespace reorient {
 namespace {
 
-constexpr int kBusy = 20;   // transitions in a run beyond which a behaviour's are left out of the timeline
+constexpr int kBusy = 20;  // transitions in a run beyond which a behaviour's are left out of the timeline
 
 struct TimelineRow {
   double time;
@@ -35,8 +35,8 @@ std::vector<TimelineRow> collect_rows(const RunHistory& history, const std::map<
   std::vector<TimelineRow> rows;
   for (const TransitionRecord& transition : history.transitions()) {
     if (!every_transition && counts.at(transition.machine) > kBusy) continue;
-    rows.push_back({transition.time, transition.machine, transition.from + " > " + transition.to, "",
-                    transition.reason, ""});
+    rows.push_back(
+        {transition.time, transition.machine, transition.from + " > " + transition.to, "", transition.reason, ""});
   }
   for (const CommandRecord& record : history.commands()) {
     const CommandRequest& request = record.request;

@@ -15,7 +15,7 @@ struct RunCircumstances {
   std::string room;
   std::uint64_t seed = 0;
   bool room_awareness = true;
-  double wall_seconds = 0.0;   ///< that the run took
+  double wall_seconds = 0.0;  ///< that the run took
   std::string digest;
 };
 

@@ -1,7 +1,5 @@
 #include "engine/program/run_command.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +10,7 @@
 
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "engine/assets/field_file.h"
 #include "engine/core_parameters.h"
@@ -77,18 +76,30 @@ void require_writable(const std::filesystem::path& folder) {
   const std::filesystem::path probe = folder / ".reorient-probe";
   const bool writable = !failed && std::ofstream(probe).put('x').flush().good();
   std::filesystem::remove(probe, failed);
-  if (!writable) throw std::runtime_error("cannot write into '" + folder.string() + "'; name another folder with --out");
+  if (!writable)
+    throw std::runtime_error("cannot write into '" + folder.string() + "'; name another folder with --out");
 }
 
 void obey(const ExperimenterAction& action, Experimenter& experimenter) {
   using Kind = ExperimenterAction::Kind;
   switch (action.kind) {
-    case Kind::pick_up: experimenter.pick_up(); break;
-    case Kind::put_down: experimenter.put_down(action.pose); break;
-    case Kind::push_over: experimenter.push_over(); break;
-    case Kind::penalize: experimenter.penalize(action.penalized); break;
-    case Kind::set_exposure: experimenter.set_exposure(action.stops); break;
-    case Kind::start_at: break;  // said to the robot, not done to it: the frame loop's
+    case Kind::pick_up:
+      experimenter.pick_up();
+      break;
+    case Kind::put_down:
+      experimenter.put_down(action.pose);
+      break;
+    case Kind::push_over:
+      experimenter.push_over();
+      break;
+    case Kind::penalize:
+      experimenter.penalize(action.penalized);
+      break;
+    case Kind::set_exposure:
+      experimenter.set_exposure(action.stops);
+      break;
+    case Kind::start_at:
+      break;  // said to the robot, not done to it: the frame loop's
   }
 }
 
@@ -128,9 +139,9 @@ class Progress {
       if (machine.is_scenario || machine.name == "orientation") states += "  " + machine.name + ": " + machine.state;
     }
     const Confidences& confidence = frame.world().confidence;
-    err_ << fmt::format("{}{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}", terminal_ ? "\r\033[K" : "",
-                        time, confidence.current, confidence.opposite, states, time / seconds_since(start),
-                        terminal_ ? "" : "\n")
+    err_ << fmt::format("{}{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}",
+                        terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states,
+                        time / seconds_since(start), terminal_ ? "" : "\n")
          << std::flush;
   }
   void end() {
@@ -149,12 +160,13 @@ void log_pose(const World& world) {
   const auto text = [](const Pose2& pose) {
     return fmt::format("({:.2f}, {:.2f}, {:.0f} deg)", pose.position.x(), pose.position.y(), to_degrees(pose.rotation));
   };
-  spdlog::debug("{:.1f} s: belief {} share {:.2f} reflected {:.2f}, truth {}; {} line points, {} posts, {} tiles, "
-                "coverage {:.2f}, informative {:.2f}, goals {:.2f} {:.2f}",
-                world.time, text(world.pose.pose), world.pose.share, world.pose.reflected_share,
-                world.truth ? text(world.truth->pose) : "unknown", world.line_points, world.goal_posts,
-                world.confidence.visible_tiles, world.confidence.coverage, world.confidence.informative,
-                world.confidence.goal_opponent, world.confidence.goal_own);
+  spdlog::debug(
+      "{:.1f} s: belief {} share {:.2f} reflected {:.2f}, truth {}; {} line points, {} posts, {} tiles, "
+      "coverage {:.2f}, informative {:.2f}, goals {:.2f} {:.2f}",
+      world.time, text(world.pose.pose), world.pose.share, world.pose.reflected_share,
+      world.truth ? text(world.truth->pose) : "unknown", world.line_points, world.goal_posts,
+      world.confidence.visible_tiles, world.confidence.coverage, world.confidence.informative,
+      world.confidence.goal_opponent, world.confidence.goal_own);
 }
 
 std::string room_name(const RunOptions& options) {

@@ -8,8 +8,8 @@
 namespace reorient {
 
 struct TestOptions {
-  std::vector<std::filesystem::path> paths;   ///< files or folders; none: tests/ of the scripts
-  std::filesystem::path scripts;              ///< root of the scripts
+  std::vector<std::filesystem::path> paths;  ///< files or folders; none: tests/ of the scripts
+  std::filesystem::path scripts;             ///< root of the scripts
 };
 
 /// Returns the exit code.

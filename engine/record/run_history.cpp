@@ -9,16 +9,16 @@ PoseError pose_error(const Pose2& belief, const Pose2& truth) {
 }
 
 bool is_right(const Pose2& belief, const Pose2& truth) {
-  constexpr double kNear = 1.0;             // m
-  constexpr double kTurned = kPi / 4.0;     // rad
+  constexpr double kNear = 1.0;          // m
+  constexpr double kTurned = kPi / 4.0;  // rad
   const PoseError error = pose_error(belief, truth);
   return error.position < kNear && error.rotation < kTurned;
 }
 
 void RunHistory::add(const FrameLoop& frame) {
   const World& world = frame.world();
-  add(FrameSample{world.time, world.confidence, world.pose, world.truth, world.training, world.evaluating, world.carried,
-                  world.fallen});
+  add(FrameSample{world.time, world.confidence, world.pose, world.truth, world.training, world.evaluating,
+                  world.carried, world.fallen});
   const ScriptOutput& output = frame.script_output();
   transitions_.insert(transitions_.end(), output.transitions.begin(), output.transitions.end());
   commands_.insert(commands_.end(), frame.commands().begin(), frame.commands().end());
@@ -41,7 +41,8 @@ RunSummary summarize(const RunHistory& history, const std::optional<ScenarioVerd
   if (!last.truth) return summary;
 
   const auto wrong = [](const FrameSample& sample) {
-    return sample.truth && !sample.carried && !sample.truth->carried && !is_right(sample.belief.pose, sample.truth->pose);
+    return sample.truth && !sample.carried && !sample.truth->carried &&
+           !is_right(sample.belief.pose, sample.truth->pose);
   };
   summary.error = pose_error(last.belief.pose, last.truth->pose);
   summary.right = is_right(last.belief.pose, last.truth->pose);

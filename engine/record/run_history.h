@@ -10,7 +10,7 @@
 namespace reorient {
 
 struct FrameSample {
-  double time = 0.0;   ///< s
+  double time = 0.0;  ///< s
   Confidences confidence;
   PoseBelief belief;
   std::optional<GroundTruth> truth;
@@ -22,8 +22,8 @@ struct FrameSample {
 
 /// How far a belief is from the truth.
 struct PoseError {
-  double position = 0.0;   ///< m
-  double rotation = 0.0;   ///< rad, not negative
+  double position = 0.0;  ///< m
+  double rotation = 0.0;  ///< rad, not negative
 };
 PoseError pose_error(const Pose2& belief, const Pose2& truth);
 
@@ -50,16 +50,16 @@ class RunHistory {
 
 /// The result of a run against the truth; empty optionals where there is nothing to tell.
 struct RunSummary {
-  bool succeeded = false;                        ///< the scenario said so
-  std::string verdict;                           ///< the scenario's words
-  bool right = false;                            ///< the belief is right at the end
-  std::optional<double> turned_round_at;         ///< s, start of the last time that the belief was wrong
-  std::optional<double> corrected_after;         ///< s from then until it was right and stayed so
-  std::optional<PoseError> error;                ///< at the end
+  bool succeeded = false;                 ///< the scenario said so
+  std::string verdict;                    ///< the scenario's words
+  bool right = false;                     ///< the belief is right at the end
+  std::optional<double> turned_round_at;  ///< s, start of the last time that the belief was wrong
+  std::optional<double> corrected_after;  ///< s from then until it was right and stayed so
+  std::optional<PoseError> error;         ///< at the end
   int flips = 0;
   int purges = 0;
   int resets = 0;
-  double seconds = 0.0;                          ///< of the robot's time
+  double seconds = 0.0;  ///< of the robot's time
   int frames = 0;
 };
 

@@ -9,24 +9,25 @@ namespace reorient {
 
 /// A point on the centre of a field line.
 struct LinePoint {
-  Eigen::Vector2d position;   ///< m
-  double normal = 0.0;        ///< direction across the line, rad, known up to half a turn: in (-pi/2, pi/2]
+  Eigen::Vector2d position;  ///< m
+  double normal = 0.0;       ///< direction across the line, rad, known up to half a turn: in (-pi/2, pi/2]
   Eigen::Vector2f pixel;
 };
 
 struct GoalPost {
-  Eigen::Vector2d position;   ///< m, where the post stands; from the base, or from the height where the base is not in view
-  bool base_visible = true;   ///< false: the bearing holds, the distance is rough
-  Eigen::Vector2f base;       ///< pixel
-  Eigen::Vector2f top;        ///< pixel, the highest one found
+  Eigen::Vector2d
+      position;  ///< m, where the post stands; from the base, or from the height where the base is not in view
+  bool base_visible = true;  ///< false: the bearing holds, the distance is rough
+  Eigen::Vector2f base;      ///< pixel
+  Eigen::Vector2f top;       ///< pixel, the highest one found
 };
 
 /// Something that stands on the field and hides what is behind it: a robot, a person, a post's neighbour.
 struct Obstacle {
-  Eigen::Vector2d position;   ///< m, nearest point on the ground
-  int left = 0;               ///< image columns that it covers, first and last
+  Eigen::Vector2d position;  ///< m, nearest point on the ground
+  int left = 0;              ///< image columns that it covers, first and last
   int right = 0;
-  int top = 0;                ///< image rows
+  int top = 0;  ///< image rows
   int bottom = 0;
 };
 

@@ -1,9 +1,9 @@
 #include "engine/record/digest.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <vector>
 
 namespace reorient {
 namespace {
@@ -36,9 +36,7 @@ TEST(Digest, DependsOnTheOrder) {
   EXPECT_NE(forwards.value(), backwards.value());
 }
 
-TEST(Digest, IsWrittenWithSixteenHexadecimalDigits) {
-  EXPECT_EQ(Digest().hex(), "cbf29ce484222325");
-}
+TEST(Digest, IsWrittenWithSixteenHexadecimalDigits) { EXPECT_EQ(Digest().hex(), "cbf29ce484222325"); }
 
 }  // namespace
 }  // namespace reorient

@@ -1,10 +1,10 @@
 #include "engine/assets/field_file.h"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <sstream>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "tests/engine/temporary_folder.h"
 

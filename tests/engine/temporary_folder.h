@@ -1,12 +1,12 @@
 // A folder of its own for one test, gone afterwards.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
+
+#include <unistd.h>
 
 namespace reorient {
 
