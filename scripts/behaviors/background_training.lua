@@ -1,5 +1,6 @@
 --- When may the background model of the room be trained, and when is it trusted? With a known pose and no model the
---- room is learned first, and the evaluation waits until enough of it is known. From then on the model is trained only
+--- room is learned first, and the evaluation waits until enough of it is known; until then somebody's word is all that
+--- speaks against the reflected pose, so reflected beliefs are purged on it. From then on the model is trained only
 --- while the believed pose clearly wins: training on a reflected belief would paint the room the wrong way round.
 --- A robot that lies, is carried or is penalised neither trains nor evaluates.
 
@@ -7,6 +8,8 @@ local p = param {
   least    = { 20.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
   coverage = { 0.5,  range = { 0, 1 },               doc = "share of the wall that must be learned before it is trusted" },
   most     = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever the coverage" },
+  doubt    = { 0.05, range = { 0, 1 },               doc = "share of reflected pose particles that is purged while the room is learned" },
+  settle   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
   lead     = { 0.3,  range = { 0, 1 },               doc = "how far the believed pose must be ahead to train on" },
   proof    = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last" },
   wary     = { 8.0,  range = { 0, 60 },  unit = "s", doc = "how long after a disturbance older confidences may still speak: no training" },
@@ -44,8 +47,18 @@ behavior "background_training" {
   },
 
   state "learning" {
+    initial = "studying",
     enter = function() command.pause_evaluation() end,
     { "trusting", when = knows_the_room, because = "enough of the room was learned" },
+
+    state "studying" {
+      { "vouching", when = function() return pose.reflected_share > p.doubt end, because = "the pose was told, so its reflection is wrong" },
+    },
+
+    state "vouching" {
+      enter = function() command.purge_reflection() end,
+      { "studying", after = "settle" },
+    },
   },
 
   state "trusting" {

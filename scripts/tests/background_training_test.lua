@@ -14,7 +14,7 @@ end
 
 test("with a known pose and no model it trains first and does not evaluate", function()
   start()
-  expect.state("background_training", "learning")
+  expect.state("background_training", "learning/studying")
   expect.lease("pause_evaluation")
   expect.no_lease("pause_training")
 end)
@@ -31,7 +31,7 @@ test("it goes on learning until enough of the wall is covered", function()
   start()
   set { training = { seconds = 25 }, confidence = { coverage = 0.2 } }
   advance(1)
-  expect.state("background_training", "learning")
+  expect.state("background_training", "learning/studying")
 end)
 
 test("it trusts the model after a while whatever the coverage", function()
@@ -39,6 +39,21 @@ test("it trusts the model after a while whatever the coverage", function()
   set { training = { seconds = 36 }, confidence = { coverage = 0.2 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
+end)
+
+test("while it learns from a pose that it was told, it purges reflected beliefs", function()
+  start()
+  set { training = { seconds = 5 }, pose = { reflected_share = 0.02 } }
+  advance(1)
+  expect.no_command()
+  set { pose = { reflected_share = 0.2 } }
+  advance(0.1)
+  expect.command("purge_reflection", "granted")
+  expect.state("background_training", "learning/vouching")
+  expect.lease("pause_evaluation")
+  set { pose = { reflected_share = 0.0 } }
+  advance(4)
+  expect.state("background_training", "learning/studying")
 end)
 
 test("a learned room is evaluated and no longer trained", function()
