@@ -83,7 +83,7 @@ class Projection {
         field_from_camera_(camera_from_field_.inverse()) {}
 
   std::optional<Eigen::Vector2d> pixel(const Eigen::Vector3d& point) const {
-    const auto projected = camera_.project(camera_from_field_ * point);
+    auto projected = camera_.project(camera_from_field_ * point);
     const double margin = camera_.width;
     if (!projected || std::abs(projected->x() - camera_.center.x()) > margin ||
         std::abs(projected->y() - camera_.center.y()) > margin) {
