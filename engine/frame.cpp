@@ -26,8 +26,6 @@ FrameLoop::FrameLoop(Robot& robot, ScriptHost& scripts, const CoreParameters& pa
     : robot_(robot),
       scripts_(scripts),
       parameters_(parameters),
-      field_(field),
-      options_(options),
       field_features_(parameters.field_features, field),
       pose_filter_(parameters.pose_filter, field, options.seed),
       percept_(&nothing_seen_),
@@ -151,7 +149,7 @@ void FrameLoop::rearrange(Command command) {
     case Command::pause_evaluation:
       break;
   }
-  // After a reset nobody knows the orientation; a flip or a purge says that the room has told it.
+  // After a reset nobody knows the orientation; a flip or a purge says that the room, or somebody, has told it.
   world_.pose_known = command != Command::reset_orientation;
   rearrangement_->belief_after = pose_filter_.belief();
   pose_filter_.append_poses(rearrangement_->particles_after);

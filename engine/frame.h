@@ -73,8 +73,6 @@ class FrameLoop {
   Robot& robot_;
   ScriptHost& scripts_;
   const CoreParameters& parameters_;
-  FieldDimensions field_;
-  FrameOptions options_;
 
   FieldFeatures field_features_;
   PoseFilter pose_filter_;

@@ -104,7 +104,6 @@ class Projection {
     }
   }
 
-  /// Height at which the camera looks at azimuth `azimuth` of the wall along its axis.
   const Eigen::Isometry3d& field_from_camera() const { return field_from_camera_; }
 
  private:
