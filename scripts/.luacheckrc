@@ -46,6 +46,7 @@ stds.reorient_test = { read_globals = {
   reload = {},
   set = {},
   set_param = {},
+  simulate = {},
   test = {},
 } }
 

@@ -1,8 +1,8 @@
-#include <fstream>
 #include <stdexcept>
 
 #include <toml++/toml.h>
 
+#include "engine/files/whole_file.h"
 #include "engine/parameters/parameter_registry.h"
 
 namespace reorient {
@@ -75,23 +75,15 @@ void ParameterRegistry::load_file(const std::filesystem::path& file) {
 }
 
 void ParameterRegistry::save_file(const std::filesystem::path& file) const {
-  std::filesystem::path beside = file;
-  beside += ".new";
-  {
-    std::ofstream out(beside);
-    for (const auto& [name, entry] : entries_) {
-      const Parameter& parameter = entry.parameter;
-      if (parameter.origin == ParameterOrigin::standard) continue;
-      const char* const quote = parameter.kind == ParameterKind::choice ? "\"" : "";
-      out << as_key(name) << " = " << quote << to_text(parameter.value) << quote << "  # " << range_text(parameter)
-          << ": " << parameter.sentence << "\n";
-    }
-    out.flush();
-    if (!out) throw std::runtime_error(file.string() + ": the parameters cannot be written there");
+  std::string text;
+  for (const auto& [name, entry] : entries_) {
+    const Parameter& parameter = entry.parameter;
+    if (parameter.origin == ParameterOrigin::standard) continue;
+    const char* const quote = parameter.kind == ParameterKind::choice ? "\"" : "";
+    text += as_key(name) + " = " + quote + to_text(parameter.value) + quote + "  # " + range_text(parameter) + ": " +
+            parameter.sentence + "\n";
   }
-  std::error_code error;
-  std::filesystem::rename(beside, file, error);
-  if (error) throw std::runtime_error(file.string() + ": the parameters cannot be written there: " + error.message());
+  write_whole_file(file, text);
 }
 
 }  // namespace reorient

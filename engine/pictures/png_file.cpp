@@ -1,13 +1,12 @@
 #include "engine/pictures/png_file.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
+#include <vector>
 
 #include <png.h>
+
+#include "engine/files/whole_file.h"
 
 namespace reorient::pictures {
 namespace {
@@ -34,34 +33,11 @@ std::vector<char> encode(const std::filesystem::path& file, const Picture& pictu
   return encoded;
 }
 
-std::string last_error() {
-  const int code = errno;
-  return code == 0 ? "the file system refused" : std::generic_category().message(code);
-}
-
 }  // namespace
 
 void write_png(const std::filesystem::path& file, const Picture& picture) {
   const std::vector<char> encoded = encode(file, picture);
-  std::filesystem::path partial = file;
-  partial += ".partial";
-
-  errno = 0;
-  std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-  if (!stream) refuse(file, last_error());
-  stream.write(encoded.data(), static_cast<std::streamsize>(encoded.size()));
-  stream.close();
-
-  std::string failure = stream ? "" : last_error();
-  if (failure.empty()) {
-    std::error_code error;
-    std::filesystem::rename(partial, file, error);
-    if (!error) return;
-    failure = error.message();
-  }
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  refuse(file, failure);
+  write_whole_file(file, {encoded.data(), encoded.size()});
 }
 
 }  // namespace reorient::pictures

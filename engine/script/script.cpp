@@ -32,6 +32,16 @@ int refuse_new_global(lua_State* L) {
                     luaL_tolstring(L, 2, nullptr), luaL_tolstring(L, 2, nullptr));
 }
 
+/// Of a syntax error, which Lua describes by the words "near 'token'"; 0: not known.
+int column_of(const ScriptFault& fault, const DeclarationPlaces& places) {
+  constexpr std::string_view kNear = "near '";
+  const std::size_t begin = fault.message.rfind(kNear);
+  if (begin == std::string::npos || !fault.message.ends_with('\'')) return 0;
+  const std::string token = fault.message.substr(begin + kNear.size(), fault.message.size() - begin - kNear.size() - 1);
+  const std::optional<TextPosition> position = places.on_line(token, fault.line);
+  return position ? position->column : 0;
+}
+
 }  // namespace
 
 Script::Script(const ScriptFolder& folder, const std::string& file, ScriptKind kind, const ScriptLimits& limits,
@@ -39,10 +49,19 @@ Script::Script(const ScriptFolder& folder, const std::string& file, ScriptKind k
     : folder_(folder), limits_(limits), registry_(parameters), hashes_(&hashes), sandbox_(limits) {
   sandbox_.grant(limits.instructions_per_load);
   add_globals(directory, kind);
-  load_module(file);
+  try {
+    load_module(file);
+  } catch (ScriptError& error) {
+    const std::vector<ScriptFault>& found = declarations_->faults;
+    const bool is_theirs = !found.empty() && found.front().file == error.fault.file &&
+                           found.front().line == error.fault.line && found.front().column == error.fault.column;
+    if (is_theirs) error.all = found;
+    throw;
+  }
   lua_pop(sandbox_.state(), 1);
   declarations_->close();
   texts_.clear();
+  places_.clear();
   is_loaded_ = true;
   hashes_ = nullptr;
   if (!declarations_->machines.empty()) return;
@@ -57,7 +76,7 @@ void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
   add_script_functions(L, actions_, for_scenario);
   add_behavior_view(L, directory);
   declarations_ = std::make_unique<Declarations>(
-      L, for_scenario, [this](const std::string& file) -> std::string_view { return texts_[file]; },
+      L, for_scenario, [this](const std::string& name) -> const DeclarationPlaces& { return places_of(name); },
       [this](const ParameterDeclaration& declaration) { return registry_.preview(declaration); });
   lua_newtable(L);
   loaded_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -82,13 +101,25 @@ void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
 std::string_view Script::read(const std::string& file) {
   std::optional<std::string> text = folder_.read(file);
   (*hashes_)[file] = text ? std::optional<std::uint64_t>(content_hash(*text)) : std::nullopt;
-  if (!text) throw ScriptError({file, 0, "there is no such script below " + folder_.root().string(), {}});
+  if (!text) {
+    const std::string folder = std::filesystem::path(file).parent_path().generic_string();
+    const std::string hint = did_you_mean(file, scripts_in(folder_.root(), folder));
+    throw ScriptError({file, 0, "there is no such script below " + folder_.root().string() + hint, {}});
+  }
   return texts_[file] = std::move(*text);
+}
+
+const DeclarationPlaces& Script::places_of(const std::string& file) {
+  const auto known = places_.find(file);
+  return known != places_.end() ? known->second : places_.emplace(file, DeclarationPlaces(texts_[file])).first->second;
 }
 
 void Script::load_module(const std::string& file) {
   const std::string_view text = read(file);
-  if (std::optional<ScriptFault> fault = sandbox_.compile(text, file)) throw ScriptError(std::move(*fault));
+  if (std::optional<ScriptFault> fault = sandbox_.compile(text, file)) {
+    fault->column = column_of(*fault, places_of(file));
+    throw ScriptError(std::move(*fault));
+  }
   loading_.push_back(file);
   std::optional<ScriptFault> fault = sandbox_.call(0, 1);
   loading_.pop_back();
@@ -162,6 +193,21 @@ std::vector<ParameterDeclaration> Script::parameters() const {
   return all;
 }
 
+std::map<std::string, std::set<std::string>> Script::module_fields() const {
+  std::map<std::string, std::set<std::string>> all;
+  lua_State* const L = sandbox_.state();
+  lua_rawgeti(L, LUA_REGISTRYINDEX, loaded_);
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING || !lua_istable(L, -1)) continue;
+    std::set<std::string>& fields = all[lua_tostring(L, -2)];
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+      if (lua_type(L, -2) == LUA_TSTRING) fields.insert(lua_tostring(L, -2));
+    }
+  }
+  lua_pop(L, 1);
+  return all;
+}
+
 void Script::begin_frame(const std::vector<double>& world, FrameDraft& draft) {
   draft_ = &draft;
   exit_faults_.clear();
@@ -199,9 +245,10 @@ double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
   lua_pop(sandbox_.state(), 1);
   if (is_number && seconds >= 0.0) return seconds;
   throw ScriptError({machine.definition().file,
-                     machine.definition().states[static_cast<std::size_t>(state)].line,
+                     machine.definition().states[static_cast<std::size_t>(state)].position.line,
                      "a function for lasting or after must give a number of seconds, 0 or more",
-                     {}});
+                     {},
+                     0});
 }
 
 void Script::run(Machine& machine, int state, int function) {

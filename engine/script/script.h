@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@
 #include "engine/script/language/kept_value.h"
 #include "engine/script/language/script_actions.h"
 #include "engine/script/language/world_view.h"
-#include "engine/script/machine.h"
+#include "engine/script/machine/machine.h"
 #include "engine/script/sandbox/sandbox.h"
 #include "engine/script/script_folder.h"
 
@@ -37,6 +38,8 @@ class Script : public MachineCallbacks {
   const std::deque<MachineDefinition>& machines() const { return declarations_->machines; }
   std::vector<ParameterDeclaration> parameters() const;
   const Sandbox& sandbox() const { return sandbox_; }
+  /// The fields of each module that it requires and that is a table.
+  std::map<std::string, std::set<std::string>> module_fields() const;
 
   /// Before the machines tick: the frame's world, changed parameters, a new budget.
   void begin_frame(const std::vector<double>& world, FrameDraft& draft);
@@ -59,6 +62,7 @@ class Script : public MachineCallbacks {
   /// Pushes what the file returns. Throws ScriptError.
   void load_module(const std::string& file);
   std::string_view read(const std::string& file);
+  const DeclarationPlaces& places_of(const std::string& file);
   void add_globals(const MachineDirectory& directory, ScriptKind kind);
   void push_function(int function);
 
@@ -66,8 +70,9 @@ class Script : public MachineCallbacks {
   ScriptLimits limits_;
   const ParameterRegistry& registry_;
   BundleHashes* hashes_;                      ///< while it is loaded
-  std::map<std::string, std::string> texts_;  ///< while it is loaded
-  std::vector<std::string> loading_;          ///< files whose `require` has not returned yet
+  std::map<std::string, std::string> texts_;  ///< while it is loaded; so are the next
+  std::map<std::string, DeclarationPlaces> places_;
+  std::vector<std::string> loading_;  ///< files whose `require` has not returned yet
   Sandbox sandbox_;
   ScriptActions actions_;
   std::unique_ptr<WorldView> world_;

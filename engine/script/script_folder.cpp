@@ -33,6 +33,19 @@ std::optional<std::string> ScriptFolder::read(const std::string& relative) const
   return std::move(text).str();
 }
 
+std::vector<std::string> scripts_in(const std::filesystem::path& root, const std::string& folder) {
+  const std::string ending = folder == "tests" ? "_test.lua" : ".lua";
+  std::vector<std::string> files;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator entry(root / folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().filename().string().ends_with(ending))
+      files.push_back(entry->path().lexically_relative(root).generic_string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 std::uint64_t content_hash(std::string_view text) {
   std::uint64_t hash = 0xCBF29CE484222325ull;
   for (const char letter : text) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace reorient {
 
@@ -27,6 +28,9 @@ class ScriptFolder {
   std::filesystem::path root_;
   std::map<std::string, std::string> replaced_;
 };
+
+/// The files *.lua below root/folder, by name, from the root; of "tests" only *_test.lua.
+std::vector<std::string> scripts_in(const std::filesystem::path& root, const std::string& folder);
 
 /// FNV-1a, 64 bits.
 std::uint64_t content_hash(std::string_view text);

@@ -35,7 +35,7 @@ struct ScriptHost::Slot {
   double microseconds = 0.0;
 };
 
-ScriptHost::ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters, ScriptLimits limits)
+ScriptHost::ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters, const ScriptLimits& limits)
     : folder_(std::move(scripts_root)), parameters_(parameters), limits_(limits), watcher_(folder_.root()) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder_.root(), error)) {
@@ -102,8 +102,11 @@ void ScriptHost::refuse_taken_names(const Slot& slot, const Script& script) cons
     for (const Slot::Running& running : other->machines) {
       for (const MachineDefinition& machine : script.machines()) {
         if (machine.name != running.machine.definition().name) continue;
-        throw ScriptError(
-            {machine.file, machine.line, "'" + machine.name + "' is declared in " + other->file + " too", {}});
+        throw ScriptError({machine.file,
+                           machine.position.line,
+                           "'" + machine.name + "' is declared in " + other->file + " too",
+                           {},
+                           machine.position.column});
       }
     }
   }
@@ -262,6 +265,12 @@ std::vector<const MachineDefinition*> ScriptHost::definitions() const {
   for (const auto& slot : slots_) {
     for (const Slot::Running& running : slot->machines) all.push_back(&running.machine.definition());
   }
+  return all;
+}
+
+std::map<std::string, std::set<std::string>> ScriptHost::module_fields() const {
+  std::map<std::string, std::set<std::string>> all;
+  for (const auto& slot : slots_) all.merge(slot->script->module_fields());
   return all;
 }
 

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,8 +45,10 @@ struct MachineStatus {
 
 class ScriptHost : public MachineDirectory {
  public:
-  /// `parameters` must outlive the host. Throws std::runtime_error with one line when there is no such folder.
-  ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters, ScriptLimits limits = {});
+  /// `parameters` and `limits` must outlive the host; changed limits hold for what is loaded from then on. Throws
+  /// std::runtime_error with one line when there is no such folder.
+  ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters,
+             const ScriptLimits& limits = kStandardLimits);
   ~ScriptHost() override;
   ScriptHost(const ScriptHost&) = delete;
   ScriptHost& operator=(const ScriptHost&) = delete;
@@ -71,6 +75,8 @@ class ScriptHost : public MachineDirectory {
   std::vector<MachineStatus> machines() const;
   /// The declared machines, for graphs, checks and coverage.
   std::vector<const MachineDefinition*> definitions() const;
+  /// What each module that was required offers, by its name ("lib.walk").
+  std::map<std::string, std::set<std::string>> module_fields() const;
 
  private:
   struct Slot;
@@ -89,7 +95,7 @@ class ScriptHost : public MachineDirectory {
 
   ScriptFolder folder_;
   ParameterRegistry& parameters_;
-  ScriptLimits limits_;
+  const ScriptLimits& limits_;
   FileWatcher watcher_;
   std::vector<std::unique_ptr<Slot>> slots_;
   ScriptOutput output_;

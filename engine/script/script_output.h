@@ -17,7 +17,8 @@ struct TransitionRecord {
   std::string machine;
   std::string from;  ///< path; empty at the start
   std::string to;
-  std::string reason;  ///< the transition's `because`
+  std::string reason;   ///< the transition's `because`
+  int transition = -1;  ///< of the machine's definition; -1: the start, or after a reload
 };
 
 struct LogRecord {

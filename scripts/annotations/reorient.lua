@@ -256,6 +256,11 @@ function advance(seconds) end
 ---@param edit { from: string, to: string, file: string? }
 function reload(edit) end
 
+---Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.
+---@param run { scenario: string, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, params: table<string, any>? }
+---@return boolean is_right
+function simulate(run) end
+
 ---The machine is in this state (path).
 ---@param machine string
 ---@param path string
@@ -319,7 +324,7 @@ function expect.error(text) end
 ---@param text string
 function expect.refused(text) end
 
----Two values are the same; the first is what was seen.
+---Two values are the same, tables field by field; the first is what was seen.
 ---@param actual any
 ---@param expected any
 function expect.equal(actual, expected) end

@@ -1,52 +1,17 @@
-// A folder of scripts on disk that vanishes afterwards, and a host that runs them frame by frame.
+// A host that runs scripts of a temporary folder frame by frame.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <random>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
+#include "tests/engine/temporary_folder.h"
 
 namespace reorient {
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    static int count = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("reorient-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
-  /// In place, as many editors save.
-  void write(const std::string& relative, const std::string& text) const {
-    std::filesystem::create_directories((path_ / relative).parent_path());
-    std::ofstream(path_ / relative) << text;
-  }
-
-  /// Beside it, then renamed over it.
-  void write_by_rename(const std::string& relative, const std::string& text) const {
-    write(relative + ".new", text);
-    std::filesystem::rename(path_ / (relative + ".new"), path_ / relative);
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 class ScriptTest : public ::testing::Test {
  protected:

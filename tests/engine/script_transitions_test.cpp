@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownDwell",
                 "param { settle = { 1, range = { 0, 2 }, doc = \"x\" } }\nbehavior \"b\" { state \"a\" { { \"a\", "
                 "after = \"setle\" } } }",
-                2, "there is no param 'setle' (did you mean 'refused.settle'?)"},
+                2, "there is no param 'setle' (did you mean 'settle'?)"},
         Mistake{"UnknownKey", "behavior \"b\" {\n state \"a\" { entre = print } }", 2,
                 "there is no 'entre' here (did you mean 'enter'?)"},
         Mistake{"NotAFunction", "behavior \"b\" { enter = 5 }", 1, "enter is a function, not a number"},

@@ -25,12 +25,18 @@ class TemporaryFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Makes the folders on the way.
+  /// In place, as many editors save. Makes the folders on the way.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;
     return file;
+  }
+
+  /// Beside it, then renamed over it, as other editors save.
+  void write_by_rename(const std::filesystem::path& name, std::string_view text) const {
+    const std::filesystem::path beside = write(name.string() + ".new", text);
+    std::filesystem::rename(beside, path_ / name);
   }
 
  private:

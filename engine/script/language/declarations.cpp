@@ -1,5 +1,6 @@
 #include "engine/script/language/declarations.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -105,9 +106,8 @@ void Declarations::add(const char* name) {
   lua_setglobal(lua_, name);
 }
 
-Declarations::Declarations(lua_State* L, bool is_scenario, std::function<std::string_view(const std::string&)> text_of,
-                           std::function<ParameterValue(const ParameterDeclaration&)> preview)
-    : lua_(L), is_scenario_(is_scenario), text_of_(std::move(text_of)), preview_(std::move(preview)) {
+Declarations::Declarations(lua_State* L, bool is_scenario, PlacesOf places_of, Preview preview)
+    : lua_(L), is_scenario_(is_scenario), places_of_(std::move(places_of)), preview_(std::move(preview)) {
   add<&Declarations::param>("param");
   add<&Declarations::keep>("keep");
   add<&Declarations::state>("state");
@@ -170,7 +170,19 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
   return declaration;
 }
 
-void Declarations::read_parameter(lua_State* L, const std::string& file, int line) {
+void Declarations::refuse(const std::string& file, std::vector<DeclarationError> errors) {
+  if (errors.empty()) return;
+  std::stable_sort(errors.begin(), errors.end(),
+                   [](const auto& left, const auto& right) { return is_before(left.position, right.position); });
+  faults.clear();
+  for (const DeclarationError& error : errors)
+    faults.push_back({file, error.position.line, error.message, {}, error.position.column});
+  const std::size_t more = faults.size() - 1;
+  throw std::runtime_error(faults.front().text() +
+                           (more > 0 ? " (and " + std::to_string(more) + " more; reorient check shows all)" : ""));
+}
+
+void Declarations::read_parameter(lua_State* L, const std::string& file) {
   const std::string key = lua_tostring(L, -2);
   if (!is_name(key)) throw std::runtime_error("'" + key + "' cannot be a param's name: letters, digits and _ only");
   if (lua_type(L, -1) != LUA_TTABLE)
@@ -182,7 +194,7 @@ void Declarations::read_parameter(lua_State* L, const std::string& file, int lin
   parse_parameter(parameter.declaration, to_text(parameter.declaration.standard));  // the default must fit its range
   for (const DeclaredParameter& other : parameters) {
     if (other.declaration.name == parameter.declaration.name) {
-      throw std::runtime_error(at({file, line}, "param " + parameter.declaration.name + " is declared twice"));
+      throw std::runtime_error("param " + parameter.declaration.name + " is declared twice");
     }
   }
   parameters.push_back(std::move(parameter));
@@ -193,10 +205,20 @@ int Declarations::param(lua_State* L) {
   lua_settop(L, 1);
   const Place place = place_of(L, 1);
   const std::size_t first = parameters.size();
+  std::vector<DeclarationError> errors;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("each param has a name: param { name = { ... } }");
-    read_parameter(L, place.file, place.line);
+    const int key = lua_gettop(L) - 1;
+    try {
+      read_parameter(L, place.file);
+    } catch (const std::runtime_error& error) {
+      const TextPosition from{place.line, 0};
+      constexpr TextPosition kEnd{std::numeric_limits<int>::max(), 0};
+      errors.push_back({places_of_(place.file).key(lua_tostring(L, key), from, kEnd).value_or(from), error.what()});
+      lua_settop(L, key + 1);
+    }
   }
+  refuse(place.file, std::move(errors));
   lua_newtable(L);
   for (std::size_t i = first; i < parameters.size(); ++i) {
     lua_pushvalue(L, -1);
@@ -261,20 +283,17 @@ int Declarations::machine_body(lua_State* L) {
   MachineDefinition definition;
   definition.name = lua_tostring(L, lua_upvalueindex(2));
   definition.file = place_of(L, 1).file;
-  definition.line = static_cast<int>(lua_tointeger(L, lua_upvalueindex(3)));
   definition.is_scenario = is_scenario_;
   for (const MachineDefinition& other : machines) {
     if (other.name == definition.name) throw std::runtime_error("'" + definition.name + "' is declared twice");
   }
   std::vector<std::string> names;
   for (const DeclaredParameter& parameter : parameters) names.push_back(parameter.declaration.name);
-  MachineReader(L, definition, names, text_of_(definition.file)).read(1);
-  const std::vector<DeclarationError> errors = resolve(definition);
-  if (!errors.empty()) {
-    std::string message = errors.front().message;
-    if (errors.size() > 1) message += " (and " + std::to_string(errors.size() - 1) + " more errors like this)";
-    throw std::runtime_error(at({definition.file, errors.front().line}, message));
-  }
+  std::vector<DeclarationError> errors;
+  MachineReader(L, definition, names, places_of_(definition.file), errors)
+      .read(1, static_cast<int>(lua_tointeger(L, lua_upvalueindex(3))));
+  for (DeclarationError& error : resolve(definition)) errors.push_back(std::move(error));
+  refuse(definition.file, std::move(errors));
   machines.push_back(std::move(definition));
   return 0;
 }

@@ -4,13 +4,14 @@
 #include <deque>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <lua.hpp>
 
 #include "engine/parameters/parameter.h"
-#include "engine/script/machine_definition.h"
+#include "engine/script/machine/machine_definition.h"
+#include "engine/script/sandbox/sandbox.h"
+#include "engine/script/source/declaration_places.h"
 
 namespace reorient {
 
@@ -30,9 +31,11 @@ struct KeptMemory {
 
 class Declarations {
  public:
-  /// `text_of` gives a loaded file's source, to find lines in; `preview` a parameter's value as it will be.
-  Declarations(lua_State* L, bool is_scenario, std::function<std::string_view(const std::string&)> text_of,
-               std::function<ParameterValue(const ParameterDeclaration&)> preview);
+  using PlacesOf = std::function<const DeclarationPlaces&(const std::string& file)>;
+  using Preview = std::function<ParameterValue(const ParameterDeclaration&)>;
+
+  /// `places_of` a loaded file's declarations; `preview`: a parameter's value as it will be.
+  Declarations(lua_State* L, bool is_scenario, PlacesOf places_of, Preview preview);
 
   /// From now on, declaring anything is an error.
   void close() { closed_ = true; }
@@ -41,6 +44,7 @@ class Declarations {
   std::deque<MachineDefinition> machines;
   std::vector<DeclaredParameter> parameters;
   std::vector<KeptMemory> memories;
+  std::vector<ScriptFault> faults;  ///< all that is wrong with the declaration that was refused
 
   void set_value(DeclaredParameter& parameter, const ParameterValue& value);
 
@@ -57,16 +61,17 @@ class Declarations {
   int machine(lua_State* L);
   int machine_body(lua_State* L);
 
-  void read_parameter(lua_State* L, const std::string& file, int line);
+  void read_parameter(lua_State* L, const std::string& file);
   ParameterDeclaration read_parameter_declaration(lua_State* L, const std::string& name);
 
-  struct Reader;
+  /// Throws std::runtime_error if there are errors.
+  void refuse(const std::string& file, std::vector<DeclarationError> errors);
 
   lua_State* lua_;
   bool is_scenario_;
   bool closed_ = false;
-  std::function<std::string_view(const std::string&)> text_of_;
-  std::function<ParameterValue(const ParameterDeclaration&)> preview_;
+  PlacesOf places_of_;
+  Preview preview_;
 };
 
 }  // namespace reorient

@@ -32,6 +32,14 @@ bool is_state(lua_State* L, int table) {
   return marked;
 }
 
+std::string short_name(const std::string& parameter) { return parameter.substr(parameter.find('.') + 1); }
+
+std::vector<std::string> short_names(std::span<const std::string> parameters) {
+  std::vector<std::string> names;
+  for (const std::string& parameter : parameters) names.push_back(short_name(parameter));
+  return names;
+}
+
 }  // namespace
 
 void mark_state(lua_State* L, int table, int name, int line) {
@@ -42,32 +50,32 @@ void mark_state(lua_State* L, int table, int name, int line) {
 }
 
 MachineReader::MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                             std::string_view text)
-    : lua_(L), machine_(machine), parameters_(parameters), text_(text), line_(machine.line) {}
+                             const DeclarationPlaces& places, std::vector<DeclarationError>& errors)
+    : lua_(L), machine_(machine), parameters_(parameters), places_(places), errors_(errors) {}
 
-void MachineReader::refuse(const std::string& message) const {
-  throw std::runtime_error(machine_.file + ":" + std::to_string(line_) + ": " + message);
+void MachineReader::note_at(const std::string& key, const std::string& message) {
+  errors_.push_back({places_.key(key, position_, end_).value_or(position_), message});
 }
 
-void MachineReader::read(int table) {
+void MachineReader::read(int table, int line) {
+  DeclarationPlaces::Table place = places_.table(machine_.is_scenario ? "scenario" : "behavior", machine_.name, line);
+  position_ = place.position;
+  end_ = places_.end_of(place);
+  machine_.position = position_;
   if (machine_.is_scenario) {
     check_keys(table, kScenarioKeys);
     read_behaviors(table);
   } else {
     check_keys(table, kMachineKeys);
   }
-  const int type = raw_field(lua_, table, "priority");
-  if (type != LUA_TNIL && type != LUA_TNUMBER) refuse("priority is a number");
-  machine_.priority = lua_tonumber(lua_, -1);
-  if (!std::isfinite(machine_.priority)) refuse("priority is a finite number");
-  lua_pop(lua_, 1);
+  machine_.priority = read_priority(table);
   machine_.states.emplace_back();
-  machine_.states.back().line = machine_.line;
-  read_state(table, 0);
+  machine_.states.back().position = position_;
+  read_state(table, 0, place);
 }
 
-void MachineReader::read_state(int table, int state) {
-  if (++depth_ > kDeepestNesting) refuse("states nest too deeply");
+void MachineReader::read_state(int table, int state, DeclarationPlaces::Table& place) {
+  if (++depth_ > kDeepestNesting) throw std::runtime_error("states nest too deeply");
   luaL_checkstack(lua_, 8, "states nest too deeply");
   StateDefinition& definition = machine_.states[state];
   definition.initial_name = read_text(table, "initial");
@@ -77,83 +85,89 @@ void MachineReader::read_state(int table, int state) {
   raw_field(lua_, table, "history");
   definition.history = lua_toboolean(lua_, -1) != 0;
   lua_pop(lua_, 1);
-  read_transitions(table, state);
-  read_items(table, state);
+  read_always(table, state, place);
+  // `definition` dangles from here on: states are added.
+  const auto count = static_cast<lua_Integer>(lua_rawlen(lua_, table));
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(lua_, table, i);
+    read_item(lua_gettop(lua_), state, place);
+    lua_pop(lua_, 1);
+  }
   --depth_;
 }
 
-/// What stands in the table without a name: states and transitions. (`definition` would dangle: states are added.)
-void MachineReader::read_items(int table, int state) {
-  const auto count = static_cast<lua_Integer>(lua_rawlen(lua_, table));
-  for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(lua_, table, i) != LUA_TTABLE) {
-      refuse("here stand states and transitions, not a " + std::string(luaL_typename(lua_, -1)));
-    }
-    const int item = lua_gettop(lua_);
-    if (!is_state(lua_, item)) {
-      read_transition(item, state, false);
-      lua_pop(lua_, 1);
-      continue;
-    }
-    if (machine_.states.size() >= kMostStates) refuse("too many states");
-    const int line_before = line_;
-    lua_rawgetp(lua_, item, &kStateLine);
-    line_ = static_cast<int>(lua_tointeger(lua_, -1));
-    lua_rawgetp(lua_, item, &kStateName);
-    StateDefinition inner;
-    inner.name = lua_tostring(lua_, -1);
-    inner.path = machine_.states[state].path.empty() ? inner.name : machine_.states[state].path + "/" + inner.name;
-    inner.parent = state;
-    inner.line = line_;
-    lua_pop(lua_, 2);
-    check_keys(item, kStateKeys);
-    const int index = static_cast<int>(machine_.states.size());
-    machine_.states.push_back(std::move(inner));
-    machine_.states[state].children.push_back(index);
-    read_state(item, index);
-    line_ = std::max(line_, line_before);
-    lua_pop(lua_, 1);
+/// What stands in a state's table without a name: states and transitions.
+void MachineReader::read_item(int item, int state, DeclarationPlaces::Table& place) {
+  if (!lua_istable(lua_, item)) {
+    note("here stand states and transitions, not a " + std::string(luaL_typename(lua_, item)));
+  } else if (is_state(lua_, item)) {
+    read_inner_state(item, state);
+  } else {
+    read_transition(item, state, false, place);
   }
 }
 
-void MachineReader::read_transitions(int table, int state) {
-  const int line_before = line_;
+void MachineReader::read_inner_state(int item, int parent) {
+  if (machine_.states.size() >= kMostStates) throw std::runtime_error("too many states");
+  const TextPosition position_before = position_;
+  const TextPosition end_before = end_;
+  lua_rawgetp(lua_, item, &kStateLine);
+  lua_rawgetp(lua_, item, &kStateName);
+  StateDefinition inner;
+  inner.name = lua_tostring(lua_, -1);
+  DeclarationPlaces::Table place = places_.table("state", inner.name, static_cast<int>(lua_tointeger(lua_, -2)));
+  lua_pop(lua_, 2);
+  position_ = place.position;
+  end_ = places_.end_of(place);
+  const std::string& outer = machine_.states[parent].path;
+  inner.path = outer.empty() ? inner.name : outer + "/" + inner.name;
+  inner.parent = parent;
+  inner.position = position_;
+  check_keys(item, kStateKeys);
+  const int index = static_cast<int>(machine_.states.size());
+  machine_.states.push_back(std::move(inner));
+  machine_.states[parent].children.push_back(index);
+  read_state(item, index, place);
+  position_ = position_before;
+  end_ = end_before;
+}
+
+void MachineReader::read_always(int table, int state, DeclarationPlaces::Table& place) {
+  constexpr const char* kMisread = "always is a list of transitions: always = { { \"target\", when = ... } }";
   const int type = raw_field(lua_, table, "always");
   const int list = lua_gettop(lua_);
-  if (type != LUA_TNIL && type != LUA_TTABLE)
-    refuse("always is a list of transitions: always = { { \"target\", when = ... } }");
+  if (type != LUA_TNIL && type != LUA_TTABLE) note_at("always", kMisread);
   const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(lua_, list)) : 0;
   for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(lua_, list, i) != LUA_TTABLE || is_state(lua_, lua_gettop(lua_))) {
-      refuse("always is a list of transitions: always = { { \"target\", when = ... } }");
+    if (lua_rawgeti(lua_, list, i) == LUA_TTABLE && !is_state(lua_, lua_gettop(lua_))) {
+      read_transition(lua_gettop(lua_), state, true, place);
+    } else {
+      note_at("always", kMisread);
     }
-    read_transition(lua_gettop(lua_), state, true);
     lua_pop(lua_, 1);
   }
-  line_ = line_before;
   lua_pop(lua_, 1);
 }
 
-void MachineReader::read_transition(int table, int state, bool always) {
-  const int line_before = line_;
+void MachineReader::read_transition(int table, int state, bool always, DeclarationPlaces::Table& place) {
+  const TextPosition position_before = position_;
   TransitionDefinition transition;
   transition.from = state;
   transition.always = always;
-  if (lua_rawgeti(lua_, table, 1) != LUA_TSTRING)
-    refuse("a transition begins with the name of the state that it leads to");
-  transition.target = lua_tostring(lua_, -1);
+  const bool has_target = lua_rawgeti(lua_, table, 1) == LUA_TSTRING;
+  if (has_target) transition.target = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
-  if (transition.target.empty()) refuse("a transition begins with the name of the state that it leads to");
-  line_ = line_of(transition.target);
+  if (transition.target.empty()) return note("a transition begins with the name of the state that it leads to");
+  position_ = places_.transition(place, transition.target, always);
+  transition.position = position_;
   check_keys(table, kTransitionKeys);
-  transition.line = line_;
   transition.when = read_function(table, "when");
   transition.lasting = read_dwell(table, "lasting");
   transition.after = read_dwell(table, "after");
   transition.because = read_text(table, "because");
   machine_.states[state].transitions.push_back(static_cast<int>(machine_.transitions.size()));
   machine_.transitions.push_back(std::move(transition));
-  line_ = std::max(line_, line_before);
+  position_ = position_before;
 }
 
 Dwell MachineReader::read_dwell(int table, const char* key) {
@@ -166,7 +180,7 @@ Dwell MachineReader::read_dwell(int table, const char* key) {
     dwell.text = std::string(lua_tostring(lua_, -1)) + " s";
     lua_pop(lua_, 1);
     if (!(dwell.seconds >= 0.0) || !std::isfinite(dwell.seconds))
-      refuse(std::string(key) + " is a number of seconds, 0 or more");
+      note_at(key, std::string(key) + " is a number of seconds, 0 or more");
   } else if (type == LUA_TFUNCTION) {
     dwell.kind = Dwell::Kind::function;
     dwell.text = "what a function says";
@@ -175,77 +189,74 @@ Dwell MachineReader::read_dwell(int table, const char* key) {
   } else if (type == LUA_TSTRING) {
     dwell.kind = Dwell::Kind::parameter;
     dwell.text = lua_tostring(lua_, -1);
-    dwell.index = -1;
-    std::vector<std::string> names(parameters_.begin(), parameters_.end());
-    for (std::size_t i = names.size(); i-- > 0;) {  // backwards: this file's own come after its libraries'
-      const std::string short_name = names[i].substr(names[i].find('.') + 1);
-      if (names[i] == dwell.text || short_name == dwell.text) dwell.index = static_cast<int>(i);
-      if (dwell.index >= 0) break;
-    }
-    if (dwell.index < 0) refuse("there is no param '" + dwell.text + "'" + did_you_mean(dwell.text, names));
+    dwell.index = find_parameter(dwell.text);
+    if (dwell.index < 0)
+      note_at(key, "there is no param '" + dwell.text + "'" + did_you_mean(dwell.text, short_names(parameters_)));
   } else if (type != LUA_TNIL) {
-    refuse(std::string(key) + " is a number of seconds, the name of a param, or a function that says how many seconds");
+    note_at(key, std::string(key) +
+                     " is a number of seconds, the name of a param, or a function that says how many seconds");
   }
   lua_pop(lua_, 1);
   return dwell;
 }
 
+/// -1: there is no such param. Backwards: a file's own come after those of the libraries that it requires.
+int MachineReader::find_parameter(const std::string& name) {
+  for (std::size_t i = parameters_.size(); i-- > 0;) {
+    if (parameters_[i] == name || short_name(parameters_[i]) == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 int MachineReader::read_function(int table, const char* key) {
   const int type = raw_field(lua_, table, key);
-  if (type == LUA_TNIL) {
-    lua_pop(lua_, 1);
-    return LUA_NOREF;
-  }
-  if (type != LUA_TFUNCTION) refuse(std::string(key) + " is a function, not a " + lua_typename(lua_, type));
-  return luaL_ref(lua_, LUA_REGISTRYINDEX);
+  if (type == LUA_TFUNCTION) return luaL_ref(lua_, LUA_REGISTRYINDEX);
+  lua_pop(lua_, 1);
+  if (type != LUA_TNIL) note_at(key, std::string(key) + " is a function, not a " + lua_typename(lua_, type));
+  return LUA_NOREF;
 }
 
 std::string MachineReader::read_text(int table, const char* key) {
   std::string text;
   const int type = raw_field(lua_, table, key);
-  if (type != LUA_TNIL && type != LUA_TSTRING) refuse(std::string(key) + " is a text in quotes");
+  if (type != LUA_TNIL && type != LUA_TSTRING) note_at(key, std::string(key) + " is a text in quotes");
   if (type == LUA_TSTRING) text = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
   return text;
 }
 
+double MachineReader::read_priority(int table) {
+  const int type = raw_field(lua_, table, "priority");
+  const double priority = lua_tonumber(lua_, -1);
+  lua_pop(lua_, 1);
+  const bool fits = type == LUA_TNIL || (type == LUA_TNUMBER && std::isfinite(priority));
+  if (!fits) note_at("priority", "priority is a finite number");
+  return fits ? priority : 0.0;
+}
+
 void MachineReader::read_behaviors(int table) {
   const int type = raw_field(lua_, table, "behaviors");
-  if (type != LUA_TNIL && type != LUA_TTABLE) refuse("behaviors is a list of names");
+  if (type != LUA_TNIL && type != LUA_TTABLE) note_at("behaviors", "behaviors is a list of names");
   const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(lua_, -1)) : 0;
   for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(lua_, -1, i) != LUA_TSTRING) refuse("behaviors is a list of names");
-    machine_.behaviors.emplace_back(lua_tostring(lua_, -1));
+    if (lua_rawgeti(lua_, -1, i) == LUA_TSTRING) {
+      machine_.behaviors.emplace_back(lua_tostring(lua_, -1));
+    } else {
+      note_at("behaviors", "behaviors is a list of names");
+    }
     lua_pop(lua_, 1);
   }
   lua_pop(lua_, 1);
 }
 
 void MachineReader::check_keys(int table, std::span<const char* const> known) {
+  const std::vector<std::string> names(known.begin(), known.end());
   for (lua_pushnil(lua_); lua_next(lua_, table) != 0; lua_pop(lua_, 1)) {
     if (lua_type(lua_, -2) != LUA_TSTRING) continue;
     const std::string key = lua_tostring(lua_, -2);
-    const std::vector<std::string> names(known.begin(), known.end());
-    bool found = false;
-    for (const std::string& name : names) found |= name == key;
-    if (!found) refuse("there is no '" + key + "' here" + did_you_mean(key, names));
+    const bool found = std::find(names.begin(), names.end(), key) != names.end();
+    if (!found) note_at(key, "there is no '" + key + "' here" + did_you_mean(key, names));
   }
-}
-
-/// Lua does not say where a table was written; the target's name after the line that was read last does.
-int MachineReader::line_of(const std::string& target) {
-  std::size_t at = 0;
-  for (int line = 1; line < line_ && at != std::string_view::npos; ++line) {
-    at = text_.find('\n', at);
-    if (at != std::string_view::npos) ++at;
-  }
-  if (at == std::string_view::npos) return line_;
-  std::size_t found = text_.find("\"" + target + "\"", at);
-  if (found == std::string_view::npos) found = text_.find("'" + target + "'", at);
-  if (found == std::string_view::npos) return line_;
-  int line = line_;
-  for (std::size_t i = at; i < found; ++i) line += text_[i] == '\n' ? 1 : 0;
-  return line;
 }
 
 }  // namespace reorient

@@ -8,7 +8,8 @@
 
 #include <lua.hpp>
 
-#include "engine/script/machine_definition.h"
+#include "engine/script/machine/machine_definition.h"
+#include "engine/script/source/declaration_places.h"
 
 namespace reorient {
 
@@ -17,31 +18,38 @@ void mark_state(lua_State* L, int table, int name, int line);
 
 class MachineReader {
  public:
-  /// `parameters`: full names of what `lasting` and `after` may refer to; `text`: the source, to find lines in.
+  /// `parameters`: full names of what `lasting` and `after` may refer to; `places`: of the machine's file. What is
+  /// wrong is appended to `errors`; reading goes on, so that one look shows all.
   MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                std::string_view text);
+                const DeclarationPlaces& places, std::vector<DeclarationError>& errors);
 
-  /// Reads the machine's table; throws std::runtime_error that begins with "file:line: ".
-  void read(int table);
+  /// Reads the machine's table, which Lua met in this line. Throws std::runtime_error where there is far too much.
+  void read(int table, int line);
 
  private:
-  void read_state(int table, int state);
-  void read_items(int table, int state);
-  void read_transition(int table, int state, bool always);
-  void read_transitions(int table, int state);
+  void read_state(int table, int state, DeclarationPlaces::Table& place);
+  void read_item(int item, int state, DeclarationPlaces::Table& place);
+  void read_inner_state(int item, int parent);
+  void read_always(int table, int state, DeclarationPlaces::Table& place);
+  void read_transition(int table, int state, bool always, DeclarationPlaces::Table& place);
   Dwell read_dwell(int table, const char* key);
+  int find_parameter(const std::string& name);
   int read_function(int table, const char* key);
   std::string read_text(int table, const char* key);
+  double read_priority(int table);
   void read_behaviors(int table);
   void check_keys(int table, std::span<const char* const> known);
-  int line_of(const std::string& target);
-  [[noreturn]] void refuse(const std::string& message) const;
+  void note(const std::string& message) { errors_.push_back({position_, message}); }
+  /// At the key in question, where that is to be found.
+  void note_at(const std::string& key, const std::string& message);
 
   lua_State* lua_;
   MachineDefinition& machine_;
   std::span<const std::string> parameters_;
-  std::string_view text_;
-  int line_ = 0;  ///< the state or transition that is being read
+  const DeclarationPlaces& places_;
+  std::vector<DeclarationError>& errors_;
+  TextPosition position_;  ///< of the state or transition that is being read
+  TextPosition end_;       ///< where it ends
   int depth_ = 0;
 };
 

@@ -10,7 +10,7 @@
 
 #include <lua.hpp>
 
-#include "engine/script/machine.h"
+#include "engine/script/machine/machine.h"
 #include "engine/script/script_output.h"
 
 namespace reorient {

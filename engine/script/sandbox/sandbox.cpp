@@ -130,6 +130,13 @@ std::optional<ScriptFault> Sandbox::compile(std::string_view text, const std::st
   return fault;
 }
 
+std::string ScriptFault::text() const {
+  std::string place = file;
+  if (line > 0) place += ":" + std::to_string(line);
+  if (line > 0 && column > 0) place += ":" + std::to_string(column);
+  return place + ": " + message;
+}
+
 ScriptFault read_fault(std::string_view text, const std::string& file) {
   ScriptFault fault{file, 0, std::string(text), {}};
   for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':', colon + 1)) {
@@ -138,9 +145,16 @@ ScriptFault read_fault(std::string_view text, const std::string& file) {
     int line = 0;
     const auto [rest, error] = std::from_chars(begin, end, line);
     if (error != std::errc() || rest == end || *rest != ':') continue;
+    const char* message = rest + 1;
+    int column = 0;
+    const auto [after, no_column] = std::from_chars(message, end, column);
+    if (no_column == std::errc() && after != end && *after == ':') {
+      fault.column = column;
+      message = after + 1;
+    }
     fault.file = std::string(text.substr(0, colon));
     fault.line = line;
-    fault.message = std::string(rest + 1, end);
+    fault.message = std::string(message, end);
     if (fault.message.starts_with(' ')) fault.message.erase(0, 1);
     break;
   }

@@ -14,14 +14,16 @@
 
 namespace reorient {
 
-/// What went wrong in a script, and where. `line` 0: the place is not known.
+/// What went wrong in a script, and where. `line` and `column` count from 1; 0: not known.
 struct ScriptFault {
   std::string file;
   int line = 0;
   std::string message;    ///< one line, without the place
   std::string traceback;  ///< several lines, may be empty
+  int column = 0;         ///< Lua itself tells none
 
-  std::string text() const { return (line > 0 ? file + ":" + std::to_string(line) : file) + ": " + message; }
+  /// "behaviors/orientation.lua:12:5: message", without what is not known.
+  std::string text() const;
 };
 
 class Sandbox {
@@ -72,7 +74,8 @@ class Sandbox {
   lua_State* lua_ = nullptr;
 };
 
-/// "behaviors/orientation.lua:12: message" in its parts; the whole text is the message where it has no such place.
+/// "behaviors/orientation.lua:12: message" or "...:12:5: message" in its parts; the whole text is the message where it
+/// has no such place.
 ScriptFault read_fault(std::string_view text, const std::string& file);
 
 }  // namespace reorient

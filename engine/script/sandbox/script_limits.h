@@ -13,6 +13,8 @@ struct ScriptLimits {
   double probation = 2.0;     // s
 };
 
+inline constexpr ScriptLimits kStandardLimits{};
+
 template <typename Visit>
 void describe(ScriptLimits& limits, Visit&& visit) {
   visit("instructions_per_frame", limits.instructions_per_frame, 1000, 100'000'000, "",

@@ -1,0 +1,23 @@
+// Files that are there as a whole or not at all: written beside, then renamed.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace reorient {
+
+/// Throws std::runtime_error with one line; then the file is as it was before.
+void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// Nothing: it cannot be read.
+std::optional<std::string> read_whole_file(const std::filesystem::path& file);
+
+/// Finds out before a long run, not after it, that its results could not be written. `option`: what names the place on
+/// the command line. Throws std::runtime_error with one line.
+void require_writable_file(const std::filesystem::path& file, std::string_view option);
+/// The same; makes the folder if it is not there.
+void require_writable_folder(const std::filesystem::path& folder, std::string_view option);
+
+}  // namespace reorient

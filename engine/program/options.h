@@ -1,0 +1,29 @@
+// Options that several subcommands have.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace reorient {
+
+/// Overrides of parameters, in the order in which they are applied.
+struct ParameterOptions {
+  std::vector<std::filesystem::path> files;  ///< TOML
+  std::vector<std::string> assignments;      ///< NAME=VALUE
+};
+void add_parameter_options(CLI::App& parser, ParameterOptions& options);
+
+void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts);
+/// `told`, or scripts/ of the project where nothing was told.
+std::filesystem::path scripts_root(const std::filesystem::path& told);
+
+// CLI11 by itself takes a negative or too large number for a seed and wraps it round, and lets NaN through a range.
+// These return what is wrong, or nothing.
+std::string check_seed(const std::string& text);
+std::string check_seconds(const std::string& text);
+
+}  // namespace reorient

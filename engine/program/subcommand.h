@@ -1,0 +1,26 @@
+// One word of the command line, `reorient WORD ...`: what it understands and what it does.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+
+#include <CLI/CLI.hpp>
+
+namespace reorient {
+
+struct Subcommand {
+  CLI::App* parser = nullptr;  ///< knows whether the word was given
+  /// Returns the exit code. Throws std::exception with one line on bad input.
+  std::function<int(std::ostream& out, std::ostream& err)> run;
+};
+
+// Each adds itself to the program's parser.
+Subcommand add_run(CLI::App& program);
+Subcommand add_test(CLI::App& program);
+Subcommand add_check(CLI::App& program);
+Subcommand add_graph(CLI::App& program);
+Subcommand add_params(CLI::App& program);
+Subcommand add_new(CLI::App& program);
+Subcommand add_version(CLI::App& program);
+
+}  // namespace reorient

@@ -1,0 +1,40 @@
+// Everything that can be found wrong with scripts without a robot: what `reorient check` tells.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/parameters/parameter_registry.h"
+#include "engine/script/source/lua_tokens.h"
+
+namespace reorient {
+
+struct Finding {
+  enum class Severity { error, warning };
+
+  Severity severity = Severity::error;
+  std::string file;  ///< from the scripts' root
+  TextPosition position;
+  std::string message;
+
+  /// "behaviors/orientation.lua:12:5: error: message"
+  std::string text() const;
+};
+
+struct CheckResult {
+  int files = 0;                  ///< that were looked at
+  std::vector<Finding> findings;  ///< by file and place
+
+  int count(Finding::Severity severity) const;
+};
+
+/// Loads all behaviours, and each scenario with the behaviours that it wants; then looks at the states and, in these
+/// and in libraries and tests, at the names. `paths` restricts what is told (not what is loaded) to files and folders;
+/// none: everything below the root. `registry` has the program's own parameters. Throws std::runtime_error with one
+/// line when a path does not exist or lies elsewhere.
+CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths,
+                          ParameterRegistry& registry);
+
+}  // namespace reorient

@@ -1,0 +1,181 @@
+#include "engine/script/machine/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace reorient {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+
+// Frame times are sums of rounded steps: thirty of 1/30 s shall be a second.
+constexpr double kTimeTolerance = 1e-6;
+
+}  // namespace
+
+Machine::Machine(const MachineDefinition& definition)
+    : definition_(&definition),
+      entered_(definition.states.size(), 0.0),
+      holding_since_(definition.transitions.size(), kNever),
+      last_child_(definition.states.size(), -1) {}
+
+const std::string& Machine::state() const { return definition_->states[active_.empty() ? 0 : active_.back()].path; }
+
+double Machine::entered_at() const { return entered_[active_.empty() ? 0 : active_.back()]; }
+
+bool Machine::is_active(int state) const { return std::find(active_.begin(), active_.end(), state) != active_.end(); }
+
+void Machine::tick(MachineCallbacks& script, double time, std::vector<TransitionRecord>& transitions) {
+  if (active_.empty() || not_entered_ > 0) {
+    start(script, time, transitions);
+  } else if (const int transition = ready_transition(script, time); transition >= 0) {
+    take(script, transition, time, transitions);
+  }
+  for (const int state : active_) script.run(*this, state, definition_->states[state].update);
+}
+
+void Machine::start(MachineCallbacks& script, double time, std::vector<TransitionRecord>& transitions) {
+  std::size_t kept = 0;
+  if (active_.empty()) {
+    descend(0);
+    reason_ = "start";
+  } else {
+    kept = active_.size() - not_entered_;
+    reason_ = "the script was reloaded";
+  }
+  not_entered_ = 0;
+  for (std::size_t i = kept; i < active_.size(); ++i) entered_[active_[i]] = time;
+  transitions.push_back({time, definition_->name, lost_state_, state(), reason_, -1});
+  lost_state_.clear();
+  for (std::size_t i = kept; i < active_.size(); ++i)
+    script.run(*this, active_[i], definition_->states[active_[i]].enter);
+}
+
+/// Activates `state`, whose parent is the innermost active state, and its initial (or remembered) children.
+void Machine::descend(int state) {
+  while (state >= 0) {
+    active_.push_back(state);
+    forget_dwell(state);
+    const StateDefinition& definition = definition_->states[state];
+    state = definition.history && last_child_[state] >= 0 ? last_child_[state] : definition.initial;
+  }
+}
+
+void Machine::forget_dwell(int state) {
+  for (const int transition : definition_->states[state].transitions) holding_since_[transition] = kNever;
+}
+
+int Machine::ready_transition(MachineCallbacks& script, double time) {
+  for (const int state : active_) {
+    for (const int transition : definition_->states[state].transitions) {
+      if (is_ready(script, transition, time)) return transition;
+    }
+  }
+  return -1;
+}
+
+bool Machine::is_ready(MachineCallbacks& script, int index, double time) {
+  const TransitionDefinition& transition = definition_->transitions[index];
+  const bool to_itself = !transition.always && transition.to == transition.from;
+  if (is_active(transition.to) && !to_itself) return false;
+  double& since = holding_since_[index];
+  if (transition.when != LUA_NOREF) {
+    if (!script.holds(*this, transition.from, transition.when)) {
+      since = kNever;
+      return false;
+    }
+    if (std::isnan(since)) since = time;
+    const double held = time - since;
+    if (transition.lasting.kind != Dwell::Kind::none &&
+        held + kTimeTolerance < script.seconds(*this, transition.from, transition.lasting)) {
+      return false;
+    }
+  }
+  if (transition.after.kind == Dwell::Kind::none) return true;
+  const double waited = time - entered_[transition.from];
+  return waited + kTimeTolerance >= script.seconds(*this, transition.from, transition.after);
+}
+
+void Machine::take(MachineCallbacks& script, int index, double time, std::vector<TransitionRecord>& transitions) {
+  const TransitionDefinition& transition = definition_->transitions[index];
+  const std::string from = state();
+  // The states that stay: common ancestors of the target, not the target itself.
+  std::size_t kept = 0;
+  while (kept < active_.size() && active_[kept] != transition.to &&
+         definition_->is_within(transition.to, active_[kept]))
+    ++kept;
+  const std::vector<int> left(active_.begin() + static_cast<std::ptrdiff_t>(kept), active_.end());
+  for (auto state = left.rbegin(); state != left.rend(); ++state) {
+    script.run_exit(*this, *state, definition_->states[*state].exit);
+    last_child_[definition_->states[*state].parent] = *state;
+    std::erase_if(leases_, [&](const Held& held) { return held.state == *state; });
+  }
+  active_.resize(kept);
+  std::vector<int> way;  // from below what stays down to the target's parent
+  for (int state = definition_->states[transition.to].parent; state != active_.back();
+       state = definition_->states[state].parent) {
+    way.push_back(state);
+  }
+  for (auto state = way.rbegin(); state != way.rend(); ++state) {
+    active_.push_back(*state);
+    forget_dwell(*state);
+  }
+  descend(transition.to);
+  for (std::size_t i = kept; i < active_.size(); ++i) entered_[active_[i]] = time;
+  reason_ = transition.because;
+  transitions.push_back({time, definition_->name, from, state(), reason_, index});
+  for (std::size_t i = kept; i < active_.size(); ++i)
+    script.run(*this, active_[i], definition_->states[active_[i]].enter);
+}
+
+void Machine::lease(Command command, int state) {
+  const auto same = [&](const Held& held) { return held.command == command && held.state == state; };
+  if (std::none_of(leases_.begin(), leases_.end(), same)) leases_.push_back({command, state, reason_});
+}
+
+void Machine::append_leases(std::vector<Lease>& all) const {
+  for (const Held& held : leases_) {
+    all.push_back(
+        {held.command, definition_->name, definition_->states[held.state].path, held.reason, definition_->priority});
+  }
+}
+
+std::string Machine::adopt(const Machine& old) {
+  if (old.active_.empty()) return {};
+  const MachineDefinition& before = *old.definition_;
+  for (std::size_t i = 0; i < before.states.size(); ++i) {
+    const int state = definition_->find(before.states[i].path);
+    if (state < 0) continue;
+    entered_[state] = old.entered_[i];
+    if (old.last_child_[i] >= 0) last_child_[state] = definition_->find(before.states[old.last_child_[i]].path);
+  }
+  reason_ = old.reason_;
+  lost_state_ = old.lost_state_;
+  for (const int state : old.active_) {
+    const int same = definition_->find(before.states[state].path);
+    if (same < 0) break;
+    active_.push_back(same);
+  }
+  const std::size_t survived = active_.size();
+  if (const int inner = definition_->states[active_.back()].initial; inner >= 0) descend(inner);
+  not_entered_ = active_.size() - std::min(survived, old.active_.size() - old.not_entered_);
+  for (std::size_t i = 0; i < before.transitions.size(); ++i) {
+    for (std::size_t j = 0; j < definition_->transitions.size(); ++j) {
+      if (definition_->transitions[j].key == before.transitions[i].key) holding_since_[j] = old.holding_since_[i];
+    }
+  }
+  for (const Held& held : old.leases_) {
+    const int state = definition_->find(before.states[held.state].path);
+    if (state >= 0 && is_active(state)) leases_.push_back({held.command, state, held.reason});
+  }
+  if (survived == old.active_.size()) {
+    if (not_entered_ > 0 && lost_state_.empty()) lost_state_ = old.state();
+    return {};
+  }
+  lost_state_ = old.state();
+  if (not_entered_ == 0) lost_state_.clear();
+  return definition_->name + ": the state '" + old.state() + "' is gone; it goes on in '" + state() + "'";
+}
+
+}  // namespace reorient

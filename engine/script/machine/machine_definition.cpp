@@ -1,0 +1,133 @@
+#include "engine/script/machine/machine_definition.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/parameters/nearest_name.h"
+
+namespace reorient {
+namespace {
+
+int child_named(const MachineDefinition& machine, int state, const std::string& name) {
+  for (const int child : machine.states[state].children) {
+    if (machine.states[child].name == name) return child;
+  }
+  return -1;
+}
+
+/// A name is looked for among the state's own children, then its siblings, then outwards; a path from the top.
+int find_target(const MachineDefinition& machine, int from, const std::string& target) {
+  for (int scope = from; scope >= 0; scope = machine.states[scope].parent) {
+    const int found = child_named(machine, scope, target);
+    if (found >= 0) return found;
+  }
+  return machine.find(target);
+}
+
+std::vector<std::string> state_names(const MachineDefinition& machine) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i < machine.states.size(); ++i) {
+    names.push_back(machine.states[i].name);
+    if (machine.states[i].path != machine.states[i].name) names.push_back(machine.states[i].path);
+  }
+  return names;
+}
+
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
+std::string title(const StateDefinition& state) {
+  return state.path.empty() ? "the machine" : "state " + quoted(state.path);
+}
+
+std::string derived_reason(const TransitionDefinition& transition) {
+  if (transition.after.kind != Dwell::Kind::none) return "after " + transition.after.text;
+  if (transition.lasting.kind != Dwell::Kind::none) return "its condition lasted " + transition.lasting.text;
+  return "its condition held";
+}
+
+void resolve_initial(MachineDefinition& machine, StateDefinition& state, std::vector<DeclarationError>& errors) {
+  if (state.children.empty()) {
+    if (!state.initial_name.empty())
+      errors.push_back({state.position, title(state) + " has an initial state but no states"});
+    return;
+  }
+  if (state.initial_name.empty()) {
+    if (state.children.size() == 1) {
+      state.initial = state.children.front();
+    } else {
+      errors.push_back(
+          {state.position, title(state) + " has several states: say which is the first, initial = \"...\""});
+    }
+    return;
+  }
+  const int index = static_cast<int>(&state - machine.states.data());
+  state.initial = child_named(machine, index, state.initial_name);
+  if (state.initial >= 0) return;
+  std::vector<std::string> names;
+  for (const int child : state.children) names.push_back(machine.states[child].name);
+  errors.push_back({state.position, title(state) + " begins in " + quoted(state.initial_name) +
+                                        ", which is not one of its states" + did_you_mean(state.initial_name, names)});
+}
+
+void check_duplicates(const MachineDefinition& machine, const StateDefinition& state,
+                      std::vector<DeclarationError>& errors) {
+  for (std::size_t i = 0; i < state.children.size(); ++i) {
+    const StateDefinition& child = machine.states[state.children[i]];
+    for (std::size_t j = 0; j < i; ++j) {
+      if (machine.states[state.children[j]].name != child.name) continue;
+      errors.push_back({child.position, "there are two states " + quoted(child.path)});
+      break;
+    }
+  }
+}
+
+void resolve_transition(MachineDefinition& machine, TransitionDefinition& transition,
+                        std::vector<DeclarationError>& errors) {
+  const std::string from = title(machine.states[transition.from]);
+  transition.to = find_target(machine, transition.from, transition.target);
+  if (transition.to < 0) {
+    errors.push_back({transition.position, from + " leads to " + quoted(transition.target) + ", which is not a state" +
+                                               did_you_mean(transition.target, state_names(machine))});
+  }
+  const bool timed = transition.after.kind != Dwell::Kind::none;
+  if (transition.when == LUA_NOREF && transition.lasting.kind != Dwell::Kind::none) {
+    errors.push_back({transition.position, from + ": 'lasting' needs a 'when'; for a time alone write 'after'"});
+  } else if (transition.when == LUA_NOREF && !timed) {
+    errors.push_back({transition.position,
+                      from + " leads to " + quoted(transition.target) + " on no condition: give 'when' or 'after'"});
+  }
+  if (transition.because.empty()) transition.because = derived_reason(transition);
+}
+
+}  // namespace
+
+int MachineDefinition::find(const std::string& path) const {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i].path == path) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+bool MachineDefinition::is_within(int state, int ancestor) const {
+  while (state > ancestor) state = states[state].parent;  // parents come before children
+  return state == ancestor;
+}
+
+std::vector<DeclarationError> resolve(MachineDefinition& machine) {
+  std::vector<DeclarationError> errors;
+  for (StateDefinition& state : machine.states) {
+    check_duplicates(machine, state, errors);
+    resolve_initial(machine, state, errors);
+  }
+  std::map<std::string, int> ordinals;
+  for (TransitionDefinition& transition : machine.transitions) {
+    resolve_transition(machine, transition, errors);
+    const std::string key = machine.states[transition.from].path + " -> " + transition.target;
+    transition.key = key + " #" + std::to_string(ordinals[key]++);
+  }
+  std::stable_sort(errors.begin(), errors.end(),
+                   [](const auto& a, const auto& b) { return is_before(a.position, b.position); });
+  return errors;
+}
+
+}  // namespace reorient

@@ -1,0 +1,75 @@
+// A state machine as data: what a script declared, before anything runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <lua.hpp>
+
+#include "engine/script/source/lua_tokens.h"
+
+namespace reorient {
+
+/// How long something must last: not at all, seconds, a parameter's value, or what a function says.
+struct Dwell {
+  enum class Kind { none, seconds, parameter, function };
+
+  Kind kind = Kind::none;
+  double seconds = 0.0;
+  int index = 0;     ///< of the script's parameters, or the function's reference
+  std::string text;  ///< for people: "0.5 s", "proof"
+};
+
+struct TransitionDefinition {
+  int from = 0;        ///< state whose transition this is
+  std::string target;  ///< as written
+  int to = -1;
+  int when = LUA_NOREF;  ///< function
+  Dwell lasting;         ///< how long `when` must have held without a break
+  Dwell after;           ///< how long since `from` was entered
+  std::string because;   ///< the reason, never empty once validated
+  bool always = false;   ///< checked before the others, and not while the target is active already
+  std::string key;       ///< names it across reloads
+  TextPosition position;
+};
+
+struct StateDefinition {
+  std::string name;
+  std::string path;  ///< "outer/inner"; empty for the machine itself
+  int parent = -1;
+  std::vector<int> children;
+  std::string initial_name;
+  int initial = -1;      ///< child; -1: a state without children
+  bool history = false;  ///< entering it resumes the child that was active last
+  int enter = LUA_NOREF;
+  int update = LUA_NOREF;
+  int exit = LUA_NOREF;
+  std::vector<int> transitions;  ///< `always` ones first
+  TextPosition position;
+};
+
+struct MachineDefinition {
+  std::string name;
+  std::string file;
+  TextPosition position;
+  double priority = 0.0;
+  bool is_scenario = false;
+  std::vector<std::string> behaviors;   ///< that a scenario wants to be loaded
+  std::vector<StateDefinition> states;  ///< the first is the machine itself; parents before children
+  std::vector<TransitionDefinition> transitions;
+
+  /// -1: there is no such state.
+  int find(const std::string& path) const;
+  bool is_within(int state, int ancestor) const;  ///< also where both are the same
+};
+
+/// A declaration that cannot be right, or is worth a look.
+struct DeclarationError {
+  TextPosition position;
+  std::string message;
+};
+
+/// Resolves targets and initial states and fills in what is derived. All errors that were found, in file order.
+std::vector<DeclarationError> resolve(MachineDefinition& machine);
+
+}  // namespace reorient

@@ -1,0 +1,14 @@
+// What in a machine is no error but worth a look.
+#pragma once
+
+#include <vector>
+
+#include "engine/script/machine/machine_definition.h"
+
+namespace reorient {
+
+/// The states that no path of transitions reaches, and the states of behaviours without a way out (in a scenario such
+/// a state is the end, which gives the verdict). In the order of the text.
+std::vector<DeclarationError> doubts(const MachineDefinition& machine);
+
+}  // namespace reorient

@@ -1,0 +1,17 @@
+// The parts of a behaviour's page that follow from its script: the states as a diagram, the parameters as a table.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "engine/parameters/parameter.h"
+#include "engine/script/machine/machine_definition.h"
+
+namespace reorient {
+
+/// The page with what stands between "<!-- generated: states -->" (or parameters) and "<!-- end -->" written anew.
+/// `parameters`: those that the script itself declares. Throws std::runtime_error when a mark is missing.
+std::string with_generated_parts(const std::string& page, const MachineDefinition& machine,
+                                 std::span<const ParameterDeclaration> parameters);
+
+}  // namespace reorient
