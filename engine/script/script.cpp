@@ -221,10 +221,11 @@ void Script::run_exit(Machine& machine, int state, int function) {
 
 std::map<std::string, KeptTable> Script::memory(std::vector<std::string>& left_out) const {
   std::map<std::string, KeptTable> all;
+  std::size_t bytes = static_cast<std::size_t>(limits_.memory) * 1024 / 2;  // the next version has to hold it too
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
-    all[kept.name] = read_kept(L, -1, left_out);
+    all[kept.name] = read_kept(L, -1, bytes, left_out);
     lua_pop(L, 1);
   }
   return all;

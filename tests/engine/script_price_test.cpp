@@ -85,6 +85,31 @@ TEST_F(Prices, ForLoopsThatAreClosedByOpeningOthersComeToAnEnd) {
   EXPECT_TRUE(status("evil").stopped);
 }
 
+TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
+  const std::string text = R"(local memory = keep {}
+    behavior "b" { enter = function() local long = ("x"):rep(4000) for i = 1, 5000 do memory[i] = long end end })";
+  load("b", text);
+  tick();
+  ASSERT_TRUE(faults.empty()) << faults[0].fault.text();
+  const ReloadReport report = edit("b", text + " ");
+  EXPECT_TRUE(report.accepted);
+  EXPECT_FALSE(report.warnings.empty());
+  EXPECT_LE(report.warnings.size(), 20u);
+  tick();
+  EXPECT_LE(status("b").memory, static_cast<std::size_t>(limits.memory) * 1024);
+}
+
+TEST_F(Prices, AFewLinesDoNotMakeMillionsOfTransitions) {
+  const ScriptFault fault = refusal(R"(local many = {}
+    local one = { "a", after = 1 }
+    for i = 1, 20000 do many[i] = one end
+    local a = state "a" (many)
+    local list = {}
+    for i = 1, 900 do list[i] = a end
+    behavior "refused" (list))");
+  EXPECT_NE(fault.message.find("too many transitions"), std::string::npos) << fault.text();
+}
+
 TEST_F(Prices, TheEndOfTheBudgetSaysWhere) {
   load("evil", "behavior \"evil\" {\n  update = function()\n    while true do end\n  end }");
   tick();

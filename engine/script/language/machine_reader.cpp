@@ -5,12 +5,15 @@
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/script/sandbox/sandbox.h"
 
 namespace reorient {
 namespace {
 
 constexpr int kDeepestNesting = 16;
 constexpr std::size_t kMostStates = 1000;
+constexpr std::size_t kMostTransitions = 2000;  // one table can stand in many states, and a few lines make millions
+constexpr std::size_t kLettersPerInstruction = 32;
 
 // Keys that no script can write: their addresses.
 const char kStateName = 'n';
@@ -135,6 +138,7 @@ void MachineReader::read_transitions(int table, int state) {
 }
 
 void MachineReader::read_transition(int table, int state, bool always) {
+  if (machine_.transitions.size() >= kMostTransitions) refuse("too many transitions");
   const int line_before = line_;
   TransitionDefinition transition;
   transition.from = state;
@@ -234,6 +238,7 @@ void MachineReader::check_keys(int table, std::span<const char* const> known) {
 
 /// Lua does not say where a table was written; the target's name after the line that was read last does.
 int MachineReader::line_of(const std::string& target) {
+  Sandbox::of(lua_).charge(static_cast<std::int64_t>(text_.size() / kLettersPerInstruction));
   std::size_t at = 0;
   for (int line = 1; line < line_ && at != std::string_view::npos; ++line) {
     at = text_.find('\n', at);
