@@ -19,6 +19,7 @@
 #include "engine/program/program.h"
 #include "engine/program/report.h"
 #include "engine/program/run_pictures.h"
+#include "engine/record/frame_times.h"
 #include "engine/record/run_history.h"
 #include "robots/simulator/simulator.h"
 
@@ -114,8 +115,14 @@ void log_scripts(const ScriptOutput& output) {
   }
 }
 
-void log_reloads(const std::vector<ReloadReport>& reports) {
+struct ReloadCounts {
+  int accepted = 0;
+  int refused = 0;
+};
+
+void log_reloads(const std::vector<ReloadReport>& reports, ReloadCounts& counts) {
   for (const ReloadReport& report : reports) {
+    ++(report.accepted ? counts.accepted : counts.refused);
     if (report.accepted) {
       spdlog::info("{}: the edit is running", report.script);
     } else {
@@ -186,7 +193,8 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
                                          : load_room(options.room, tuning.room_shape);
   const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);
   Simulator simulator(tuning.simulator, field, room, beside_the_field, options.seed);
-  FrameLoop frame(simulator, scripts, tuning.core, field, {options.seed, options.room_awareness});
+  TimedRobot robot(simulator);
+  FrameLoop frame(robot, scripts, tuning.core, field, {options.seed, options.room_awareness});
   // Last, so that a mistake in anything else leaves no empty folder behind.
   if (!options.json.empty()) require_writable_file(options.json);
   if (options.pictures) require_writable(options.out);
@@ -196,7 +204,17 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   Progress progress(err);
   const Clock::time_point start = Clock::now();
   std::optional<ScenarioVerdict> verdict;
-  while (!verdict && frame.world().time < options.seconds && frame.step()) {
+  FrameTimes frame_times;
+  ReloadCounts reloads;
+  const auto step = [&] {
+    const Clock::time_point begin = Clock::now();
+    // Right before the frame, so that an edit does not wait for one frame more.
+    if (options.realtime) log_reloads(scripts.poll_files(seconds_since(start)), reloads);
+    if (!frame.step()) return false;
+    frame_times.add(seconds_since(begin), robot.observing());
+    return true;
+  };
+  while (!verdict && frame.world().time < options.seconds && step()) {
     for (const ExperimenterAction& action : frame.script_output().actions) obey(action, simulator);
     history.add(frame);
     if (options.pictures) pictures.look(frame);
@@ -204,10 +222,7 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
     log_pose(frame.world());
     progress.show(frame, scripts, start);
     verdict = frame.script_output().verdict;
-    if (options.realtime) {
-      log_reloads(scripts.poll_files(seconds_since(start)));
-      std::this_thread::sleep_until(start + std::chrono::duration<double>(frame.world().time));
-    }
+    if (options.realtime) std::this_thread::sleep_until(start + std::chrono::duration<double>(frame.world().time));
   }
   progress.end();
 
@@ -216,7 +231,11 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
                                        .seed = options.seed,
                                        .room_awareness = options.room_awareness,
                                        .wall_seconds = seconds_since(start),
-                                       .digest = frame.digest().hex()};
+                                       .digest = frame.digest().hex(),
+                                       .frame_time = frame_times.whole(),
+                                       .frame_time_without_rendering = frame_times.without_observing(),
+                                       .reloads_accepted = reloads.accepted,
+                                       .reloads_refused = reloads.refused};
   const RunSummary summary = summarize(history, verdict);
   if (options.pictures) pictures.write(frame, history, options.out);
   if (!options.json.empty()) write_summary(summary, history, circumstances, options.json);
