@@ -35,6 +35,8 @@ bool is_in_class(char kind, int letter) {
       return std::isalnum(letter) != 0;
     case 'x':
       return std::isxdigit(letter) != 0;
+    case 'z':  // no longer in the manual, but Lua's own still has it
+      return letter == 0;
     default:
       return false;
   }
