@@ -1,6 +1,7 @@
 // Arbitrary texts as a behaviour and as an edit of it: loaded, ticked, reloaded, ticked. Whatever the texts say, the
 // engine keeps its promises; a broken one aborts. The input is the behaviour, a byte 0xFF, the edit; without that byte
 // the edit is the behaviour with its first digit changed.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,9 +10,12 @@
 #include <ctime>
 #include <filesystem>
 #include <map>
-#include <memory>
+#include <random>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <sys/inotify.h>
 
@@ -262,6 +266,38 @@ void try_script(std::string_view input) {
 
 }  // namespace
 }  // namespace reorient
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t longest);
+
+/// Half of the time whole lines are taken out, doubled or exchanged: what is still a script reaches further than what
+/// the parser refuses.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t longest,
+                                               unsigned int seed) {
+  std::minstd_rand random(seed);
+  if (random() % 2 == 0) return LLVMFuzzerMutate(data, size, longest);
+  std::vector<std::string> lines;
+  std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
+  for (std::string line; std::getline(text, line);) lines.push_back(line + "\n");
+  if (lines.size() < 2) return LLVMFuzzerMutate(data, size, longest);
+  const std::size_t one = random() % lines.size();
+  const std::size_t other = random() % lines.size();
+  const auto place = [&lines](std::size_t index) { return lines.begin() + static_cast<std::ptrdiff_t>(index); };
+  switch (random() % 3) {
+    case 0:
+      lines.erase(place(one));
+      break;
+    case 1:
+      lines.insert(place(one), std::string(lines[other]));
+      break;
+    default:
+      std::swap(lines[one], lines[other]);
+  }
+  std::string result;
+  for (const std::string& line : lines) result += line;
+  result.resize(std::min(result.size(), longest));
+  std::copy(result.begin(), result.end(), data);
+  return result.size();
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   reorient::try_script({reinterpret_cast<const char*>(data), size});
