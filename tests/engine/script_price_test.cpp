@@ -40,6 +40,19 @@ TEST_F(Prices, ANumberInALongTextIsPaidByItsLetters) {
   EXPECT_LT(rounds("local text = ('1'):rep(4000)", "tonumber(text, 36)"), 15);
 }
 
+TEST_F(Prices, WritingANumberIsPaidForToo) { EXPECT_LT(rounds("", "tostring(1.5)"), 1000); }
+
+TEST_F(Prices, AskingForAnotherMachineIsPaidForToo) {
+  load("one", R"(local memory = keep { asked = 0 }
+    behavior "one" { update = function()
+      if memory.asked > 0 then log.info(memory.asked) memory.asked = 0 return end
+      while true do memory.asked = memory.asked + 1 local _ = behaviors.one.state end
+    end })");
+  ticks(2);
+  ASSERT_EQ(logs.size(), 1u);
+  EXPECT_LT(std::stoi(logs[0]), 1200);
+}
+
 TEST_F(Prices, NoInstructionCopiesThousandsOfValues) {
   for (const char* many : {"('x'):rep(4000):byte(1, -1)", "table.unpack({}, 1, 4000)"}) {
     load(std::string("b") + std::to_string(faults.size()),

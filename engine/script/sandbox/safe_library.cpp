@@ -80,7 +80,9 @@ int safe_rawset(lua_State* L) {
 }
 
 int safe_tostring(lua_State* L) {
+  constexpr std::int64_t kPriceOfDigits = 50;
   luaL_checkany(L, 1);
+  if (lua_type(L, 1) == LUA_TNUMBER) Sandbox::of(L).charge(kPriceOfDigits);
   push_text(L, 1);
   return 1;
 }
