@@ -112,6 +112,11 @@ TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
   EXPECT_LE(status("b").memory, static_cast<std::size_t>(limits.memory) * 1024);
 }
 
+TEST_F(Prices, OneTableIsNotKeptThousandsOfTimes) {
+  const ScriptFault fault = refusal("local t = {} for i = 1, 3000 do keep(t) end behavior \"refused\" {}");
+  EXPECT_NE(fault.message.find("at most 100 keep"), std::string::npos) << fault.text();
+}
+
 TEST_F(Prices, AFewLinesDoNotMakeMillionsOfTransitions) {
   const ScriptFault fault = refusal(R"(local many = {}
     local one = { "a", after = 1 }
