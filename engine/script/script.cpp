@@ -76,7 +76,12 @@ void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
   add_script_functions(L, actions_, for_scenario);
   add_behavior_view(L, directory);
   declarations_ = std::make_unique<Declarations>(
-      L, for_scenario, [this](const std::string& name) -> const DeclarationPlaces& { return places_of(name); },
+      L, for_scenario,
+      [this](const std::string& name) -> const DeclarationPlaces& {
+        constexpr std::size_t kLettersPerInstruction = 32;
+        sandbox_.charge(static_cast<std::int64_t>(texts_[name].size() / kLettersPerInstruction));
+        return places_of(name);
+      },
       [this](const ParameterDeclaration& declaration) { return registry_.preview(declaration); });
   lua_newtable(L);
   loaded_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -268,10 +273,11 @@ void Script::run_exit(Machine& machine, int state, int function) {
 
 std::map<std::string, KeptTable> Script::memory(std::vector<std::string>& left_out) const {
   std::map<std::string, KeptTable> all;
+  std::size_t bytes = static_cast<std::size_t>(limits_.memory) * 1024 / 2;  // the next version has to hold it too
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
-    all[kept.name] = read_kept(L, -1, left_out);
+    all[kept.name] = read_kept(L, -1, bytes, left_out);
     lua_pop(L, 1);
   }
   return all;

@@ -256,8 +256,8 @@ function advance(seconds) end
 ---@param edit { from: string, to: string, file: string? }
 function reload(edit) end
 
----Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.
----@param run { scenario: string, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, params: table<string, any>? }
+---Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.
+---@param run { scenario: string, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, params: table<string, any>? }
 ---@return boolean is_right
 function simulate(run) end
 

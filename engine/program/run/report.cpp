@@ -51,6 +51,13 @@ nlohmann::json to_json(const Pose2& pose) {
   return {{"x", pose.position.x()}, {"y", pose.position.y()}, {"rotation", pose.rotation}};
 }
 
+nlohmann::json to_json(const TimeQuantiles& times) {
+  constexpr double kMilliseconds = 1e3;
+  return {{"median", kMilliseconds * times.median},
+          {"percentile_99", kMilliseconds * times.percentile_99},
+          {"longest", kMilliseconds * times.longest}};
+}
+
 template <typename Value>
 nlohmann::json or_null(const std::optional<Value>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json();
@@ -123,6 +130,10 @@ void write_summary(const RunSummary& summary, const RunHistory& history, const R
       {"frames", summary.frames},
       {"frames_per_second", summary.frames / circumstances.wall_seconds},
       {"digest", circumstances.digest},
+      {"frame_time_milliseconds", to_json(circumstances.frame_time)},
+      {"frame_time_without_rendering_milliseconds", to_json(circumstances.frame_time_without_rendering)},
+      {"reloads_accepted", circumstances.reloads_accepted},
+      {"reloads_refused", circumstances.reloads_refused},
   };
   if (summary.error) {
     json["position_error_metres"] = summary.error->position;

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "engine/record/frame_times.h"
 #include "engine/record/run_history.h"
 
 namespace reorient {
@@ -17,6 +18,10 @@ struct RunCircumstances {
   bool room_awareness = true;
   double wall_seconds = 0.0;  ///< that the run took
   std::string digest;
+  TimeQuantiles frame_time;                    ///< s on the wall's clock, reloads included
+  TimeQuantiles frame_time_without_rendering;  ///< the part of it that is not the simulator's
+  int reloads_accepted = 0;
+  int reloads_refused = 0;
 };
 
 /// Commands and changes of state in the order of time. Behaviours that change their state all the time are named in

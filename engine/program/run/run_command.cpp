@@ -17,6 +17,7 @@
 #include "engine/program/run/run_pictures.h"
 #include "engine/program/run/simulated_run.h"
 #include "engine/program/subcommand.h"
+#include "engine/record/frame_times.h"
 #include "engine/record/run_history.h"
 
 namespace reorient {
@@ -37,8 +38,14 @@ void log_scripts(const ScriptOutput& output) {
   }
 }
 
-void log_reloads(const std::vector<ReloadReport>& reports) {
+struct ReloadCounts {
+  int accepted = 0;
+  int refused = 0;
+};
+
+void log_reloads(const std::vector<ReloadReport>& reports, ReloadCounts& counts) {
   for (const ReloadReport& report : reports) {
+    ++(report.accepted ? counts.accepted : counts.refused);
     if (report.accepted) {
       spdlog::info("{}: the edit is running", report.script);
     } else {
@@ -135,22 +142,31 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
 
   RunHistory history;
   RunPictures pictures;
+  FrameTimes frame_times;
+  ReloadCounts reloads;
   Progress progress(err);
   std::optional<LiveConsole> console;
   if (options.realtime) console.emplace(STDIN_FILENO);
   const Clock::time_point start = Clock::now();
-  while (!(console && console->wants_to_quit()) && run.step()) {
+  const auto step = [&] {
+    const Clock::time_point begin = Clock::now();
+    // Right before the frame, so that an edit does not wait for one frame more.
+    if (options.realtime) log_reloads(run.scripts().poll_files(seconds_since(start)), reloads);
+    if (!run.step()) return false;
+    frame_times.add(seconds_since(begin), run.observing());
+    return true;
+  };
+  while (!(console && console->wants_to_quit()) && step()) {
     const FrameLoop& frame = run.frame();
     history.add(frame);
     if (options.pictures) pictures.look(frame);
     log_scripts(frame.script_output());
     log_pose(frame.world());
+    if (!(console && console->is_open())) progress.show(frame, run.scripts(), start);
     if (options.realtime) {
-      log_reloads(run.scripts().poll_files(seconds_since(start)));
       console->poll(run.parameters(), run.scripts(), out);
       std::this_thread::sleep_until(start + std::chrono::duration<double>(frame.world().time));
     }
-    if (!(console && console->is_open())) progress.show(frame, run.scripts(), start);
   }
   progress.end();
 
@@ -159,7 +175,11 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
                                        .seed = options.seed,
                                        .room_awareness = options.room_awareness,
                                        .wall_seconds = seconds_since(start),
-                                       .digest = run.frame().digest().hex()};
+                                       .digest = run.frame().digest().hex(),
+                                       .frame_time = frame_times.whole(),
+                                       .frame_time_without_rendering = frame_times.without_observing(),
+                                       .reloads_accepted = reloads.accepted,
+                                       .reloads_refused = reloads.refused};
   const RunSummary summary = summarize(history, run.verdict());
   if (options.pictures) pictures.write(run.frame(), history, options.out);
   if (!options.json.empty()) write_summary(summary, history, circumstances, options.json);

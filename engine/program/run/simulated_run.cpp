@@ -41,7 +41,8 @@ SimulatedRun::SimulatedRun(const SimulationOptions& options) : longest_(options.
                                                       : load_room(options.room, tuning_.room_shape));
   const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);
   simulator_ = std::make_unique<Simulator>(tuning_.simulator, field, *room_, beside_the_field, options.seed);
-  frame_ = std::make_unique<FrameLoop>(*simulator_, *scripts_, tuning_.core, field,
+  timed_robot_ = std::make_unique<TimedRobot>(*simulator_);
+  frame_ = std::make_unique<FrameLoop>(*timed_robot_, *scripts_, tuning_.core, field,
                                        FrameOptions{options.seed, options.room_awareness});
 }
 

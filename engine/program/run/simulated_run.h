@@ -7,6 +7,7 @@
 #include "engine/frame.h"
 #include "engine/program/run/run_options.h"
 #include "engine/program/tuning.h"
+#include "engine/record/frame_times.h"
 #include "engine/script/script_host.h"
 #include "robots/simulator/simulator.h"
 
@@ -26,6 +27,8 @@ class SimulatedRun {
   const FrameLoop& frame() const { return *frame_; }
   ScriptHost& scripts() { return *scripts_; }
   ParameterRegistry& parameters() { return tuning_.registry; }
+  /// s on the wall's clock that the robot took to observe in the last frame: to render.
+  double observing() const { return timed_robot_->observing(); }
   /// The scenario's, once it gave one.
   const std::optional<ScenarioVerdict>& verdict() const { return frame_->script_output().verdict; }
 
@@ -35,6 +38,7 @@ class SimulatedRun {
   std::unique_ptr<ScriptHost> scripts_;
   std::unique_ptr<Room> room_;
   std::unique_ptr<Simulator> simulator_;
+  std::unique_ptr<TimedRobot> timed_robot_;
   std::unique_ptr<FrameLoop> frame_;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/script/language/behavior_view.h"
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/script/sandbox/sandbox.h"
 
 namespace reorient {
 namespace {
@@ -12,6 +13,8 @@ const MachineDirectory& directory_of(lua_State* L) {
 int refuse_writing(lua_State* L) { return luaL_error(L, "behaviors are read-only: nobody sets another's state"); }
 
 MachineSight look_up(lua_State* L, const char* name) {
+  constexpr std::int64_t kPriceOfSearch = 20;
+  Sandbox::of(L).charge(kPriceOfSearch);
   MachineSight sight;
   const MachineDirectory& directory = directory_of(L);
   if (directory.look_up(name, sight)) return sight;

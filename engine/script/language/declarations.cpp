@@ -240,6 +240,8 @@ void Declarations::set_value(DeclaredParameter& parameter, const ParameterValue&
 }
 
 int Declarations::keep(lua_State* L) {
+  constexpr std::size_t kMost = 100;  // each is read anew at a reload, also where many are one and the same table
+  if (memories.size() >= kMost) throw std::runtime_error("a script has at most 100 keep { }");
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
   const std::string file = place_of(L, 1).file;

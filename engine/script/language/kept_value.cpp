@@ -6,7 +6,8 @@ namespace reorient {
 namespace {
 
 constexpr int kDeepest = 16;
-constexpr int kMostValues = 20'000;
+constexpr std::size_t kBytesPerValue = 64;  // about what Lua needs for one, or for an empty table
+constexpr std::size_t kMostNames = 20;      // of what was left out
 
 std::string describe_key(lua_State* L, int index) {
   switch (lua_type(L, index)) {
@@ -38,12 +39,25 @@ std::optional<KeptKey> read_key(lua_State* L, int index) {
 
 struct Reader {
   lua_State* L;
+  std::size_t& bytes;
   std::vector<std::string>& left_out;
-  int values = 0;
+
+  /// False: there is no room left for a value with so long a text.
+  bool pay(std::size_t length) {
+    const std::size_t price = kBytesPerValue + length;
+    if (price > bytes) return false;
+    bytes -= price;
+    return true;
+  }
+
+  static std::size_t length_of(lua_State* L, int index) {
+    return lua_type(L, index) == LUA_TSTRING ? static_cast<std::size_t>(lua_rawlen(L, index)) : 0;
+  }
 
   /// False: the value at the stack's top cannot be kept.
   bool value(int depth, KeptValue& kept) {
-    if (++values > kMostValues) return false;
+    // Also a text that stands in many places is paid for in each: what is kept are copies.
+    if (!pay(length_of(L, -1) + length_of(L, -2))) return false;
     if (lua_type(L, -1) == LUA_TTABLE) {
       if (depth >= kDeepest) return false;
       kept.value = table(-1, depth + 1);
@@ -63,7 +77,7 @@ struct Reader {
       KeptValue read;
       if (key && value(depth, read)) {
         kept.emplace(*key, std::move(read));
-      } else {
+      } else if (left_out.size() < kMostNames) {
         left_out.push_back(describe_key(L, -2));
       }
     }
@@ -94,8 +108,8 @@ int type_of(const KeptValue& kept) {
 
 }  // namespace
 
-KeptTable read_kept(lua_State* L, int index, std::vector<std::string>& left_out) {
-  return Reader{L, left_out}.table(index, 0);
+KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std::string>& left_out) {
+  return Reader{L, bytes, left_out}.table(index, 0);
 }
 
 void write_kept(lua_State* L, int index, const KeptTable& kept) {

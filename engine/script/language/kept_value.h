@@ -1,6 +1,7 @@
 // A script's `keep` memory outside of Lua: plain values, so that it survives a reload.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <variant>
@@ -18,9 +19,9 @@ struct KeptValue {
   std::variant<bool, lua_Integer, double, std::string, KeptTable> value;
 };
 
-/// The plain values of the table at `index`. What cannot be kept (functions, tables within themselves, too many) is
-/// left out and named in `left_out`.
-KeptTable read_kept(lua_State* L, int index, std::vector<std::string>& left_out);
+/// The plain values of the table at `index`. What cannot be kept (functions, tables within themselves, more than the
+/// `bytes` that are left, which are reduced) is left out; the first such keys are named in `left_out`.
+KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std::string>& left_out);
 
 /// Writes kept values over the table at `index`. Where the table already has a value of another type, that one stays:
 /// the script has changed its mind about what it keeps there.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kDeepestNesting = 16;
 constexpr std::size_t kMostStates = 1000;
+constexpr std::size_t kMostTransitions = 2000;  // one table can stand in many states, and a few lines make millions
 
 // Keys that no script can write: their addresses.
 const char kStateName = 'n';
@@ -150,6 +151,7 @@ void MachineReader::read_always(int table, int state, DeclarationPlaces::Table& 
 }
 
 void MachineReader::read_transition(int table, int state, bool always, DeclarationPlaces::Table& place) {
+  if (machine_.transitions.size() >= kMostTransitions) throw std::runtime_error("too many transitions");
   const TextPosition position_before = position_;
   TransitionDefinition transition;
   transition.from = state;

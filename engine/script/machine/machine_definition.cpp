@@ -86,8 +86,11 @@ void resolve_transition(MachineDefinition& machine, TransitionDefinition& transi
   const std::string from = title(machine.states[transition.from]);
   transition.to = find_target(machine, transition.from, transition.target);
   if (transition.to < 0) {
-    errors.push_back({transition.position, from + " leads to " + quoted(transition.target) + ", which is not a state" +
-                                               did_you_mean(transition.target, state_names(machine))});
+    constexpr std::size_t kMostHints = 20;  // to look for similar names among many takes long
+    const std::string hint =
+        errors.size() < kMostHints ? did_you_mean(transition.target, state_names(machine)) : std::string();
+    errors.push_back(
+        {transition.position, from + " leads to " + quoted(transition.target) + ", which is not a state" + hint});
   }
   const bool timed = transition.after.kind != Dwell::Kind::none;
   if (transition.when == LUA_NOREF && transition.lasting.kind != Dwell::Kind::none) {

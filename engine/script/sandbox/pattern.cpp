@@ -1,5 +1,6 @@
 #include "engine/script/sandbox/pattern.h"
 
+#include <array>
 #include <cctype>
 
 namespace reorient {
@@ -12,49 +13,60 @@ using Set = std::bitset<256>;
 
 std::size_t code(char letter) { return static_cast<unsigned char>(letter); }
 
-/// %a, %d ...; the upper-case letter is the complement, anything else stands for itself.
-Set letter_class(char letter) {
-  Set set;
-  const char kind = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  for (int c = 0; c < 256; ++c) {
-    bool in = false;
-    switch (kind) {
-      case 'a':
-        in = std::isalpha(c) != 0;
-        break;
-      case 'c':
-        in = std::iscntrl(c) != 0;
-        break;
-      case 'd':
-        in = std::isdigit(c) != 0;
-        break;
-      case 'g':
-        in = std::isgraph(c) != 0;
-        break;
-      case 'l':
-        in = std::islower(c) != 0;
-        break;
-      case 'p':
-        in = std::ispunct(c) != 0;
-        break;
-      case 's':
-        in = std::isspace(c) != 0;
-        break;
-      case 'u':
-        in = std::isupper(c) != 0;
-        break;
-      case 'w':
-        in = std::isalnum(c) != 0;
-        break;
-      case 'x':
-        in = std::isxdigit(c) != 0;
-        break;
-      default:
-        return Set().set(code(letter));
-    }
-    set[static_cast<std::size_t>(c)] = in;
+bool is_in_class(char kind, int letter) {
+  switch (kind) {
+    case 'a':
+      return std::isalpha(letter) != 0;
+    case 'c':
+      return std::iscntrl(letter) != 0;
+    case 'd':
+      return std::isdigit(letter) != 0;
+    case 'g':
+      return std::isgraph(letter) != 0;
+    case 'l':
+      return std::islower(letter) != 0;
+    case 'p':
+      return std::ispunct(letter) != 0;
+    case 's':
+      return std::isspace(letter) != 0;
+    case 'u':
+      return std::isupper(letter) != 0;
+    case 'w':
+      return std::isalnum(letter) != 0;
+    case 'x':
+      return std::isxdigit(letter) != 0;
+    case 'z':  // no longer in the manual, but Lua's own still has it
+      return letter == 0;
+    default:
+      return false;
   }
-  return std::isupper(static_cast<unsigned char>(letter)) != 0 ? ~set : set;
+}
+
+/// The sets of %a, %d ... by their letter; the upper-case letter is the complement, anything else stands for itself.
+/// Made once: a pattern of two thousand classes shall not cost more than its letters.
+std::array<Set, 256> make_classes() {
+  std::array<Set, 256> classes;
+  for (std::size_t letter = 0; letter < classes.size(); ++letter) {
+    const char kind = static_cast<char>(std::tolower(static_cast<int>(letter)));
+    for (int c = 0; c < 256; ++c) classes[letter][static_cast<std::size_t>(c)] = is_in_class(kind, c);
+    if (classes[letter].none()) {
+      classes[letter].set(letter);
+    } else if (std::isupper(static_cast<int>(letter)) != 0) {
+      classes[letter].flip();
+    }
+  }
+  return classes;
+}
+
+const Set& letter_class(char letter) {
+  static const std::array<Set, 256> classes = make_classes();
+  return classes[code(letter)];
+}
+
+/// All letters from the first to the last; none where the last comes before the first.
+Set range(char first, char last) {
+  if (code(last) < code(first)) return {};
+  return (~Set() >> (255 - (code(last) - code(first)))) << code(first);
 }
 
 /// A set in brackets; `at` stands behind the '[' and is moved behind the ']'.
@@ -70,7 +82,7 @@ Set read_set(std::string_view text, std::size_t& at) {
       if (at >= text.size()) throw PatternError("malformed pattern (ends with '%')");
       set |= letter_class(text[at++]);
     } else if (at + 1 < text.size() && text[at] == '-' && text[at + 1] != ']') {
-      for (std::size_t c = code(letter); c <= code(text[at + 1]); ++c) set.set(c);
+      set |= range(letter, text[at + 1]);
       at += 2;
     } else {
       set.set(code(letter));

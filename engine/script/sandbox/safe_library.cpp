@@ -13,10 +13,12 @@ namespace {
 /// A script's own errors can be caught, the end of its budget cannot.
 int safe_pcall(lua_State* L) {
   luaL_checkany(L, 1);
-  const int status = lua_pcall(L, lua_gettop(L) - 1, LUA_MULTRET, 0);
+  lua_pushcfunction(L, &Sandbox::pay_for_error);
+  lua_insert(L, 1);
+  const int status = lua_pcall(L, lua_gettop(L) - 2, LUA_MULTRET, 1);
   Sandbox::of(L).raise_if_exhausted();
   lua_pushboolean(L, status == LUA_OK ? 1 : 0);
-  lua_insert(L, 1);
+  lua_replace(L, 1);
   return lua_gettop(L);
 }
 
@@ -26,7 +28,9 @@ int safe_xpcall(lua_State* L) {
   const int arguments = lua_gettop(L) - 2;
   lua_pushvalue(L, 1);
   lua_insert(L, 3);
-  const int status = lua_pcall(L, arguments, LUA_MULTRET, 0);
+  lua_pushcfunction(L, &Sandbox::pay_for_error);
+  lua_replace(L, 1);
+  const int status = lua_pcall(L, arguments, LUA_MULTRET, 1);
   Sandbox::of(L).raise_if_exhausted();
   if (status == LUA_OK) {
     lua_pushboolean(L, 1);
@@ -76,7 +80,9 @@ int safe_rawset(lua_State* L) {
 }
 
 int safe_tostring(lua_State* L) {
+  constexpr std::int64_t kPriceOfDigits = 50;
   luaL_checkany(L, 1);
+  if (lua_type(L, 1) == LUA_TNUMBER) Sandbox::of(L).charge(kPriceOfDigits);
   push_text(L, 1);
   return 1;
 }
@@ -165,6 +171,14 @@ int call_original(lua_State* L) {
   return lua_gettop(L);
 }
 
+/// With thousands of results, and then arguments, a single instruction would copy thousands of values.
+int few_results(lua_State* L) {
+  constexpr int kMostResults = 250;
+  const int results = call_original(L);
+  if (results > kMostResults) return luaL_error(L, "more than %d results", kMostResults);
+  return results;
+}
+
 int paid_by_length(lua_State* L) {
   Sandbox::of(L).charge(plain_length(L));
   return call_original(L);
@@ -193,6 +207,12 @@ int paid_concat(lua_State* L) {
 
 int paid_unpack(lua_State* L) {
   charge_range(L, 2, plain_length(L));
+  return few_results(L);
+}
+
+/// A number in a long text is read letter by letter.
+int paid_tonumber(lua_State* L) {
+  if (lua_type(L, 1) == LUA_TSTRING) Sandbox::of(L).charge(static_cast<std::int64_t>(lua_rawlen(L, 1)));
   return call_original(L);
 }
 
@@ -220,9 +240,10 @@ void borrow(lua_State* L, const Borrowed (&functions)[Count]) {
 }
 
 void open_base(lua_State* L) {
-  constexpr Borrowed kBase[] = {
-      {"assert", nullptr}, {"error", nullptr},  {"getmetatable", nullptr}, {"ipairs", nullptr},   {"rawequal", nullptr},
-      {"rawget", nullptr}, {"rawlen", nullptr}, {"select", nullptr},       {"tonumber", nullptr}, {"type", nullptr}};
+  constexpr Borrowed kBase[] = {{"assert", nullptr}, {"error", nullptr},    {"getmetatable", nullptr},
+                                {"ipairs", nullptr}, {"rawequal", nullptr}, {"rawget", nullptr},
+                                {"rawlen", nullptr}, {"select", nullptr},   {"tonumber", paid_tonumber},
+                                {"type", nullptr}};
   constexpr luaL_Reg kOwn[] = {
       {"pcall", safe_pcall},   {"xpcall", safe_xpcall},     {"setmetatable", safe_setmetatable},
       {"rawset", safe_rawset}, {"tostring", safe_tostring}, {"pairs", safe_pairs},
@@ -270,8 +291,8 @@ void open_table(lua_State* L) {
 }
 
 void open_string(lua_State* L) {
-  constexpr Borrowed kString[] = {{"byte", nullptr},    {"char", nullptr}, {"len", nullptr},  {"lower", nullptr},
-                                  {"reverse", nullptr}, {"sub", nullptr},  {"upper", nullptr}};
+  constexpr Borrowed kString[] = {{"byte", few_results}, {"char", nullptr}, {"len", nullptr},  {"lower", nullptr},
+                                  {"reverse", nullptr},  {"sub", nullptr},  {"upper", nullptr}};
   lua_newtable(L);
   luaL_requiref(L, "string", luaopen_string, 0);
   borrow(L, kString);

@@ -14,7 +14,21 @@ constexpr int kHookInterval = 100;  // instructions
 constexpr std::size_t kStringHeader = 32;
 constexpr std::size_t kBytesPerInstruction = 16;
 constexpr std::int64_t kRefusalsPerBudget = 2;
+constexpr std::int64_t kPriceOfAnError = 2'000;  // unwinding the stack takes about 10 us
+constexpr int kMostArguments = 250;
 constexpr int kDeepestCall = 200;
+
+/// Pushes "file:line: " of the innermost function that is Lua, where there is one.
+void push_place(lua_State* L) {
+  lua_Debug record;
+  for (int level = 0; lua_getstack(L, level, &record) != 0; ++level) {
+    lua_getinfo(L, "Sl", &record);
+    if (record.currentline <= 0) continue;
+    lua_pushfstring(L, "%s:%d: ", record.short_src, record.currentline);
+    return;
+  }
+  lua_pushliteral(L, "");
+}
 
 }  // namespace
 
@@ -52,14 +66,21 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
   return result;
 }
 
-void Sandbox::count(lua_State* L, lua_Debug*) {
+void Sandbox::count(lua_State* L, lua_Debug* record) {
   Sandbox& sandbox = of(L);
-  sandbox.spent_ += kHookInterval;
+  if (!sandbox.exhausted_) sandbox.spent_ += kHookInterval;
   if (!sandbox.confined_) return;
   sandbox.charge(kHookInterval);
   lua_Debug outermost;
   if (lua_getstack(L, kDeepestCall, &outermost) != 0) {
-    luaL_error(L, "functions call each other more than %d deep: a recursion that does not end", kDeepestCall);
+    push_place(L);
+    lua_pushfstring(L, "functions call each other more than %d deep: a recursion that does not end", kDeepestCall);
+    lua_concat(L, 2);
+    lua_error(L);
+  }
+  // "..." is copied whole by a single instruction.
+  if (lua_getlocal(L, record, -kMostArguments - 1) != nullptr) {
+    luaL_error(L, "a function with more than %d arguments", kMostArguments);
   }
 }
 
@@ -71,19 +92,36 @@ void Sandbox::grant(std::int64_t instructions) {
 }
 
 void Sandbox::charge(std::int64_t work) {
-  remaining_ = work > remaining_ ? -1 : remaining_ - work;
-  if (remaining_ < 0) exhausted_ = true;
+  owe(work);
   raise_if_exhausted();
+}
+
+/// From the end of the budget on not one more instruction is run: an error first closes the variables that are to be
+/// closed, and functions that open new ones meanwhile would go on for ever.
+void Sandbox::owe(std::int64_t work) {
+  remaining_ = work > remaining_ ? -1 : remaining_ - work;
+  if (remaining_ >= 0 || exhausted_) return;
+  exhausted_ = true;
+  lua_sethook(lua_, &Sandbox::count, LUA_MASKCOUNT, 1);
 }
 
 void Sandbox::raise_if_exhausted() {
   if (!exhausted_) return;
-  const auto granted = static_cast<lua_Integer>(granted_);
-  luaL_error(lua_, "the budget of %I instructions is used up: a loop that does not end, or too much work", granted);
+  push_place(lua_);
+  lua_pushfstring(lua_, "the budget of %I instructions is used up: a loop that does not end, or too much work",
+                  static_cast<LUAI_UACINT>(granted_));
+  lua_concat(lua_, 2);
+  lua_error(lua_);
+}
+
+int Sandbox::pay_for_error(lua_State* L) {
+  of(L).owe(kPriceOfAnError);
+  return 1;
 }
 
 int Sandbox::explain(lua_State* L) {
   Sandbox& sandbox = of(L);
+  sandbox.owe(kPriceOfAnError);
   const bool confined = sandbox.confined_;
   sandbox.confined_ = false;
   if (!lua_isstring(L, 1)) {

@@ -52,6 +52,8 @@ class Sandbox {
   bool exhausted() const { return exhausted_; }
   /// Raises a Lua error if the budget is spent: after each catch of a script's own errors.
   void raise_if_exhausted();
+  /// The message handler for each lua_pcall within a script: an error takes far more time than an instruction.
+  static int pay_for_error(lua_State* L);
 
   std::size_t string_length() const { return static_cast<std::size_t>(limits_.string_length); }
   std::size_t memory() const { return memory_; }        ///< bytes held
@@ -61,6 +63,7 @@ class Sandbox {
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
   static void count(lua_State* L, lua_Debug* record);
   static int explain(lua_State* L);
+  void owe(std::int64_t work);
   ScriptFault take_fault();
 
   ScriptLimits limits_;

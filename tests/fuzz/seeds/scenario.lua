@@ -1,0 +1,18 @@
+local p = param { wait = { 0.1, range = { 0, 1 }, unit = "s", doc = "x" } }
+scenario "s" {
+  behaviors = { "honest_one" },
+  initial = "a",
+  state "a" {
+    enter = function()
+      experimenter.put_down(0, 0, 0)
+      belief.start_at(0, 0, 0)
+    end,
+    update = function() experimenter.set_exposure(p.wait) end,
+    { "b", after = "wait" },
+  },
+  state "b" {
+    enter = function() experimenter.push_over() end,
+    { "c", when = function() return truth.x > 0 and behaviors.honest_one.time_in_state > 0.1 end },
+  },
+  state "c" { enter = function() verdict.succeed("x") end },
+}
