@@ -1,0 +1,78 @@
+--- Where are the goals? A robot that is unsure of its orientation stands still and looks in turn to both places where
+--- the goals should be by its belief: there the wall tells the two ends of the field apart and the posts tell the place.
+--- It decides nothing; it only brings the evidence before the eyes of those who do.
+
+local look = require "lib.look"
+
+local p = param {
+  lead        = { 0.4,  range = { 0, 1 },              doc = "how far one pose must be ahead of the other for the robot to be sure" },
+  proof       = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last to end the search" },
+  doubt       = { 10.0, range = { 0, 60 },  unit = "s", doc = "how long neither pose may lead before the search begins" },
+  stale       = { 4.0,  range = { 0, 30 },  unit = "s", doc = "how long to search at least: confidences are smoothed and speak of before" },
+  patience    = { 20.0, range = { 1, 120 }, unit = "s", doc = "how long to search at most" },
+  dwell       = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long to look at one goal" },
+  out_of_view = { 8.0,  range = { 0.5, 60 }, unit = "s", doc = "after which time to try the other goal if one cannot be looked at" },
+}
+
+local OPPONENT, OWN = 1, -1
+
+local function goal_line(side) return side * field.length / 2 end
+
+local function is_helpless() return robot.fallen or robot.carried or robot.penalized end
+
+-- Before the room is known the confidences say nothing, and looking at the goals would not help either.
+local function is_unsure()
+  return evaluation.active and math.abs(confidence.current - confidence.opposite) < p.lead
+end
+
+local function is_sure() return not is_unsure() and time_in_state() > p.stale end
+
+local function is_opponent_goal_nearer()
+  return look.turn_to(goal_line(OPPONENT), 0.0) <= look.turn_to(goal_line(OWN), 0.0)
+end
+
+local function looking_at(side, other_goal)
+  return {
+    update = function() look.at(goal_line(side), 0.0) end,
+    { other_goal,
+      when = function() return look.is_at(goal_line(side), 0.0) end,
+      lasting = "dwell", because = "the goal was looked at" },
+    { other_goal, after = "out_of_view", because = "the goal cannot be looked at" },
+  }
+end
+
+behavior "goal_search" {
+  priority = 30,
+  initial = "resting",
+  always = {
+    { "helpless", when = is_helpless, because = "the robot lies, is carried or is penalized" },
+  },
+
+  state "resting" {
+    { "searching", when = is_unsure, lasting = "doubt", because = "neither pose leads" },
+  },
+
+  state "helpless" {
+    { "searching",
+      when = function() return not is_helpless() and evaluation.active end,
+      because = "the robot may stand elsewhere than before" },
+    { "resting",
+      when = function() return not is_helpless() end,
+      lasting = "doubt", because = "the room is not known yet" },
+  },
+
+  state "searching" {
+    initial = "choosing",
+    { "resting", when = is_sure, lasting = "proof", because = "one pose leads" },
+    { "resting", after = "patience", because = "its patience ended" },
+
+    state "choosing" {
+      update = function() walk.stand() end,
+      { "opponent goal", when = is_opponent_goal_nearer, because = "the opponent goal is nearer to the view" },
+      { "own goal", when = function() return not is_opponent_goal_nearer() end, because = "the own goal is nearer to the view" },
+    },
+
+    state "opponent goal" (looking_at(OPPONENT, "own goal")),
+    state "own goal" (looking_at(OWN, "opponent goal")),
+  },
+}
