@@ -1,6 +1,7 @@
 --- Where are the goals? A robot that is unsure of its orientation stands still and looks in turn to both places where
 --- the goals should be by its belief: there the wall tells the two ends of the field apart and the posts tell the place.
---- It decides nothing; it only brings the evidence before the eyes of those who do.
+--- It decides nothing; it only brings the evidence before the eyes of those who do. Where no goal post is in view at
+--- either place, the belief is worth nothing, and neither is looking where it says.
 
 local look = require "lib.look"
 
@@ -13,6 +14,8 @@ local p = param {
   dwell       = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long to look at one goal" },
   out_of_view = { 8.0,  range = { 0.5, 60 }, unit = "s", doc = "after which time to try the other goal if one cannot be looked at" },
 }
+
+local memory = keep { looks = 0, saw_posts = false }   -- of this search
 
 local OPPONENT, OWN = 1, -1
 
@@ -31,9 +34,17 @@ local function is_opponent_goal_nearer()
   return look.turn_to(goal_line(OPPONENT), 0.0) <= look.turn_to(goal_line(OWN), 0.0)
 end
 
+local function begin_search() memory.looks, memory.saw_posts = 0, false end
+
+local function is_belief_worthless() return memory.looks >= 2 and not memory.saw_posts end
+
 local function looking_at(side, other_goal)
   return {
-    update = function() look.at(goal_line(side), 0.0) end,
+    update = function()
+      look.at(goal_line(side), 0.0)
+      if seen.goal_posts > 0 and look.is_at(goal_line(side), 0.0) then memory.saw_posts = true end
+    end,
+    exit = function() memory.looks = memory.looks + 1 end,
     { other_goal,
       when = function() return look.is_at(goal_line(side), 0.0) end,
       lasting = "dwell", because = "the goal was looked at" },
@@ -63,6 +74,8 @@ behavior "goal_search" {
 
   state "searching" {
     initial = "choosing",
+    enter = begin_search,
+    { "resting", when = is_belief_worthless, because = "no goal stands where the belief says" },
     { "resting", when = is_sure, lasting = "proof", because = "one pose leads" },
     { "resting", after = "patience", because = "its patience ended" },
 

@@ -9,11 +9,12 @@ local walking = require "lib.walk"
 local p = param {
   lift     = { 0.8,  range = { 0, 5 },   unit = "s", doc = "how long it must be in the air: a robot that trips has unloaded feet, too" },
   lead     = { 0.4,  range = { 0, 1 },               doc = "how far the believed pose must be ahead of its reflection" },
-  proof    = { 2.0,  range = { 0, 20 },  unit = "s", doc = "how long that lead must last" },
+  proof    = { 3.0,  range = { 0, 20 },  unit = "s", doc = "how long that lead must last" },
   share    = { 0.6,  range = { 0, 1 },               doc = "share of the pose particles that must agree on the believed pose" },
   stale    = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long confidences still speak of the place where it was lifted" },
   patience = { 25.0, range = { 1, 120 }, unit = "s", doc = "how long to search before the orientation is forgotten, and again after that" },
-  turn     = { 0.3,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
+  quiet    = { 3.0,  range = { 0, 20 },  unit = "s", doc = "how long no goal may have been in view then: a goal may just be helping" },
+  turn     = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
 }
 
 local memory = keep { put_down_at = 0.0 }
@@ -26,7 +27,7 @@ local function speaks_for_the_pose()
   return not is_held_or_down() and lead() > p.lead and pose.share >= p.share and clock.time - memory.put_down_at > p.stale
 end
 
-local function is_undecided() return math.abs(lead()) < p.lead end
+local function is_stuck() return math.abs(lead()) < p.lead and seen.goal_posts == 0 end
 
 behavior "kidnap_recovery" {
   priority = 25,
@@ -51,7 +52,7 @@ behavior "kidnap_recovery" {
     { "recovered", when = speaks_for_the_pose, lasting = "proof", because = "the room speaks for the believed pose" },
 
     state "with its belief" {
-      { "with any orientation", when = is_undecided, after = "patience", because = "neither pose won" },
+      { "with any orientation", when = is_stuck, lasting = "quiet", after = "patience", because = "neither pose won" },
     },
 
     state "with any orientation" {
