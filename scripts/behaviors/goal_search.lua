@@ -6,12 +6,13 @@
 local look = require "lib.look"
 
 local p = param {
-  lead        = { 0.4,  range = { 0, 1 },              doc = "how far one pose must be ahead of the other for the robot to be sure" },
-  proof       = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last to end the search" },
-  doubt       = { 10.0, range = { 0, 60 },  unit = "s", doc = "how long neither pose may lead before the search begins" },
-  stale       = { 4.0,  range = { 0, 30 },  unit = "s", doc = "how long to search at least: confidences are smoothed and speak of before" },
-  patience    = { 20.0, range = { 1, 120 }, unit = "s", doc = "how long to search at most" },
-  dwell       = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long to look at one goal" },
+  lead        = { 0.4,  range = { 0, 1 },                doc = "how far one pose must be ahead of the other for the robot to be sure" },
+  proof       = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long that lead must last to end the search" },
+  doubt       = { 10.0, range = { 0, 60 },   unit = "s", doc = "how long neither pose may lead before the search begins" },
+  catch_up    = { 6.0,  range = { 0, 30 },   unit = "s", doc = "how long after a disturbance the head scans as usual first" },
+  patience    = { 20.0, range = { 1, 120 },  unit = "s", doc = "how long to search at most" },
+  dwell       = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long to look at one goal" },
+  informative = { 0.05, range = { 0, 1 },                doc = "how much the room must differ from itself after half a turn" },
   out_of_view = { 8.0,  range = { 0.5, 60 }, unit = "s", doc = "after which time to try the other goal if one cannot be looked at" },
 }
 
@@ -23,12 +24,12 @@ local function goal_line(side) return side * field.length / 2 end
 
 local function is_helpless() return robot.fallen or robot.carried or robot.penalized end
 
--- Before the room is known the confidences say nothing, and looking at the goals would not help either.
-local function is_unsure()
-  return evaluation.active and math.abs(confidence.current - confidence.opposite) < p.lead
-end
+-- Before the room is known, or where both of its ends look the same, looking at the goals would not help either.
+local function can_room_tell() return evaluation.active and confidence.informative >= p.informative end
 
-local function is_sure() return not is_unsure() and time_in_state() > p.stale end
+local function is_unsure() return can_room_tell() and math.abs(confidence.current - confidence.opposite) < p.lead end
+
+local function is_sure() return not is_unsure() end
 
 local function is_opponent_goal_nearer()
   return look.turn_to(goal_line(OPPONENT), 0.0) <= look.turn_to(goal_line(OWN), 0.0)
@@ -64,12 +65,13 @@ behavior "goal_search" {
   },
 
   state "helpless" {
-    { "searching",
-      when = function() return not is_helpless() and evaluation.active end,
-      because = "the robot may stand elsewhere than before" },
-    { "resting",
-      when = function() return not is_helpless() end,
-      lasting = "doubt", because = "the room is not known yet" },
+    { "catching up", when = function() return not is_helpless() end, because = "the robot may stand elsewhere than before" },
+  },
+
+  -- The confidences are smoothed and still speak of before, and the usual scan of the head is often enough for them.
+  state "catching up" {
+    { "searching", when = is_unsure, after = "catch_up", because = "neither pose leads since then" },
+    { "resting", when = is_sure, after = "catch_up", because = "one pose leads, or the room cannot tell" },
   },
 
   state "searching" {

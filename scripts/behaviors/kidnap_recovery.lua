@@ -7,14 +7,15 @@ local posture = require "lib.posture"
 local walking = require "lib.walk"
 
 local p = param {
-  lift     = { 0.8,  range = { 0, 5 },   unit = "s", doc = "how long it must be in the air: a robot that trips has unloaded feet, too" },
-  lead     = { 0.4,  range = { 0, 1 },               doc = "how far the believed pose must be ahead of its reflection" },
-  proof    = { 3.0,  range = { 0, 20 },  unit = "s", doc = "how long that lead must last" },
-  share    = { 0.6,  range = { 0, 1 },               doc = "share of the pose particles that must agree on the believed pose" },
-  stale    = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long confidences still speak of the place where it was lifted" },
-  patience = { 25.0, range = { 1, 120 }, unit = "s", doc = "how long to search before the orientation is forgotten, and again after that" },
-  quiet    = { 3.0,  range = { 0, 20 },  unit = "s", doc = "how long no goal may have been in view then: a goal may just be helping" },
-  turn     = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
+  lift        = { 0.8,  range = { 0, 5 },   unit = "s",     doc = "how long it must be in the air; a robot that trips is so for a moment" },
+  lead        = { 0.4,  range = { 0, 1 },                   doc = "how far the believed pose must be ahead of its reflection" },
+  proof       = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long that lead must last" },
+  share       = { 0.6,  range = { 0, 1 },                   doc = "share of the pose particles that must agree on the believed pose" },
+  stale       = { 3.0,  range = { 0, 30 },  unit = "s",     doc = "how long confidences still speak of the place where it was lifted" },
+  patience    = { 25.0, range = { 1, 120 }, unit = "s",     doc = "how long to search until the orientation is forgotten, and after that" },
+  quiet       = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long no goal may have been in view then: it might help" },
+  informative = { 0.05, range = { 0, 1 },                   doc = "how much the room must differ from itself after half a turn" },
+  turn        = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
 }
 
 local memory = keep { put_down_at = 0.0 }
@@ -27,7 +28,10 @@ local function speaks_for_the_pose()
   return not is_held_or_down() and lead() > p.lead and pose.share >= p.share and clock.time - memory.put_down_at > p.stale
 end
 
-local function is_stuck() return math.abs(lead()) < p.lead and seen.goal_posts == 0 end
+-- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
+local function can_room_tell() return evaluation.active and confidence.informative >= p.informative end
+
+local function is_stuck() return can_room_tell() and math.abs(lead()) < p.lead and seen.goal_posts == 0 end
 
 behavior "kidnap_recovery" {
   priority = 25,
@@ -53,6 +57,7 @@ behavior "kidnap_recovery" {
 
     state "with its belief" {
       { "with any orientation", when = is_stuck, lasting = "quiet", after = "patience", because = "neither pose won" },
+      { "lost", when = function() return not can_room_tell() end, after = "patience", because = "the room cannot tell" },
     },
 
     state "with any orientation" {

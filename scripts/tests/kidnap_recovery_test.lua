@@ -2,6 +2,7 @@
 
 local function put_down()
   load "kidnap_recovery"
+  set { evaluation = { active = true }, confidence = { informative = 0.3 } }
   advance(0.1)
   set { robot = { carried = true }, pose = { share = 0.9 } }
   advance(1)
@@ -174,12 +175,32 @@ end)
 
 test("leaves the legs to goal_search while that looks at a goal", function()
   load "goal_search"
-  set { evaluation = { active = true } }
   put_down()
-  advance(0.5)
+  advance(5)
+  expect.state("goal_search", "catching up")
+  expect.walk(0, 0, 0.4)
+  advance(1)
   expect.state("goal_search", "searching/opponent goal")
   expect.walk(0, 0, 0)
 end)
+
+for what, world in pairs {
+  ["is not known"] = { evaluation = { active = false } },
+  ["looks the same after half a turn"] = { confidence = { informative = 0.01 } },
+} do
+  test("forgets nothing when the room " .. what .. ", and goes on in the end", function()
+    put_down()
+    set(world)
+    advance(24)
+    expect.state("kidnap_recovery", "searching/with its belief")
+    advance(1)
+    expect.state("kidnap_recovery", "lost")
+    expect.reason("kidnap_recovery", "the room cannot tell")
+    advance(60)
+    expect.no_command()
+    expect.lease("pause_training")
+  end)
+end
 
 test("an edit while it searches keeps the pause and the time", function()
   put_down()
