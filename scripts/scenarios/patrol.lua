@@ -3,12 +3,14 @@
 
 local ground_truth = require "lib.ground_truth"
 
-param {
-  duration = { 600.0, range = { 1, 36000 },           unit = "s", doc = "how long to walk" },
-  report   = { 60.0,  range = { 1, 3600 },            unit = "s", doc = "how often to write truth and belief into the log" },
+local p = param {
+  duration = { 600.0, range = { 1, 36000 }, unit = "s", doc = "how long the run takes; beyond 600 s it needs --seconds, too" },
+  report   = { 60.0,  range = { 1, 3600 },  unit = "s", doc = "how often to write truth and belief into the log" },
 }
 
 local memory = keep { wrong = 0.0 }   -- s, how long the belief was wrong so far
+
+local function is_over() return clock.time >= p.duration end
 
 local function watch_belief()
   if not ground_truth.is_belief_right() then memory.wrong = memory.wrong + clock.step end
@@ -30,9 +32,9 @@ scenario "patrol" {
     initial = "on its way",
     update = watch_belief,
     { "right",
-      when = function() return ground_truth.is_belief_right() end,
-      after = "duration", because = "the time is up and the belief is right" },
-    { "wrong", after = "duration", because = "the time is up and the belief is wrong" },
+      when = function() return is_over() and ground_truth.is_belief_right() end,
+      because = "the time is up and the belief is right" },
+    { "wrong", when = is_over, because = "the time is up and the belief is wrong" },
 
     state "on its way" {
       exit = function() ground_truth.note(string.format("wrong for %.1f s so far", memory.wrong)) end,
