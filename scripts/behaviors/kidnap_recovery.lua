@@ -20,12 +20,13 @@ local p = param {
 
 local memory = keep { put_down_at = 0.0 }
 
-local function is_held_or_down() return robot.carried or robot.fallen end
+-- A penalized robot may not move, and nothing is compared: its search begins when it may play again.
+local function is_helpless() return robot.carried or robot.fallen or robot.penalized end
 
 local function lead() return confidence.current - confidence.opposite end
 
 local function speaks_for_the_pose()
-  return not is_held_or_down() and lead() > p.lead and pose.share >= p.share and clock.time - memory.put_down_at > p.stale
+  return not is_helpless() and lead() > p.lead and pose.share >= p.share and clock.time - memory.put_down_at > p.stale
 end
 
 -- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
@@ -46,7 +47,7 @@ behavior "kidnap_recovery" {
   state "lifted" {
     enter = function() command.pause_training() end,
     exit = function() memory.put_down_at = clock.time end,
-    { "searching", when = function() return not is_held_or_down() end, lasting = 0.3, because = "the robot stands, who knows where" },
+    { "searching", when = function() return not is_helpless() end, lasting = 0.3, because = "the robot stands, who knows where" },
   },
 
   state "searching" {

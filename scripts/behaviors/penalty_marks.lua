@@ -1,8 +1,8 @@
 --- Walks from one penalty mark to the other and back, always by the pose that the robot believes in. On the first visit
 --- of a mark it turns round once if much of the room is not learned yet. After a disturbance it goes to its own mark
---- first. Whether the belief is worth walking by is not asked here: whoever wants the robot to stand and search has a
---- greater priority.
+--- first. Whether the belief is worth walking by, others judge: while they search for the pose it waits.
 
+local others = require "lib.others"
 local walking = require "lib.walk"
 
 local p = param {
@@ -23,11 +23,16 @@ local function is_there() return walking.is_near(mark(), 0.0, p.arrived) end
 
 local function is_helpless() return robot.carried or robot.fallen or robot.penalized end
 
+local function is_pose_searched()
+  return others.is_in("kidnap_recovery", "searching") or others.is_in("goal_search", "searching")
+end
+
 behavior "penalty_marks" {
   priority = 20,
   initial = "walking",
   always = {
     { "helpless", when = is_helpless, because = "the robot cannot walk now" },
+    { "waiting", when = function() return is_pose_searched() and not is_helpless() end, because = "others search for the pose" },
   },
 
   state "walking" {
@@ -53,5 +58,10 @@ behavior "penalty_marks" {
     update = function() walk.stand() end,
     exit = function() memory.side = -1 end,
     { "walking", when = function() return not is_helpless() end, lasting = 0.5, because = "the robot stands again" },
+  },
+
+  state "waiting" {
+    update = function() walk.stand() end,
+    { "walking", when = function() return not is_pose_searched() end, because = "the search has ended" },
   },
 }

@@ -53,6 +53,19 @@ test("a robot that was put down turns on the spot, and nothing is trained", func
   expect.no_command()
 end)
 
+test("a penalized robot begins to search when it may play again", function()
+  load "kidnap_recovery"
+  set { robot = { carried = true, penalized = true } }
+  advance(1)
+  set { robot = { carried = false } }
+  advance(45)
+  expect.state("kidnap_recovery", "lifted")
+  expect.lease("pause_training")
+  set { robot = { penalized = false } }
+  advance(0.4)
+  expect.state("kidnap_recovery", "searching/with its belief")
+end)
+
 test("recovers when the room speaks for the believed pose long enough", function()
   put_down()
   set { confidence = { current = 0.8 } }

@@ -25,8 +25,16 @@ local function put_down()
   advance(1)
 end
 
+--- The room speaks for the belief, right or wrong.
+local function become_sure()
+  set { confidence = { current = 0.9 }, pose = { share = 0.9 } }
+  advance(6)
+  expect.state("kidnap_recovery", "recovered")
+end
+
 test("succeeds when the robot stands on the right mark", function()
   put_down()
+  become_sure()
   set_truth(-3.1, 0.1, 0)
   set_belief(-3.2, 0, 0)
   advance(1)
@@ -35,6 +43,7 @@ end)
 
 test("fails when the robot believes that it stands on a mark, and says how far off it is", function()
   put_down()
+  become_sure()
   set_truth(-2.2, 1, math.rad(30))
   set_belief(-3.2, 0, 0)
   advance(1)
@@ -43,10 +52,18 @@ end)
 
 test("fails on the reflected mark", function()
   put_down()
+  become_sure()
   set_truth(3.2, 0, math.pi)
   set_belief(-3.2, 0, 0)
   advance(1)
   expect.verdict(false, "6.40 m and 180 degrees off")
+end)
+
+test("does not count a mark on which the robot believes to stand while it still searches", function()
+  put_down()
+  set_belief(-3.2, 0, 0)
+  advance(10)
+  expect.state("kidnapped", "elsewhere/lost")
 end)
 
 test("fails when the time is up, and says how far off it is", function()
@@ -63,7 +80,7 @@ test("loads the behaviours that it needs", function()
   expect.state("background_training", "waiting")
   expect.state("training_pause", "allowing")
   expect.state("kidnap_recovery", "searching/with its belief")
-  expect.state("penalty_marks", "walking")
+  expect.state("penalty_marks", "waiting")
 end)
 
 test("the time to learn can be set", function()

@@ -87,6 +87,54 @@ test("a disturbance ends turning round", function()
   expect.state("penalty_marks", "helpless")
 end)
 
+test("waits while others search for the pose, even on a mark", function()
+  load "kidnap_recovery"
+  load "penalty_marks"
+  stand_at(-3.2, 0, 0)
+  set { robot = { carried = true }, pose = { share = 0.9 } }
+  advance(1)
+  set { robot = { carried = false } }
+  advance(5)
+  expect.state("kidnap_recovery", "searching/with its belief")
+  expect.state("penalty_marks", "waiting")
+  expect.reason("penalty_marks", "others search for the pose")
+  set { confidence = { current = 0.9 } }
+  advance(3.2)
+  expect.state("kidnap_recovery", "recovered")
+  expect.state("penalty_marks", "on the mark")   -- of its own half, and only now
+end)
+
+test("goes on to the same mark after a goal search", function()
+  load "goal_search"
+  load "penalty_marks"
+  set { evaluation = { active = true }, confidence = { current = 0.9, informative = 0.3 } }
+  stand_at(-3.2, 0, 0)
+  advance(1.2)
+  expect.state("penalty_marks", "walking")   -- to the opponent's mark
+  set { confidence = { current = 0.0 } }
+  advance(11)
+  expect.state("penalty_marks", "waiting")
+  expect.walk(0, 0, 0)
+  set { confidence = { current = 0.9 } }
+  advance(1.2)
+  expect.state("penalty_marks", "walking")
+  expect.reason("penalty_marks", "the search has ended")
+  expect.walk(0.2, 0, 0)
+end)
+
+test("a fall while it waits is a disturbance", function()
+  load "kidnap_recovery"
+  load "penalty_marks"
+  set { robot = { carried = true } }
+  advance(1)
+  set { robot = { carried = false } }
+  advance(2)
+  expect.state("penalty_marks", "waiting")
+  set { robot = { fallen = true } }
+  advance(1)
+  expect.state("penalty_marks", "helpless")
+end)
+
 test("an edit of the library counts without losing the way", function()
   load "penalty_marks"
   stand_at(-3.2, 0, 0)
