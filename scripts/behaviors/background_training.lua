@@ -62,6 +62,7 @@ behavior "background_training" {
   state "learning" {
     initial = "studying",
     enter = function() command.pause_evaluation() end,
+    exit = function() memory.was_lifted = memory.was_lifted or robot.carried end,
     { "waiting", when = is_disturbed, because = "the robot does not stand on the field" },
     { "trusting", when = knows_the_room, because = "enough of the room was learned" },
 

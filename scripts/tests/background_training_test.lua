@@ -95,7 +95,7 @@ for _, what in ipairs { "fallen", "carried", "penalized" } do
 
   test("it stops learning while the robot is " .. what, function()
     start()
-    set { training = { seconds = 0 }, robot = { [what] = true } }
+    set { robot = { [what] = true } }
     advance(0.1)
     expect.state("background_training", "waiting")
     expect.reason("background_training", "the robot does not stand on the field")
@@ -104,8 +104,8 @@ for _, what in ipairs { "fallen", "carried", "penalized" } do
     set { robot = { [what] = false } }
     advance(0.4)
     expect.state("background_training", "waiting")
-    advance(0.3)
-    expect.state("background_training", "learning/studying")
+    advance(0.3)   -- after it was carried nobody vouches for its pose
+    expect.state("background_training", what == "carried" and "waiting" or "learning/studying")
   end)
 
   test("with training_pause both rest while the robot is " .. what .. ", and nothing is trained sooner than it may", function()
@@ -163,6 +163,27 @@ test("a robot that was lifted before it had learned the room does not learn from
   advance(5)
   expect.state("background_training", "waiting")
   expect.lease("pause_training")
+end)
+
+test("a robot that was lifted before it trained at all does not vouch for its pose any more, either", function()
+  start()
+  advance(1)
+  set { robot = { carried = true } }
+  advance(1)
+  set { robot = { carried = false }, pose = { reflected_share = 0.5 } }
+  advance(5)
+  expect.state("background_training", "waiting")
+  expect.no_command()
+end)
+
+test("a robot that was told its pose while it was still carried learns once it stands", function()
+  load "background_training"
+  set { robot = { carried = true }, pose = { known = true } }
+  advance(2)
+  expect.state("background_training", "waiting")
+  set { robot = { carried = false } }
+  advance(1)
+  expect.state("background_training", "learning/studying")
 end)
 
 test("a reload in the middle keeps the leases", function()
