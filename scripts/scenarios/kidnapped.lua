@@ -1,19 +1,30 @@
---- A robot that has learned the room is picked up and put down at quite another place, which is not the reflection of
---- its belief: neither of its two look-alike poses is right. It should distrust its pose, search, and walk to its own
---- penalty mark.
+--- A robot that has learned the room is picked up and put down at quite another place, some metres and some turn away
+--- from the reflection of its belief: neither of its two look-alike poses is right, and the wrong one of the two new
+--- poses is the nearer one. It should distrust its pose, search, and walk to its own penalty mark.
 
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
   learn    = { 60.0,  range = { 0, 600 },   unit = "s",   doc = "how long the robot may learn the room" },
   carry    = { 2.0,   range = { 0.2, 30 },  unit = "s",   doc = "how long it is in the air" },
-  x        = { 1.6,   range = { -4.5, 4.5 }, unit = "m",  doc = "where it is put down, towards the opponent goal" },
-  y        = { 2.0,   range = { -3.5, 3.5 }, unit = "m",  doc = "where it is put down, to the left" },
-  rotation = { -2.0,  range = { -3.2, 3.2 }, unit = "rad", doc = "how it is put down: 0 looks towards the opponent goal" },
+  ahead    = { 1.0,   range = { -3, 3 },    unit = "m",   doc = "where it is put down: ahead of the reflection of its belief" },
+  left     = { 1.2,   range = { -3, 3 },    unit = "m",   doc = "and to the left of that" },
+  turn     = { 0.7,   range = { -3.2, 3.2 }, unit = "rad", doc = "and turned to the left" },
   goal     = { 0.5,   range = { 0.1, 2 },   unit = "m",   doc = "how near to the right mark is right" },
   stay     = { 0.5,   range = { 0, 10 },    unit = "s",   doc = "how long it must stay near a mark" },
   timeout  = { 180.0, range = { 1, 600 },   unit = "s",   doc = "how long it may take after being put down" },
 }
+
+local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
+
+local function put_down_elsewhere()
+  local rotation = memory.rotation + math.pi   -- of the reflection
+  local cosine, sine = math.cos(rotation), math.sin(rotation)
+  experimenter.put_down(
+    -memory.x + p.ahead * cosine - p.left * sine,
+    -memory.y + p.ahead * sine + p.left * cosine,
+    rotation + p.turn)
+end
 
 local function stands_on_a_mark() return behaviors.penalty_marks.state == "on the mark" end
 
@@ -35,6 +46,7 @@ scenario "kidnapped" {
 
   state "carrying" {
     enter = function()
+      memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
       ground_truth.note("picked up")
       experimenter.pick_up()
     end,
@@ -43,7 +55,7 @@ scenario "kidnapped" {
 
   state "elsewhere" {
     initial = "lost",
-    enter = function() experimenter.put_down(p.x, p.y, p.rotation) end,
+    enter = put_down_elsewhere,
     { "failed", after = "timeout", because = "the time is up" },
 
     state "lost" {
