@@ -2,7 +2,8 @@
 --- room is learned first, and the evaluation waits until enough of it is known; until then somebody's word is all that
 --- speaks against the reflected pose, so reflected beliefs are purged on it. From then on the model is trained only
 --- while the believed pose clearly wins: training on a reflected belief would paint the room the wrong way round.
---- A robot that lies, is carried or is penalised neither trains nor evaluates.
+--- That nothing is trained while the robot lies or is carried is the business of training_pause; here it matters only
+--- for what may be believed afterwards.
 
 local p = param {
   least    = { 20.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
@@ -12,30 +13,40 @@ local p = param {
   settle   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
   lead     = { 0.3,  range = { 0, 1 },               doc = "how far the believed pose must be ahead to train on" },
   proof    = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last" },
+  steady   = { 0.5,  range = { 0, 10 },  unit = "s", doc = "how long the robot must stand on the field before it learns on" },
   wary     = { 8.0,  range = { 0, 60 },  unit = "s", doc = "how long after a disturbance older confidences may still speak: no training" },
 }
 
 -- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
-local memory = keep { was_lifted = false, stands_since = -1000.0 }
+local memory = keep { was_lifted = false, disturbed_at = -1000.0 }
 
 local function is_disturbed() return robot.fallen or robot.carried or robot.penalized end
+
+local function stands_for() return clock.time - memory.disturbed_at end
+
+local function note_disturbance()
+  if is_disturbed() then memory.disturbed_at = clock.time end
+  if robot.carried and training.seconds > 0 then memory.was_lifted = true end
+end
 
 local function knows_the_room()
   if training.seconds >= p.most then return true end
   return training.seconds >= p.least and confidence.coverage >= p.coverage
 end
 
+local function is_vouched_for() return pose.known and not memory.was_lifted end
+
 local function lead() return confidence.current - confidence.opposite end
 
 -- The confidences are smoothed: just after the robot was put down they still speak of where it was before.
-local function wins() return lead() > p.lead and clock.time - memory.stands_since > p.wary end
+local function wins()
+  return lead() > p.lead and not is_disturbed() and stands_for() > p.steady + p.wary
+end
 
 behavior "background_training" {
   priority = 40,
   initial = "waiting",
-  always = {
-    { "disturbed", when = is_disturbed, because = "the robot lies, is carried or is penalized" },
-  },
+  update = note_disturbance,
 
   state "waiting" {
     enter = function()
@@ -43,16 +54,22 @@ behavior "background_training" {
       command.pause_evaluation()
     end,
     { "trusting", when = knows_the_room, because = "the room is known" },
-    { "learning", when = function() return pose.known and not memory.was_lifted end, because = "the pose is known and the room is not" },
+    { "learning",
+      when = function() return is_vouched_for() and stands_for() > p.steady end,
+      because = "the pose is known and the room is not" },
   },
 
   state "learning" {
     initial = "studying",
     enter = function() command.pause_evaluation() end,
+    exit = function() memory.was_lifted = memory.was_lifted or robot.carried end,
+    { "waiting", when = is_disturbed, because = "the robot does not stand on the field" },
     { "trusting", when = knows_the_room, because = "enough of the room was learned" },
 
     state "studying" {
-      { "vouching", when = function() return pose.reflected_share > p.doubt end, because = "the pose was told, so its reflection is wrong" },
+      { "vouching",
+        when = function() return pose.reflected_share > p.doubt end,
+        because = "the pose was told, so its reflection is wrong" },
     },
 
     state "vouching" {
@@ -70,19 +87,8 @@ behavior "background_training" {
     },
 
     state "refining" {
+      { "watching", when = is_disturbed, because = "the robot does not stand on the field" },
       { "watching", when = function() return lead() <= p.lead end, because = "the current pose does not win clearly" },
     },
-  },
-
-  state "disturbed" {
-    enter = function()
-      command.pause_training()
-      command.pause_evaluation()
-    end,
-    update = function()
-      if robot.carried and training.seconds > 0 then memory.was_lifted = true end
-    end,
-    exit = function() memory.stands_since = clock.time end,
-    { "waiting", when = function() return not is_disturbed() end, lasting = 0.3, because = "the robot stands on the field again" },
   },
 }

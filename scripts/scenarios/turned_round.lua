@@ -2,6 +2,8 @@
 --- Then it is picked up and put down where its belief is the exact reflection of the truth. It should notice, flip its
 --- belief, and walk to the right penalty mark.
 
+local ground_truth = require "lib.ground_truth"
+
 local p = param {
   learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "how long the robot may learn the room" },
   carry   = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "how long it is in the air" },
@@ -14,18 +16,10 @@ local START = { x = -3.2, y = -3.5, rotation = math.rad(90) }
 
 local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
 
-local function is_at(x)
-  local dx, dy = truth.x - x, truth.y
-  return dx * dx + dy * dy < p.goal * p.goal
-end
-
-local function note_truth(what)
-  log.info(string.format("%s: truth (%.2f, %.2f, %.0f deg), belief (%.2f, %.2f, %.0f deg)", what,
-    truth.x, truth.y, math.deg(truth.rotation), pose.x, pose.y, math.deg(pose.rotation)))
-end
-
 scenario "turned_round" {
-  behaviors = { "orientation", "background_training", "head_scan", "stand_up", "penalty_marks" },
+  behaviors = {
+    "orientation", "background_training", "training_pause", "kidnap_recovery", "goal_search", "head_scan", "stand_up", "penalty_marks",
+  },
   priority = 100,
   initial = "placing",
 
@@ -44,7 +38,7 @@ scenario "turned_round" {
   state "carrying" {
     enter = function()
       memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
-      note_truth("picked up")
+      ground_truth.note("picked up")
       experimenter.pick_up()
     end,
     { "turned round", after = "carry", because = "put down on the reflection of its belief" },
@@ -56,22 +50,22 @@ scenario "turned_round" {
     { "failed", after = "timeout", because = "the time is up" },
 
     state "lost" {
-      { "right", when = function() return is_at(-field.penalty_mark_x) and behaviors.penalty_marks.state == "on the mark" end,
+      { "right", when = function() return ground_truth.is_on_mark(-1, p.goal) and behaviors.penalty_marks.state == "on the mark" end,
         lasting = "stay", because = "the robot stands on the right mark" },
-      { "wrong", when = function() return is_at(field.penalty_mark_x) and behaviors.penalty_marks.state == "on the mark" end,
+      { "wrong", when = function() return ground_truth.is_on_mark(1, p.goal) and behaviors.penalty_marks.state == "on the mark" end,
         lasting = "stay", because = "the robot stands on the wrong mark" },
     },
 
     state "right" {
       enter = function()
-        note_truth("arrived")
+        ground_truth.note("arrived")
         verdict.succeed("the robot noticed that it was turned round and walked to the right mark")
       end,
     },
 
     state "wrong" {
       enter = function()
-        note_truth("arrived")
+        ground_truth.note("arrived")
         verdict.fail("the robot believes its reflected pose and stands on the wrong mark")
       end,
     },
@@ -79,7 +73,7 @@ scenario "turned_round" {
 
   state "failed" {
     enter = function()
-      note_truth("gave up")
+      ground_truth.note("gave up")
       verdict.fail("the robot did not reach the right mark in time")
     end,
   },

@@ -79,29 +79,78 @@ test("it trains on only while the current pose clearly wins", function()
 end)
 
 for _, what in ipairs { "fallen", "carried", "penalized" } do
-  test("it pauses both while the robot is " .. what, function()
+  test("it stops refining while the robot is " .. what, function()
     learned()
+    set { confidence = { current = 0.9 } }
+    advance(2)
+    expect.state("background_training", "trusting/refining")
     set { robot = { [what] = true } }
     advance(0.1)
-    expect.state("background_training", "disturbed")
+    expect.state("background_training", "trusting/watching")
+    expect.reason("background_training", "the robot does not stand on the field")
+    expect.lease("pause_training")
+    advance(20)
+    expect.lease("pause_training")
+  end)
+
+  test("it stops learning while the robot is " .. what, function()
+    start()
+    set { robot = { [what] = true } }
+    advance(0.1)
+    expect.state("background_training", "waiting")
+    expect.reason("background_training", "the robot does not stand on the field")
     expect.lease("pause_training")
     expect.lease("pause_evaluation")
     set { robot = { [what] = false } }
-    advance(0.5)
-    expect.state("background_training", "trusting/watching")
+    advance(0.4)
+    expect.state("background_training", "waiting")
+    advance(0.3)   -- after it was carried nobody vouches for its pose
+    expect.state("background_training", what == "carried" and "waiting" or "learning/studying")
+  end)
+
+  test("with training_pause both rest while the robot is " .. what .. ", and nothing is trained sooner than it may", function()
+    load "training_pause"
+    learned()
+    set { confidence = { current = 0.9 }, robot = { [what] = true } }
+    advance(1)
+    expect.lease("pause_training")
+    expect.lease("pause_evaluation")
+    set { robot = { [what] = false } }
+    advance(1)
+    expect.lease("pause_training")
     expect.no_lease("pause_evaluation")
+    advance(10)
+    expect.no_lease("pause_training")
   end)
 end
+
+test("a room that is known already is trusted at once", function()
+  load "background_training"
+  set { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
+  advance(0.1)
+  expect.state("background_training", "trusting/watching")
+  expect.reason("background_training", "the room is known")
+end)
+
+test("a room that was learned enough while a purge settles is trusted", function()
+  start()
+  set { training = { seconds = 5 }, pose = { reflected_share = 0.2 } }
+  advance(0.1)
+  expect.state("background_training", "learning/vouching")
+  set { training = { seconds = 36 } }
+  advance(0.1)
+  expect.state("background_training", "trusting/watching")
+end)
 
 test("after it was put down it does not train on confidences from before", function()
   learned()
   set { confidence = { current = 0.9 }, robot = { carried = true } }
   advance(1)
   set { robot = { carried = false } }
-  advance(7)
+  advance(9)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
-  advance(3)
+  advance(1)
   expect.state("background_training", "trusting/refining")
 end)
 
@@ -114,6 +163,27 @@ test("a robot that was lifted before it had learned the room does not learn from
   advance(5)
   expect.state("background_training", "waiting")
   expect.lease("pause_training")
+end)
+
+test("a robot that was lifted before it trained at all does not vouch for its pose any more, either", function()
+  start()
+  advance(1)
+  set { robot = { carried = true } }
+  advance(1)
+  set { robot = { carried = false }, pose = { reflected_share = 0.5 } }
+  advance(5)
+  expect.state("background_training", "waiting")
+  expect.no_command()
+end)
+
+test("a robot that was told its pose while it was still carried learns once it stands", function()
+  load "background_training"
+  set { robot = { carried = true }, pose = { known = true } }
+  advance(2)
+  expect.state("background_training", "waiting")
+  set { robot = { carried = false } }
+  advance(1)
+  expect.state("background_training", "learning/studying")
 end)
 
 test("a reload in the middle keeps the leases", function()

@@ -14,7 +14,12 @@ test("sweeps over the walls and then over the field", function()
   expect.head(1.1, 0.25)
   set { robot = { head_yaw = 1.09 } }
   advance(0.1)
+  expect.state("head_scan", "field to the right")
   expect.head(-1.1, 0.25)
+  set { robot = { head_yaw = -1.09 } }
+  advance(0.1)
+  expect.state("head_scan", "walls to the left")
+  expect.reason("head_scan", "the side is reached")
 end)
 
 test("turns back when a side cannot be reached", function()
@@ -22,6 +27,10 @@ test("turns back when a side cannot be reached", function()
   advance(4.2)
   expect.state("head_scan", "walls to the right")
   expect.reason("head_scan", "the side cannot be reached")
+  for _, next_state in ipairs { "field to the left", "field to the right", "walls to the left" } do
+    advance(4.0)
+    expect.state("head_scan", next_state)
+  end
 end)
 
 test("the width can be set live", function()

@@ -77,8 +77,87 @@ test("resets the orientation after a fall, once the robot is up", function()
   advance(0.5)
   expect.state("orientation", "resetting")
   expect.command("reset_orientation", "granted")
+  expect.reason("orientation", "the robot got up again")
   advance(3)
   expect.state("orientation", "watching")
+  expect.reason("orientation", "after settle")
+end)
+
+test("a robot that gets up has unloaded feet, and is reset all the same", function()
+  learned_room()
+  set { robot = { fallen = true } }
+  advance(3)
+  set { robot = { fallen = false } }
+  advance(0.2)
+  set { robot = { carried = true } }
+  advance(2.5)
+  expect.state("orientation", "fallen")
+  expect.no_command()
+  set { robot = { carried = false } }
+  advance(0.5)
+  expect.command("reset_orientation", "granted")
+end)
+
+test("purges once after a reset, when the room has told the orientation", function()
+  learned_room()
+  set { robot = { fallen = true } }
+  advance(3)
+  set { robot = { fallen = false } }
+  advance(0.5)
+  expect.command("reset_orientation", "granted")
+  advance(6)
+  expect.no_command()
+  set { confidence = { current = 0.9 } }
+  advance(1)
+  expect.command("purge_reflection", "granted")
+  advance(10)
+  expect.no_command()
+end)
+
+test("a fall while it settles is a fall, too", function()
+  learned_room()
+  set { confidence = { opposite = 0.9 } }
+  advance(0.7)
+  expect.state("orientation", "correcting")
+  set { robot = { fallen = true } }
+  advance(0.1)
+  expect.state("orientation", "fallen")
+  expect.reason("orientation", "the robot fell")
+end)
+
+test("a fall begins with unloaded feet", function()
+  learned_room()
+  set { robot = { carried = true } }
+  advance(0.4)
+  expect.state("orientation", "carried")
+  expect.reason("orientation", "the robot is being carried")
+  set { robot = { carried = false, fallen = true } }
+  advance(0.1)
+  expect.state("orientation", "fallen")
+end)
+
+test("does not flip when the pose filter has already changed its mind", function()
+  learned_room()
+  set { confidence = { opposite = 0.9, raw_current = 1.0, raw_opposite = 0.0 } }
+  advance(3)
+  expect.no_command()
+end)
+
+test("does not purge while what is seen now speaks against the believed pose", function()
+  learned_room()
+  set { confidence = { current = 0.9, raw_opposite = 1.0 }, pose = { reflected_share = 0.3 } }
+  advance(3)
+  expect.no_command()
+end)
+
+test("purges at once after a flip that turned right beliefs round too", function()
+  learned_room()
+  set { confidence = { opposite = 0.9 }, pose = { reflected_share = 0.4 } }
+  advance(0.7)
+  expect.command("flip_pose", "granted")
+  expect.command("purge_reflection", "granted")
+  expect.state("orientation", "purging")
+  expect.reason("orientation", "the flip turned right beliefs round too")
 end)
 
 test("does nothing while it is carried", function()
@@ -92,6 +171,16 @@ test("does nothing while it is carried", function()
   expect.no_command()   -- the confidences still speak of where it was before
   advance(1.5)
   expect.command("flip_pose", "granted")
+end)
+
+test("decides no sooner than it has stood for a while", function()
+  learned_room()
+  set { robot = { carried = true } }
+  advance(2)
+  set { robot = { carried = false } }
+  advance(3.1)
+  expect.state("orientation", "watching")
+  expect.reason("orientation", "the robot stands again")
 end)
 
 test("purges once after a flip that proved right, however few reflected beliefs there are", function()

@@ -39,31 +39,100 @@ test("turns round once on a mark while it learns the room", function()
   expect.state("penalty_marks", "on the mark")
 end)
 
-test("stands and looks about after it was put down, until it is sure", function()
+test("goes to its own mark first after a disturbance", function()
   load "penalty_marks"
-  stand_at(2, 0, 0)
-  set { robot = { carried = true } }
-  advance(1)
-  expect.state("penalty_marks", "helpless")
-  set { robot = { carried = false } }
-  advance(5)
-  expect.state("penalty_marks", "looking about")
-  expect.walk(0, 0, 0)
-  set { confidence = { current = 0.9 } }
-  advance(2.2)
-  expect.state("penalty_marks", "walking")
-  expect.reason("penalty_marks", "the robot is sure of its pose")
-  expect.walk(0, 0, 0.6)
+  stand_at(-3.2, 0, 0)
+  advance(1.2)
+  expect.state("penalty_marks", "walking")   -- to the other mark
+  for _, what in ipairs { "fallen", "carried", "penalized" } do
+    set { robot = { [what] = true } }
+    advance(1)
+    expect.state("penalty_marks", "helpless")
+    expect.reason("penalty_marks", "the robot cannot walk now")
+    expect.walk(0, 0, 0)
+    set { robot = { [what] = false } }
+    stand_at(2, 0, 0)
+    advance(0.4)
+    expect.state("penalty_marks", "helpless")
+    advance(0.3)
+    expect.state("penalty_marks", "walking")
+    expect.reason("penalty_marks", "the robot stands again")
+    expect.walk(0, 0, 0.6)   -- its own mark is behind it
+  end
 end)
 
-test("goes to its own mark in the end even when it never becomes sure", function()
+test("goes to its own mark first also when it was lifted from the other one", function()
+  load "penalty_marks"
+  stand_at(-3.2, 0, 0)
+  advance(1.2)
+  stand_at(3.2, 0, 0)
+  advance(0.1)
+  expect.state("penalty_marks", "on the mark")
+  set { robot = { carried = true } }
+  advance(1)
+  set { robot = { carried = false } }
+  stand_at(2, 0, math.pi)
+  advance(1)
+  expect.walk(0.2, 0, 0)
+end)
+
+test("a disturbance ends turning round", function()
+  load "penalty_marks"
+  set { training = { active = true }, confidence = { coverage = 0.3 } }
+  stand_at(-3.2, 0, 0)
+  advance(0.1)
+  expect.state("penalty_marks", "turning round")
+  set { robot = { fallen = true } }
+  advance(0.1)
+  expect.state("penalty_marks", "helpless")
+end)
+
+test("waits while others search for the pose, even on a mark", function()
+  load "kidnap_recovery"
+  load "penalty_marks"
+  stand_at(-3.2, 0, 0)
+  set { robot = { carried = true }, pose = { share = 0.9 } }
+  advance(1)
+  set { robot = { carried = false } }
+  advance(5)
+  expect.state("kidnap_recovery", "searching/with its belief")
+  expect.state("penalty_marks", "waiting")
+  expect.reason("penalty_marks", "others search for the pose")
+  set { confidence = { current = 0.9 } }
+  advance(3.2)
+  expect.state("kidnap_recovery", "recovered")
+  expect.state("penalty_marks", "on the mark")   -- of its own half, and only now
+end)
+
+test("goes on to the same mark after a goal search", function()
+  load "goal_search"
+  load "penalty_marks"
+  set { evaluation = { active = true }, confidence = { current = 0.9, informative = 0.3 } }
+  stand_at(-3.2, 0, 0)
+  advance(1.2)
+  expect.state("penalty_marks", "walking")   -- to the opponent's mark
+  set { confidence = { current = 0.0 } }
+  advance(11)
+  expect.state("penalty_marks", "waiting")
+  expect.walk(0, 0, 0)
+  set { confidence = { current = 0.9 } }
+  advance(1.2)
+  expect.state("penalty_marks", "walking")
+  expect.reason("penalty_marks", "the search has ended")
+  expect.walk(0.2, 0, 0)
+end)
+
+test("a fall while it waits is a disturbance", function()
+  load "kidnap_recovery"
   load "penalty_marks"
   set { robot = { carried = true } }
   advance(1)
   set { robot = { carried = false } }
-  advance(26)
-  expect.state("penalty_marks", "walking")
-  expect.reason("penalty_marks", "its patience ended")
+  advance(2)
+  expect.state("penalty_marks", "waiting")
+  set { robot = { fallen = true } }
+  advance(1)
+  expect.state("penalty_marks", "helpless")
 end)
 
 test("an edit of the library counts without losing the way", function()

@@ -24,3 +24,31 @@ test("does not kick while somebody carries it", function()
   expect.state("stand_up", "upright")
   expect.get_up(false)
 end)
+
+test("rests again when it was helped up before it began", function()
+  load "stand_up"
+  for _, help in ipairs { { fallen = false }, { carried = true } } do
+    set { robot = { fallen = true, carried = false } }
+    advance(0.5)
+    expect.state("stand_up", "lying")
+    expect.reason("stand_up", "the robot fell")
+    set { robot = help }
+    advance(0.1)
+    expect.state("stand_up", "upright")
+    expect.reason("stand_up", "the robot was helped up")
+  end
+end)
+
+test("goes on getting up until it stands, and takes a new rest after a second fall", function()
+  load "stand_up"
+  set { robot = { fallen = true } }
+  advance(6)
+  expect.state("stand_up", "getting up")
+  set { robot = { fallen = false } }
+  advance(0.1)
+  expect.reason("stand_up", "the robot stands again")
+  set { robot = { fallen = true } }
+  advance(0.5)
+  expect.state("stand_up", "lying")
+  expect.get_up(false)
+end)

@@ -1,0 +1,51 @@
+--- How right the belief is, for scenarios: they alone may know the truth.
+
+local walking = require "lib.walk"
+
+local p = param {
+  near    = { 0.5, range = { 0.05, 5 }, unit = "m",   doc = "up to this error of position a belief is right" },
+  turned  = { 0.5, range = { 0.05, 3.2 }, unit = "rad", doc = "up to this error of direction a belief is right" },
+}
+
+local ground_truth = {}
+
+--- Where a robot stands beside the field before a match: at the height of its own penalty mark, looking into the field.
+ground_truth.START = { x = -3.2, y = -3.5, rotation = math.pi / 2 }
+
+--- Puts the robot down at the start and tells it so.
+function ground_truth.start()
+  local start = ground_truth.START
+  experimenter.put_down(start.x, start.y, start.rotation)
+  belief.start_at(start.x, start.y, start.rotation)
+end
+
+--- How far the believed pose is from the true one: m, rad.
+function ground_truth.error()
+  local dx, dy = truth.x - pose.x, truth.y - pose.y
+  return math.sqrt(dx * dx + dy * dy), math.abs(walking.normalize(truth.rotation - pose.rotation))
+end
+
+function ground_truth.is_belief_right()
+  local distance, turn = ground_truth.error()
+  return distance <= p.near and turn <= p.turned
+end
+
+--- The error in words, for logs and verdicts.
+function ground_truth.error_in_words()
+  local distance, turn = ground_truth.error()
+  return string.format("%.2f m and %.0f degrees off", distance, math.deg(turn))
+end
+
+--- Whether the robot really stands within `distance` (m) of a penalty mark: -1 is the one of its own half, 1 the other.
+function ground_truth.is_on_mark(side, distance)
+  local dx, dy = truth.x - side * field.penalty_mark_x, truth.y
+  return dx * dx + dy * dy < distance * distance
+end
+
+--- Writes truth and belief into the log.
+function ground_truth.note(what)
+  log.info(string.format("%s: truth (%.2f, %.2f, %.0f deg), belief (%.2f, %.2f, %.0f deg)", what,
+    truth.x, truth.y, math.deg(truth.rotation), pose.x, pose.y, math.deg(pose.rotation)))
+end
+
+return ground_truth

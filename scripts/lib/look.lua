@@ -1,0 +1,35 @@
+--- Looking at a place on the field: with the head where the neck reaches, else by turning the body as well.
+
+local walking = require "lib.walk"
+
+local p = param {
+  reach = { 1.4,  range = { 0.2, 2.0 },  unit = "rad",   doc = "how far the head may turn to a side to look at something" },
+  pitch = { 0.0,  range = { -0.6, 0.5 }, unit = "rad",   doc = "how far to look down: a little of the field and much of the wall" },
+  speed = { 2.0,  range = { 0.1, 5.0 },  unit = "rad/s", doc = "how fast to turn the head" },
+  turn  = { 0.5,  range = { 0.1, 2 },    unit = "rad/s", doc = "how fast to turn the body" },
+  near  = { 0.15, range = { 0.02, 1 },   unit = "rad",   doc = "how near to the middle of the view counts as looked at" },
+}
+
+local look = {}
+
+--- How far (rad) the head has to turn from where it is until a point of the field is straight ahead of it.
+function look.turn_to(x, y)
+  local _, bearing = walking.to_point(x, y)
+  return math.abs(bearing - robot.head_yaw)
+end
+
+--- Whether the robot looks at a point of the field, by the pose that it believes in.
+function look.is_at(x, y) return look.turn_to(x, y) < p.near end
+
+--- One frame's look at a point of the field; the body turns while the neck alone does not reach it, else it stands.
+function look.at(x, y)
+  local _, bearing = walking.to_point(x, y)
+  head.look(math.max(-p.reach, math.min(p.reach, bearing)), p.pitch, p.speed)
+  if math.abs(bearing) > p.reach then
+    walking.turn(bearing > 0 and p.turn or -p.turn)
+  else
+    walk.stand()
+  end
+end
+
+return look

@@ -1,0 +1,65 @@
+--- A robot that has learned the room is pushed over. It should get up, forget its orientation (nobody knows how far the
+--- feet slipped round), and find its pose again with the help of the room.
+
+local ground_truth = require "lib.ground_truth"
+
+local p = param {
+  learn   = { 60.0,  range = { 0, 600 }, unit = "s", doc = "how long the robot may learn the room" },
+  sure    = { 0.4,   range = { 0, 1 },               doc = "how far the believed pose must be ahead in the end" },
+  stay    = { 10.0,  range = { 0, 60 },  unit = "s", doc = "how long the belief must be right and sure" },
+  timeout = { 120.0, range = { 1, 600 }, unit = "s", doc = "how long all that may take" },
+}
+
+local function is_sure() return confidence.current - confidence.opposite > p.sure end
+
+scenario "fallen" {
+  behaviors = {
+    "orientation", "background_training", "training_pause", "kidnap_recovery", "goal_search", "head_scan", "stand_up", "penalty_marks",
+  },
+  priority = 100,
+  initial = "placing",
+
+  state "placing" {
+    enter = function() ground_truth.start() end,
+    { "learning", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "learning" {
+    { "pushed over", after = "learn", because = "the time to learn is over" },
+  },
+
+  state "pushed over" {
+    initial = "down",
+    enter = function()
+      ground_truth.note("pushed over")
+      experimenter.push_over()
+    end,
+    { "failed", after = "timeout", because = "the time is up" },
+
+    state "down" {
+      { "up again",
+        when = function() return behaviors.orientation.state == "resetting" and not truth.fallen end,
+        because = "the robot got up and forgot its orientation" },
+    },
+
+    state "up again" {
+      { "right",
+        when = function() return ground_truth.is_belief_right() and is_sure() end,
+        lasting = "stay", because = "the robot knows its pose again" },
+    },
+
+    state "right" {
+      enter = function()
+        ground_truth.note("found")
+        verdict.succeed("the robot got up, forgot its orientation and found it again")
+      end,
+    },
+  },
+
+  state "failed" {
+    enter = function()
+      ground_truth.note("gave up")
+      verdict.fail("the robot was not sure of a right pose in time; its belief is " .. ground_truth.error_in_words())
+    end,
+  },
+}

@@ -1,0 +1,91 @@
+--- A robot that has learned the room is picked up and put down at quite another place, some metres and some turn away
+--- from the reflection of its belief: neither of its two look-alike poses is right, and the wrong one of the two new
+--- poses is the nearer one. It should distrust its pose, search, and walk to its own penalty mark.
+
+local ground_truth = require "lib.ground_truth"
+
+local p = param {
+  learn    = { 60.0,  range = { 0, 600 },   unit = "s",   doc = "how long the robot may learn the room" },
+  carry    = { 2.0,   range = { 0.2, 30 },  unit = "s",   doc = "how long it is in the air" },
+  ahead    = { 1.0,   range = { -3, 3 },    unit = "m",   doc = "where it is put down: ahead of the reflection of its belief" },
+  left     = { 1.2,   range = { -3, 3 },    unit = "m",   doc = "and to the left of that" },
+  turn     = { 0.7,   range = { -3.2, 3.2 }, unit = "rad", doc = "and turned to the left" },
+  goal     = { 0.5,   range = { 0.1, 2 },   unit = "m",   doc = "how near to the right mark is right" },
+  stay     = { 0.5,   range = { 0, 10 },    unit = "s",   doc = "how long it must stay near a mark" },
+  timeout  = { 180.0, range = { 1, 600 },   unit = "s",   doc = "how long it may take after being put down" },
+}
+
+local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
+
+local function put_down_elsewhere()
+  local rotation = memory.rotation + math.pi   -- of the reflection
+  local cosine, sine = math.cos(rotation), math.sin(rotation)
+  experimenter.put_down(
+    -memory.x + p.ahead * cosine - p.left * sine,
+    -memory.y + p.ahead * sine + p.left * cosine,
+    rotation + p.turn)
+end
+
+local function stands_on_a_mark() return behaviors.penalty_marks.state == "on the mark" end
+
+scenario "kidnapped" {
+  behaviors = {
+    "orientation", "background_training", "training_pause", "kidnap_recovery", "goal_search", "head_scan", "stand_up", "penalty_marks",
+  },
+  priority = 100,
+  initial = "placing",
+
+  state "placing" {
+    enter = function() ground_truth.start() end,
+    { "learning", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "learning" {
+    { "carrying", after = "learn", because = "the time to learn is over" },
+  },
+
+  state "carrying" {
+    enter = function()
+      memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
+      ground_truth.note("picked up")
+      experimenter.pick_up()
+    end,
+    { "elsewhere", after = "carry", because = "put down at another place" },
+  },
+
+  state "elsewhere" {
+    initial = "lost",
+    enter = put_down_elsewhere,
+    { "failed", after = "timeout", because = "the time is up" },
+
+    state "lost" {
+      { "right",
+        when = function() return stands_on_a_mark() and ground_truth.is_on_mark(-1, p.goal) end,
+        lasting = "stay", because = "the robot stands on the right mark" },
+      { "wrong",
+        when = function() return stands_on_a_mark() and not ground_truth.is_on_mark(-1, p.goal) end,
+        lasting = "stay", because = "the robot believes that it stands on a mark" },
+    },
+
+    state "right" {
+      enter = function()
+        ground_truth.note("arrived")
+        verdict.succeed("the kidnapped robot found its place and walked to the right mark")
+      end,
+    },
+
+    state "wrong" {
+      enter = function()
+        ground_truth.note("arrived")
+        verdict.fail("the robot believes that it stands on its mark, and is " .. ground_truth.error_in_words())
+      end,
+    },
+  },
+
+  state "failed" {
+    enter = function()
+      ground_truth.note("gave up")
+      verdict.fail("the robot did not reach its mark in time; its belief is " .. ground_truth.error_in_words())
+    end,
+  },
+}

@@ -1,0 +1,54 @@
+--- Endurance: the robot walks between the penalty marks for a long time, and nobody does anything to it. It should
+--- neither flip a right belief nor spoil what it has learned.
+
+local ground_truth = require "lib.ground_truth"
+
+local p = param {
+  duration = { 600.0, range = { 1, 36000 }, unit = "s", doc = "how long the run takes; beyond 600 s it needs --seconds, too" },
+  report   = { 60.0,  range = { 1, 3600 },  unit = "s", doc = "how often to write truth and belief into the log" },
+}
+
+local memory = keep { wrong = 0.0 }   -- s, how long the belief was wrong so far
+
+local function is_over() return clock.time >= p.duration end
+
+local function watch_belief()
+  if not ground_truth.is_belief_right() then memory.wrong = memory.wrong + clock.step end
+end
+
+scenario "patrol" {
+  behaviors = {
+    "orientation", "background_training", "training_pause", "kidnap_recovery", "goal_search", "head_scan", "stand_up", "penalty_marks",
+  },
+  priority = 100,
+  initial = "placing",
+
+  state "placing" {
+    enter = function() ground_truth.start() end,
+    { "walking", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "walking" {
+    initial = "on its way",
+    update = watch_belief,
+    { "right",
+      when = function() return is_over() and ground_truth.is_belief_right() end,
+      because = "the time is up and the belief is right" },
+    { "wrong", when = is_over, because = "the time is up and the belief is wrong" },
+
+    state "on its way" {
+      exit = function() ground_truth.note(string.format("wrong for %.1f s so far", memory.wrong)) end,
+      { "on its way", after = "report", because = "a report is due" },
+    },
+  },
+
+  state "right" {
+    enter = function()
+      verdict.succeed(string.format("the belief is right in the end; it was wrong for %.1f s", memory.wrong))
+    end,
+  },
+
+  state "wrong" {
+    enter = function() verdict.fail("in the end the belief is " .. ground_truth.error_in_words()) end,
+  },
+}

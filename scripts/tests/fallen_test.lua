@@ -1,0 +1,70 @@
+--- Tests of scenarios/fallen.lua and lib/ground_truth.lua.
+
+local function set_pose(x, y, rotation)
+  set { truth = { x = x, y = y, rotation = rotation }, pose = { x = x, y = y, rotation = rotation } }
+end
+
+--- Up to the moment when the robot lies.
+local function fall()
+  load_scenario "fallen"
+  set_pose(1, 0.5, 0)
+  advance(0.1)
+  expect.action("put_down")
+  expect.action("start_at")
+  advance(60.1)
+  expect.state("fallen", "pushed over/down")
+  expect.reason("fallen", "the time to learn is over")
+  expect.action("push_over")
+  set { robot = { fallen = true }, truth = { fallen = true } }
+  advance(3)
+  expect.get_up(true)
+end
+
+local function get_up()
+  set { robot = { fallen = false }, truth = { fallen = false } }
+  advance(1)
+  expect.command("reset_orientation", "granted")
+end
+
+test("succeeds when the robot got up and is sure of a right pose", function()
+  fall()
+  get_up()
+  expect.state("fallen", "pushed over/up again")
+  expect.reason("fallen", "the robot got up and forgot its orientation")
+  set { confidence = { current = 0.9 } }
+  advance(9)
+  expect.state("fallen", "pushed over/up again")
+  advance(2)
+  expect.verdict(true, "found it again")
+end)
+
+test("is not content with a right pose of which the robot is unsure", function()
+  fall()
+  get_up()
+  advance(30)
+  expect.state("fallen", "pushed over/up again")
+end)
+
+test("is not content with a right pose without a reset", function()
+  fall()
+  set { confidence = { current = 0.9 } }
+  advance(30)
+  expect.state("fallen", "pushed over/down")
+end)
+
+test("fails when the time is up, and says how far off the belief is", function()
+  fall()
+  get_up()
+  set { confidence = { current = 0.9 }, pose = { x = -1, y = -0.5, rotation = math.pi } }
+  advance(120)
+  expect.verdict(false, "2.24 m and 180 degrees off")
+end)
+
+test("loads the behaviours that it needs", function()
+  fall()
+  expect.state("orientation", "fallen")
+  expect.state("training_pause", "fallen")
+  expect.state("goal_search", "helpless")
+  expect.state("penalty_marks", "helpless")
+  expect.state("kidnap_recovery", "undisturbed")
+end)
