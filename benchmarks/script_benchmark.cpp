@@ -32,8 +32,7 @@ void step(World& world) {
 void BM_FrameOfAllShippedBehaviours(benchmark::State& state) {
   ParameterRegistry parameters;
   ScriptHost host(kScripts, parameters);
-  for (const char* name : {"orientation", "background_training", "head_scan", "stand_up", "penalty_marks"})
-    host.load_behavior(name);
+  for (const std::string& file : scripts_in(kScripts, "behaviors")) host.load_behavior((kScripts / file).string());
   World world;
   world.pose_known = true;
   for (auto _ : state) {

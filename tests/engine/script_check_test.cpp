@@ -189,6 +189,16 @@ TEST_F(ScriptCheckTest, WarnsOfStatesThatAreNeverReachedAndOfThoseWithoutAWayOut
   EXPECT_EQ(check().count(Finding::Severity::error), 0);
 }
 
+TEST_F(ScriptCheckTest, LetsAStateWithInnerLifeLastForEver) {
+  folder.write("behaviors/settled.lua", R"(behavior "settled" {
+  initial = "young",
+  state "young" { { "old", after = 1 } },
+  state "old" { initial = "a", state "a" { { "b", after = 1 } }, state "b" { { "a", after = 1 } } },
+}
+)");
+  EXPECT_EQ(findings(), "");
+}
+
 TEST_F(ScriptCheckTest, TakesAWayOutOfAnInnerStateAsOneOfTheOuter) {
   folder.write("behaviors/nested.lua", R"(behavior "nested" {
   initial = "outer",

@@ -60,9 +60,9 @@ TEST_F(Patterns, FindAndMatchAsLuaDoes) {
         "('  x '):match('^%s*(.-)%s*$')", "('f(a(b)c)d'):match('%b()')", "('THE (quick) fox'):find('%f[%a]%a+%f[%A]')",
         "('\"a\\'b\"'):match('([\"\\'])(.-)%1')", "('2024-01-31'):match('(%d+)-(%d+)-(%d+)')", "('x]y'):match('[]]')",
         "('x^y'):match('[%^]')", "('a-z'):match('[a%-z]+')", "('abc'):match('[^a]+')", "('aXb'):match('%u')",
-        "('0x1F'):match('%x+$')", "('a\\0b'):find('\\0')", "('a\\0b'):find('%z')", "('a\\0b'):match('%Z+')", "('abc'):match('((a)(b))')", "('hello'):find('l', -2)",
-        "('hello'):find('h', -99)", "('abc'):match('a*?')", "('aaa'):match('a-b')", "('aaab'):match('a-b')",
-        "('[test]'):match('^%[(.*)%]$')",
+        "('0x1F'):match('%x+$')", "('a\\0b'):find('\\0')", "('a\\0b'):find('%z')", "('a\\0b'):match('%Z+')",
+        "('abc'):match('((a)(b))')", "('hello'):find('l', -2)", "('hello'):find('h', -99)", "('abc'):match('a*?')",
+        "('aaa'):match('a-b')", "('aaab'):match('a-b')", "('[test]'):match('^%[(.*)%]$')",
         // malformed ones
         "('x'):find('[')", "('x'):find('[a')", "('x'):find('(')", "('x'):find(')')", "('x'):find('%')",
         "('x'):find('%b')", "('x'):find('%f')", "('x'):find('%1')", "('x'):find('[%')"}) {

@@ -38,7 +38,7 @@ std::vector<DeclarationError> doubts(const MachineDefinition& machine) {
     const StateDefinition& state = machine.states[i];
     if (!reached[i]) {
       found.push_back({state.position, "state '" + state.path + "' is never reached"});
-    } else if (!machine.is_scenario && machine.states[state.parent].children.size() > 1 &&
+    } else if (!machine.is_scenario && state.children.empty() && machine.states[state.parent].children.size() > 1 &&
                !has_way_out(machine, static_cast<int>(i))) {
       found.push_back({state.position, "state '" + state.path + "' has no way out"});
     }

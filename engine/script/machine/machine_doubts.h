@@ -7,8 +7,8 @@
 
 namespace reorient {
 
-/// The states that no path of transitions reaches, and the states of behaviours without a way out (in a scenario such
-/// a state is the end, which gives the verdict). In the order of the text.
+/// The states that no path of transitions reaches, and the innermost states of behaviours without a way out (in a
+/// scenario such a state is the end, which gives the verdict). In the order of the text.
 std::vector<DeclarationError> doubts(const MachineDefinition& machine);
 
 }  // namespace reorient
