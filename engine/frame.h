@@ -48,7 +48,6 @@ class FrameLoop {
   const Observation& observation() const { return observation_; }
   const Eigen::Isometry3d& robot_from_camera() const { return robot_from_camera_; }
   const FieldPercept& percept() const { return *percept_; }
-  const std::vector<CoveredArea>& covered() const { return covered_; }
   const PoseFilter& pose_filter() const { return pose_filter_; }
   const RoomAwareness* room() const { return room_ ? &*room_ : nullptr; }
   const World& world() const { return world_; }

@@ -223,6 +223,7 @@ void ScriptHost::tick(Slot& slot) {
 
 /// Counts the error; too many in a row end this version: the last good one takes over, or the script is stopped.
 void ScriptHost::note_fault(Slot& slot, ScriptFault fault) {
+  if (fault.file.empty()) fault.file = slot.file;  // where memory is lacking, Lua says no place
   if (time_ - slot.last_error_at > limits_.forgiveness) slot.recent_errors = 0;
   ++slot.errors;
   ++slot.recent_errors;

@@ -40,6 +40,23 @@ TEST_F(Prices, ANumberInALongTextIsPaidByItsLetters) {
   EXPECT_LT(rounds("local text = ('1'):rep(4000)", "tonumber(text, 36)"), 15);
 }
 
+TEST_F(Prices, InstructionsThatReadALongTextAreDearer) {
+  EXPECT_LT(rounds("local text = (' '):rep(4000) .. '1'", "for i = 1, text do break end"), 500);
+  EXPECT_LT(rounds("local text = (' '):rep(4000) .. '1'", "local x = math.floor(text)"), 500);
+  EXPECT_GT(rounds("local text = (' '):rep(40) .. '1'", "for i = 1, text do break end"), 3000);
+}
+
+TEST_F(Prices, ACallOfTheEngineIsDearerThanAnInstruction) {
+  load("looker", R"(local memory = keep { looks = 0 }
+    behavior "looker" { update = function()
+      if memory.looks > 0 then log.info(memory.looks) memory.looks = 0 return end
+      while true do memory.looks = memory.looks + 1 head.look(0, 0) end
+    end })");
+  ticks(2);
+  ASSERT_EQ(logs.size(), 1u);
+  EXPECT_LT(std::stoi(logs[0]), 3500);
+}
+
 TEST_F(Prices, WritingANumberIsPaidForToo) { EXPECT_LT(rounds("", "tostring(1.5)"), 1000); }
 
 TEST_F(Prices, AskingForAnotherMachineIsPaidForToo) {
@@ -99,6 +116,7 @@ TEST_F(Prices, ForLoopsThatAreClosedByOpeningOthersComeToAnEnd) {
 }
 
 TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
+  limits.instructions_per_frame = 10'000'000;
   const std::string text = R"(local memory = keep {}
     behavior "b" { enter = function() local long = ("x"):rep(4000) for i = 1, 5000 do memory[i] = long end end })";
   load("b", text);

@@ -248,5 +248,14 @@ TEST_F(Sandboxed, TheMemoryOfAScriptThatMakesGarbageStaysBounded) {
   EXPECT_LT(status("evil").memory, 1024u * 1024u);
 }
 
+TEST_F(Sandboxed, AFaultIsOneLineAndNamesItsFileWhateverTheScriptSays) {
+  load("loud", "behavior \"loud\" { update = function() error(\"first\\nsecond\") end }");
+  load("greedy", R"(behavior "greedy" { update = function() local t = {} for i = 1, 1e9 do t[i] = { i } end end })");
+  tick();
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].fault.text(), "behaviors/loud.lua:1: first second");
+  EXPECT_TRUE(faults[1].fault.text().starts_with("behaviors/greedy.lua")) << faults[1].fault.text();
+}
+
 }  // namespace
 }  // namespace reorient

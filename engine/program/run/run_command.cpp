@@ -146,7 +146,12 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   ReloadCounts reloads;
   Progress progress(err);
   std::optional<LiveConsole> console;
-  if (options.realtime) console.emplace(STDIN_FILENO);
+  if (options.realtime) {
+    console.emplace(STDIN_FILENO);
+    if (isatty(STDIN_FILENO) == 1)
+      err << "saved scripts are taken over at once; Enter opens a prompt to tune parameters (help lists its "
+             "commands)\n";
+  }
   const Clock::time_point start = Clock::now();
   const auto step = [&] {
     const Clock::time_point begin = Clock::now();

@@ -1,5 +1,6 @@
 #include "engine/script/sandbox/sandbox.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <new>
@@ -15,6 +16,7 @@ constexpr std::size_t kStringHeader = 32;
 constexpr std::size_t kBytesPerInstruction = 16;
 constexpr std::int64_t kRefusalsPerBudget = 2;
 constexpr std::int64_t kPriceOfAnError = 2'000;  // unwinding the stack takes about 10 us
+constexpr std::size_t kLettersPerInstruction = 128;
 constexpr int kMostArguments = 250;
 constexpr int kDeepestCall = 200;
 
@@ -60,6 +62,7 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
       return nullptr;
     }
     sandbox.remaining_ -= static_cast<std::int64_t>((new_size - held) / kBytesPerInstruction);
+    if (is_string) sandbox.longest_string_ = std::max(sandbox.longest_string_, new_size);
   }
   void* const result = std::realloc(block, new_size);
   if (result != nullptr) sandbox.memory_ += new_size - held;
@@ -70,7 +73,10 @@ void Sandbox::count(lua_State* L, lua_Debug* record) {
   Sandbox& sandbox = of(L);
   if (!sandbox.exhausted_) sandbox.spent_ += kHookInterval;
   if (!sandbox.confined_) return;
-  sandbox.charge(kHookInterval);
+  // An instruction may compare two texts or read a number in one (as the limit of a `for`): its price grows with the
+  // longest text that the script ever made.
+  const auto per_instruction = static_cast<std::int64_t>(1 + sandbox.longest_string_ / kLettersPerInstruction);
+  sandbox.charge(kHookInterval * per_instruction);
   lua_Debug outermost;
   if (lua_getstack(L, kDeepestCall, &outermost) != 0) {
     push_place(L);
@@ -137,6 +143,7 @@ int Sandbox::explain(lua_State* L) {
 
 ScriptFault Sandbox::take_fault() {
   ScriptFault fault = read_fault(lua_isstring(lua_, -1) ? lua_tostring(lua_, -1) : "unknown error", "");
+  std::replace(fault.message.begin(), fault.message.end(), '\n', ' ');
   fault.traceback.swap(traceback_);
   lua_pop(lua_, 1);
   return fault;

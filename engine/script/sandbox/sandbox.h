@@ -68,6 +68,7 @@ class Sandbox {
 
   ScriptLimits limits_;
   std::size_t memory_ = 0;
+  std::size_t longest_string_ = 0;  ///< bytes, that the script ever made
   std::int64_t granted_ = 0;
   std::int64_t remaining_ = 0;
   std::int64_t spent_ = 0;

@@ -1,0 +1,31 @@
+--- Whole scenarios on the simulator, from the camera image to the verdict: reorient test --simulator runs them.
+
+test("a robot that was turned round notices, flips and ends right", function()
+  local is_right = simulate { scenario = "turned_round", seed = 1 }
+  expect.verdict(true, "walked to the right mark")
+  expect.command("flip_pose", "granted")
+  expect.command("purge_reflection", "granted")
+  expect.equal(is_right, true)
+end)
+
+test("the same robot, blind to the room, never notices", function()
+  local is_right = simulate { scenario = "turned_round", seed = 1, room_awareness = false }
+  expect.verdict(false, "believes its reflected pose")
+  expect.no_command("flip_pose")
+  expect.equal(is_right, false)
+end)
+
+test("a robot that fell forgets its orientation and finds it again", function()
+  local is_right = simulate { scenario = "fallen", seed = 1 }
+  expect.verdict(true, "found it again")
+  expect.command("reset_orientation", "granted")
+  expect.state("training_pause", "allowing")
+  expect.equal(is_right, true)
+end)
+
+test("a kidnapped robot distrusts its pose, searches, and finds its place", function()
+  local is_right = simulate { scenario = "kidnapped", seed = 2 }
+  expect.verdict(true, "found its place")
+  expect.log("recovered")
+  expect.equal(is_right, true)
+end)
