@@ -95,6 +95,13 @@ BENCHMARK_CAPTURE(end_runaway, recursion, "local function f() return 1 + f() end
 BENCHMARK_CAPTURE(end_runaway, table, "local t = {} for i = 1, 1e12 do t[i] = i end")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(end_runaway, tables, "local t = {} while true do t = { t, {}, {}, {} } end")
     ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, text_as_limit,
+                  "local t = (' '):rep(4000) .. '1' while true do for i = 1, t do break end end")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, compared_texts,
+                  "local a, b = ('x'):rep(4000) .. '1', ('x'):rep(4000) .. '2' local c while true do c = a < b end")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(end_runaway, caught_errors, "while true do pcall(error) end")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(end_runaway, format, "while true do string.format(\"%99.99f\", 1e308) end")
     ->Unit(benchmark::kMicrosecond);
 
