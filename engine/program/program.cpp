@@ -8,6 +8,7 @@
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "engine/program/subcommand.h"
 
@@ -59,6 +60,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   spdlog::set_default_logger(
       std::make_shared<spdlog::logger>("reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
   spdlog::set_level(spdlog::level::from_str(log_level));
+  // On a terminal a log line takes the place of the progress line, which is drawn again below it.
+  spdlog::set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[K[%T] [%^%l%$] %v" : "[%T] [%l] %v");
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }

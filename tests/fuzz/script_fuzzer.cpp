@@ -19,7 +19,10 @@
 
 #include <sys/inotify.h>
 
+#include "engine/script/check/name_check.h"
 #include "engine/script/machine/machine_definition.h"
+#include "engine/script/machine/machine_doubts.h"
+#include "engine/script/machine/machine_graph.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_folder.h"
 #include "engine/script/script_host.h"
@@ -221,7 +224,7 @@ class Trial {
 
   void look_at_definitions() const {
     for (const MachineDefinition* definition : host_.definitions()) {
-      require(!to_mermaid(*definition).empty(), "a machine can be drawn");
+      require(!to_mermaid(*definition).empty() && !to_dot(*definition).empty(), "a machine can be drawn");
       (void)doubts(*definition);
       for (const TransitionDefinition& transition : definition->transitions) {
         require(transition.to > 0 && transition.to < static_cast<int>(definition->states.size()),
@@ -250,11 +253,25 @@ const std::string& library() {
   return text;
 }
 
+/// What `reorient check` does: it takes any text, and points into it.
+void check_without_running(const std::string& text) {
+  static const KnownNames known = known_names(ScriptRole::behavior);
+  const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
+  TextPosition before;
+  for (const DeclarationError& error : check_names(text, known)) {
+    require(error.position.line >= 1 && error.position.line <= lines && error.position.column >= 1,
+            "a mistake stands in the text");
+    require(!is_before(error.position, before), "mistakes are told in their order");
+    before = error.position;
+  }
+}
+
 void try_script(std::string_view input) {
   const std::size_t separator = input.find('\xFF');
   const std::string first(input.substr(0, separator));
   const std::string second =
       separator == std::string_view::npos ? with_another_number(first) : std::string(input.substr(separator + 1));
+  check_without_running(first);
   Trial trial(content_hash(input), library());
   if (!trial.load(first) && !trial.load(second)) return;
   trial.run();
