@@ -102,6 +102,7 @@ void FrameLoop::describe_world() {
   world_.penalized = observation_.penalized;
   world_.head = observation_.head;
   world_.pose = pose_filter_.belief();
+  world_.pose_lost = pose_filter_.recovery().lostness(parameters_.pose_filter.injection.lost_margin);
   world_.goal_posts = static_cast<int>(percept_->goal_posts.size());
   world_.line_points = static_cast<int>(percept_->line_points.size());
   world_.truth = robot_.ground_truth();

@@ -30,7 +30,7 @@ stds.reorient = { read_globals = {
   head = fields("look"),
   log = fields("info"),
   motion = fields("get_up"),
-  pose = fields("x", "y", "rotation", "known", "share", "reflected_share"),
+  pose = fields("x", "y", "rotation", "known", "share", "reflected_share", "lost"),
   robot = fields("fallen", "carried", "penalized", "head_yaw", "head_pitch"),
   seen = fields("goal_posts", "line_points"),
   training = fields("seconds", "active"),

@@ -37,6 +37,7 @@ robot = {}
 ---@field known boolean somebody told where the robot stands, or the pose filter has found it
 ---@field share number of all pose particles, in the cluster that is believed
 ---@field reflected_share number of all pose particles, near the reflection of the believed pose
+---@field lost number how much worse than usual the pose particles fit what is seen of the field: 0 as usual, 1 not at all
 pose = {}
 
 ---What room awareness says about the believed pose; all from 0 to 1 unless said.

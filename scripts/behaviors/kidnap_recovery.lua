@@ -11,6 +11,7 @@ local p = param {
   lead        = { 0.4,  range = { 0, 1 },                   doc = "how far the believed pose must be ahead of its reflection" },
   proof       = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long that lead must last" },
   share       = { 0.6,  range = { 0, 1 },                   doc = "share of the pose particles that must agree on the believed pose" },
+  lost        = { 0.1,  range = { 0, 1 },                   doc = "how lost the pose filter may be: the place must fit, too" },
   stale       = { 3.0,  range = { 0, 30 },  unit = "s",     doc = "how long confidences still speak of the place where it was lifted" },
   patience    = { 25.0, range = { 1, 120 }, unit = "s",     doc = "how long to search until the orientation is forgotten, and after that" },
   quiet       = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long no goal may have been in view then: it might help" },
@@ -26,7 +27,8 @@ local function is_helpless() return robot.carried or robot.fallen or robot.penal
 local function lead() return confidence.current - confidence.opposite end
 
 local function speaks_for_the_pose()
-  return not is_helpless() and lead() > p.lead and pose.share >= p.share and clock.time - memory.put_down_at > p.stale
+  local is_found = pose.share >= p.share and pose.lost <= p.lost
+  return not is_helpless() and is_found and lead() > p.lead and clock.time - memory.put_down_at > p.stale
 end
 
 -- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.

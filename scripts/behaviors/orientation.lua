@@ -1,7 +1,7 @@
 --- Which of the two look-alike poses is the robot really in? When the reflection of the believed pose wins, the belief
 --- is flipped; when the believed pose then wins, or wins while wrong beliefs linger, those are purged; after a fall that
---- the robot got up from, the orientation is reset. Nothing is decided before enough of the room was learned, nor in a room that
---- looks the same after half a turn.
+--- the robot got up from, the orientation is reset. Nothing is decided before enough of the room was learned, nor in a
+--- room that looks the same after half a turn, nor while the pose filter is lost: then both poses may be wrong.
 
 local posture = require "lib.posture"
 
@@ -12,6 +12,7 @@ local p = param {
   coverage    = { 0.3,  range = { 0, 1 },              doc = "share of the wall that must be learned before a decision" },
   informative = { 0.05, range = { 0, 1 },              doc = "how much the room must differ from itself after half a turn" },
   upright     = { 0.3,  range = { 0, 5 },  unit = "s", doc = "how long it must stand after a fall before the orientation is reset" },
+  lost        = { 0.3,  range = { 0, 1 },              doc = "how lost the pose filter may be for a decision" },
   lingering   = { 0.1,  range = { 0, 1 },              doc = "share of reflected pose particles that is worth a purge" },
 }
 
@@ -22,7 +23,7 @@ local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false }
 local function is_purge_due() return memory.confirm or pose.reflected_share > p.lingering end
 
 local function may_decide()
-  return confidence.coverage >= p.coverage and confidence.informative >= p.informative
+  return confidence.coverage >= p.coverage and confidence.informative >= p.informative and pose.lost <= p.lost
 end
 
 -- The confidences are smoothed. If the pose filter has changed its mind meanwhile, this frame's already say so, and a

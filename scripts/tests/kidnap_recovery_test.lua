@@ -223,3 +223,13 @@ test("an edit while it searches keeps the pause and the time", function()
   advance(5.2)
   expect.command("reset_orientation", "granted")
 end)
+
+test("a direction that fits is not enough while the place does not", function()
+  put_down()
+  set { confidence = { current = 0.9 }, pose = { lost = 0.5 } }
+  advance(20)
+  expect.state("kidnap_recovery", "searching/with its belief")
+  set { pose = { lost = 0.0 } }
+  advance(3.2)
+  expect.state("kidnap_recovery", "recovered")
+end)

@@ -236,3 +236,13 @@ test("the lead can be set", function()
   advance(0.7)
   expect.command("flip_pose")
 end)
+
+test("does not decide between two poses while the pose filter is lost: both may be wrong", function()
+  learned_room()
+  set { confidence = { opposite = 0.9 }, pose = { lost = 0.6 } }
+  advance(5)
+  expect.no_command()
+  set { pose = { lost = 0.1 } }
+  advance(0.7)
+  expect.command("flip_pose", "granted")
+end)

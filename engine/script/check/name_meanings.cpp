@@ -29,6 +29,12 @@ std::string count_text(std::size_t count) {
 
 }  // namespace
 
+/// To look for similar names takes long, and who has many mistakes reads the first ones.
+std::string NameMeanings::hint(const std::string& wanted, const std::vector<std::string>& names) {
+  constexpr int kMost = 20;
+  return ++hints_ <= kMost ? did_you_mean(wanted, names) : std::string();
+}
+
 Meaning* NameMeanings::find_local(const std::string& name) {
   for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
     for (auto local = scope->rbegin(); local != scope->rend(); ++local) {
@@ -55,7 +61,7 @@ void NameMeanings::check_compared_state(const Expression& state, const Expressio
   const std::set<std::string>& states = known_.states.at(state.meaning.name);
   if (states.contains(text.literal->text)) return;
   note(*text.literal, state.meaning.name + " has no state '" + text.literal->text + "'" +
-                          did_you_mean(text.literal->text, listed(states)));
+                          hint(text.literal->text, listed(states)));
 }
 
 void NameMeanings::compare(const Expression& left, const Expression& right) {
@@ -109,7 +115,7 @@ Meaning NameMeanings::of(const LuaToken& name) {
     for (const Scope& scope : scopes_) {
       for (const auto& local : scope) candidates.push_back(local.first);
     }
-    note(name, "there is no '" + name.text + "'" + did_you_mean(name.text, candidates));
+    note(name, "there is no '" + name.text + "'" + hint(name.text, candidates));
     return {};
   }
   if (name.text == "behaviors") return {Meaning::Kind::machines, name.text, nullptr, nullptr, {}};
@@ -125,7 +131,7 @@ Meaning NameMeanings::of_field(const Meaning& owner, const LuaToken& field) {
   switch (owner.kind) {
     case Meaning::Kind::table: {
       if (!owner.table->fields.contains(field.text)) {
-        note(field, "there is no " + full_name + did_you_mean(field.text, listed(owner.table->fields)));
+        note(field, "there is no " + full_name + hint(field.text, listed(owner.table->fields)));
         return {};
       }
       const auto function = owner.table->functions.find(field.text);
@@ -134,21 +140,21 @@ Meaning NameMeanings::of_field(const Meaning& owner, const LuaToken& field) {
     }
     case Meaning::Kind::params:
       if (!owner.keys.contains(field.text))
-        note(field, "there is no param '" + field.text + "'" + did_you_mean(field.text, listed(owner.keys)));
+        note(field, "there is no param '" + field.text + "'" + hint(field.text, listed(owner.keys)));
       return {};
     case Meaning::Kind::machines: {
       if (known_.states.empty()) return {};  // nobody told which machines there are
       if (known_.states.contains(field.text)) return {Meaning::Kind::machine, field.text, nullptr, nullptr, {}};
       std::vector<std::string> names;
       for (const auto& machine : known_.states) names.push_back(machine.first);
-      note(field, "there is no behavior '" + field.text + "'" + did_you_mean(field.text, names));
+      note(field, "there is no behavior '" + field.text + "'" + hint(field.text, names));
       return {};
     }
     case Meaning::Kind::machine:
       if (field.text == "state") return {Meaning::Kind::machine_state, owner.name, nullptr, nullptr, {}};
       if (field.text != "time_in_state") {
         const std::vector<std::string> fields{"state", "time_in_state"};
-        note(field, "there is no behaviors." + full_name + did_you_mean(field.text, fields));
+        note(field, "there is no behaviors." + full_name + hint(field.text, fields));
       }
       return {};
     default:

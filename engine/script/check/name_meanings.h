@@ -60,10 +60,12 @@ class NameMeanings {
   void check_call(const Meaning& called, const LuaToken& place, const std::vector<Expression>& arguments,
                   bool in_condition);
   void check_compared_state(const Expression& state, const Expression& text);
+  std::string hint(const std::string& wanted, const std::vector<std::string>& names);
   void note(const LuaToken& token, const std::string& message) { errors_.push_back({token.position, message}); }
 
   const KnownNames& known_;
   std::vector<Scope> scopes_;
+  int hints_ = 0;  ///< given so far
   std::vector<DeclarationError> errors_;
 };
 

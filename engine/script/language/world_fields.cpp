@@ -46,6 +46,8 @@ const WorldField kFields[] = {
      [](World& w) { return &w.pose.share; }},
     {"pose", "reflected_share", "", "of all pose particles, near the reflection of the believed pose",
      [](World& w) { return &w.pose.reflected_share; }},
+    {"pose", "lost", "", "how much worse than usual the pose particles fit what is seen of the field: 0 as usual, 1 not at all",
+     [](World& w) { return &w.pose_lost; }},
     {"confidence", "current", "", "in the believed pose, smoothed", [](World& w) { return &w.confidence.current; }},
     {"confidence", "opposite", "", "in the reflection of the believed pose, smoothed",
      [](World& w) { return &w.confidence.opposite; }},
