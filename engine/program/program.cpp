@@ -4,12 +4,15 @@
 #include <exception>
 #include <memory>
 #include <ostream>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "engine/parameters/nearest_name.h"
 #include "engine/program/subcommand.h"
 
 namespace reorient {
@@ -35,6 +38,15 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// Where the first word is no subcommand but looks like one.
+std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (unknown.empty()) return {};
+  std::vector<std::string> names;
+  for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.parser->get_name());
+  return did_you_mean(unknown.front(), names);
+}
+
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   CLI::App app{"Reorient: a robot that notices that it is turned round."};
   app.name("reorient");
@@ -53,6 +65,9 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     for (CLI::App* sub : app.get_subcommands()) asked = sub;
     out << asked->help();
     return kSuccess;
+  } catch (const CLI::ExtrasError& error) {
+    err << "reorient: " << one_line(error.what()) << hint(app, subcommands) << " (see reorient --help)\n";
+    return kBadInput;
   } catch (const CLI::ParseError& error) {
     err << "reorient: " << one_line(error.what()) << " (see reorient --help)\n";
     return kBadInput;

@@ -30,6 +30,12 @@ TEST(Program, HelpsWithExamples) {
   EXPECT_NE(run_reorient({"run", "--help"}).out.find("--without-room-awareness"), std::string::npos);
 }
 
+TEST(Program, GuessesWhichSubcommandWasMeant) {
+  const ProgramRun run = run_reorient({"chek"});
+  EXPECT_EQ(run.code, kBadInput);
+  EXPECT_NE(run.err.find("did you mean 'check'?"), std::string::npos) << run.err;
+}
+
 TEST(Program, SaysItsVersion) {
   const ProgramRun run = run_reorient({"version"});
   EXPECT_EQ(run.code, kSuccess);

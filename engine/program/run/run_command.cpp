@@ -133,6 +133,18 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("--every-transition", options.every_transition, "show busy behaviours' transitions as well");
 }
 
+/// Returns the exit code.
+int tell_results(const RunOptions& options, const RunCircumstances& circumstances, const RunHistory& history,
+                 const std::optional<ScenarioVerdict>& verdict, std::ostream& out) {
+  const RunSummary summary = summarize(history, verdict);
+  if (!options.json.empty()) write_summary(summary, history, circumstances, options.json);
+  print_timeline(history, options.every_transition, out);
+  if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
+  if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
+  print_summary(summary, circumstances, out);
+  return summary.right && summary.succeeded ? kSuccess : kWrong;
+}
+
 int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err) {
   SimulatedRun run(options);
   // Last, so that a mistake in anything else leaves no empty folder behind.
@@ -185,17 +197,9 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
                                        .frame_time_without_rendering = frame_times.without_observing(),
                                        .reloads_accepted = reloads.accepted,
                                        .reloads_refused = reloads.refused};
-  const RunSummary summary = summarize(history, run.verdict());
   if (options.pictures) pictures.write(run.frame(), history, options.out);
-  if (!options.json.empty()) write_summary(summary, history, circumstances, options.json);
-  print_timeline(history, options.every_transition, out);
-  if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
-  if (!options.save_parameters.empty()) {
-    run.parameters().save_file(options.save_parameters);
-    out << "parameters: " << options.save_parameters.string() << "\n";
-  }
-  print_summary(summary, circumstances, out);
-  return summary.right && summary.succeeded ? kSuccess : kWrong;
+  if (!options.save_parameters.empty()) run.parameters().save_file(options.save_parameters);
+  return tell_results(options, circumstances, history, run.verdict(), out);
 }
 
 }  // namespace
