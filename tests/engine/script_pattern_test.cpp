@@ -51,6 +51,16 @@ class Patterns : public ::testing::Test {
   lua_State* original_;
 };
 
+/// Found by tools/fuzz: a set's end and its ranges are looked for one after the other.
+TEST_F(Patterns, ReadSetsWithRangesThatEndInAPercentSignAsLuaDoes) {
+  for (const char* pattern :
+       {"[f[-%]]", "[a-%%]", "[!-%a]", "[%a-z]", "[a-]", "[]-a]", "[^]-a]", "[a-%]", "[%]-a]", "[--%]"}) {
+    for (const char* subject : {"[f[-%]]", "]", "a", "%", "-", "z", "\"#", "m^"}) {
+      expect_same(std::string("('") + subject + "'):find('" + pattern + "')");
+    }
+  }
+}
+
 TEST_F(Patterns, FindAndMatchAsLuaDoes) {
   for (const char* expression :
        {"('hello world'):find('o w')", "('hello'):find('l+')", "('hello'):find('(l)(l)')", "('hello'):find('')",

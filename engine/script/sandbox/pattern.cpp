@@ -69,25 +69,35 @@ Set range(char first, char last) {
   return (~Set() >> (255 - (code(last) - code(first)))) << code(first);
 }
 
-/// A set in brackets; `at` stands behind the '[' and is moved behind the ']'.
+/// Where a set ends whose first letter stands at `at`: at the first ']' that is neither that letter nor behind a '%'.
+std::size_t end_of_set(std::string_view text, std::size_t at) {
+  for (bool first = true;; first = false) {
+    if (at >= text.size()) throw PatternError("malformed pattern (missing ']')");
+    const char letter = text[at];
+    if (letter == ']' && !first) return at;
+    at += letter == '%' ? 2 : 1;
+  }
+}
+
+/// A set in brackets; `at` stands behind the '[' and is moved behind the ']'. As in Lua, the end is looked for without
+/// regard to ranges, and a range takes its last letter as it is, also a '%'.
 Set read_set(std::string_view text, std::size_t& at) {
   Set set;
   const bool complement = at < text.size() && text[at] == '^';
   if (complement) ++at;
-  for (bool first = true;; first = false) {
-    if (at >= text.size()) throw PatternError("malformed pattern (missing ']')");
+  const std::size_t end = end_of_set(text, at);
+  while (at < end) {
     const char letter = text[at++];
-    if (letter == ']' && !first) break;
     if (letter == '%') {
-      if (at >= text.size()) throw PatternError("malformed pattern (ends with '%')");
       set |= letter_class(text[at++]);
-    } else if (at + 1 < text.size() && text[at] == '-' && text[at + 1] != ']') {
+    } else if (at + 1 < end && text[at] == '-') {
       set |= range(letter, text[at + 1]);
       at += 2;
     } else {
       set.set(code(letter));
     }
   }
+  at = end + 1;
   return complement ? ~set : set;
 }
 
