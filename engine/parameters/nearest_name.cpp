@@ -25,12 +25,31 @@ int edit_distance(std::string_view left, std::string_view right) {
   return previous[columns - 1];
 }
 
+namespace {
+
+/// The shortest known name that begins with what was wanted: "flip_pose" for "flip".
+std::optional<std::string> longer_name(std::string_view wanted, std::span<const std::string> known) {
+  constexpr std::size_t kShortest = 3;
+  if (wanted.size() < kShortest) return std::nullopt;
+  const std::string* best = nullptr;
+  for (const std::string& name : known) {
+    const bool is_longer = name.size() > wanted.size() && name.starts_with(wanted);
+    if (is_longer && (best == nullptr || name.size() < best->size())) best = &name;
+  }
+  return best == nullptr ? std::nullopt : std::optional(*best);
+}
+
+}  // namespace
+
 std::optional<std::string> nearest_name(std::string_view wanted, std::span<const std::string> known) {
   constexpr std::size_t kLongest = 80;  // nobody mistypes more than that
   if (wanted.empty() || wanted.size() > kLongest) return std::nullopt;
   const int tolerated = std::max(1, static_cast<int>(wanted.size()) / 3);
   const std::string* best = nullptr;
   int best_distance = tolerated + 1;
+  const auto length_difference = [wanted](const std::string& name) {
+    return std::max(name.size(), wanted.size()) - std::min(name.size(), wanted.size());
+  };
   for (const std::string& name : known) {
     if (name.size() > kLongest) continue;
     int distance = edit_distance(wanted, name);
@@ -39,13 +58,16 @@ std::optional<std::string> nearest_name(std::string_view wanted, std::span<const
     if (dot != std::string::npos && wanted.find('.') == std::string_view::npos) {
       distance = std::min(distance, edit_distance(wanted, std::string_view(name).substr(dot + 1)));
     }
-    if (distance < best_distance) {
+    // Of two that are equally near, letters were rather exchanged than forgotten.
+    const bool is_better = distance < best_distance || (best != nullptr && distance == best_distance &&
+                                                        length_difference(name) < length_difference(*best));
+    if (is_better) {
       best_distance = distance;
       best = &name;
     }
   }
-  if (best == nullptr) return std::nullopt;
-  return *best;
+  if (best != nullptr) return *best;
+  return longer_name(wanted, known);
 }
 
 std::string did_you_mean(std::string_view wanted, std::span<const std::string> known) {

@@ -32,16 +32,6 @@ int refuse_new_global(lua_State* L) {
                     luaL_tolstring(L, 2, nullptr), luaL_tolstring(L, 2, nullptr));
 }
 
-/// Of a syntax error, which Lua describes by the words "near 'token'"; 0: not known.
-int column_of(const ScriptFault& fault, const DeclarationPlaces& places) {
-  constexpr std::string_view kNear = "near '";
-  const std::size_t begin = fault.message.rfind(kNear);
-  if (begin == std::string::npos || !fault.message.ends_with('\'')) return 0;
-  const std::string token = fault.message.substr(begin + kNear.size(), fault.message.size() - begin - kNear.size() - 1);
-  const std::optional<TextPosition> position = places.on_line(token, fault.line);
-  return position ? position->column : 0;
-}
-
 }  // namespace
 
 Script::Script(const ScriptFolder& folder, const std::string& file, ScriptKind kind, const ScriptLimits& limits,
@@ -122,7 +112,7 @@ const DeclarationPlaces& Script::places_of(const std::string& file) {
 void Script::load_module(const std::string& file) {
   const std::string_view text = read(file);
   if (std::optional<ScriptFault> fault = sandbox_.compile(text, file)) {
-    fault->column = column_of(*fault, places_of(file));
+    fault->column = places_of(file).column_of_syntax_error(fault->message, fault->line);
     throw ScriptError(std::move(*fault));
   }
   loading_.push_back(file);

@@ -164,6 +164,14 @@ RC_GTEST_PROP(EditDistance, IsSymmetricAndZeroForTheSame, (const std::string& le
   RC_ASSERT((edit_distance(left, right) == 0) == (left == right));
 }
 
+TEST(NearestName, PrefersExchangedLettersAndTakesAnAbbreviation) {
+  const std::vector<std::string> known{"set", "test", "flip_pose", "flip_posture"};
+  EXPECT_EQ(nearest_name("tset", known), "test");
+  EXPECT_EQ(nearest_name("flip", known), "flip_pose");
+  EXPECT_EQ(nearest_name("fl", known), std::nullopt);
+  EXPECT_EQ(nearest_name("purge", known), std::nullopt);
+}
+
 TEST(EditDistance, ASwapOfNeighboursIsOneSlip) { EXPECT_EQ(edit_distance("wathcing", "watching"), 1); }
 
 }  // namespace

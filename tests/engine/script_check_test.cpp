@@ -45,7 +45,10 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"Global", "local x = confidense", "there is no 'confidense' (did you mean 'confidence'?)", {1, 11}},
         Slip{"Field", "return function()\n  return robot.falen\nend", "robot.falen (did you mean 'fallen'?)", {2, 16}},
         Slip{"FieldOfALocalName", "local c = confidence\nreturn c.curent", "confidence.curent", {2, 10}},
-        Slip{"Command", "return function() command.flip() end", "there is no command.flip", {1, 27}},
+        Slip{"Command",
+             "return function() command.flip() end",
+             "there is no command.flip (did you mean 'flip_pose'?)",
+             {1, 27}},
         Slip{"LibraryFunction", "return math.sine(1)", "there is no math.sine", {1, 13}},
         Slip{"Param",
              "local p = param { lead = { 1 } }\nreturn p.leed",
@@ -212,6 +215,13 @@ TEST_F(ScriptCheckTest, TakesAWayOutOfAnInnerStateAsOneOfTheOuter) {
 TEST_F(ScriptCheckTest, PointsASyntaxErrorOutWithItsColumn) {
   folder.write("behaviors/broken.lua", "behavior \"broken\" {\n  state \"one\" { then },\n}\n");
   EXPECT_NE(findings().find("behaviors/broken.lua:2:17: error: "), std::string::npos) << findings();
+}
+
+TEST_F(ScriptCheckTest, TellsABrokenLibraryOnce) {
+  folder.write("lib/broken.lua", "local a = {}\nfunction a.x( return 1 end\nreturn a\n");
+  folder.write("behaviors/a.lua", "require \"lib.broken\"\nbehavior \"a\" {}\n");
+  folder.write("behaviors/b.lua", "require \"lib.broken\"\nbehavior \"b\" {}\n");
+  EXPECT_EQ(findings(), "lib/broken.lua:2:15: error: <name> or '...' expected near 'return'\n");
 }
 
 TEST_F(ScriptCheckTest, KnowsTheStatesOfOtherBehaviorsAndTheFunctionsOfLibraries) {

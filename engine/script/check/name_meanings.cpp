@@ -60,8 +60,8 @@ void NameMeanings::check_compared_state(const Expression& state, const Expressio
   if (text.literal->kind != Kind::text) return;
   const std::set<std::string>& states = known_.states.at(state.meaning.name);
   if (states.contains(text.literal->text)) return;
-  note(*text.literal, state.meaning.name + " has no state '" + text.literal->text + "'" +
-                          hint(text.literal->text, listed(states)));
+  note(*text.literal,
+       state.meaning.name + " has no state '" + text.literal->text + "'" + hint(text.literal->text, listed(states)));
 }
 
 void NameMeanings::compare(const Expression& left, const Expression& right) {

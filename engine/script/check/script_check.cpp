@@ -8,6 +8,7 @@
 #include "engine/script/machine/machine_doubts.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
+#include "engine/script/source/declaration_places.h"
 
 namespace reorient {
 namespace {
@@ -89,9 +90,9 @@ class ScriptCheck {
     }
     Sandbox sandbox{ScriptLimits{}};
     if (std::optional<ScriptFault> fault = sandbox.compile(*text, file)) {
-      // Scripts that were loaded said so already, and with the column.
-      const bool is_loaded = role == ScriptRole::behavior || role == ScriptRole::scenario;
-      if (!is_loaded) result_.findings.push_back({Severity::error, file, {fault->line, 0}, fault->message});
+      // As the loader tells it, which may have met the file as well: then it is told once.
+      const int column = DeclarationPlaces(*text).column_of_syntax_error(fault->message, fault->line);
+      result_.findings.push_back({Severity::error, file, {fault->line, column}, fault->message});
       return;
     }
     KnownNames known = known_names(role);

@@ -70,11 +70,16 @@ std::optional<TextPosition> DeclarationPlaces::key(std::string_view key, TextPos
   return std::nullopt;
 }
 
-std::optional<TextPosition> DeclarationPlaces::on_line(std::string_view text, int line) const {
+int DeclarationPlaces::column_of_syntax_error(std::string_view message, int line) const {
+  constexpr std::string_view kNear = "near '";
+  const std::size_t begin = message.rfind(kNear);
+  if (begin == std::string_view::npos || !message.ends_with('\'')) return 0;
+  message.remove_prefix(begin + kNear.size());
+  message.remove_suffix(1);
   for (auto token = first_from({line, 0}); token < tokens_.end() && token->position.line == line; ++token) {
-    if (token->text == text) return token->position;
+    if (token->text == message) return token->position.column;
   }
-  return std::nullopt;
+  return 0;
 }
 
 }  // namespace reorient

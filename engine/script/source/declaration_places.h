@@ -35,8 +35,8 @@ class DeclarationPlaces {
   /// The first `key =` at or after a place and before another, anywhere within.
   std::optional<TextPosition> key(std::string_view key, TextPosition from, TextPosition to) const;
 
-  /// The next occurrence of a token with this text on the line.
-  std::optional<TextPosition> on_line(std::string_view text, int line) const;
+  /// Lua describes a syntax error by its line and the words "near 'token'"; 0: not known.
+  int column_of_syntax_error(std::string_view message, int line) const;
 
  private:
   std::vector<LuaToken>::const_iterator first_from(TextPosition position) const;
