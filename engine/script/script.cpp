@@ -97,6 +97,11 @@ std::string_view Script::read(const std::string& file) {
   std::optional<std::string> text = folder_.read(file);
   (*hashes_)[file] = text ? std::optional<std::uint64_t>(content_hash(*text)) : std::nullopt;
   if (!text) {
+    std::error_code error;
+    if (std::filesystem::exists(folder_.root() / file, error)) {
+      const std::string most = std::to_string(kLargestScript / 1024);
+      throw ScriptError({file, 0, "this is no plain file below the scripts' root of at most " + most + " KiB", {}});
+    }
     const std::string folder = std::filesystem::path(file).parent_path().generic_string();
     const std::string hint = did_you_mean(file, scripts_in(folder_.root(), folder));
     throw ScriptError({file, 0, "there is no such script below " + folder_.root().string() + hint, {}});

@@ -8,8 +8,6 @@
 namespace reorient {
 namespace {
 
-constexpr std::uintmax_t kLargest = 1024 * 1024;
-
 bool is_below(const std::filesystem::path& file, const std::filesystem::path& root) {
   const auto [end, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
   return end == root.end() || (std::next(end) == root.end() && end->empty());
@@ -25,11 +23,11 @@ std::optional<std::string> ScriptFolder::read(const std::string& relative) const
   // Symbolic links are followed first, so that none leads out of the root.
   const std::filesystem::path file = std::filesystem::canonical(root / relative, error);
   if (error || !is_below(file, root) || !std::filesystem::is_regular_file(file, error)) return std::nullopt;
-  if (std::filesystem::file_size(file, error) > kLargest || error) return std::nullopt;
+  if (std::filesystem::file_size(file, error) > kLargestScript || error) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
-  if (!in || text.str().size() > kLargest) return std::nullopt;
+  if (!in || text.str().size() > kLargestScript) return std::nullopt;
   return std::move(text).str();
 }
 

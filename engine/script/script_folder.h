@@ -11,6 +11,10 @@
 
 namespace reorient {
 
+/// Bytes. Lua's parser takes a quadratic time for some texts (thousands of `goto`s), and a reload happens between
+/// frames.
+inline constexpr std::uintmax_t kLargestScript = 64 * 1024;
+
 class ScriptFolder {
  public:
   explicit ScriptFolder(std::filesystem::path root) : root_(std::move(root)) {}
@@ -18,7 +22,7 @@ class ScriptFolder {
   const std::filesystem::path& root() const { return root_; }
 
   /// The text of "behaviors/orientation.lua"; nothing where there is no such file below the root, it is not a plain
-  /// file, or it is larger than a script may be (1 MiB).
+  /// file, or it is larger than kLargestScript.
   std::optional<std::string> read(const std::string& relative) const;
 
   /// From now on this text stands in place of the file: tests edit scripts without touching the disk.

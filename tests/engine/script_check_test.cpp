@@ -217,6 +217,12 @@ TEST_F(ScriptCheckTest, PointsASyntaxErrorOutWithItsColumn) {
   EXPECT_NE(findings().find("behaviors/broken.lua:2:17: error: "), std::string::npos) << findings();
 }
 
+TEST_F(ScriptCheckTest, TellsAScriptThatIsTooLargeToBeLoadedBetweenTwoFrames) {
+  folder.write("behaviors/large.lua", "behavior \"large\" {}" + std::string(kLargestScript, ' '));
+  EXPECT_EQ(findings(),
+            "behaviors/large.lua: error: this is no plain file below the scripts' root of at most 64 KiB\n");
+}
+
 TEST_F(ScriptCheckTest, TellsABrokenLibraryOnce) {
   folder.write("lib/broken.lua", "local a = {}\nfunction a.x( return 1 end\nreturn a\n");
   folder.write("behaviors/a.lua", "require \"lib.broken\"\nbehavior \"a\" {}\n");

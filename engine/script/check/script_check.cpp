@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "engine/files/whole_file.h"
 #include "engine/script/check/name_check.h"
 #include "engine/script/machine/machine_doubts.h"
 #include "engine/script/script_error.h"
@@ -83,9 +84,11 @@ class ScriptCheck {
 
   void look_at_names(const std::string& file, ScriptRole role) {
     ++result_.files;
-    const std::optional<std::string> text = ScriptFolder(root_).read(file);
-    if (!text) {
-      result_.findings.push_back({Severity::error, file, {}, "this is no plain file, or it is too large for a script"});
+    const std::optional<std::string> text = read_whole_file(root_ / file);
+    const bool is_loaded_before = role == ScriptRole::behavior || role == ScriptRole::scenario;
+    if (!text || (text->size() > kLargestScript && role != ScriptRole::test)) {
+      // The loader has said so of what it met.
+      if (!is_loaded_before) result_.findings.push_back({Severity::error, file, {}, "this script cannot be read"});
       return;
     }
     Sandbox sandbox{ScriptLimits{}};
