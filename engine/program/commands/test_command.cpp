@@ -34,7 +34,8 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   options.width = request.width;
   options.seconds = request.seconds;
   options.room_awareness = request.room_awareness;
-  for (const auto& [name, value] : request.parameters) options.parameters.assignments.push_back(name + "=" + value);
+  for (const auto& [name, value] : request.parameters)
+    options.parameters.assignments.emplace_back(name).append("=").append(value);
   SimulatedRun run(options);
   RunHistory history;
   SimulationOutcome outcome;

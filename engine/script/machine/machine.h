@@ -57,9 +57,8 @@ class Machine {
 
   void start(MachineCallbacks& script, double time, std::vector<TransitionRecord>& transitions);
   int ready_transition(MachineCallbacks& script, double time);
-  bool is_ready(MachineCallbacks& script, int transition, double time);
-  void take(MachineCallbacks& script, int transition, double time, std::vector<TransitionRecord>& transitions);
-  void enter_from(std::size_t kept);
+  bool is_ready(MachineCallbacks& script, int index, double time);
+  void take(MachineCallbacks& script, int index, double time, std::vector<TransitionRecord>& transitions);
   void descend(int state);
   void forget_dwell(int state);
   bool is_active(int state) const;

@@ -81,7 +81,8 @@ struct DotWriter {
         out += indent + id[child] + " [label=" + dot_text(inner.name) + "];\n";
         continue;
       }
-      out += indent + "subgraph cluster_" + id[child] + " {\n" + indent + "  label=" + dot_text(inner.name) + ";\n";
+      out.append(indent).append("subgraph cluster_").append(id[child]).append(" {\n");
+      out.append(indent).append("  label=").append(dot_text(inner.name)).append(";\n");
       write_states(child, indent + "  ");
       out += indent + "}\n";
     }

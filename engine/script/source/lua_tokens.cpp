@@ -126,7 +126,7 @@ class Tokenizer {
       advance(symbol.size());
       return std::string(symbol);
     }
-    const std::string symbol(1, at(0));
+    std::string symbol(1, at(0));
     advance(1);
     return symbol;
   }
