@@ -16,8 +16,8 @@ struct Tuning {
   RoomShape room_shape;
   ParameterRegistry registry;  ///< of all of these; scripts add theirs
 
-  /// `image_width`: 640, 320 or 160 pixels.
-  explicit Tuning(int image_width);
+  /// `image_width`: 640, 320 or 160 pixels; of no account where no image is made.
+  explicit Tuning(int image_width = 320);
   Tuning(const Tuning&) = delete;
   Tuning& operator=(const Tuning&) = delete;
 

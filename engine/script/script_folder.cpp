@@ -31,6 +31,13 @@ std::optional<std::string> ScriptFolder::read(const std::string& relative) const
   return std::move(text).str();
 }
 
+std::optional<std::string> path_below(const std::filesystem::path& root, const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path relative = std::filesystem::relative(path, root, error);
+  if (error || relative.empty() || *relative.begin() == "..") return std::nullopt;
+  return relative.generic_string();
+}
+
 std::vector<std::string> scripts_in(const std::filesystem::path& root, const std::string& folder) {
   const std::string ending = folder == "tests" ? "_test.lua" : ".lua";
   std::vector<std::string> files;

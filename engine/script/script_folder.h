@@ -33,6 +33,9 @@ class ScriptFolder {
   std::map<std::string, std::string> replaced_;
 };
 
+/// The path from the root, with '/'; nothing where it does not lie below the root.
+std::optional<std::string> path_below(const std::filesystem::path& root, const std::filesystem::path& path);
+
 /// The files *.lua below root/folder, by name, from the root; of "tests" only *_test.lua.
 std::vector<std::string> scripts_in(const std::filesystem::path& root, const std::string& folder);
 

@@ -63,10 +63,8 @@ std::string ScriptHost::file_of(const std::string& name, ScriptKind kind) const 
   std::error_code error;
   std::filesystem::path path = name;
   if (path.extension() != ".lua") return (kind == ScriptKind::behavior ? "behaviors/" : "scenarios/") + name + ".lua";
-  const std::filesystem::path from_root = std::filesystem::relative(path, folder_.root(), error);
-  const bool is_inside = !error && !from_root.empty() && *from_root.begin() != "..";
-  if (is_inside && std::filesystem::exists(path, error)) return from_root.generic_string();
-  return path.generic_string();
+  const std::optional<std::string> from_root = path_below(folder_.root(), path);
+  return from_root && std::filesystem::exists(path, error) ? *from_root : path.generic_string();
 }
 
 ScriptHost::Slot& ScriptHost::load(const std::string& name, ScriptKind kind) {

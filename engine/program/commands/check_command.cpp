@@ -21,8 +21,7 @@ std::string count_text(int count, const char* what) {
 }
 
 int check(const CheckOptions& options, std::ostream& out) {
-  constexpr int kAnyWidth = 320;  // only the names of the parameters count here
-  Tuning tuning(kAnyWidth);
+  Tuning tuning;
   const CheckResult result = check_scripts(scripts_root(options.scripts), options.paths, tuning.registry);
   for (const Finding& finding : result.findings) out << finding.text() << "\n";
   const int errors = result.count(Finding::Severity::error);

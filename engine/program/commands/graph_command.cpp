@@ -41,8 +41,7 @@ void load(ScriptHost& host, const std::filesystem::path& root, const std::string
 
 int draw(const GraphOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
-  constexpr int kAnyWidth = 320;  // no image is made
-  Tuning tuning(kAnyWidth);
+  Tuning tuning;
   ScriptHost host(root, tuning.registry);
   load(host, root, options.script);
   std::string text;

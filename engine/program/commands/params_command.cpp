@@ -35,8 +35,7 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
 
 int params(const ParamsOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
-  constexpr int kAnyWidth = 320;  // no image is made
-  Tuning tuning(kAnyWidth);
+  Tuning tuning;
   tuning.override_by(options.overrides);
   ScriptHost host(root, tuning.registry);
   for (const std::string& file : scripts_in(root, "behaviors")) host.load_behavior((root / file).string());

@@ -3,7 +3,6 @@
 #include <ostream>
 #include <sstream>
 
-#include "engine/assets/home.h"
 #include "engine/files/whole_file.h"
 #include "engine/program/program.h"
 #include "engine/program/run/simulated_run.h"
@@ -29,7 +28,6 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   options.scenario = request.scenario;
   options.with = request.with;
   options.scripts = scripts;
-  options.field = find_home() / "assets" / "fields" / "spl.toml";
   options.seed = request.seed;
   options.width = request.width;
   options.seconds = request.seconds;

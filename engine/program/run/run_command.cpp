@@ -9,7 +9,6 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "engine/assets/home.h"
 #include "engine/files/whole_file.h"
 #include "engine/program/program.h"
 #include "engine/program/run/live_console.h"
@@ -210,7 +209,6 @@ Subcommand add_run(CLI::App& program) {
   add_options(*parser, *options);
   return {parser, [options](std::ostream& out, std::ostream& err) {
             options->scripts = scripts_root(options->scripts);
-            if (options->field.empty()) options->field = find_home() / "assets" / "fields" / "spl.toml";
             return run_scenario(*options, out, err);
           }};
 }

@@ -15,7 +15,7 @@ struct SimulationOptions {
   std::string scenario = "turned_round";  ///< scripts/scenarios/NAME.lua, or a path to a file
   std::vector<std::string> with;          ///< behaviours beside those that the scenario lists
   std::filesystem::path scripts;          ///< root of the scripts
-  std::filesystem::path field;            ///< TOML file
+  std::filesystem::path field;            ///< TOML file; empty: that of the SPL
   std::string room;                       ///< panorama file; empty: the procedural hall
   std::uint64_t hall = 1;                 ///< seed of the procedural hall
   std::uint64_t seed = 1;

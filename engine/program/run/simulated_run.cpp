@@ -1,6 +1,7 @@
 #include "engine/program/run/simulated_run.h"
 
 #include "engine/assets/field_file.h"
+#include "engine/assets/home.h"
 
 namespace reorient {
 namespace {
@@ -36,7 +37,8 @@ SimulatedRun::SimulatedRun(const SimulationOptions& options) : longest_(options.
   for (const std::string& behavior : options.with) scripts_->load_behavior(behavior);
   scripts_->load_scenario(options.scenario);
   tuning_.require_all_claimed();
-  const FieldDimensions field = load_field(options.field);
+  const FieldDimensions field =
+      load_field(options.field.empty() ? find_home() / "assets" / "fields" / "spl.toml" : options.field);
   room_ = std::make_unique<Room>(options.room.empty() ? procedural_hall(options.hall, tuning_.room_shape)
                                                       : load_room(options.room, tuning_.room_shape));
   const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);

@@ -118,19 +118,17 @@ std::string below(const std::filesystem::path& root, const std::filesystem::path
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw std::runtime_error(path.string() + ": there is no such file or folder");
-  const std::filesystem::path relative = std::filesystem::relative(path, root, error);
-  if (error || relative.empty() || *relative.begin() == "..")
+  const std::optional<std::string> relative = path_below(root, path);
+  if (!relative)
     throw std::runtime_error(path.string() + " is not below " + root.string() + "; name its root with --scripts");
-  return relative.generic_string();
+  return *relative;
 }
 
 }  // namespace
 
 std::string Finding::text() const {
-  std::string place = file;
-  if (position.line > 0) place += ":" + std::to_string(position.line);
-  if (position.line > 0 && position.column > 0) place += ":" + std::to_string(position.column);
-  return place + (severity == Severity::error ? ": error: " : ": warning: ") + message;
+  return place_text(file, position.line, position.column) +
+         (severity == Severity::error ? ": error: " : ": warning: ") + message;
 }
 
 int CheckResult::count(Finding::Severity severity) const {

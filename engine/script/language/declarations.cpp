@@ -39,13 +39,6 @@ bool is_name(std::string_view text) {
          std::string_view::npos;
 }
 
-/// Pushes the field of the table at `index`, without metamethods.
-int raw_field(lua_State* L, int index, const char* name) {
-  const int table = lua_absindex(L, index);
-  lua_pushstring(L, name);
-  return lua_rawget(L, table);
-}
-
 double raw_number(lua_State* L, int table, int index, const char* what) {
   if (lua_rawgeti(L, table, index) != LUA_TNUMBER) throw std::runtime_error(std::string(what) + " takes numbers");
   const double number = lua_tonumber(L, -1);

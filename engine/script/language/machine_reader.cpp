@@ -22,11 +22,6 @@ constexpr const char* kScenarioKeys[] = {"priority", "initial", "always", "enter
 constexpr const char* kStateKeys[] = {"initial", "history", "always", "enter", "update", "exit"};
 constexpr const char* kTransitionKeys[] = {"when", "lasting", "after", "because"};
 
-int raw_field(lua_State* L, int table, const char* name) {
-  lua_pushstring(L, name);
-  return lua_rawget(L, table);
-}
-
 bool is_state(lua_State* L, int table) {
   const bool marked = lua_rawgetp(L, table, &kStateName) != LUA_TNIL;
   lua_pop(L, 1);
@@ -42,6 +37,12 @@ std::vector<std::string> short_names(std::span<const std::string> parameters) {
 }
 
 }  // namespace
+
+int raw_field(lua_State* L, int index, const char* name) {
+  const int table = lua_absindex(L, index);
+  lua_pushstring(L, name);
+  return lua_rawget(L, table);
+}
 
 void mark_state(lua_State* L, int table, int name, int line) {
   lua_pushvalue(L, name);

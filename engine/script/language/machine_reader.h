@@ -13,6 +13,9 @@
 
 namespace reorient {
 
+/// Pushes the field of the table at `index`, without metamethods, and returns its type.
+int raw_field(lua_State* L, int index, const char* name);
+
 /// Notes in the table at `table` that it is a state, with its name and line (stack indices of both).
 void mark_state(lua_State* L, int table, int name, int line);
 

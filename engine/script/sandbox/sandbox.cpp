@@ -175,12 +175,14 @@ std::optional<ScriptFault> Sandbox::compile(std::string_view text, const std::st
   return fault;
 }
 
-std::string ScriptFault::text() const {
+std::string place_text(const std::string& file, int line, int column) {
   std::string place = file;
   if (line > 0) place += ":" + std::to_string(line);
   if (line > 0 && column > 0) place += ":" + std::to_string(column);
-  return place + ": " + message;
+  return place;
 }
+
+std::string ScriptFault::text() const { return place_text(file, line, column) + ": " + message; }
 
 ScriptFault read_fault(std::string_view text, const std::string& file) {
   ScriptFault fault{file, 0, std::string(text), {}};

@@ -14,6 +14,9 @@
 
 namespace reorient {
 
+/// "behaviors/orientation.lua:12:5", without what is not known: both count from 1, 0 is not known.
+std::string place_text(const std::string& file, int line, int column);
+
 /// What went wrong in a script, and where. `line` and `column` count from 1; 0: not known.
 struct ScriptFault {
   std::string file;

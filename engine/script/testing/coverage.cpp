@@ -8,7 +8,7 @@ namespace reorient {
 namespace {
 
 std::string place(const MachineDefinition& machine, TextPosition position) {
-  return machine.file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
+  return place_text(machine.file, position.line, position.column);
 }
 
 /// The machine as a whole is no state that one would count.

@@ -1,13 +1,14 @@
 #include "engine/script/testing/test_runner.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 
+#include "engine/files/whole_file.h"
 #include "engine/script/sandbox/sandbox.h"
+#include "engine/script/script_folder.h"
 
 namespace reorient {
 namespace {
@@ -98,11 +99,9 @@ std::vector<std::filesystem::path> find_tests(std::span<const std::filesystem::p
 }
 
 std::string read(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw std::runtime_error(file.string() + ": the test cannot be read");
-  return std::move(text).str();
+  std::optional<std::string> text = read_whole_file(file);
+  if (!text) throw std::runtime_error(file.string() + ": the test cannot be read");
+  return std::move(*text);
 }
 
 /// Every line of the text, set in.
@@ -127,11 +126,8 @@ TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrac
   const std::filesystem::path all[] = {run.scripts_root / "tests"};
   TestSummary summary;
   for (const std::filesystem::path& file : find_tests(run.paths.empty() ? all : std::span(run.paths))) {
-    std::error_code error;
-    const std::filesystem::path relative = std::filesystem::relative(file, run.scripts_root, error);
-    const bool is_inside = !error && !relative.empty() && *relative.begin() != "..";
     const std::size_t first = summary.cases.size();
-    TestFile(is_inside ? relative.generic_string() : file.string(), run).run(read(file), trace, summary.cases);
+    TestFile(path_below(run.scripts_root, file).value_or(file.string()), run).run(read(file), trace, summary.cases);
     for (std::size_t i = first; i < summary.cases.size(); ++i) {
       const TestCase& test = summary.cases[i];
       report(test, out);
