@@ -9,10 +9,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "engine/assets/field_file.h"
 #include "engine/frame.h"
 #include "engine/parameters/parameter_registry.h"
 #include "robots/simulator/simulator.h"
+#include "workbench/files/field_file.h"
 
 namespace reorient {
 namespace {

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "geometry/random.h"
-#include "perception/room/color_histogram.h"
+#include "perception/room/color/color_histogram.h"
 
 namespace reorient {
 namespace {

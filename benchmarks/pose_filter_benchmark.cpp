@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "localization/field_map.h"
+#include "localization/measurement/field_map.h"
 #include "localization/pose_filter.h"
 
 namespace reorient {

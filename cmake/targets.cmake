@@ -1,37 +1,78 @@
-# How a room, a test and a benchmark of this project are declared.
+# How a room, a test and a benchmark of this project are declared. A room's doors are shut: its sources see the headers of
+# the rooms that it links and no others, and whoever links it inherits none of its flags.
 
-add_library(reorient_options INTERFACE)
-target_compile_options(reorient_options INTERFACE
+set(REORIENT_WARNINGS
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wundef -Wcast-align -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(reorient_options INTERFACE -Wno-restrict)  # false alarms in std::string (GCC bug 105651)
+  list(APPEND REORIENT_WARNINGS -Wno-restrict)  # false alarms in std::string (GCC bug 105651)
 endif()
-target_include_directories(reorient_options INTERFACE "${PROJECT_SOURCE_DIR}")
 # Every x86-64 robot and desktop since 2009 has SSE4.2; a preset may ask for a particular processor instead.
+set(REORIENT_ARCHITECTURE)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_FLAGS MATCHES "-march=")
-  target_compile_options(reorient_options INTERFACE -march=x86-64-v2)
+  set(REORIENT_ARCHITECTURE -march=x86-64-v2)
 endif()
 
-# reorient_add_room(NAME SOURCES file... LINKS target...): one static library, with includes from the top of the tree.
+# reorient_include_root(TARGET SCOPE header...): a folder of links to just these headers (paths from the top of the tree)
+# becomes an include folder of the target.
+function(reorient_include_root target scope)
+  set(root "${PROJECT_BINARY_DIR}/include/${target}")
+  file(REMOVE_RECURSE "${root}")
+  foreach(header ${ARGN})
+    get_filename_component(folder "${root}/${header}" DIRECTORY)
+    file(MAKE_DIRECTORY "${folder}")
+    file(RELATIVE_PATH origin "${folder}" "${PROJECT_SOURCE_DIR}/${header}")
+    file(CREATE_LINK "${origin}" "${root}/${header}" SYMBOLIC)
+  endforeach()
+  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${root}>")
+endfunction()
+
+# reorient_add_room(NAME [SOURCES file...] [HEADERS file...] [WITHOUT folder...] [PUBLIC target...] [PRIVATE target...])
+# One static library (or, without sources, headers alone). Its headers are those below the present folder, except for
+# the subfolders WITHOUT, which are rooms of their own; or just HEADERS. PUBLIC: what its headers include; PRIVATE: what
+# only its sources do.
 function(reorient_add_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS" ${ARGN})
-  add_library(${name} STATIC ${ROOM_SOURCES})
-  target_link_libraries(${name} PUBLIC reorient_options ${ROOM_LINKS})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;WITHOUT;PUBLIC;PRIVATE" ${ARGN})
+  file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  if(ROOM_HEADERS)
+    list(TRANSFORM ROOM_HEADERS PREPEND "${folder}/")
+  else()
+    file(GLOB_RECURSE ROOM_HEADERS RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS "*.h")
+    foreach(other ${ROOM_WITHOUT})
+      list(FILTER ROOM_HEADERS EXCLUDE REGEX "^${folder}/${other}(/|$)")
+    endforeach()
+  endif()
+  if(ROOM_SOURCES)
+    add_library(${name} STATIC ${ROOM_SOURCES})
+    target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE})
+    target_link_libraries(${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
+    reorient_include_root(${name} PUBLIC ${ROOM_HEADERS})
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE ${ROOM_PUBLIC})
+    reorient_include_root(${name} INTERFACE ${ROOM_HEADERS})
+  endif()
+endfunction()
+
+# reorient_add_program(NAME SOURCES file... LINKS target...)
+function(reorient_add_program name)
+  cmake_parse_arguments(PROGRAM "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${PROGRAM_SOURCES})
+  target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE})
+  target_link_libraries(${name} PRIVATE ${PROGRAM_LINKS})
+  target_compile_definitions(${name} PRIVATE REORIENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()
 
 # reorient_add_tests(NAME SOURCES file... LINKS target...): one GoogleTest program, each of its tests known to CTest.
 function(reorient_add_tests name)
   cmake_parse_arguments(TESTS "" "" "SOURCES;LINKS" ${ARGN})
-  add_executable(${name} ${TESTS_SOURCES})
-  target_link_libraries(${name} PRIVATE ${TESTS_LINKS} GTest::gtest GTest::gtest_main rapidcheck)
-  target_compile_definitions(${name} PRIVATE REORIENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  reorient_add_program(${name}
+    SOURCES ${TESTS_SOURCES} LINKS ${TESTS_LINKS} test_support GTest::gtest GTest::gtest_main rapidcheck)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
 # reorient_add_benchmark(NAME LINKS target...): benchmarks/NAME_benchmark.cpp as the program NAME_benchmark.
 function(reorient_add_benchmark name)
   cmake_parse_arguments(BENCHMARK "" "" "LINKS" ${ARGN})
-  add_executable(${name}_benchmark ${name}_benchmark.cpp)
-  target_link_libraries(${name}_benchmark PRIVATE ${BENCHMARK_LINKS} benchmark::benchmark benchmark::benchmark_main)
-  target_compile_definitions(${name}_benchmark PRIVATE REORIENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  reorient_add_program(${name}_benchmark
+    SOURCES ${name}_benchmark.cpp LINKS ${BENCHMARK_LINKS} benchmark::benchmark benchmark::benchmark_main)
 endfunction()

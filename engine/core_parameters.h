@@ -1,9 +1,9 @@
 // The parameters of everything below the scripts, in one place, changed live through the registry.
 #pragma once
 
-#include "engine/arbiter.h"
-#include "engine/goal_view.h"
-#include "engine/robot_state.h"
+#include "engine/world/arbiter.h"
+#include "engine/world/goal_view.h"
+#include "engine/world/robot_state.h"
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"

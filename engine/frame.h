@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "engine/arbiter.h"
-#include "engine/command.h"
 #include "engine/core_parameters.h"
-#include "engine/record/digest.h"
-#include "engine/robot_state.h"
+#include "engine/digest.h"
 #include "engine/script/script_host.h"
-#include "engine/world.h"
+#include "engine/world/arbiter.h"
+#include "engine/world/command.h"
+#include "engine/world/robot_state.h"
+#include "engine/world/world.h"
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"

@@ -3,7 +3,7 @@
 
 #include "geometry/pose2.h"
 #include "geometry/random.h"
-#include "localization/particle_set.h"
+#include "localization/particles/particle_set.h"
 #include "localization/pose_belief.h"
 
 namespace reorient {

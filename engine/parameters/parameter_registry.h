@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <map>
@@ -37,12 +36,6 @@ class ParameterRegistry {
 
   /// As set(), but a name that nobody has declared yet is kept until somebody does.
   void set_early(const std::string& name, std::string_view text, ParameterOrigin origin);
-
-  /// Tables are prefixes: [orientation] lead = 0.4. Names may be declared later. Throws with one line: file, line, why.
-  void load_file(const std::filesystem::path& file);
-
-  /// Writes what differs from the defaults as such a file (beside it first, then renamed). Throws when it cannot.
-  void save_file(const std::filesystem::path& file) const;
 
   const Parameter* find(std::string_view name) const;
   const ParameterValue& value(std::string_view name) const;  ///< throws on an unknown name

@@ -14,7 +14,7 @@
 #include "engine/script/language/declarations.h"
 #include "engine/script/language/kept_value.h"
 #include "engine/script/language/script_actions.h"
-#include "engine/script/language/world_view.h"
+#include "engine/script/language/world_tables.h"
 #include "engine/script/machine/machine.h"
 #include "engine/script/sandbox/sandbox.h"
 #include "engine/script/script_folder.h"

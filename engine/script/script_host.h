@@ -14,7 +14,7 @@
 #include "engine/script/file_watcher.h"
 #include "engine/script/script.h"
 #include "engine/script/script_output.h"
-#include "engine/world.h"
+#include "engine/world/world.h"
 
 namespace reorient {
 

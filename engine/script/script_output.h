@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/command.h"
 #include "engine/script/sandbox/sandbox.h"
+#include "engine/world/command.h"
 #include "geometry/pose2.h"
 #include "robots/robot.h"
 

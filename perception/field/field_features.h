@@ -6,14 +6,14 @@
 #include "geometry/camera.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/image.h"
-#include "perception/field/boundary.h"
-#include "perception/field/carpet_color.h"
-#include "perception/field/carpet_map.h"
+#include "perception/field/carpet/boundary.h"
+#include "perception/field/carpet/carpet_color.h"
+#include "perception/field/carpet/carpet_map.h"
 #include "perception/field/field_feature_parameters.h"
-#include "perception/field/goal_posts.h"
-#include "perception/field/line_points.h"
-#include "perception/field/obstacles.h"
+#include "perception/field/lines/line_points.h"
 #include "perception/field/percepts.h"
+#include "perception/field/upright/goal_posts.h"
+#include "perception/field/upright/obstacles.h"
 
 namespace reorient {
 

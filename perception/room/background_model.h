@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "perception/room/color_histogram.h"
+#include "perception/room/color/color_histogram.h"
 
 namespace reorient {
 

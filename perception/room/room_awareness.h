@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "perception/room/background_model.h"
-#include "perception/room/color_histogram.h"
-#include "perception/room/confidences.h"
-#include "perception/room/histogram_distance.h"
-#include "perception/room/light_adaptation.h"
-#include "perception/room/perceived_tiles.h"
-#include "perception/room/room_view.h"
-#include "perception/room/self_similarity.h"
-#include "perception/room/view_filter.h"
-#include "perception/room/viewpoint_scores.h"
-#include "perception/room/wall.h"
+#include "perception/room/color/color_histogram.h"
+#include "perception/room/color/histogram_distance.h"
+#include "perception/room/color/light_adaptation.h"
+#include "perception/room/distinctiveness.h"
+#include "perception/room/room_observation.h"
+#include "perception/room/view/confidences.h"
+#include "perception/room/view/view_filter.h"
+#include "perception/room/view/viewpoint_scores.h"
+#include "perception/room/wall/perceived_tiles.h"
+#include "perception/room/wall/wall.h"
 
 namespace reorient {
 

@@ -1,4 +1,4 @@
-#include "engine/arbiter.h"
+#include "engine/world/arbiter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/record/digest.h"
+#include "engine/digest.h"
 
 #include <vector>
 

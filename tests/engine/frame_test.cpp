@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/parameters/parameter_registry.h"
-#include "tests/engine/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace reorient {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/goal_view.h"
+#include "engine/world/goal_view.h"
 
 #include <utility>
 

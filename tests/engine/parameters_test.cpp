@@ -5,7 +5,8 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/parameter_registry.h"
-#include "tests/engine/script_fixture.h"
+#include "tests/engine/script/script_fixture.h"
+#include "workbench/files/parameter_file.h"
 
 namespace reorient {
 namespace {
@@ -42,7 +43,7 @@ class Parameters : public ::testing::Test {
   std::string file_refusal(const std::string& text) {
     folder.write("p.toml", text);
     try {
-      registry.load_file(folder.path() / "p.toml");
+      load_parameters(registry, folder.path() / "p.toml");
     } catch (const std::runtime_error& error) {
       return error.what();
     }
@@ -132,22 +133,22 @@ TEST_F(Parameters, AFilesMistakesAreToldWithFileAndLine) {
   EXPECT_NE(file_refusal("[view\n").find("p.toml:1"), std::string::npos);
   EXPECT_NE(file_refusal(std::string("\0\xff\x01", 3)).find("p.toml"), std::string::npos);
   EXPECT_EQ(file_refusal(""), "accepted");
-  EXPECT_THROW(registry.load_file(folder.path() / "gone.toml"), std::runtime_error);
-  EXPECT_THROW(registry.load_file(folder.path()), std::runtime_error);
+  EXPECT_THROW(load_parameters(registry, folder.path() / "gone.toml"), std::runtime_error);
+  EXPECT_THROW(load_parameters(registry, folder.path()), std::runtime_error);
 }
 
 TEST_F(Parameters, WhatIsSavedIsReadBack) {
   registry.set("view.noise", "0.123456789012345", ParameterOrigin::live);
   registry.set("view.distance", "ssd3", ParameterOrigin::live);
-  registry.save_file(folder.path() / "saved.toml");
+  save_parameters(registry, folder.path() / "saved.toml");
   FilterParameters other;
   ParameterRegistry second;
   second.bind("view", other);
-  second.load_file(folder.path() / "saved.toml");
+  load_parameters(second, folder.path() / "saved.toml");
   EXPECT_EQ(other.noise, filter.noise);
   EXPECT_EQ(other.distance, Distance::ssd3);
   EXPECT_EQ(second.find("view.particles")->origin, ParameterOrigin::standard);
-  EXPECT_THROW(registry.save_file(folder.path() / "gone" / "saved.toml"), std::runtime_error);
+  EXPECT_THROW(save_parameters(registry, folder.path() / "gone" / "saved.toml"), std::runtime_error);
 }
 
 TEST_F(Parameters, ANameIsDeclaredOnce) { EXPECT_THROW(registry.bind("view", filter), std::runtime_error); }

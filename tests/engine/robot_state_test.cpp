@@ -1,4 +1,4 @@
-#include "engine/robot_state.h"
+#include "engine/world/robot_state.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

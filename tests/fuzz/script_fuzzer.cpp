@@ -19,13 +19,13 @@
 
 #include <sys/inotify.h>
 
-#include "engine/script/check/name_check.h"
 #include "engine/script/machine/machine_definition.h"
-#include "engine/script/machine/machine_doubts.h"
-#include "engine/script/machine/machine_graph.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_folder.h"
 #include "engine/script/script_host.h"
+#include "workbench/script_tools/check/machine_warnings.h"
+#include "workbench/script_tools/check/name_check.h"
+#include "workbench/script_tools/graph/machine_graph.h"
 
 /// A host is made for every input, and a kernel's watch for each would be most of the work: there is none here.
 extern "C" int inotify_init1(int) { return -1; }

@@ -3,7 +3,7 @@
 
 #include <rapidcheck.h>
 
-#include "localization/particle_set.h"
+#include "localization/particles/particle_set.h"
 
 namespace reorient {
 

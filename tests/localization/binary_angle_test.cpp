@@ -1,4 +1,4 @@
-#include "localization/binary_angle.h"
+#include "localization/particles/binary_angle.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "localization/field_map.h"
+#include "localization/measurement/field_map.h"
 
 #include <limits>
 #include <stdexcept>

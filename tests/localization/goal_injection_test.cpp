@@ -1,4 +1,4 @@
-#include "localization/goal_injection.h"
+#include "localization/measurement/goal_injection.h"
 
 #include <limits>
 

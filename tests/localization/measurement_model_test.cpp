@@ -1,4 +1,4 @@
-#include "localization/measurement_model.h"
+#include "localization/measurement/measurement_model.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "localization/motion_model.h"
+#include "localization/particles/motion_model.h"
 
 #include <limits>
 
@@ -6,7 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "arbitrary_particles.h"
-#include "localization/field_map.h"
+#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

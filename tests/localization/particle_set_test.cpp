@@ -1,4 +1,4 @@
-#include "localization/particle_set.h"
+#include "localization/particles/particle_set.h"
 
 #include <limits>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "localization/pose_clusters.h"
+#include "localization/particles/pose_clusters.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

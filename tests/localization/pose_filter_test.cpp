@@ -8,7 +8,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "arbitrary_particles.h"
-#include "localization/field_map.h"
+#include "localization/measurement/field_map.h"
 #include "localization/reorientation.h"
 #include "synthetic_field.h"
 

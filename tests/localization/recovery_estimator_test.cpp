@@ -1,4 +1,4 @@
-#include "localization/recovery_estimator.h"
+#include "localization/measurement/recovery_estimator.h"
 
 #include <gtest/gtest.h>
 

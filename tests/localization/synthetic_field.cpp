@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "localization/field_map.h"
+#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/language/machine_reader.h"
-#include "engine/script/language/world_view.h"
+#include "engine/script/language/world_tables.h"
 #include "engine/script/sandbox/sandbox.h"
 
 namespace reorient {

@@ -11,7 +11,7 @@
 #include "engine/parameters/parameter.h"
 #include "engine/script/machine/machine_definition.h"
 #include "engine/script/sandbox/sandbox.h"
-#include "engine/script/source/declaration_places.h"
+#include "engine/script/source/source_locations.h"
 
 namespace reorient {
 

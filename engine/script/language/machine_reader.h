@@ -9,7 +9,7 @@
 #include <lua.hpp>
 
 #include "engine/script/machine/machine_definition.h"
-#include "engine/script/source/declaration_places.h"
+#include "engine/script/source/source_locations.h"
 
 namespace reorient {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "engine/script/language/world_view.h"
+#include "engine/script/language/world_tables.h"
 #include "engine/script/sandbox/binding.h"
 
 namespace reorient {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/world.h"
+#include "engine/world/world.h"
 
 namespace reorient {
 

@@ -9,7 +9,7 @@
 #include "geometry/pose2.h"
 #include "geometry/random.h"
 #include "robots/robot.h"
-#include "robots/simulator/body/obstacle.h"
+#include "robots/simulator/body/barrier.h"
 
 namespace reorient {
 

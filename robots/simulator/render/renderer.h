@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 
-#include "robots/simulator/render/background.h"
-#include "robots/simulator/render/frame.h"
-#include "robots/simulator/render/scene.h"
+#include "robots/simulator/render/framebuffer.h"
+#include "robots/simulator/render/scene/scene.h"
+#include "robots/simulator/render/surfaces.h"
 
 namespace reorient {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/image.h"
-#include "robots/simulator/render/frame.h"
+#include "robots/simulator/render/framebuffer.h"
 
 namespace reorient {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/random.h"
-#include "robots/simulator/room/canvas.h"
 #include "robots/simulator/room/room.h"
+#include "robots/simulator/room/texture_painter.h"
 
 namespace reorient {
 namespace {

@@ -1,10 +1,10 @@
-#include "perception/field/scan_line.h"
+#include "perception/field/lines/scan_line.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "geometry/head.h"
-#include "perception/field/ground_view.h"
+#include "perception/field/ground_projection.h"
 
 namespace reorient {
 namespace {

@@ -1,4 +1,4 @@
-#include "perception/room/color_histogram.h"
+#include "perception/room/color/color_histogram.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "perception/room/histogram_distance.h"
+#include "perception/room/color/histogram_distance.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "perception/room/perceived_tiles.h"
+#include "perception/room/wall/perceived_tiles.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "perception/room/view_filter.h"
+#include "perception/room/view/view_filter.h"
 
 #include <cmath>
 #include <vector>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "perception/room/confidences.h"
+#include "perception/room/view/confidences.h"
 
 namespace reorient {
 namespace {

@@ -1,4 +1,4 @@
-#include "perception/room/wall.h"
+#include "perception/room/wall/wall.h"
 
 #include <cmath>
 #include <limits>

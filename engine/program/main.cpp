@@ -1,5 +1,0 @@
-#include <iostream>
-
-#include "engine/program/program.h"
-
-int main(int argc, char** argv) { return reorient::run_program(argc, argv, std::cout, std::cerr); }

@@ -1,0 +1,136 @@
+#include "engine/script/language/world_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/script/language/world_fields.h"
+
+namespace reorient {
+namespace {
+
+/// The string keys of the table at `index`.
+std::vector<std::string> keys_of(lua_State* L, int index) {
+  std::vector<std::string> keys;
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) == LUA_TSTRING) keys.emplace_back(lua_tostring(L, -2));
+  }
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+/// Upvalue: what the table is called. Arguments: the table of values, a key that it does not have.
+int refuse_unknown(lua_State* L) {
+  const std::string table = lua_tostring(L, lua_upvalueindex(1));
+  if (lua_type(L, 2) != LUA_TSTRING) {
+    return luaL_error(L, "%s has no field of type %s", table.c_str(), luaL_typename(L, 2));
+  }
+  const std::string key = lua_tostring(L, 2);
+  for (const WorldField& field : world_fields()) {
+    if (field.table != table || field.name != key) continue;
+    return luaL_error(L,
+                      "%s.%s is not known here: on this robot nothing measures it, or a script is still being loaded",
+                      table.c_str(), key.c_str());
+  }
+  const std::string hint = did_you_mean(key, keys_of(L, 1));
+  return luaL_error(L, "%s has no field '%s'%s", table.c_str(), key.c_str(), hint.c_str());
+}
+
+int refuse_writing(lua_State* L) { return luaL_error(L, "%s is read-only", lua_tostring(L, lua_upvalueindex(1))); }
+
+/// Upvalue: the table of values. `pairs` over a read-only table walks through the values.
+int pairs_of_values(lua_State* L) {
+  lua_getglobal(L, "pairs");
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_call(L, 1, 3);
+  return 3;
+}
+
+int length_of_values(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(lua_rawlen(L, lua_upvalueindex(1))));
+  return 1;
+}
+
+/// Tables are declared by name while fields are many; the values' metatable names the wanted field in the world list.
+void add_unknown_name_error(lua_State* L, const std::string& what) {
+  lua_createtable(L, 0, 1);
+  lua_pushlstring(L, what.data(), what.size());
+  lua_pushcclosure(L, refuse_unknown, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+}
+
+}  // namespace
+
+void make_read_only(lua_State* L, const std::string& what) {
+  add_unknown_name_error(L, what);
+  lua_newtable(L);           // what the script sees
+  lua_createtable(L, 0, 5);  // its metatable
+  lua_pushvalue(L, -3);
+  lua_setfield(L, -2, "__index");
+  lua_pushlstring(L, what.data(), what.size());
+  lua_pushcclosure(L, refuse_writing, 1);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushvalue(L, -3);
+  lua_pushcclosure(L, pairs_of_values, 1);
+  lua_setfield(L, -2, "__pairs");
+  lua_pushvalue(L, -3);
+  lua_pushcclosure(L, length_of_values, 1);
+  lua_setfield(L, -2, "__len");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+  lua_remove(L, -2);
+}
+
+WorldView::WorldView(lua_State* L, bool for_scenario) : lua_(L) {
+  for (const WorldTable& table : world_tables()) {
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    const int values = luaL_ref(L, LUA_REGISTRYINDEX);
+    bool any = false;
+    for (std::size_t i = 0; i < world_fields().size(); ++i) {
+      const WorldField& field = world_fields()[i];
+      if (field.table != table.name || (field.for_scenarios && !for_scenario)) continue;
+      any = true;
+      shown_.push_back({i, values, field.name.data(), field.is_boolean(), std::numeric_limits<double>::quiet_NaN()});
+    }
+    if (any) {
+      make_read_only(L, std::string(table.name));
+      lua_setglobal(L, table.name.data());
+    } else {
+      luaL_unref(L, LUA_REGISTRYINDEX, values);
+      lua_pop(L, 1);
+    }
+  }
+}
+
+void WorldView::refresh(const std::vector<double>& values) {
+  int table = LUA_NOREF;
+  for (Shown& shown : shown_) {
+    const double value = values[shown.field];
+    const bool unknown = std::isnan(value);
+    if (value == shown.value || (unknown && std::isnan(shown.value))) continue;
+    shown.value = value;
+    if (table != shown.table) {
+      if (table != LUA_NOREF) lua_pop(lua_, 1);
+      table = shown.table;
+      lua_rawgeti(lua_, LUA_REGISTRYINDEX, table);
+    }
+    if (unknown) {
+      lua_pushnil(lua_);
+    } else if (shown.is_boolean) {
+      lua_pushboolean(lua_, value != 0.0 ? 1 : 0);
+    } else {
+      lua_pushnumber(lua_, value);
+    }
+    lua_pushstring(lua_, shown.name);
+    lua_insert(lua_, -2);
+    lua_rawset(lua_, -3);
+  }
+  if (table != LUA_NOREF) lua_pop(lua_, 1);
+}
+
+}  // namespace reorient

@@ -1,0 +1,58 @@
+// Who may rearrange the belief in this frame? Behaviours ask; the arbiter grants or refuses, each with a verdict.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/world/command.h"
+#include "engine/world/world.h"
+
+namespace reorient {
+
+/// After a command was granted, the same command is refused for so long: its effect must show first.
+struct ArbiterParameters {
+  double flip_cooldown = 3.0;   // s
+  double purge_cooldown = 3.0;  // s
+  double reset_cooldown = 3.0;  // s
+};
+
+template <typename Visit>
+void describe(ArbiterParameters& p, Visit&& visit) {
+  visit("flip_cooldown", p.flip_cooldown, 0.0, 60.0, "s", "how long after a flip no other flip is granted");
+  visit("purge_cooldown", p.purge_cooldown, 0.0, 60.0, "s", "how long after a purge no other purge is granted");
+  visit("reset_cooldown", p.reset_cooldown, 0.0, 60.0, "s", "how long after a reset no other reset is granted");
+}
+
+/// What holds in this frame.
+struct Arbitration {
+  std::optional<Command> reorientation;  ///< flip_pose, purge_reflection or reset_orientation: one at most
+  bool train = true;                     ///< false: somebody holds a lease on pausing the training
+  bool evaluate = true;
+  std::vector<CommandRecord> records;  ///< one per request, and one for each lease that began in this frame
+};
+
+class Arbiter {
+ public:
+  explicit Arbiter(const ArbiterParameters& parameters = {}) : parameters_(parameters) {}
+
+  /// Among the requests that are allowed and not too soon the greatest priority wins, at a tie the first.
+  /// Not allowed: everything while the robot is carried, since nothing is known of its camera then; a flip and a purge
+  /// also while it lies. Pausing is always granted. The result is valid until the next call.
+  const Arbitration& arbitrate(std::span<const CommandRequest> requests, std::span<const Lease> leases,
+                               const World& world);
+
+  ArbiterParameters& parameters() { return parameters_; }
+
+ private:
+  double cooldown(Command command) const;
+  Verdict judge(const CommandRequest& request, const World& world) const;
+  void note_leases(std::span<const Lease> leases, double time);
+
+  ArbiterParameters parameters_;
+  std::optional<double> granted_at_[3];  ///< s, per reorientation
+  std::vector<Lease> held_;              ///< in the frame before
+  Arbitration result_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,119 @@
+#include "localization/measurement/field_map.h"
+
+#include <stdexcept>
+
+#include "geometry/angle.h"
+
+namespace reorient {
+namespace {
+
+/// A normal that is off by no more than this is as good as a true one (rad), since a percept's normals are noisy and a
+/// bin of directions is wide; each radian more counts as so many metres of distance.
+constexpr double kDirectionTolerance = 25.0 * kPi / 180.0;
+constexpr double kMetresPerRadian = 0.6;
+
+/// One line as seen from one place: how far away, and which way its normal points there.
+struct NearLine {
+  double distance = 0.0;
+  double normal = 0.0;
+};
+
+/// The rectangle at both goals that reaches `depth` into the field, or out of it where that is negative; the side on
+/// the goal line is none of its own.
+void add_areas(std::vector<FieldLine>& lines, const FieldDimensions& field, double depth, double width) {
+  if (depth == 0.0 || width <= 0.0) return;
+  for (const double side : {1.0, -1.0}) {
+    const double goal_line = side * field.length / 2.0;
+    const double front = side * (field.length / 2.0 - depth);
+    lines.push_back({{front, width / 2.0}, {front, -width / 2.0}});
+    lines.push_back({{goal_line, width / 2.0}, {front, width / 2.0}});
+    lines.push_back({{goal_line, -width / 2.0}, {front, -width / 2.0}});
+  }
+}
+
+double direction_mismatch(double normal, double other) {
+  return std::abs(std::remainder(normal - other, kPi));  // normals are known up to half a turn
+}
+
+NearLine look_at(const FieldLine& line, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d along = line.to - line.from;
+  const double share = std::clamp((place - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return {(place - line.from - share * along).norm(), std::atan2(along.x(), -along.y())};
+}
+
+/// Distance to the nearest penalty mark, which is a mark from whatever side.
+double distance_to_marks(const FieldDimensions& field, const Eigen::Vector2d& place) {
+  if (field.penalty_mark_size <= 0.0) return FieldMap::kMaxDistance;
+  const Eigen::Vector2d mark(field.penalty_mark_x, 0.0);
+  const double distance = std::min((place - mark).norm(), (place + mark).norm());
+  return std::max(0.0, distance - field.penalty_mark_size / 2.0);
+}
+
+double distance_to_lines(const std::vector<NearLine>& lines, double normal) {
+  double nearest = FieldMap::kMaxDistance;
+  for (const NearLine& line : lines) {
+    if (line.distance >= nearest) continue;
+    const double excess = std::max(0.0, direction_mismatch(normal, line.normal) - kDirectionTolerance);
+    nearest = std::min(nearest, line.distance + kMetresPerRadian * excess);
+  }
+  return nearest;
+}
+
+bool is_size(double metres) { return metres > 0.0 && metres <= 200.0; }
+
+}  // namespace
+
+std::vector<FieldLine> field_lines(const FieldDimensions& field) {
+  const double x = field.length / 2.0;
+  const double y = field.width / 2.0;
+  std::vector<FieldLine> lines{
+      {{-x, y}, {x, y}}, {{-x, -y}, {x, -y}}, {{x, -y}, {x, y}}, {{-x, -y}, {-x, y}}, {{0.0, -y}, {0.0, y}}};
+  add_areas(lines, field, field.penalty_area_depth, field.penalty_area_width);
+  add_areas(lines, field, field.goal_area_depth, field.goal_area_width);
+  return lines;
+}
+
+std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field) {
+  const double x = field.length / 2.0;
+  const double y = field.goal_post_y;
+  return {{{x, y}, {x, -y}, {-x, -y}, {-x, y}}};
+}
+
+Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
+  return {field.length / 2.0 + field.border + kBelievableBeyondCarpet,
+          field.width / 2.0 + field.border + kBelievableBeyondCarpet};
+}
+
+FieldMap::FieldMap(const FieldDimensions& field) {
+  if (!is_size(field.length) || !is_size(field.width) || !(field.border >= 0.0 && field.border <= 50.0)) {
+    throw std::invalid_argument("field map: length and width must be in (0, 200] m, border in [0, 50] m");
+  }
+  const Eigen::Vector2d half_size(field.length / 2.0 + std::max(0.0, field.goal_depth) + kMaxDistance,
+                                  field.width / 2.0 + kMaxDistance);
+  columns_ = static_cast<int>(std::ceil(half_size.x() / kCellSize)) + 1;
+  rows_ = static_cast<int>(std::ceil(half_size.y() / kCellSize)) + 1;
+  last_column_ = static_cast<float>(columns_ - 1);
+  last_row_ = static_cast<float>(rows_ - 1);
+  cells_.resize(static_cast<std::size_t>(kDirections) * static_cast<std::size_t>(rows_) *
+                static_cast<std::size_t>(columns_));
+
+  std::vector<FieldLine> lines = field_lines(field);
+  // The white tubes on the carpet that hold a goal's net look like lines, above all to a robot in front of them.
+  add_areas(lines, field, -field.goal_depth, 2.0 * field.goal_post_y);
+  std::vector<NearLine> near_lines(lines.size() + 1);
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const Eigen::Vector2d place((column + 0.5) * kCellSize, (row + 0.5) * kCellSize);
+      for (std::size_t i = 0; i < lines.size(); ++i) near_lines[i] = look_at(lines[i], place);
+      near_lines.back() = {std::abs(place.norm() - field.center_circle_radius), std::atan2(place.y(), place.x())};
+      const double mark = distance_to_marks(field, place);
+      for (int direction = 0; direction < kDirections; ++direction) {
+        const double distance = std::min(mark, distance_to_lines(near_lines, direction * kPi / kDirections));
+        const int cell = (direction * rows_ + row) * columns_ + column;
+        cells_[static_cast<std::size_t>(cell)] = static_cast<std::uint8_t>(std::lround(distance / kStep));
+      }
+    }
+  }
+}
+
+}  // namespace reorient

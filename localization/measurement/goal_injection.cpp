@@ -1,0 +1,102 @@
+#include "localization/measurement/goal_injection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/angle.h"
+#include "localization/measurement/field_map.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kFarthest = 10.0;  // m, beyond it a post's distance says nothing
+
+bool usable(const GoalPost& post) {
+  const double distance = post.position.norm();
+  return distance > 0.1 && distance <= kFarthest;  // false where it is not finite
+}
+
+double direction(const Eigen::Vector2d& vector) { return std::atan2(vector.y(), vector.x()); }
+
+/// The post as it might really stand, given the errors of the measurement.
+Eigen::Vector2d disturb(const Eigen::Vector2d& post, const MeasurementModel& observed, Random& random) {
+  const double distance = post.norm();
+  const Eigen::Vector2d sight = post / distance;
+  const Eigen::Vector2d across(-sight.y(), sight.x());
+  return post + sight * (std::sqrt(observed.variance_along(distance)) * static_cast<double>(rough_normal(random))) +
+         across * (std::sqrt(observed.variance_across(distance)) * static_cast<double>(rough_normal(random)));
+}
+
+}  // namespace
+
+GoalInjection::GoalInjection(const FieldDimensions& field)
+    : posts_(goal_posts(field)), half_size_(believable_half_size(field)) {}
+
+std::optional<GoalSighting> GoalInjection::find_goal(const FieldPercept& percept, std::size_t line_points,
+                                                     const InjectionParameters& parameters) const {
+  std::optional<GoalSighting> found;
+  const double width = (posts_[0] - posts_[1]).norm();
+  double least_error = parameters.goal_width_tolerance;
+  double nearest = std::numeric_limits<double>::infinity();
+  const std::vector<GoalPost>& posts = percept.goal_posts;
+  for (std::size_t i = 0; i < posts.size(); ++i) {
+    if (!usable(posts[i])) continue;
+    for (std::size_t j = i + 1; j < posts.size(); ++j) {
+      if (!usable(posts[j])) continue;
+      const Eigen::Vector2d& a = posts[i].position;
+      const Eigen::Vector2d& b = posts[j].position;
+      const double error = std::abs((a - b).norm() - width);
+      if (error > least_error) continue;
+      least_error = error;
+      const bool b_is_left = a.x() * b.y() - a.y() * b.x() > 0.0;
+      found = b_is_left ? GoalSighting{b, a} : GoalSighting{a, b};
+    }
+    const bool single = !(found && found->right) && posts[i].base_visible &&
+                        line_points >= static_cast<std::size_t>(parameters.line_points_with_one_post);
+    if (single && posts[i].position.norm() < nearest) {
+      nearest = posts[i].position.norm();
+      found = GoalSighting{posts[i].position, std::nullopt};
+    }
+  }
+  return found;
+}
+
+std::optional<Pose2> GoalInjection::draw_candidate(const GoalSighting& sighting, bool opponent_goal,
+                                                   const MeasurementModel& observed, Random& random) const {
+  const std::size_t first = opponent_goal ? 0 : 2;
+  const Eigen::Vector2d seen_left = disturb(sighting.left, observed, random);
+  Pose2 pose;
+  if (sighting.right) {
+    const Eigen::Vector2d seen_right = disturb(*sighting.right, observed, random);
+    pose.rotation = angle_difference(direction(posts_[first + 1] - posts_[first]), direction(seen_right - seen_left));
+    pose.position = (posts_[first] + posts_[first + 1]) / 2.0 -
+                    Eigen::Rotation2Dd(pose.rotation) * ((seen_left + seen_right) / 2.0);
+  } else {
+    const Eigen::Vector2d& post = posts_[first + random.below(2)];
+    const double away = random.uniform(-kPi, kPi);  // from the post to the robot, in the field
+    pose.position = post + seen_left.norm() * Eigen::Vector2d(std::cos(away), std::sin(away));
+    pose.rotation = angle_difference(away + kPi, direction(seen_left));
+  }
+  const bool believable = (pose.position.cwiseAbs().array() <= half_size_.array()).all();
+  return believable ? std::optional(pose) : std::nullopt;
+}
+
+std::optional<Pose2> GoalInjection::draw(const GoalSighting& sighting, SeenGoal seen_goal,
+                                         const MeasurementModel& observed, const InjectionParameters& parameters,
+                                         Random& random) {
+  const bool opponent_goal = seen_goal == SeenGoal::unknown ? random.below(2) == 0 : seen_goal == SeenGoal::opponent;
+  const auto wanted = static_cast<std::size_t>(std::max(1, parameters.candidates));
+  if (candidates_.size() != wanted) candidates_ = ParticleSet(wanted);
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const std::optional<Pose2> candidate = draw_candidate(sighting, opponent_goal, observed, random);
+    if (candidate) candidates_.set_pose(drawn++, *candidate);
+  }
+  if (drawn == 0) return std::nullopt;
+  observed.costs(candidates_, costs_);
+  const auto best = std::min_element(costs_.begin(), costs_.begin() + static_cast<std::ptrdiff_t>(drawn));
+  return candidates_.pose(static_cast<std::size_t>(best - costs_.begin()));
+}
+
+}  // namespace reorient

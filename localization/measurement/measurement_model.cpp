@@ -1,0 +1,147 @@
+#include "localization/measurement/measurement_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reorient {
+namespace {
+
+constexpr double kNearest = 0.1;           // m, what is nearer is the robot itself
+constexpr std::size_t kMostGoalPosts = 4;  // there are no more
+
+double square(double value) { return value * value; }
+
+bool in_range(const Eigen::Vector2d& position, double farthest) {
+  const double distance = position.norm();  // not finite where the position is not
+  return distance >= kNearest && distance <= farthest;
+}
+
+}  // namespace
+
+MeasurementModel::MeasurementModel(const FieldDimensions& field, const MeasurementModelParameters& parameters)
+    : map_(field), posts_(reorient::goal_posts(field)) {
+  goal_posts_.reserve(kMostGoalPosts);
+  set_parameters(parameters);
+}
+
+void MeasurementModel::set_parameters(const MeasurementModelParameters& parameters) {
+  parameters_ = parameters;
+  line_points_.reserve(static_cast<std::size_t>(std::max(1, parameters.line_points)));
+}
+
+double MeasurementModel::variance_along(double distance) const {
+  const double height = parameters_.camera_height;
+  const double metres_per_radian = height + distance * distance / height;
+  return square(parameters_.position_deviation) + square(parameters_.tilt_deviation * metres_per_radian);
+}
+
+double MeasurementModel::variance_across(double distance) const {
+  return square(parameters_.position_deviation) + square(parameters_.bearing_deviation * distance);
+}
+
+void MeasurementModel::add(const LinePoint& point) {
+  const double distance = point.position.norm();
+  const Eigen::Vector2d sight = point.position / distance;
+  const double along = sight.dot(Eigen::Vector2d(std::cos(point.normal), std::sin(point.normal)));
+  // Only the error across the line can be noticed.
+  const double variance = square(along) * variance_along(distance) + (1.0 - square(along)) * variance_across(distance);
+  line_points_.push_back({static_cast<float>(point.position.x()), static_cast<float>(point.position.y()),
+                          to_binary_angle(point.normal),
+                          static_cast<float>(square(FieldMap::kStep) / (2.0 * variance))});
+}
+
+void MeasurementModel::add(const GoalPost& post) {
+  const double distance = post.position.norm();
+  const Eigen::Vector2d sight = post.position / distance;
+  const double along =
+      post.base_visible ? variance_along(distance) : square(parameters_.rough_distance_deviation * distance);
+  goal_posts_.push_back({static_cast<float>(post.position.x()), static_cast<float>(post.position.y()),
+                         static_cast<float>(sight.x()), static_cast<float>(sight.y()), static_cast<float>(0.5 / along),
+                         static_cast<float>(0.5 / variance_across(distance))});
+}
+
+void MeasurementModel::observe(const FieldPercept& percept) {
+  line_points_.clear();
+  goal_posts_.clear();
+  const auto usable = [&](const LinePoint& point) {
+    return std::isfinite(point.normal) && in_range(point.position, parameters_.farthest_line_point);
+  };
+  const auto candidates =
+      static_cast<std::size_t>(std::count_if(percept.line_points.begin(), percept.line_points.end(), usable));
+  const std::size_t wanted = std::min(candidates, static_cast<std::size_t>(std::max(1, parameters_.line_points)));
+  std::size_t seen = 0;
+  for (const LinePoint& point : percept.line_points) {
+    if (!usable(point)) continue;
+    if (line_points_.size() * candidates <= seen * wanted && line_points_.size() < wanted) add(point);
+    ++seen;
+  }
+  for (const GoalPost& post : percept.goal_posts) {
+    if (goal_posts_.size() < kMostGoalPosts && in_range(post.position, parameters_.farthest_goal_post)) add(post);
+  }
+}
+
+double MeasurementModel::terms() const {
+  return static_cast<double>(goal_posts_.size()) +
+         std::min(static_cast<double>(line_points_.size()), parameters_.independent_points);
+}
+
+void MeasurementModel::costs(const ParticleSet& particles, std::vector<float>& costs) const {
+  costs.assign(particles.size(), 0.0f);
+  for (const ObservedLinePoint& point : line_points_) add_costs(point, particles, costs);
+  if (static_cast<double>(line_points_.size()) > parameters_.independent_points) {
+    const auto share = static_cast<float>(parameters_.independent_points / static_cast<double>(line_points_.size()));
+    for (float& cost : costs) cost *= share;
+  }
+  for (const ObservedGoalPost& post : goal_posts_) add_costs(post, particles, costs);
+}
+
+void MeasurementModel::add_costs(const ObservedLinePoint& point, const ParticleSet& particles,
+                                 std::vector<float>& costs) const {
+  const auto limit = static_cast<float>(parameters_.line_point_cost_limit);
+  // In blocks: first the arithmetic, which the compiler vectorises, then the look-ups, which it cannot.
+  std::array<std::int32_t, 64> indices;
+  for (std::size_t begin = 0; begin < particles.size(); begin += indices.size()) {
+    const std::size_t count = std::min(indices.size(), particles.size() - begin);
+    const float* const particle_x = particles.x.data() + begin;
+    const float* const particle_y = particles.y.data() + begin;
+    const float* const cosine = particles.cosine.data() + begin;
+    const float* const sine = particles.sine.data() + begin;
+    const BinaryAngle* const rotation = particles.rotation.data() + begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x = particle_x[i] + (cosine[i] * point.x - sine[i] * point.y);
+      const float y = particle_y[i] + (sine[i] * point.x + cosine[i] * point.y);
+      indices[i] = map_.index(x, y, rotation[i] + point.normal);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto distance = static_cast<float>(map_.steps_at(indices[i]));
+      costs[begin + i] += std::min(distance * distance * point.precision, limit);
+    }
+  }
+}
+
+void MeasurementModel::add_costs(const ObservedGoalPost& post, const ParticleSet& particles,
+                                 std::vector<float>& costs) const {
+  const auto limit = static_cast<float>(parameters_.goal_post_cost_limit);
+  const auto goal_x = static_cast<float>(posts_[0].x());
+  const auto post_y = static_cast<float>(posts_[0].y());
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const float cosine = particles.cosine[i];
+    const float sine = particles.sine[i];
+    const float x = particles.x[i] + (cosine * post.x - sine * post.y);
+    const float y = particles.y[i] + (sine * post.x + cosine * post.y);
+    const float sight_x = cosine * post.sight_x - sine * post.sight_y;
+    const float sight_y = sine * post.sight_x + cosine * post.sight_y;
+    // The nearer goal, and either of its posts: the four posts are (+-goal_x, +-post_y).
+    const float off_x = x - std::copysign(goal_x, x);
+    float least = limit;
+    for (const float side : {post_y, -post_y}) {
+      const float off_y = y - side;
+      const float along = off_x * sight_x + off_y * sight_y;
+      const float across = off_x * sight_y - off_y * sight_x;
+      least = std::min(least, along * along * post.precision_along + across * across * post.precision_across);
+    }
+    costs[i] += least;
+  }
+}
+
+}  // namespace reorient

@@ -1,0 +1,23 @@
+#include "localization/measurement/recovery_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reorient {
+
+void RecoveryEstimator::update(double fit, double elapsed, double slow_time, double fast_time) {
+  age_ += elapsed;
+  const auto approach = [&](double from, double time) {
+    const double share = age_ <= time ? elapsed / age_ : 1.0 - std::exp(-elapsed / time);
+    return from + share * (fit - from);
+  };
+  if (age_ <= 0.0) return;
+  slow_ = approach(slow_, slow_time);
+  fast_ = approach(fast_, fast_time);
+}
+
+double RecoveryEstimator::lostness(double margin) const {
+  return slow_ > 0.0 ? std::clamp(1.0 - fast_ / (margin * slow_), 0.0, 1.0) : 0.0;
+}
+
+}  // namespace reorient

@@ -1,0 +1,48 @@
+// From pose particles to one believed pose: the mean of the heaviest cluster.
+#pragma once
+
+#include <vector>
+
+#include "geometry/field_dimensions.h"
+#include "localization/particles/particle_set.h"
+#include "localization/pose_belief.h"
+
+namespace reorient {
+
+struct PoseClusterParameters {
+  double radius = 0.75;
+  double opening = 0.7;
+  double lead_to_switch = 1.5;
+};
+
+template <typename Visit>
+void describe(PoseClusterParameters& p, Visit&& visit) {
+  visit("radius", p.radius, 0.1, 3.0, "m", "particles this near to a cluster's mean belong to it");
+  visit("opening", p.opening, 0.1, 3.0, "rad", "and those whose rotation differs from its mean by less than this");
+  visit("lead_to_switch", p.lead_to_switch, 1.0, 10.0, "",
+        "another cluster is believed once it weighs so many times as much as the one believed before");
+}
+
+/// Finds clusters by counting in overlapping bins and shifting the mean of the fullest (Fukunaga and Hostetler, 1975).
+class PoseClusters {
+ public:
+  explicit PoseClusters(const FieldDimensions& field);
+
+  /// The belief after `last`, whose pose is where the cluster believed before is by now. That cluster keeps its
+  /// place until another clearly outweighs it, so that the belief does not jump between clusters of equal weight.
+  PoseBelief find(const ParticleSet& particles, const PoseBelief& last, const PoseClusterParameters& parameters);
+
+ private:
+  Pose2 center_of_fullest_bin(const ParticleSet& particles);
+
+  double half_length_ = 0.0;  ///< m, of the area that the bins cover
+  double half_width_ = 0.0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<float> bins_;  ///< weight in [rotation][row][column]
+};
+
+/// Share of the particles' weight that belongs to a cluster with this mean.
+double share_near(const ParticleSet& particles, const Pose2& mean, const PoseClusterParameters& parameters);
+
+}  // namespace reorient

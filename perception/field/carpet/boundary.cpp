@@ -1,0 +1,83 @@
+#include "perception/field/carpet/boundary.h"
+
+#include <algorithm>
+
+namespace reorient {
+namespace {
+
+constexpr int kColumns = CarpetMap::kColumns;
+
+/// From the bottom up, carpet speaks for going on and everything else against: a line or a robot across the column
+/// is passed when enough carpet follows, a green banner beyond the field is not reached.
+int highest_carpet(const CarpetMap& map, int column) {
+  constexpr int kLeast = 3;  // cells of carpet
+  constexpr int kAgainst = 2;
+  constexpr int kOccluder = -10;  // what is at the image's bottom, however high, counts no more than this
+  int best_row = map.rows();
+  int best = kLeast - 1;
+  int score = 0;
+  for (int row = map.rows() - 1; row >= map.first_cell(); --row) {
+    const Surface surface = map.at(column, row);
+    if (surface == Surface::carpet) ++score;
+    if (surface == Surface::other) score -= kAgainst;
+    if (best_row == map.rows()) score = std::max(score, kOccluder);
+    if (score <= best || surface != Surface::carpet) continue;
+    best = score;
+    best_row = row;
+  }
+  return best_row;
+}
+
+/// Where a column reaches higher than most of its neighbours, it followed something that is not the field.
+int without_spike(const std::array<int, kColumns>& rows, int column) {
+  constexpr int kReach = 3;
+  std::array<int, 2 * kReach + 1> around{};
+  int neighbour = column - kReach;
+  for (int& row : around) row = rows[static_cast<std::size_t>(std::clamp(neighbour++, 0, kColumns - 1))];
+  std::nth_element(around.begin(), around.begin() + kReach, around.end());
+  return std::max(rows[static_cast<std::size_t>(column)], around[kReach]);
+}
+
+}  // namespace
+
+void Boundary::find(const CarpetMap& map, int image_height, std::vector<float>& boundary) {
+  const auto row_of = [&](int column) { return smooth_[static_cast<std::size_t>(column)]; };
+  for (int i = 0; i < kColumns; ++i) highest_[static_cast<std::size_t>(i)] = highest_carpet(map, i);
+  for (int i = 0; i < kColumns; ++i) smooth_[static_cast<std::size_t>(i)] = without_spike(highest_, i);
+
+  // Upper convex hull of the columns that see carpet (Andrew, 1979); rows count downwards.
+  std::size_t size = 0;
+  for (int i = 0; i < kColumns; ++i) {
+    if (row_of(i) >= map.rows()) continue;
+    while (size >= 2) {
+      const int a = hull_[size - 2];
+      const int b = hull_[size - 1];
+      if ((b - a) * (row_of(i) - row_of(a)) > (i - a) * (row_of(b) - row_of(a))) break;  // b is above the chord
+      --size;
+    }
+    hull_[size++] = i;
+  }
+
+  boundary.assign(kColumns, static_cast<float>(image_height));
+  for (std::size_t k = 0; k < size; ++k) {
+    const int from = hull_[k];
+    const int to = hull_[std::min(k + 1, size - 1)];
+    for (int i = from; i <= to; ++i) {
+      const double share = to > from ? static_cast<double>(i - from) / (to - from) : 0.0;
+      const double row = row_of(from) + share * (row_of(to) - row_of(from));
+      boundary[static_cast<std::size_t>(i)] = static_cast<float>(row * map.step());
+    }
+  }
+}
+
+double boundary_at(const std::vector<float>& boundary, int width, double column) {
+  if (boundary.empty() || width <= 0) return 0.0;
+  const double last = static_cast<double>(boundary.size()) - 1.0;
+  const double position = std::clamp((column + 0.5) * static_cast<double>(boundary.size()) / width - 0.5, 0.0, last);
+  const auto left = static_cast<std::size_t>(position);
+  const auto right = std::min(left + 1, boundary.size() - 1);
+  const double share = position - static_cast<double>(left);
+  return (1.0 - share) * boundary[left] + share * boundary[right];
+}
+
+}  // namespace reorient

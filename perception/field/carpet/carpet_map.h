@@ -1,0 +1,41 @@
+// A coarse grid over the image that tells carpet from everything else.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/image.h"
+#include "perception/field/carpet/carpet_color.h"
+
+namespace reorient {
+
+class CarpetMap {
+ public:
+  static constexpr int kColumns = 80;
+  static constexpr int kMostRows = 240;
+
+  CarpetMap() : cells_(static_cast<std::size_t>(kColumns) * kMostRows) {}
+
+  /// From row `first_row` of the image down; the cells above are not looked at.
+  void fill(const ImageView& image, const CarpetColor& color, int first_row);
+
+  int rows() const { return rows_; }
+  int first_cell() const { return first_; }  ///< the highest row of cells that was looked at
+  Surface at(int column, int row) const {
+    return cells_[static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(column)];
+  }
+
+  int column_pixel(int column) const { return (2 * column + 1) * width_ / (2 * kColumns); }
+  int row_pixel(int row) const { return row * step_; }
+  int step() const { return step_; }  ///< pixels from row to row
+  double column_width() const { return static_cast<double>(width_) / kColumns; }
+
+ private:
+  std::vector<Surface> cells_;
+  int width_ = 0;
+  int rows_ = 0;
+  int first_ = 0;
+  int step_ = 1;
+};
+
+}  // namespace reorient

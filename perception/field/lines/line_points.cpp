@@ -1,0 +1,261 @@
+#include "perception/field/lines/line_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "geometry/angle.h"
+#include "perception/field/carpet/boundary.h"
+
+namespace reorient {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr std::size_t kMostCandidates = 600;
+
+/// Sums over a window of 5 x 5 pixels of products of luma's slopes: their main direction is across the edges in it.
+struct StructureTensor {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+
+  void add(const ImageView& image, const Vector2d& center) {
+    constexpr int kReach = 2;
+    const int x0 = std::clamp(static_cast<int>(std::lround(center.x())), kReach + 1, image.width - kReach - 2);
+    const int y0 = std::clamp(static_cast<int>(std::lround(center.y())), kReach + 1, image.height - kReach - 2);
+    for (int y = y0 - kReach; y <= y0 + kReach; ++y) {
+      for (int x = x0 - kReach; x <= x0 + kReach; ++x) {
+        const double dx = image.luma(x + 1, y) - image.luma(x - 1, y);
+        const double dy = image.luma(x, y + 1) - image.luma(x, y - 1);
+        xx += dx * dx;
+        xy += dx * dy;
+        yy += dy * dy;
+      }
+    }
+  }
+  /// Unit vector along the edges.
+  Vector2d tangent() const {
+    const double across = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    return {-std::sin(across), std::cos(across)};
+  }
+  /// 1: all slopes point one way; 0: no direction at all.
+  double coherence() const {
+    const double sum = xx + yy;
+    return sum > 0.0 ? std::hypot(xx - yy, 2.0 * xy) / sum : 0.0;
+  }
+};
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double half_turn_angle(const Vector2d& direction) {
+  const double angle = std::atan2(direction.y(), direction.x());
+  if (angle > 0.5 * kPi) return angle - kPi;
+  return angle <= -0.5 * kPi ? angle + kPi : angle;
+}
+
+/// Normal on the ground of a stripe whose image runs along `tangent`.
+std::optional<Vector2d> ground_normal(const GroundView& view, const Vector2d& pixel, const Vector2d& tangent) {
+  const auto a = view.ground(pixel - 2.0 * tangent);
+  const auto b = view.ground(pixel + 2.0 * tangent);
+  if (!a || !b) return std::nullopt;
+  const Vector2d along = *b - *a;
+  const double length = along.norm();
+  if (!(length > 1e-9)) return std::nullopt;
+  return Vector2d(-along.y() / length, along.x() / length);
+}
+
+Ycbcr pixel_at(const ImageView& image, const Vector2d& where) {
+  const int x = std::clamp(static_cast<int>(std::lround(where.x())), 0, image.width - 1);
+  const int y = std::clamp(static_cast<int>(std::lround(where.y())), 0, image.height - 1);
+  return image.at(x, y);
+}
+
+bool hides(const FieldPercept& percept, const Vector2d& pixel) {
+  constexpr double kMargin = 2.0;  // pixels
+  for (const Obstacle& obstacle : percept.obstacles) {
+    if (pixel.x() >= obstacle.left - kMargin && pixel.x() <= obstacle.right + kMargin &&
+        pixel.y() <= obstacle.bottom + kMargin) {
+      return true;
+    }
+  }
+  for (const GoalPost& post : percept.goal_posts) {
+    const double half = 0.1 * (post.base.y() - post.top.y()) + kMargin;
+    if (std::abs(pixel.x() - post.base.x()) <= half && pixel.y() <= post.base.y() + kMargin) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDimensions& field)
+    : parameters_(parameters), field_(field) {
+  luma_.reserve(2048);
+  segments_.reserve(256);
+  candidates_.reserve(kMostCandidates);
+}
+
+void LinePoints::find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept) {
+  constexpr int kSmallest = 16;  // pixels; below, there is no room for a line and carpet on both sides
+  candidates_.clear();
+  percept.line_points.clear();
+  if (std::min(image.width, image.height) < kSmallest) return;
+  const Frame frame{image, view, color, percept};
+  scan_columns(frame);
+  scan_rows(frame);
+  keep_supported(percept);
+}
+
+/// Down from the boundary in evenly spaced columns. Near the robot every second or fourth one is enough.
+void LinePoints::scan_columns(const Frame& frame) {
+  constexpr int kScans = 80;
+  const int step = std::max(2, frame.image.width / kScans & ~1);
+  const auto lowest_row = [&](int every) {
+    // A pixel's width at distance d is about d / focal.
+    const double near = parameters_.line_spacing * frame.view.camera().focal.x() / (step * every);
+    const Vector2d foot = Vector2d(frame.image.width * 0.5, 0.0);
+    int row = frame.image.height;
+    while (row > 0) {
+      const auto ground = frame.view.ground({foot.x(), static_cast<double>(row - 1)});
+      if (!ground || frame.view.distance(*ground) >= near) break;
+      row -= 4;
+    }
+    return std::max(row, 0);
+  };
+  const int ends[] = {lowest_row(1), lowest_row(2), frame.image.height};
+  int index = 0;
+  for (int x = step / 2 & ~1; x + 1 < frame.image.width; x += step, ++index) {
+    const int bottom = ends[index % 4 == 0 ? 2 : index % 2 == 0 ? 1 : 0];
+    const int top = static_cast<int>(boundary_at(frame.percept.boundary, frame.image.width, x)) + 1;
+    luma_.clear();
+    const std::uint8_t* pair = frame.image.data + static_cast<std::ptrdiff_t>(top) * frame.image.stride + 2 * x;
+    for (int y = top; y < bottom; ++y, pair += frame.image.stride)
+      luma_.push_back(static_cast<std::int16_t>(pair[0] + pair[2]));
+    search(frame, {x + 0.5, top}, {0.0, 1.0});
+  }
+}
+
+/// Across the image in rows that are evenly spaced on the ground, but some pixels apart.
+void LinePoints::scan_rows(const Frame& frame) {
+  const double spacing = 3.0 * parameters_.line_spacing;
+  const int least_step = std::max(2, frame.image.height / 120);
+  const float highest = *std::min_element(frame.percept.boundary.begin(), frame.percept.boundary.end());
+  const double middle = 0.5 * frame.image.width;
+  double reached = -spacing;
+  int last = frame.image.height + least_step;
+  for (int y = frame.image.height - 2; y > static_cast<int>(highest); --y) {
+    const auto ground = frame.view.ground({middle, y + 0.5});
+    if (!ground) break;
+    const double distance = frame.view.distance(*ground);
+    if (distance > parameters_.line_range) break;
+    if (distance < reached + spacing || last - y < least_step) continue;
+    reached = distance;
+    last = y;
+    luma_.clear();
+    const std::uint8_t* upper = frame.image.row(y);
+    const std::uint8_t* lower = frame.image.row(y + 1);
+    for (int x = 0; x < frame.image.width; ++x) luma_.push_back(static_cast<std::int16_t>(upper[2 * x] + lower[2 * x]));
+    search(frame, {0.0, y + 0.5}, {1.0, 0.0});
+  }
+}
+
+/// Stripes along the scan line in `luma_`, whose first value is at `start`.
+void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2d& step) {
+  const double noise = parameters_.noise_factor * frame.color.noise();
+  const int slope = static_cast<int>(2.0 * std::max(0.6 * parameters_.line_contrast, noise));
+  const int contrast = static_cast<int>(2.0 * std::max(parameters_.line_contrast, noise));
+  find_bright_segments(luma_, slope, contrast, 0.25 * frame.image.width, segments_);
+  for (const BrightSegment& segment : segments_) {
+    if (candidates_.size() >= kMostCandidates) return;
+    const Vector2d begin = start + segment.begin * step;
+    const Vector2d end = start + segment.end * step;
+    if (lies_on_carpet(frame, start + (segment.before - 1) * step, 0.5 * (begin + end),
+                       start + (segment.after + 1) * step)) {
+      consider(frame, begin, end);
+    }
+  }
+}
+
+bool LinePoints::lies_on_carpet(const Frame& frame, const Vector2d& before, const Vector2d& center,
+                                const Vector2d& after) const {
+  constexpr double kLessGreen = 0.8;
+  if (center.y() < boundary_at(frame.percept.boundary, frame.image.width, center.x()) + 1.0) return false;
+  const Ycbcr stripe = pixel_at(frame.image, center);
+  double sides = 0.0;
+  for (const Vector2d& side : {before, after}) {
+    const Ycbcr ground = pixel_at(frame.image, side);
+    const Surface surface = frame.color.surface(ground.y, ground.cb, ground.cr);
+    if (surface == Surface::other) return false;
+    sides += 0.5 * std::max(0.3, frame.color.greenness(ground.cb, ground.cr));
+  }
+  return frame.color.greenness(stripe.cb, stripe.cr) < kLessGreen * sides && !hides(frame.percept, center);
+}
+
+/// A stripe counts when it is as wide on the ground as a line, and both of its edges run the same way.
+void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vector2d& end) {
+  constexpr double kLeastCoherence = 0.5;
+  const auto first = frame.view.ground(begin);
+  const auto second = frame.view.ground(end);
+  if (!first || !second) return;
+  const Vector2d position = 0.5 * (*first + *second);
+  const double distance = frame.view.distance(position);
+  if (!(distance <= parameters_.line_range)) return;
+
+  StructureTensor at_begin, at_end;
+  at_begin.add(frame.image, begin);
+  at_end.add(frame.image, end);
+  constexpr double kParallel = 0.85;  // cosine
+  if ((end - begin).norm() > 6.0 && std::abs(at_begin.tangent().dot(at_end.tangent())) < kParallel) return;
+  const StructureTensor both{at_begin.xx + at_end.xx, at_begin.xy + at_end.xy, at_begin.yy + at_end.yy};
+  if (both.coherence() < kLeastCoherence) return;
+
+  Candidate candidate;
+  candidate.position = position;
+  candidate.distance = distance;
+  candidate.pixel = 0.5 * (begin + end);
+  candidate.tangent = both.tangent();
+  const auto normal = ground_normal(frame.view, candidate.pixel, candidate.tangent);
+  if (!normal) return;
+  candidate.normal = *normal;
+  const Vector2d across = *second - *first;
+  const double width = std::abs(across.dot(*normal));
+  const double pixel =
+      width / std::max((end - begin).norm(), 1e-6);     // m, what one pixel along the scan is across the line
+  const double blur = 1.0 + frame.image.width / 320.0;  // pixels
+  if (width > 1.5 * field_.line_width + blur * pixel || width < 0.6 * field_.line_width - 1.5 * pixel) return;
+  candidates_.push_back(candidate);
+}
+
+/// Noise and marks stand alone, lines go on. The points that continue a line also tell its direction better than
+/// the gradient at one place, since far away a pixel is a large step along the line of sight.
+void LinePoints::keep_supported(FieldPercept& percept) const {
+  constexpr double kSlant = 0.12;    // tangent of the angle by which a line may bend away from a point's own tangent
+  constexpr double kParallel = 0.9;  // cosine
+  for (const Candidate& candidate : candidates_) {
+    const double reach = std::clamp(0.12 * candidate.distance, 0.2, 0.4);
+    int support = 0;
+    double least = 0.0, most = 0.0;
+    Vector2d sum = candidate.position;
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    for (const Candidate& other : candidates_) {
+      if (&other == &candidate) continue;
+      const Vector2d offset = other.position - candidate.position;
+      if (std::abs(offset.x()) > reach || std::abs(offset.y()) > reach) continue;
+      const Vector2d chord = other.pixel - candidate.pixel;
+      if (std::abs(cross(chord, candidate.tangent)) > 1.0 + kSlant * chord.norm()) continue;
+      if (std::abs(candidate.tangent.dot(other.tangent)) < kParallel) continue;
+      const double along = -offset.x() * candidate.normal.y() + offset.y() * candidate.normal.x();
+      least = std::min(least, along);
+      most = std::max(most, along);
+      sum += offset;
+      squares += offset * offset.transpose();
+      ++support;
+    }
+    if (support < parameters_.line_support || most - least < 2.0 * field_.penalty_mark_size) continue;
+    const Vector2d mean = (sum - candidate.position) / (support + 1);
+    const Eigen::Matrix2d spread = squares / (support + 1) - mean * mean.transpose();
+    const double along_angle = 0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
+    percept.line_points.push_back({candidate.position, half_turn_angle({-std::sin(along_angle), std::cos(along_angle)}),
+                                   candidate.pixel.cast<float>()});
+  }
+}
+
+}  // namespace reorient

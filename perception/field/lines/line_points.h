@@ -1,0 +1,55 @@
+// Points on the field's lines: where a scan line crosses a white stripe on the carpet that is as wide as a line is.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/field_dimensions.h"
+#include "perception/field/carpet/carpet_color.h"
+#include "perception/field/lines/scan_line.h"
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+class LinePoints {
+ public:
+  LinePoints(const FieldFeatureParameters& parameters, const FieldDimensions& field);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
+
+  /// Reads boundary, goal posts and obstacles of the percept, and fills in its line points.
+  void find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept);
+
+ private:
+  struct Candidate {
+    Eigen::Vector2d position;  ///< m, robot frame
+    Eigen::Vector2d pixel;
+    Eigen::Vector2d tangent;  ///< unit vector in the image, from the gradient
+    Eigen::Vector2d normal;   ///< unit vector on the ground, from the gradient
+    double distance = 0.0;    ///< m
+  };
+  /// Image, geometry and colour of the frame that find() works on.
+  struct Frame {
+    const ImageView& image;
+    const GroundView& view;
+    const CarpetColor& color;
+    const FieldPercept& percept;
+  };
+
+  void scan_columns(const Frame& frame);
+  void scan_rows(const Frame& frame);
+  void search(const Frame& frame, const Eigen::Vector2d& start, const Eigen::Vector2d& step);
+  bool lies_on_carpet(const Frame& frame, const Eigen::Vector2d& before, const Eigen::Vector2d& center,
+                      const Eigen::Vector2d& after) const;
+  void consider(const Frame& frame, const Eigen::Vector2d& begin, const Eigen::Vector2d& end);
+  void keep_supported(FieldPercept& percept) const;
+
+  FieldFeatureParameters parameters_;
+  FieldDimensions field_;
+  std::vector<std::int16_t> luma_;  ///< along one scan line, each the sum of two pixels
+  std::vector<BrightSegment> segments_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace reorient

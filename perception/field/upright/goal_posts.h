@@ -1,0 +1,56 @@
+// Goal posts: upright, bright (or yellow) and as thick and tall as a post must be where its foot stands on the carpet.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/field_dimensions.h"
+#include "perception/field/carpet/carpet_color.h"
+#include "perception/field/lines/scan_line.h"
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+/// Rather misses a post than reports one that is none: a false post would send pose particles astray.
+class GoalPosts {
+ public:
+  GoalPosts(const FieldFeatureParameters& parameters, const FieldDimensions& field);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
+
+  /// Reads the percept's boundary and fills in its goal posts.
+  void find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept);
+
+ private:
+  struct Frame {
+    const ImageView& image;
+    const GroundView& view;
+    const CarpetColor& color;
+  };
+  /// A bright stretch of a row, and how far its colour goes on above and below.
+  struct Candidate {
+    Eigen::Vector2d pixel;
+    double width = 0.0;  ///< pixels
+    Ycbcr look;
+    Eigen::Vector2d foot, top;
+  };
+
+  void scan(const Frame& frame, double share, FieldPercept& percept);
+  void consider(const Frame& frame, const Eigen::Vector2d& pixel, double width, FieldPercept& percept) const;
+  bool may_be_post(const Frame& frame, const Ycbcr& look) const;
+  bool has_post_color(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& pixel) const;
+  Eigen::Vector2d follow(const Frame& frame, const Candidate& candidate, int direction) const;
+  std::optional<GoalPost> post_on_carpet(const Frame& frame, const Candidate& candidate,
+                                         const std::vector<float>& boundary) const;
+  std::optional<GoalPost> post_without_foot(const Frame& frame, const Candidate& candidate) const;
+  bool outline_agrees(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& position) const;
+
+  FieldFeatureParameters parameters_;
+  FieldDimensions field_;
+  std::vector<std::int16_t> luma_;
+  std::vector<BrightSegment> segments_;
+};
+
+}  // namespace reorient

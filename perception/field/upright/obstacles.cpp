@@ -1,0 +1,102 @@
+#include "perception/field/upright/obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kMostObstacles = 20;
+
+bool is_post(const FieldPercept& percept, double x, double column_width) {
+  for (const GoalPost& post : percept.goal_posts) {
+    const double half = 0.1 * std::abs(post.base.y() - post.top.y()) + column_width;
+    if (std::abs(x - post.base.x()) <= half) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const FieldFeatureParameters& parameters) : parameters_(parameters) {}
+
+void Obstacles::find(const CarpetMap& map, const GroundView& view, FieldPercept& percept) {
+  constexpr double kSameThing = 2.0;  // a hand at half the camera's height seems to stand twice as far away as the feet
+  constexpr double kGap = 0.12;       // m of carpet seen between two legs
+  percept.obstacles.clear();
+  for (int i = 0; i < CarpetMap::kColumns; ++i) feet_[static_cast<std::size_t>(i)] = foot_in(map, view, percept, i);
+  int first = -1;
+  int last = -1;
+  double nearest = 0.0;
+  for (int i = 0; i < CarpetMap::kColumns; ++i) {
+    const Foot& foot = feet_[static_cast<std::size_t>(i)];
+    if (foot.row < 0) continue;
+    const double gap = std::max(2.0, kGap * view.camera().focal.x() / (foot.distance * map.column_width()));
+    const bool goes_on =
+        last >= 0 && i - last <= gap && foot.distance < kSameThing * nearest && nearest < kSameThing * foot.distance;
+    if (!goes_on) {
+      if (last >= 0) add(map, view, first, last, percept);
+      first = i;
+    }
+    nearest = goes_on ? std::min(nearest, foot.distance) : foot.distance;
+    last = i;
+  }
+  if (last >= 0) add(map, view, first, last, percept);
+}
+
+Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundView& view, const FieldPercept& percept,
+                                   int column) const {
+  constexpr double kLeastHeight = 0.15;         // m
+  constexpr double kInside = 0.4;               // m, how far before the border of the carpet it must stand
+  constexpr double kGap = 0.05 / kLeastHeight;  // of carpet colour, which does not end an obstacle: noise, knees
+  const double x = map.column_pixel(column);
+  const double border = percept.boundary[static_cast<std::size_t>(column)];
+  if (is_post(percept, x, map.column_width())) return {};
+  const auto border_ground = view.ground({x, border});
+  const double farthest =
+      std::min(parameters_.obstacle_range, border_ground ? view.distance(*border_ground) - kInside : 1e9);
+  int carpet = 0;
+  Foot foot;
+  double head_row = 0.0;
+  for (int row = map.rows() - 1; row >= map.first_cell(); --row) {
+    const Surface surface = map.at(column, row);
+    carpet = surface == Surface::carpet ? carpet + 1 : 0;
+    if (carpet * map.step() > kGap * (foot.row - head_row)) foot = {};
+    if (foot.row < 0) {
+      if (map.row_pixel(row) < border) break;
+      if (surface != Surface::other) continue;
+      foot.row = map.row_pixel(row) + map.step();
+      const auto ground = view.ground({x, static_cast<double>(foot.row)});
+      if (!ground || view.distance(*ground) > farthest) break;
+      const auto head = view.pixel({ground->x(), ground->y(), kLeastHeight});
+      if (!head) break;
+      foot.distance = view.distance(*ground);
+      head_row = head->y();
+    }
+    if (map.row_pixel(row) <= head_row && surface != Surface::carpet) return foot;
+  }
+  return {};
+}
+
+void Obstacles::add(const CarpetMap& map, const GroundView& view, int first, int last, FieldPercept& percept) const {
+  constexpr double kWidest = 2.5;  // m
+  if (percept.obstacles.size() >= kMostObstacles) return;
+  const auto lowest = std::max_element(feet_.begin() + first, feet_.begin() + last + 1,
+                                       [](const Foot& a, const Foot& b) { return a.row < b.row; });
+  const double half_column = 0.5 * map.column_width();
+  const double middle = 0.5 * (map.column_pixel(first) + map.column_pixel(last));
+  const auto position = view.ground({middle, static_cast<double>(lowest->row)});
+  if (!position) return;
+  const double width = (last - first + 1) * map.column_width() * lowest->distance / view.camera().focal.x();
+  if (width < parameters_.obstacle_width || width > kWidest) return;
+  const auto head = view.pixel({position->x(), position->y(), parameters_.obstacle_height});
+  Obstacle obstacle;
+  obstacle.position = *position;
+  obstacle.left = std::max(0, static_cast<int>(map.column_pixel(first) - half_column));
+  obstacle.right = std::min(view.camera().width - 1, static_cast<int>(map.column_pixel(last) + half_column));
+  obstacle.bottom = std::min(lowest->row, view.camera().height - 1);
+  obstacle.top = head ? std::clamp(static_cast<int>(head->y()), 0, obstacle.bottom) : 0;
+  percept.obstacles.push_back(obstacle);
+}
+
+}  // namespace reorient

@@ -1,0 +1,34 @@
+// What stands on the carpet and is neither line nor post: robots, people.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "perception/field/carpet/carpet_map.h"
+#include "perception/field/ground_projection.h"
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+class Obstacles {
+ public:
+  explicit Obstacles(const FieldFeatureParameters& parameters);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
+
+  /// Reads the percept's boundary and goal posts and fills in its obstacles.
+  void find(const CarpetMap& map, const GroundView& view, FieldPercept& percept);
+
+ private:
+  /// The lowest stretch of a column that carpet does not explain.
+  struct Foot {
+    int row = -1;           ///< pixels, where it stands; below 0: there is none
+    double distance = 0.0;  ///< m
+  };
+  Foot foot_in(const CarpetMap& map, const GroundView& view, const FieldPercept& percept, int column) const;
+  void add(const CarpetMap& map, const GroundView& view, int first, int last, FieldPercept& percept) const;
+
+  FieldFeatureParameters parameters_;
+  std::array<Foot, CarpetMap::kColumns> feet_{};
+};
+
+}  // namespace reorient

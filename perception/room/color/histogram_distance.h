@@ -1,0 +1,43 @@
+// How different two colour histograms are (the paper's Section 3.4; findings 2).
+#pragma once
+
+#include <array>
+
+#include "perception/room/color/color_histogram.h"
+
+namespace reorient {
+
+enum class Distance {
+  mode,           ///< as the mode has it: ssd3 in the paper's, hellinger in the adapted one
+  ssd3,           ///< sum of squared differences over the three bins that are dominant in the perceived histogram
+  ssd14,          ///< over all bins
+  hellinger,      ///< sqrt(1 - sum sqrt(p q)), in [0, 1]
+  jensen_shannon  ///< sqrt of the divergence in bits, in [0, 1]
+};
+
+struct DistanceParameters {
+  Distance measure = Distance::mode;
+  double cap = 0.5;
+};
+template <typename Visit>
+void describe(DistanceParameters& p, Visit&& visit) {
+  visit("measure", p.measure, {"mode", "ssd3", "ssd14", "hellinger", "jensen_shannon"},
+        "how histograms are compared; mode: ssd3 in the paper's mode, hellinger otherwise");
+  visit("cap", p.cap, 0.01, 2.0, "", "no tile counts as more different than this (not in the paper's mode)");
+}
+
+/// A histogram made ready for many comparisons by one measure.
+struct ComparedHistogram {
+  std::array<float, 16> values{};  ///< the bins, or their roots for hellinger; the last two are 0
+  std::array<int, 3> dominant{};   ///< ssd3: the three greatest bins
+};
+
+ComparedHistogram prepared(Distance measure, const ColorHistogram& histogram);
+
+/// Both prepared for the same measure; `mode` counts as hellinger. 0 for equal histograms.
+double distance(Distance measure, const ComparedHistogram& perceived, const ComparedHistogram& model);
+
+/// For single comparisons.
+double distance(Distance measure, const ColorHistogram& perceived, const ColorHistogram& model);
+
+}  // namespace reorient

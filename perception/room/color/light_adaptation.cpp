@@ -1,0 +1,84 @@
+#include "perception/room/color/light_adaptation.h"
+
+#include <algorithm>
+
+namespace reorient {
+namespace {
+
+/// `share` of `b` and the rest of `a`.
+Light mixed(const Light& a, const Light& b, double share) {
+  return {a.luma + share * (b.luma - a.luma), a.cb + share * (b.cb - a.cb), a.cr + share * (b.cr - a.cr)};
+}
+
+}  // namespace
+
+LightSums& LightSums::operator+=(const LightSums& other) {
+  luma += other.luma;
+  cb += other.cb;
+  cr += other.cr;
+  pixels += other.pixels;
+  return *this;
+}
+
+Light LightSums::mean() const {
+  if (pixels == 0) return {};
+  return {luma / pixels, cb / pixels, cr / pixels};
+}
+
+LightSums sum_light(const ImageView& image, int row, int left, int right, const LightParameters& parameters) {
+  LightSums sums;
+  const std::uint8_t* pixels = image.row(row);
+  int luma = 0;
+  int cb = 0;
+  int cr = 0;
+  for (int x = left & ~1; x < right; x += 8) {
+    const std::uint8_t* pair = pixels + 2 * x;
+    if (pair[0] <= parameters.darkest || pair[0] >= parameters.brightest) continue;
+    luma += pair[0];
+    cb += pair[1];
+    cr += pair[3];
+    ++sums.pixels;
+  }
+  sums.luma = luma;
+  sums.cb = cb;
+  sums.cr = cr;
+  return sums;
+}
+
+void LightAdaptation::forget_tiles() { std::fill(tiles_.begin(), tiles_.end(), SeenTile{}); }
+
+void LightAdaptation::restart(int tiles) {
+  tiles_.resize(static_cast<std::size_t>(tiles));
+  forget_tiles();
+  light_ = {};
+  unseen_ = 0.0;
+}
+
+void LightAdaptation::observe(std::span<const TileLight> frame, double elapsed, const LightParameters& parameters) {
+  constexpr int kFewest = 10;  // pixels of a tile; fewer say nothing about it
+  unseen_ += elapsed;
+  if (unseen_ > parameters.fresh_after) forget_tiles();
+  for (SeenTile& tile : tiles_) {
+    tile.unseen += elapsed;
+    if (tile.unseen > parameters.memory) tile.known = false;
+  }
+  for (const TileLight& seen : frame) {
+    if (seen.sums.pixels < kFewest) continue;
+    SeenTile& tile = tiles_[static_cast<std::size_t>(seen.tile)];
+    const double share = tile.known && elapsed > 0.0 ? elapsed / (parameters.time_constant + elapsed) : 1.0;
+    tile.light = mixed(tile.light, seen.sums.mean(), share);
+    tile.known = true;
+    tile.unseen = 0.0;
+    unseen_ = 0.0;
+  }
+  Light sum{0.0, 0.0, 0.0};
+  int known = 0;
+  for (const SeenTile& tile : tiles_) {
+    if (!tile.known) continue;
+    sum = {sum.luma + tile.light.luma, sum.cb + tile.light.cb, sum.cr + tile.light.cr};
+    ++known;
+  }
+  if (known > 0) light_ = {sum.luma / known, sum.cb / known, sum.cr / known};
+}
+
+}  // namespace reorient

@@ -1,0 +1,74 @@
+// The room's light as the camera shows it, so that thresholds can follow exposure and white balance (findings 1).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/image.h"
+#include "perception/room/color/color_histogram.h"
+
+namespace reorient {
+
+struct LightParameters {
+  double time_constant = 1.0;
+  double memory = 20.0;
+  double darkest = 15.0;
+  double brightest = 245.0;
+  double fresh_after = 2.0;
+};
+template <typename Visit>
+void describe(LightParameters& p, Visit&& visit) {
+  visit("time_constant", p.time_constant, 0.0, 60.0, "s",
+        "over how long the mean of each tile runs while it is in view");
+  visit("memory", p.memory, 1.0, 600.0, "s", "for how long a tile that is out of view counts in the room's light");
+  visit("darkest", p.darkest, 0.0, 254.0, "", "pixels whose luma is not above this are left out of the means");
+  visit("brightest", p.brightest, 1.0, 255.0, "", "pixels whose luma is not below this are left out of the means");
+  visit("fresh_after", p.fresh_after, 0.0, 60.0, "s", "time without any wall in view after which all begins afresh");
+}
+
+/// Sums over some pixels of the wall.
+struct LightSums {
+  double luma = 0.0;
+  double cb = 0.0;
+  double cr = 0.0;
+  int pixels = 0;
+
+  LightSums& operator+=(const LightSums& other);
+  Light mean() const;  ///< neutral where there are no pixels
+};
+
+/// Every eighth pixel of one row, columns left...right - 1, that is neither too dark nor too bright.
+LightSums sum_light(const ImageView& image, int row, int left, int right, const LightParameters& parameters);
+
+/// The light on one tile in one frame.
+struct TileLight {
+  int tile = 0;
+  LightSums sums;
+};
+
+/// The mean over what was seen of the wall lately, each tile with the same weight: it does not depend on where the
+/// camera looks at the moment, nor on how long it has been looking there.
+class LightAdaptation {
+ public:
+  /// One frame. `elapsed`: s since the frame before, however long that is.
+  void observe(std::span<const TileLight> frame, double elapsed, const LightParameters& parameters);
+  /// Forgets the light of a wall of so many tiles.
+  void restart(int tiles);
+  /// Neutral as long as nothing was seen.
+  const Light& light() const { return light_; }
+
+ private:
+  struct SeenTile {
+    Light light;
+    double unseen = 0.0;  // s since it was in view
+    bool known = false;
+  };
+
+  void forget_tiles();
+
+  Light light_;
+  std::vector<SeenTile> tiles_;
+  double unseen_ = 0.0;  // s since any wall was in view
+};
+
+}  // namespace reorient

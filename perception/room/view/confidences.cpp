@@ -1,0 +1,42 @@
+#include "perception/room/view/confidences.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reorient {
+namespace {
+
+/// The least distance among a cell and its two neighbours.
+double best_near(const ViewpointScores& scores, int turn) {
+  return std::min({scores.at(turn - 1).distance, scores.at(turn).distance, scores.at(turn + 1).distance});
+}
+
+}  // namespace
+
+double smoothing_share(const ConfidenceParameters& parameters, double step, bool by_frames) {
+  if (by_frames) return 1.0 / (parameters.frames + 1.0);
+  return parameters.time_constant > 0.0 ? -std::expm1(-step / parameters.time_constant) : 1.0;
+}
+
+void update_confidences(Confidences& confidences, const ViewFilter& filter, double view_center, double share,
+                        const ConfidenceParameters& parameters) {
+  confidences.raw_current = filter.share_near(view_center, parameters.half_width);
+  confidences.raw_opposite = filter.share_near(view_center + kPi, parameters.half_width);
+  confidences.current += share * (confidences.raw_current - confidences.current);
+  confidences.opposite += share * (confidences.raw_opposite - confidences.opposite);
+  confidences.goal_opponent = filter.share_near(0.0, parameters.goal_half_width);
+  confidences.goal_own = filter.share_near(kPi, parameters.goal_half_width);
+}
+
+double updated_evidence(double evidence, const ViewpointScores& scores, double step,
+                        const EvidenceParameters& parameters) {
+  double result = evidence * std::exp(-step / parameters.leak);
+  if (scores.evidence()) {
+    const int half = scores.columns() / 2;
+    const int tiles = std::min(scores.at(0).compared, scores.at(half).compared);
+    result += parameters.gain * step * tiles * (best_near(scores, 0) - best_near(scores, half));
+  }
+  return std::clamp(result, -parameters.limit, parameters.limit);
+}
+
+}  // namespace reorient

@@ -1,0 +1,66 @@
+// Confidences (the paper's Section 3.4): how the view particles speak for the believed pose and for its reflection.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/angle.h"
+#include "perception/room/view/view_filter.h"
+#include "perception/room/view/viewpoint_scores.h"
+
+namespace reorient {
+
+/// All in [0, 1], except the evidence; `current` and `opposite` are smoothed, their raw values are this frame's.
+struct Confidences {
+  double current = 0.0;
+  double opposite = 0.0;
+  double raw_current = 0.0;
+  double raw_opposite = 0.0;
+  double goal_opponent = 0.0;  ///< share of view particles on the wall behind the goal at +x
+  double goal_own = 0.0;       ///< the same, behind the goal at -x
+  double coverage = 0.0;       ///< share of the wall's tiles that are trained well enough to be compared with
+  double informative = 0.0;    ///< how much the model differs from itself turned by 180 degrees: 0 is the same
+  double evidence = 0.0;       ///< log-odds for the opposite pose against the current one, without any particles
+  int visible_tiles = 0;       ///< tiles that counted in this frame
+};
+
+struct ConfidenceParameters {
+  double half_width = from_degrees(30.0);
+  double goal_half_width = from_degrees(12.5);
+  double time_constant = 3.0;
+  int frames = 60;
+};
+template <typename Visit>
+void describe(ConfidenceParameters& p, Visit&& visit) {
+  visit("half_width", p.half_width, 0.01, 1.57, "rad", "half of the virtual field of view in which particles count");
+  visit("goal_half_width", p.goal_half_width, 0.01, 1.57, "rad", "half of the wall's arc behind each goal");
+  visit("time_constant", p.time_constant, 0.0, 60.0, "s", "of the smoothing");
+  visit("frames", p.frames, 1, 10000, "", "N of the smoothing by Eq. (1) (paper's mode only)");
+}
+
+struct EvidenceParameters {
+  double gain = 3.0;
+  double leak = 10.0;
+  double limit = 10.0;
+};
+template <typename Visit>
+void describe(EvidenceParameters& p, Visit&& visit) {
+  visit("gain", p.gain, 0.0, 100.0, "1/s",
+        "kappa: log-odds per second for each unit of distance, summed over the tiles");
+  visit("leak", p.leak, 0.1, 1000.0, "s", "time constant with which old evidence fades");
+  visit("limit", p.limit, 0.1, 100.0, "", "the log-odds stay within plus and minus this");
+}
+
+/// Weight of one frame in the smoothing: Eq. (1) with N frames, or a time constant.
+double smoothing_share(const ConfidenceParameters& parameters, double step, bool by_frames);
+
+/// Counts the particles around the current and the opposite view centre and behind the goals, and smooths.
+void update_confidences(Confidences& confidences, const ViewFilter& filter, double view_center, double share,
+                        const ConfidenceParameters& parameters);
+
+/// Log-odds that fade (findings 13). Each of the two poses may choose among the cells next to it, since the belief
+/// may be off by a column.
+double updated_evidence(double evidence, const ViewpointScores& scores, double step,
+                        const EvidenceParameters& parameters);
+
+}  // namespace reorient

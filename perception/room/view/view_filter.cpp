@@ -1,0 +1,129 @@
+#include "perception/room/view/view_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reorient {
+namespace {
+
+/// Circular mean and standard deviation of azimuths.
+ViewCluster cluster_of(std::span<const double> azimuths, std::size_t of) {
+  double x = 0.0;
+  double y = 0.0;
+  for (const double azimuth : azimuths) {
+    x += std::cos(azimuth);
+    y += std::sin(azimuth);
+  }
+  ViewCluster cluster;
+  cluster.azimuth = std::atan2(y, x);
+  double squares = 0.0;
+  for (const double azimuth : azimuths) {
+    const double difference = angle_difference(azimuth, cluster.azimuth);
+    squares += difference * difference;
+  }
+  cluster.spread = std::sqrt(squares / static_cast<double>(azimuths.size()));
+  cluster.share = static_cast<double>(azimuths.size()) / static_cast<double>(of);
+  return cluster;
+}
+
+}  // namespace
+
+void ViewFilter::spread(int particles) {
+  const auto count = static_cast<std::size_t>(std::max(particles, 1));
+  particles_.resize(count);
+  resampled_.reserve(count);
+  sorted_.reserve(2 * count);
+  clusters_.reserve(count);
+  clusters_.clear();
+  const double width = 2.0 * kPi / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    particles_[i] = {normalize_angle((static_cast<double>(i) + random_.uniform()) * width),
+                     1.0 / static_cast<double>(count)};
+  }
+}
+
+void ViewFilter::predict(double motion, double step, const ViewFilterParameters& parameters) {
+  const double deviation = parameters.noise * std::sqrt(step);
+  for (ViewParticle& particle : particles_) {
+    particle.azimuth = normalize_angle(particle.azimuth + motion + deviation * random_.normal());
+  }
+}
+
+void ViewFilter::correct(const ViewpointScores& scores, double view_center, double step,
+                         const ViewCorrection& correction) {
+  const double count = static_cast<double>(particles_.size());
+  if (!scores.evidence()) {
+    for (ViewParticle& particle : particles_) particle.weight = 1.0 / count;
+    return;
+  }
+  const double column_width = 2.0 * kPi / scores.columns();
+  double sum = 0.0;
+  for (ViewParticle& particle : particles_) {
+    const double turn = angle_difference(particle.azimuth, view_center) / column_width;
+    particle.weight = std::exp(-correction.sharpness * step * (scores.distance(turn) - scores.least()));
+    sum += particle.weight;
+  }
+  // An underflow of all weights says that no particle is anywhere near: then none is better than another.
+  for (ViewParticle& particle : particles_) particle.weight = sum > 0.0 ? particle.weight / sum : 1.0 / count;
+  resample();
+  // Where all viewpoints look the same, the best of them is chance: nothing is injected.
+  const double clear = correction.clear_lead > 0.0 ? std::clamp(scores.lead() / correction.clear_lead, 0.0, 1.0) : 1.0;
+  inject(view_center + scores.best() * column_width, 0.5 * column_width, clear * correction.injection * step * count);
+}
+
+void ViewFilter::resample() {
+  resampled_.clear();
+  const double spacing = 1.0 / static_cast<double>(particles_.size());
+  double pointer = random_.uniform() * spacing;
+  double passed = 0.0;
+  std::size_t source = 0;
+  while (resampled_.size() < particles_.size()) {
+    while (source + 1 < particles_.size() && passed + particles_[source].weight < pointer) {
+      passed += particles_[source++].weight;
+    }
+    resampled_.push_back(particles_[source]);
+    pointer += spacing;
+  }
+  particles_.swap(resampled_);
+}
+
+void ViewFilter::inject(double azimuth, double half_width, double expected) {
+  const auto wanted = static_cast<std::size_t>(std::max(0.0, std::floor(expected + random_.uniform())));
+  for (std::size_t i = 0; i < std::min(wanted, particles_.size()); ++i) {
+    const auto replaced = static_cast<std::size_t>(random_.below(particles_.size()));
+    particles_[replaced].azimuth = normalize_angle(azimuth + random_.uniform(-half_width, half_width));
+  }
+}
+
+double ViewFilter::share_near(double azimuth, double half_width) const {
+  if (particles_.empty()) return 0.0;
+  const auto near = std::count_if(particles_.begin(), particles_.end(), [&](const ViewParticle& particle) {
+    return std::abs(angle_difference(particle.azimuth, azimuth)) <= half_width;
+  });
+  return static_cast<double>(near) / static_cast<double>(particles_.size());
+}
+
+void ViewFilter::find_clusters() {
+  constexpr double kGap = from_degrees(12.0);
+  clusters_.clear();
+  sorted_.clear();
+  for (const ViewParticle& particle : particles_) sorted_.push_back(particle.azimuth);
+  std::sort(sorted_.begin(), sorted_.end());
+  const std::size_t count = sorted_.size();
+  // The circle is cut open at its first gap and laid out as two turns, so that no cluster is cut.
+  for (std::size_t i = 0; i < count; ++i) sorted_.push_back(sorted_[i] + 2.0 * kPi);
+  std::size_t start = 0;
+  while (start < count && sorted_[start + 1] - sorted_[start] < kGap) ++start;
+  start = start < count ? start + 1 : 0;
+  std::size_t begin = start;
+  for (std::size_t i = start; i < start + count; ++i) {
+    const bool last = i + 1 == start + count;
+    if (!last && sorted_[i + 1] - sorted_[i] < kGap) continue;
+    clusters_.push_back(cluster_of(std::span(sorted_).subspan(begin, i + 1 - begin), count));
+    begin = i + 1;
+  }
+  std::sort(clusters_.begin(), clusters_.end(),
+            [](const ViewCluster& a, const ViewCluster& b) { return a.share > b.share; });
+}
+
+}  // namespace reorient

@@ -1,0 +1,235 @@
+#include "perception/room/wall/perceived_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace reorient {
+namespace {
+
+constexpr int kCells = 40;  // per band: between their borders, places on the wall are interpolated
+
+bool same(const CameraModel& a, const CameraModel& b) {
+  return a.width == b.width && a.height == b.height && a.focal == b.focal && a.center == b.center && a.k1 == b.k1 &&
+         a.k2 == b.k2;
+}
+
+/// The camera at the image's resolution; nothing if its numbers make no sense.
+std::optional<CameraModel> camera_for(const CameraModel& camera, const ImageView& image) {
+  const bool sound = camera.width > 0 && camera.height > 0 && camera.focal.allFinite() && camera.center.allFinite() &&
+                     camera.focal.minCoeff() > 1e-3 && std::isfinite(camera.k1) && std::isfinite(camera.k2);
+  if (!sound) return std::nullopt;
+  if (camera.width == image.width && camera.height == image.height) return camera;
+  return camera.scaled_to(image.width, image.height);
+}
+
+int row_step(int height, const PerceptionParameters& parameters) {
+  return std::max(1, height / std::max(parameters.sampled_rows, 1));
+}
+
+/// Where between 0 and 1 the values from `a` to `b` first cross a whole number after `t`; 1 if they do not.
+double next_crossing(double a, double b, double t) {
+  const double slope = b - a;
+  if (std::abs(slope) < 1e-12) return 1.0;
+  const double now = a + t * slope;
+  constexpr double kMargin = 1e-9;
+  const double border = slope > 0.0 ? std::floor(now + kMargin) + 1.0 : std::ceil(now - kMargin) - 1.0;
+  return std::min((border - a) / slope, 1.0);
+}
+
+/// The area that a tile fills in the image, beyond its borders too: a hexagon, since the upper and lower edge are arcs.
+double projected_area(const CameraModel& camera, const Eigen::Isometry3d& camera_from_field, const Wall& wall,
+                      int tile) {
+  const int column = wall.column_of(tile);
+  const int row = wall.row_of(tile);
+  constexpr int kPoints = 6;
+  constexpr double kColumn[kPoints] = {0.0, 0.5, 1.0, 1.0, 0.5, 0.0};
+  constexpr double kRow[kPoints] = {0.0, 0.0, 0.0, 1.0, 1.0, 1.0};
+  Eigen::Vector2d outline[kPoints];
+  for (int i = 0; i < kPoints; ++i) {
+    const auto pixel = camera.project(camera_from_field * wall.point(column + kColumn[i], row + kRow[i]));
+    if (!pixel) return 0.0;
+    outline[i] = *pixel;
+  }
+  double twice = 0.0;
+  for (int i = 0; i < kPoints; ++i) {
+    const Eigen::Vector2d& a = outline[i];
+    const Eigen::Vector2d& b = outline[(i + 1) % kPoints];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * std::abs(twice);
+}
+
+}  // namespace
+
+void PerceivedTiles::clear() {
+  blocks_.clear();
+  tiles_.clear();
+}
+
+void PerceivedTiles::find(const RoomView& view, const Wall& wall, const PerceptionParameters& parameters) {
+  clear();
+  const auto tiles = static_cast<std::size_t>(wall.tiles());
+  counts_.assign(tiles, TileCount{});
+  tiles_.reserve(tiles);
+  lights_.reserve(tiles);
+  if (view.image.empty() || view.image.width < 2) return;
+  const bool finite = view.belief.position.allFinite() && std::isfinite(view.belief.rotation) &&
+                      view.robot_from_camera.matrix().allFinite();
+  const auto camera = camera_for(view.camera, view.image);
+  if (!finite || !camera) return;
+  const Eigen::Isometry3d field_from_camera = to_isometry(view.belief) * view.robot_from_camera;
+  if (!wall.surrounds(field_from_camera.translation().head<2>())) return;
+
+  prepare_rays(*camera, std::clamp(parameters.bands, 1, camera->height));
+  for (int band = 0; band < bands_; ++band) find_in_band(band, field_from_camera, wall, view.covered);
+  measure(field_from_camera, *camera, wall);
+}
+
+void PerceivedTiles::prepare_rays(const CameraModel& camera, int bands) {
+  if (bands == bands_ && same(camera, camera_)) return;
+  camera_ = camera;
+  bands_ = bands;
+  rays_.clear();
+  rays_.reserve(static_cast<std::size_t>(bands) * (kCells + 1));
+  for (int band = 0; band < bands; ++band) {
+    const int top = band * camera.height / bands;
+    const int bottom = (band + 1) * camera.height / bands;
+    for (int i = 0; i <= kCells; ++i) {
+      const double x = static_cast<double>(i) * camera.width / kCells - 0.5;
+      rays_.push_back(camera.ray({x, 0.5 * (top + bottom - 1)}));
+    }
+  }
+  covered_.assign(static_cast<std::size_t>(camera.width / 2 + 1), 0);
+  // Every cell may show a new tile, and covered areas may cut each of them: enough for all but contrived cases.
+  blocks_.reserve(static_cast<std::size_t>(bands) * kCells);
+}
+
+void PerceivedTiles::find_in_band(int band, const Eigen::Isometry3d& field_from_camera, const Wall& wall,
+                                  std::span<const CoveredArea> covered) {
+  const int top = band * camera_.height / bands_;
+  const int bottom = (band + 1) * camera_.height / bands_;
+  any_covered_ = false;
+  for (const CoveredArea& area : covered) {
+    if (area.bottom < top || area.top >= bottom) continue;
+    if (!any_covered_) std::fill(covered_.begin(), covered_.end(), std::uint8_t{0});
+    any_covered_ = true;
+    const int first = std::clamp(area.left, 0, camera_.width) / 2;
+    const int last = std::clamp(area.right, -1, camera_.width - 1);
+    for (int pair = first; 2 * pair <= last; ++pair) covered_[static_cast<std::size_t>(pair)] = 1;
+  }
+
+  const Eigen::Vector3d eye = field_from_camera.translation();
+  const Eigen::Vector3d* rays = &rays_[static_cast<std::size_t>(band) * (kCells + 1)];
+  TileBlock run{-1, {0, top, 0, bottom}};
+  const auto close_run = [&](double x) {
+    run.pixels.right = std::min(2 * static_cast<int>(std::lround(0.5 * x)), camera_.width & ~1);
+    if (run.tile >= 0 && run.pixels.right > run.pixels.left) add_block(run);
+    run.pixels.left = std::max(run.pixels.right, 0);
+  };
+  const double cell_width = static_cast<double>(camera_.width) / kCells;
+  std::optional<WallPoint> left = wall.meet(eye, field_from_camera.linear() * rays[0]);
+  for (int cell = 0; cell < kCells; ++cell) {
+    std::optional<WallPoint> right = wall.meet(eye, field_from_camera.linear() * rays[cell + 1]);
+    constexpr double kSteepest = 64.0;  // rows across one cell: a view along the wall, where interpolation ends
+    const bool misses = !left || !right || std::max(left->row, right->row) < 0.0 ||
+                        std::min(left->row, right->row) >= wall.rows() || std::abs(left->row - right->row) > kSteepest;
+    double t = misses ? 1.0 : 0.0;
+    if (misses && run.tile >= 0) {
+      close_run(cell * cell_width);
+      run.tile = -1;
+    }
+    // Unwrapped, so that interpolation takes the short way round.
+    const double half = 0.5 * wall.columns();
+    const double right_column = misses ? 0.0 : left->column + std::remainder(right->column - left->column, 2.0 * half);
+    while (t < 1.0) {
+      const double end =
+          std::min(next_crossing(left->column, right_column, t), next_crossing(left->row, right->row, t));
+      const double middle = 0.5 * (t + end);
+      const double row = left->row + middle * (right->row - left->row);
+      int column = static_cast<int>(std::floor(left->column + middle * (right_column - left->column))) % wall.columns();
+      if (column < 0) column += wall.columns();
+      const int tile = row < 0.0 || row >= wall.rows() ? -1 : wall.tile(static_cast<int>(row), column);
+      if (tile != run.tile) {
+        close_run((cell + t) * cell_width);
+        run.tile = tile;
+      }
+      t = end > t ? end : 1.0;
+    }
+    left = right;
+  }
+  close_run(camera_.width);
+}
+
+void PerceivedTiles::add_block(const TileBlock& block) {
+  const auto add = [&](int left, int right) {
+    blocks_.push_back({block.tile, {left, block.pixels.top, right, block.pixels.bottom}});
+    counts_[static_cast<std::size_t>(block.tile)].area +=
+        static_cast<double>(right - left) * (block.pixels.bottom - block.pixels.top);
+  };
+  if (!any_covered_) return add(block.pixels.left, block.pixels.right);
+  int left = block.pixels.left;
+  for (int x = block.pixels.left; x <= block.pixels.right; x += 2) {
+    const bool ends = x >= block.pixels.right || covered_[static_cast<std::size_t>(x / 2)] != 0;
+    if (!ends) continue;
+    if (x > left) add(left, std::min(x, block.pixels.right));
+    left = x + 2;
+  }
+}
+
+void PerceivedTiles::measure(const Eigen::Isometry3d& field_from_camera, const CameraModel& camera, const Wall& wall) {
+  const Eigen::Isometry3d camera_from_field = field_from_camera.inverse();
+  for (int tile = 0; tile < wall.tiles(); ++tile) {
+    const TileCount& count = counts_[static_cast<std::size_t>(tile)];
+    if (count.area <= 0.0) continue;
+    PerceivedTile perceived;
+    perceived.tile = tile;
+    perceived.area = count.area;
+    perceived.expected_area = projected_area(camera, camera_from_field, wall, tile);
+    const Eigen::Vector3d sight = wall.center(tile) - field_from_camera.translation();
+    perceived.distance = sight.norm();
+    perceived.incidence = perceived.distance > 0.0 ? sight.dot(wall.normal(tile)) / perceived.distance : 0.0;
+    tiles_.push_back(perceived);
+  }
+}
+
+void PerceivedTiles::blur(double share) {
+  for (PerceivedTile& tile : tiles_) tile.histogram = blurred(tile.histogram, share);
+}
+
+std::span<const TileLight> PerceivedTiles::light(const ImageView& image, const LightParameters& parameters,
+                                                 const PerceptionParameters& perception) {
+  for (const TileBlock& block : blocks_) {
+    const int middle = (block.pixels.top + block.pixels.bottom) / 2;
+    counts_[static_cast<std::size_t>(block.tile)].light +=
+        sum_light(image, middle, block.pixels.left, block.pixels.right, parameters);
+  }
+  lights_.clear();
+  for (const PerceivedTile& tile : tiles_) {
+    if (tile.coverage() < perception.min_coverage) continue;
+    lights_.push_back({tile.tile, counts_[static_cast<std::size_t>(tile.tile)].light});
+  }
+  return lights_;
+}
+
+void PerceivedTiles::count(const ImageView& image, const ColorThresholds& thresholds,
+                           const PerceptionParameters& parameters) {
+  const int step = row_step(image.height, parameters);
+  for (const TileBlock& block : blocks_) {
+    // Every step-th row of the image, whatever band it is in.
+    PixelBlock sampled = block.pixels;
+    sampled.top = (block.pixels.top + step - 1) / step * step;
+    count_colors(image, sampled, step, thresholds, counts_[static_cast<std::size_t>(block.tile)].colors);
+  }
+  for (PerceivedTile& tile : tiles_) {
+    const ColorCounts& colors = counts_[static_cast<std::size_t>(tile.tile)].colors;
+    tile.samples = 0;
+    for (const std::uint32_t color : colors) tile.samples += static_cast<int>(color);
+    tile.histogram = normalized(colors);
+    tile.counts = tile.samples >= std::max(parameters.min_samples, 1) && tile.expected_area > 0.0 &&
+                  tile.coverage() >= parameters.min_coverage && tile.distance > parameters.min_distance &&
+                  tile.incidence > parameters.min_incidence;
+  }
+}
+
+}  // namespace reorient

@@ -1,0 +1,98 @@
+// The tiles of the wall that one frame shows, and their colour histograms (the paper's Section 3.2; findings 4).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "perception/room/color/color_histogram.h"
+#include "perception/room/color/light_adaptation.h"
+#include "perception/room/room_observation.h"
+#include "perception/room/wall/wall.h"
+
+namespace reorient {
+
+struct PerceptionParameters {
+  int sampled_rows = 240;
+  int bands = 60;
+  int min_samples = 20;
+  double min_coverage = 0.6;
+  double min_distance = 1.5;
+  double min_incidence = 0.45;
+};
+template <typename Visit>
+void describe(PerceptionParameters& p, Visit&& visit) {
+  visit("sampled_rows", p.sampled_rows, 8, 4096, "", "of how many image rows the pixels are counted, evenly spread");
+  visit("bands", p.bands, 8, 480, "", "bands of rows in which the borders between tiles are taken as vertical");
+  visit("min_samples", p.min_samples, 1, 100000, "", "a tile counts from this many counted pixels on");
+  visit("min_coverage", p.min_coverage, 0.0, 1.0, "", "share of a tile's area that must be in view and not covered");
+  visit("min_distance", p.min_distance, 0.0, 20.0, "m", "a tile nearer to the camera than this does not count");
+  visit("min_incidence", p.min_incidence, 0.0, 1.0, "",
+        "cosine between line of sight and the wall's normal from which on");
+}
+
+struct PerceivedTile {
+  int tile = 0;
+  int samples = 0;             ///< pixels that were counted
+  double area = 0.0;           ///< pixels in view and not covered
+  double expected_area = 0.0;  ///< pixels that the whole tile would fill, in view or not; 0: unknown
+  double distance = 0.0;       ///< m from the camera to the tile's centre
+  double incidence = 0.0;      ///< cosine there
+  bool counts = false;         ///< all of the limits are kept
+  ColorHistogram histogram{};
+
+  double coverage() const { return expected_area > 0.0 ? area / expected_area : 0.0; }
+};
+
+/// A rectangle of pixels that shows one tile.
+struct TileBlock {
+  int tile = 0;
+  PixelBlock pixels;
+};
+
+/// Finds where in the image which tile is. Keeps its memory from frame to frame.
+class PerceivedTiles {
+ public:
+  /// Finds the tiles from the believed pose. None if the camera stands outside of the wall, or if anything is not
+  /// finite.
+  void find(const RoomView& view, const Wall& wall, const PerceptionParameters& parameters);
+
+  /// The light on each tile of which enough is in view. After find() with the same image; valid until the next call.
+  std::span<const TileLight> light(const ImageView& image, const LightParameters& parameters,
+                                   const PerceptionParameters& perception);
+
+  /// Counts the colours of each tile and decides which tiles count. After find() with the same image.
+  void count(const ImageView& image, const ColorThresholds& thresholds, const PerceptionParameters& parameters);
+
+  /// Blurs all histograms.
+  void blur(double share);
+
+  /// In order of the tile's number.
+  std::span<const PerceivedTile> tiles() const { return tiles_; }
+  std::span<const TileBlock> blocks() const { return blocks_; }
+  void clear();
+
+ private:
+  void prepare_rays(const CameraModel& camera, int bands);
+  void find_in_band(int band, const Eigen::Isometry3d& field_from_camera, const Wall& wall,
+                    std::span<const CoveredArea> covered);
+  void add_block(const TileBlock& block);
+  void measure(const Eigen::Isometry3d& field_from_camera, const CameraModel& camera, const Wall& wall);
+
+  struct TileCount {
+    ColorCounts colors{};
+    LightSums light;
+    double area = 0.0;
+  };
+
+  CameraModel camera_;  // that rays_ was made for
+  int bands_ = 0;
+  std::vector<Eigen::Vector3d> rays_;  // camera frame; at the borders of evenly spaced cells, band by band
+  std::vector<std::uint8_t> covered_;  // for each pair of pixels of the current band
+  bool any_covered_ = false;
+  std::vector<TileBlock> blocks_;
+  std::vector<TileCount> counts_;  // for each tile of the wall
+  std::vector<PerceivedTile> tiles_;
+  std::vector<TileLight> lights_;
+};
+
+}  // namespace reorient

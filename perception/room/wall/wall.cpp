@@ -1,0 +1,79 @@
+#include "perception/room/wall/wall.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reorient {
+namespace {
+
+constexpr double kSteepest = 1e-3;  // horizontal share of a direction below which it has no azimuth
+
+/// How many `direction`s it is from a point inside a circle around the origin to the circle.
+double steps_to_circle(const Eigen::Vector2d& from, const Eigen::Vector2d& direction, double radius) {
+  const double a = direction.squaredNorm();
+  const double b = from.dot(direction);
+  const double c = from.squaredNorm() - radius * radius;
+  return (-b + std::sqrt(std::max(b * b - a * c, 0.0))) / a;
+}
+
+}  // namespace
+
+Wall::Wall(const WallParameters& parameters)
+    : radius_(std::max(parameters.radius, 0.1)),
+      bottom_(parameters.bottom),
+      top_(std::max(parameters.top, parameters.bottom + 0.01)),
+      rows_(std::max(parameters.rows, 1)),
+      columns_(std::max(parameters.columns + parameters.columns % 2, 2)) {}
+
+int Wall::reflected(int tile) const {
+  const int column = column_of(tile) + columns_ / 2;
+  return row_of(tile) * columns_ + column % columns_;
+}
+
+Eigen::Vector3d Wall::point(double column, double row) const {
+  const double azimuth = column * column_width();
+  return {radius_ * std::cos(azimuth), radius_ * std::sin(azimuth), bottom_ + row * row_height()};
+}
+
+std::array<Eigen::Vector3d, 4> Wall::corners(int tile) const {
+  const int row = row_of(tile);
+  const int column = column_of(tile);
+  return {point(column + 1, row), point(column, row), point(column, row + 1), point(column + 1, row + 1)};
+}
+
+Eigen::Vector3d Wall::normal(int tile) const {
+  const double azimuth = (column_of(tile) + 0.5) * column_width();
+  return {std::cos(azimuth), std::sin(azimuth), 0.0};
+}
+
+bool Wall::surrounds(const Eigen::Vector2d& position) const {
+  return position.allFinite() && position.squaredNorm() < 0.999 * radius_ * radius_;
+}
+
+std::optional<WallPoint> Wall::meet(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const {
+  const Eigen::Vector2d foot = from.head<2>();
+  const Eigen::Vector2d heading = direction.head<2>();
+  if (!surrounds(foot) || !direction.allFinite() || heading.norm() <= kSteepest * direction.norm()) return std::nullopt;
+  const double steps = steps_to_circle(foot, heading, radius_);
+  const Eigen::Vector2d point = foot + steps * heading;
+  const double turns = std::atan2(point.y(), point.x()) / (2.0 * kPi);
+  const double column = (turns < 0.0 ? turns + 1.0 : turns) * columns_;
+  const double row = (from.z() + steps * direction.z() - bottom_) / row_height();
+  return WallPoint{column < columns_ ? column : 0.0, row};
+}
+
+std::optional<double> Wall::azimuth_seen(const Eigen::Vector2d& from, double direction) const {
+  if (!surrounds(from) || !std::isfinite(direction)) return std::nullopt;
+  const Eigen::Vector2d heading(std::cos(direction), std::sin(direction));
+  const Eigen::Vector2d point = from + steps_to_circle(from, heading, radius_) * heading;
+  return normalize_angle(std::atan2(point.y(), point.x()));
+}
+
+std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Eigen::Isometry3d& robot_from_camera) {
+  const Eigen::Vector3d axis = robot_from_camera.linear().col(0);
+  if (!axis.allFinite() || axis.head<2>().norm() < kSteepest) return std::nullopt;
+  const Eigen::Vector2d camera = belief * Eigen::Vector2d(robot_from_camera.translation().head<2>());
+  return wall.azimuth_seen(camera, belief.rotation + std::atan2(axis.y(), axis.x()));
+}
+
+}  // namespace reorient

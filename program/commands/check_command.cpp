@@ -1,0 +1,46 @@
+// `reorient check`: what is wrong with the scripts, without a robot.
+#include <memory>
+#include <ostream>
+
+#include "program/program.h"
+#include "program/subcommand.h"
+#include "program/tuning.h"
+#include "workbench/script_tools/check/script_check.h"
+
+namespace reorient {
+namespace {
+
+struct CheckOptions {
+  std::vector<std::filesystem::path> paths;
+  std::filesystem::path scripts;
+  bool strict = false;
+};
+
+std::string count_text(int count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+int check(const CheckOptions& options, std::ostream& out) {
+  Tuning tuning;
+  const CheckResult result = check_scripts(scripts_root(options.scripts), options.paths, tuning.registry);
+  for (const Finding& finding : result.findings) out << finding.text() << "\n";
+  const int errors = result.count(Finding::Severity::error);
+  const int warnings = result.count(Finding::Severity::warning);
+  out << count_text(result.files, "script") << " looked at: " << count_text(errors, "error") << ", "
+      << count_text(warnings, "warning") << "\n";
+  return errors > 0 || (options.strict && warnings > 0) ? kWrong : kSuccess;
+}
+
+}  // namespace
+
+Subcommand add_check(CLI::App& program) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* const parser =
+      program.add_subcommand("check", "find mistakes in scripts without running them")->fallthrough();
+  parser->add_option("paths", options->paths, "tell only about these files or folders (default: all scripts)");
+  parser->add_flag("--strict", options->strict, "warnings count as errors");
+  add_scripts_option(*parser, options->scripts);
+  return {parser, [options](std::ostream& out, std::ostream&) { return check(*options, out); }};
+}
+
+}  // namespace reorient

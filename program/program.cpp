@@ -1,0 +1,98 @@
+#include "program/program.h"
+
+#include <array>
+#include <exception>
+#include <memory>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "engine/parameters/nearest_name.h"
+#include "program/subcommand.h"
+
+namespace reorient {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  reorient run                              a robot is turned round and notices; pictures go into out/
+  reorient run --seed 7 --room hall.hdr     the same in another room, with other noise
+  reorient run --realtime                   at the robot's own pace: edit scripts/behaviors/*.lua meanwhile
+  reorient run --without-room-awareness     the same robot without it stays wrong (exit code 1)
+  reorient run --set orientation.lead=0.3   any parameter for this run; reorient params lists them
+  reorient new behavior ball_search         a small script with its test, to start from
+  reorient check                            mistakes in scripts, with line and column
+  reorient test --coverage                  the scripted behaviour tests, and what they leave out
+  reorient graph orientation                its states as a Mermaid diagram
+Exit codes: 0 the robot ended right, all tests passed, nothing is wrong; 1 it is not so; 2 bad input.)";
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n') c = ' ';
+  }
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+/// Where the first word is no subcommand but looks like one.
+std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (unknown.empty()) return {};
+  std::vector<std::string> names;
+  for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.parser->get_name());
+  return did_you_mean(unknown.front(), names);
+}
+
+int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  CLI::App app{"Reorient: a robot that notices that it is turned round."};
+  app.name("reorient");
+  app.footer(kExamples);
+  app.require_subcommand(0, 1);  // none is told below, so that an unknown one is told by its name
+  std::string log_level = "info";
+  app.add_option("--log", log_level, "what to log: debug, info, warning, error, off")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
+  const std::array subcommands{add_run(app),    add_test(app),  add_check(app),  add_new(app),
+                               add_params(app), add_graph(app), add_version(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    CLI::App* asked = &app;
+    for (CLI::App* sub : app.get_subcommands()) asked = sub;
+    out << asked->help();
+    return kSuccess;
+  } catch (const CLI::ExtrasError& error) {
+    err << "reorient: " << one_line(error.what()) << hint(app, subcommands) << " (see reorient --help)\n";
+    return kBadInput;
+  } catch (const CLI::ParseError& error) {
+    err << "reorient: " << one_line(error.what()) << " (see reorient --help)\n";
+    return kBadInput;
+  }
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
+  spdlog::set_level(spdlog::level::from_str(log_level));
+  // On a terminal a log line takes the place of the progress line, which is drawn again below it.
+  spdlog::set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[K[%T] [%^%l%$] %v" : "[%T] [%l] %v");
+  for (const Subcommand& subcommand : subcommands) {
+    if (subcommand.parser->parsed()) return subcommand.run(out, err);
+  }
+  err << "reorient: name a subcommand: run, test, check, new, params, graph or version (see reorient --help)\n";
+  return kBadInput;
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  try {
+    return parse_and_run(argc, argv, out, err);
+  } catch (const std::exception& error) {
+    err << "reorient: " << one_line(error.what()) << '\n';
+    return kBadInput;
+  }
+}
+
+}  // namespace reorient

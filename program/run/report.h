@@ -1,0 +1,37 @@
+// A run in words for a person, and in JSON for a program.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+#include "workbench/run/frame_times.h"
+#include "workbench/run/run_history.h"
+
+namespace reorient {
+
+/// What only the program knows about a run.
+struct RunCircumstances {
+  std::string scenario;
+  std::string room;
+  std::uint64_t seed = 0;
+  bool room_awareness = true;
+  double wall_seconds = 0.0;  ///< that the run took
+  std::string digest;
+  TimeQuantiles frame_time;                    ///< s on the wall's clock, reloads included
+  TimeQuantiles frame_time_without_rendering;  ///< the part of it that is not the simulator's
+  int reloads_accepted = 0;
+  int reloads_refused = 0;
+};
+
+/// Commands and changes of state in the order of time. Behaviours that change their state all the time are named in
+/// one line at the end, unless `every_transition`.
+void print_timeline(const RunHistory& history, bool every_transition, std::ostream& out);
+
+void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out);
+
+/// Writes beside the file first, then renames. Throws std::runtime_error where that fails.
+void write_summary(const RunSummary& summary, const RunHistory& history, const RunCircumstances& circumstances,
+                   const std::filesystem::path& file);
+
+}  // namespace reorient

@@ -1,0 +1,37 @@
+// What `reorient run` was asked to do.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "program/options.h"
+
+namespace reorient {
+
+/// A scenario and its circumstances: the same ones give the same run, byte for byte.
+struct SimulationOptions {
+  std::string scenario = "turned_round";  ///< scripts/scenarios/NAME.lua, or a path to a file
+  std::vector<std::string> with;          ///< behaviours beside those that the scenario lists
+  std::filesystem::path scripts;          ///< root of the scripts
+  std::filesystem::path field;            ///< TOML file; empty: that of the SPL
+  std::string room;                       ///< panorama file; empty: the procedural hall
+  std::uint64_t hall = 1;                 ///< seed of the procedural hall
+  std::uint64_t seed = 1;
+  int width = 320;  ///< of the camera image, pixels; the height is 3/4 of it
+  bool room_awareness = true;
+  double seconds = 600.0;  ///< of the robot's time, at most
+  ParameterOptions parameters;
+};
+
+struct RunOptions : SimulationOptions {
+  bool realtime = false;
+  std::filesystem::path out = "out";
+  bool pictures = true;
+  std::filesystem::path json;             ///< empty: no summary for programs
+  std::filesystem::path save_parameters;  ///< empty: what was tuned is not saved
+  bool every_transition = false;
+};
+
+}  // namespace reorient

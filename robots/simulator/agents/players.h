@@ -1,0 +1,44 @@
+// The other robots on the field: they stroll from place to place, go round nobody, and wait where the way is barred.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/field_dimensions.h"
+#include "geometry/pose2.h"
+#include "geometry/random.h"
+#include "robots/simulator/body/barrier.h"
+
+namespace reorient {
+
+struct Player {
+  Pose2 pose;
+  Eigen::Vector2d goal = Eigen::Vector2d::Zero();  ///< where it is going, m
+  double stride = 0.0;                             ///< rad, phase of its steps
+  double wait = 0.0;                               ///< s that it still stands
+  int team = 0;                                    ///< 0 or 1
+};
+
+class Players {
+ public:
+  Players(int count, const FieldDimensions& field, const Eigen::Vector2d& keep_clear_of, std::uint64_t seed);
+
+  /// Moves on by `time_step` seconds. Nobody walks into `robot` (m) or into the barriers.
+  void advance(double time_step, const Eigen::Vector2d& robot, std::span<const Barrier> barriers);
+
+  const std::vector<Player>& all() const { return players_; }
+
+  static constexpr double kRadius = 0.16;  ///< m, for collisions
+
+ private:
+  Eigen::Vector2d somewhere();
+  bool barred(const Player& player, const Eigen::Vector2d& next, const Eigen::Vector2d& robot,
+              std::span<const Barrier> barriers) const;
+
+  FieldDimensions field_;
+  Random random_;
+  std::vector<Player> players_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,62 @@
+#include "robots/simulator/agents/spectators.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/random.h"
+#include "robots/simulator/room/texture_painter.h"
+
+namespace reorient {
+namespace {
+
+PersonLook any_look(const LinearColor& light, Random& random) {
+  const LinearColor skin = LinearColor(0.42f, 0.24f, 0.16f) * static_cast<float>(random.uniform(0.3, 1.4));
+  return {paint_of(random.uniform(), random.uniform(0.0, 0.9), random.uniform(0.15, 0.85)) * light,
+          paint_of(random.uniform(0.5, 0.72), random.uniform(0.1, 0.6), random.uniform(0.08, 0.45)) * light,
+          skin * light, paint_of(0.08, random.uniform(0.2, 0.7), random.uniform(0.08, 0.55)) * light};
+}
+
+}  // namespace
+
+Spectators::Spectators(int count, const RoomShape& room, const FieldDimensions& field, const LinearColor& light,
+                       std::uint64_t seed) {
+  Random random(seed, 0x9e091e);
+  constexpr double kFromCarpet = 0.4;  // m
+  constexpr double kFromWall = 0.5;    // m
+  const Eigen::Vector2d carpet(0.5 * field.length + field.border + kFromCarpet,
+                               0.5 * field.width + field.border + kFromCarpet);
+  for (int i = 0; i < count; ++i) {
+    // A place between the carpet and the wall, anywhere along the wall.
+    const Eigen::Vector2d wall = wall_point(room, random.uniform(0.0, wall_perimeter(room)));
+    const double inner = std::min(
+        {1.0, carpet.x() / std::max(std::abs(wall.x()), 1e-6), carpet.y() / std::max(std::abs(wall.y()), 1e-6)});
+    const Eigen::Vector2d edge = inner * wall;
+    const Eigen::Vector2d out = wall - edge;
+    const double room_left = out.norm() - kFromWall;
+    if (room_left < 0.0) continue;
+    Spectator spectator;
+    spectator.place = edge + out.normalized() * random.uniform(0.0, room_left);
+    const bool strolls = random.uniform() < 0.15;
+    spectator.stroll = strolls
+                           ? Eigen::Vector2d(random.uniform(0.3, 1.0) * Eigen::Vector2d(-out.y(), out.x()).normalized())
+                           : Eigen::Vector2d::Zero();
+    spectator.height =
+        random.uniform() < 0.3 ? random.uniform(1.1, 1.3) : random.uniform(1.5, 1.9);  // sitting or standing
+    spectator.phase = random.uniform(0.0, 2.0 * kPi);
+    spectator.pace = random.uniform(0.15, 0.6);
+    spectator.restless = random.uniform(0.01, 0.08);
+    spectator.look = any_look(light, random);
+    spectators_.push_back(spectator);
+  }
+}
+
+void Spectators::add_to(Scene& scene, double time) const {
+  for (const Spectator& person : spectators_) {
+    const double lean = person.restless * (std::sin(person.pace * 3.1 * time + person.phase) +
+                                           0.5 * std::sin(person.pace * 7.3 * time + 2.0 * person.phase));
+    const Eigen::Vector2d place = person.place + std::sin(0.4 * person.pace * time + person.phase) * person.stroll;
+    add_person(scene, place, person.height, lean, person.look);
+  }
+}
+
+}  // namespace reorient

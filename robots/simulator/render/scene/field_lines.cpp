@@ -1,0 +1,100 @@
+#include "robots/simulator/render/scene/field_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace reorient {
+namespace {
+
+/// Share of [center - half, center + half] that lies in [low, high].
+inline float share(float center, float half, float low, float high) {
+  const float from = center - half > low ? center - half : low;
+  const float to = center + half < high ? center + half : high;
+  const float inside = to - from;
+  return inside > 0.0f ? inside / (2.0f * half) : 0.0f;
+}
+
+}  // namespace
+
+FieldLines::FieldLines(const FieldDimensions& field) {
+  const auto strip = [&](double low_x, double high_x, double low_y, double high_y) {
+    strips_.push_back(
+        {static_cast<float>(low_x), static_cast<float>(high_x), static_cast<float>(low_y), static_cast<float>(high_y)});
+  };
+  constexpr double kAcross = -1e6;  // patches reach over the folds
+  const double half = 0.5 * field.line_width;
+  const double goal_line = 0.5 * field.length;
+  const double touchline = 0.5 * field.width;
+  strip(kAcross, half, kAcross, touchline + half);  // halfway line
+  strip(kAcross, goal_line + half, touchline - half, touchline + half);
+  strip(goal_line - half, goal_line + half, kAcross, touchline + half);
+  const auto area = [&](double depth, double width) {
+    if (depth <= 0.0) return;
+    const double front = goal_line - depth;
+    strip(front - half, front + half, kAcross, 0.5 * width + half);
+    strip(front - half, goal_line + half, 0.5 * width - half, 0.5 * width + half);
+  };
+  area(field.penalty_area_depth, field.penalty_area_width);
+  area(field.goal_area_depth, field.goal_area_width);
+  const double mark = 0.5 * field.penalty_mark_size;
+  strip(field.penalty_mark_x - mark, field.penalty_mark_x + mark, kAcross, half);
+  strip(field.penalty_mark_x - half, field.penalty_mark_x + half, kAcross, mark);
+  strip(kAcross, mark, kAcross, half);  // kick-off mark
+  circle_radius_ = static_cast<float>(field.center_circle_radius);
+  half_line_ = static_cast<float>(half);
+}
+
+void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage) const {
+  const int count = patches.count;
+  if (count <= 0) return;
+  const float* __restrict x = patches.x;
+  const float* __restrict y = patches.y;
+  const float* __restrict half_x = patches.half_x;
+  const float* __restrict half_y = patches.half_y;
+
+  // What the whole row touches: most strips are far away from most rows.
+  float least_x = std::numeric_limits<float>::max();
+  float most_x = 0.0f;
+  float least_y = std::numeric_limits<float>::max();
+  float most_y = 0.0f;
+  for (int i = 0; i < count; ++i) {
+    const float folded_x = std::fabs(x[i]);
+    const float folded_y = std::fabs(y[i]);
+    least_x = std::min(least_x, folded_x - half_x[i]);
+    most_x = std::max(most_x, folded_x + half_x[i]);
+    least_y = std::min(least_y, folded_y - half_y[i]);
+    most_y = std::max(most_y, folded_y + half_y[i]);
+  }
+
+  const float circle = circle_radius_;
+  const float half_line = half_line_;
+  const float outer = circle + half_line;
+  if (least_x < outer && least_y < outer) {
+    for (int i = 0; i < count; ++i) {
+      const float radius = std::sqrt(x[i] * x[i] + y[i] * y[i]) + 1e-6f;
+      const float across_x = half_x[i] * x[i] / radius;
+      const float across_y = half_y[i] * y[i] / radius;
+      const float half = std::sqrt(across_x * across_x + across_y * across_y) + 1e-6f;
+      coverage[i] = share(radius, half, circle - half_line, outer);
+    }
+  } else {
+    std::fill(coverage, coverage + count, 0.0f);
+  }
+  for (const Strip& strip : strips_) {
+    if (strip.low_x > most_x || strip.high_x < least_x || strip.low_y > most_y || strip.high_y < least_y) continue;
+    for (int i = 0; i < count; ++i) {
+      const float part = share(std::fabs(x[i]), half_x[i], strip.low_x, strip.high_x) *
+                         share(std::fabs(y[i]), half_y[i], strip.low_y, strip.high_y);
+      coverage[i] = part > coverage[i] ? part : coverage[i];
+    }
+  }
+}
+
+float FieldLines::cover(float x, float y, float half_x, float half_y) const {
+  float coverage = 0.0f;
+  cover({&x, &y, &half_x, &half_y, 1}, &coverage);
+  return coverage;
+}
+
+}  // namespace reorient

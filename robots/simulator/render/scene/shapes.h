@@ -1,0 +1,42 @@
+// The things in front of the background: capsules (limbs, posts, people, the ball), nets and shadows on the ground.
+// Each is drawn into the box of pixels that it can touch, with soft edges and against the depth of what is there.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "robots/simulator/render/framebuffer.h"
+#include "robots/simulator/room/texture.h"
+
+namespace reorient {
+
+/// Everything within `radius` of a straight line. Metres, field frame.
+struct Capsule {
+  Eigen::Vector3f from = Eigen::Vector3f::Zero();
+  Eigen::Vector3f to = Eigen::Vector3f::Zero();
+  float radius = 0.05f;
+  LinearColor color = LinearColor::Ones();  ///< as lit from above
+  Label label = Label::robot;
+  bool flat_ends = false;  ///< a cylinder: ends at `from` and `to`
+  bool football = false;   ///< black patches on it
+};
+
+/// A parallelogram of string.
+struct Net {
+  Eigen::Vector3f corner = Eigen::Vector3f::Zero();
+  Eigen::Vector3f along = Eigen::Vector3f::UnitX();  ///< one side, m
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();     ///< the other side, m
+  LinearColor color = LinearColor::Ones();
+};
+
+/// A soft dark spot on the ground.
+struct Shadow {
+  Eigen::Vector2f center = Eigen::Vector2f::Zero();
+  float radius = 0.1f;
+  float darkness = 0.5f;  ///< in its middle, in [0, 1]
+};
+
+void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
+void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
+void draw(const Shadow& shadow, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
+
+}  // namespace reorient

@@ -1,0 +1,200 @@
+#include "robots/simulator/render/surfaces.h"
+
+#include <cmath>
+#include <utility>
+
+#include "geometry/random.h"
+#include "robots/simulator/room/texture_painter.h"
+
+namespace reorient {
+namespace {
+
+constexpr float kLineAlbedo = 0.8f;
+
+/// Artificial turf: fibres, patches of wear, and pools of light below the lamps (in the light channel, for the lines).
+Texture make_carpet(double length, double width, const LinearColor& light) {
+  constexpr double kTexelsPerMeter = 64.0;
+  constexpr std::uint64_t kSeed = 0xca47e7;
+  Random random(kSeed);
+  const Area all{0.0, 0.0, length, width};
+  Canvas lit(length, width, kTexelsPerMeter, LinearColor::Ones());
+  lit.mottle(all, 0.10, 1.7, random);
+  Canvas turf(length, width, kTexelsPerMeter, LinearColor(0.016f, 0.150f, 0.066f));
+  turf.mottle(all, 0.06, 0.45, random);
+  turf.mottle(all, 0.07, 0.06, random);
+  turf.mottle(all, 0.12, 0.02, random);
+  LinearImage image = turf.image();
+  std::vector<float> shine(image.pixels.size());
+  for (std::size_t i = 0; i < shine.size(); ++i) {
+    shine[i] = lit.image().pixels[i].x();
+    image.pixels[i] *= light * shine[i];
+  }
+  return {image, shine, {length, width}, Texture::Edge::clamp};
+}
+
+}  // namespace
+
+Background::Hits::Hits(int width)
+    : x(width),
+      y(width),
+      half_x(width),
+      half_y(width),
+      u(width),
+      v(width),
+      footprint(width),
+      coverage(width),
+      surface(width) {}
+
+Background::Background(const FieldDimensions& field, Room room, int image_width)
+    : room_(std::move(room)),
+      lines_(field),
+      carpet_(make_carpet(field.length + 2.0 * field.border, field.width + 2.0 * field.border, room_.light)),
+      carpet_half_length_(static_cast<float>(0.5 * field.length + field.border)),
+      carpet_half_width_(static_cast<float>(0.5 * field.width + field.border)),
+      hits_(image_width) {}
+
+void Background::render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, Frame& frame) {
+  for (int row = 0; row < frame.height; ++row) {
+    intersect(rays, field_from_camera, row, frame);
+    shade(row, frame);
+    if (!frame.labels.empty()) label(row, frame);
+  }
+}
+
+void Background::intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame) {
+  const bool round = room_.shape.form == RoomForm::cylinder;
+  const Eigen::Matrix3f rotation = field_from_camera.linear();
+  const float r00 = rotation(0, 0), r01 = rotation(0, 1), r02 = rotation(0, 2);
+  const float r10 = rotation(1, 0), r11 = rotation(1, 1), r12 = rotation(1, 2);
+  const float r20 = rotation(2, 0), r21 = rotation(2, 1), r22 = rotation(2, 2);
+  const float camera_x = field_from_camera.translation().x();
+  const float camera_y = field_from_camera.translation().y();
+  const float camera_z = field_from_camera.translation().z();
+  const Eigen::Vector2f half_room = 0.5f * floor_extent(room_.shape).cast<float>();
+  const float half_length = half_room.x();
+  const float half_width = half_room.y();
+  const float height = static_cast<float>(room_.shape.height);
+  const float carpet_x = carpet_half_length_;
+  const float carpet_y = carpet_half_width_;
+  const float pixel_angle = rays.pixel_angle;
+  const float radius2 = half_length * half_length;
+  const float beyond = radius2 - camera_x * camera_x - camera_y * camera_y;
+
+  const std::size_t first = frame.row(row);
+  const int width = frame.width;
+  const float* __restrict left = rays.left.data() + first;
+  const float* __restrict up = rays.up.data() + first;
+  const float* __restrict length = rays.length.data() + first;
+  float* __restrict depth = frame.depth.data() + first;
+  float* __restrict hit_x = hits_.x.data();
+  float* __restrict hit_y = hits_.y.data();
+  float* __restrict half_x = hits_.half_x.data();
+  float* __restrict half_y = hits_.half_y.data();
+  float* __restrict hit_u = hits_.u.data();
+  float* __restrict hit_v = hits_.v.data();
+  float* __restrict footprint = hits_.footprint.data();
+  int* __restrict surface = hits_.surface.data();
+
+#pragma GCC ivdep
+  for (int i = 0; i < width; ++i) {
+    const float dx = r00 + r01 * left[i] + r02 * up[i];
+    const float dy = r10 + r11 * left[i] + r12 * up[i];
+    const float dz = r20 + r21 * left[i] + r22 * up[i];
+    // The wall.
+    const float far_x = dx > 0.0f ? half_length : -half_length;
+    const float far_y = dy > 0.0f ? half_width : -half_width;
+    const float to_x = (far_x - camera_x) / dx;
+    const float to_y = (far_y - camera_y) / dy;
+    const bool at_end = to_x < to_y;
+    const float across = dx * dx + dy * dy + 1e-12f;
+    const float along = camera_x * dx + camera_y * dy;
+    const float to_arc = (std::sqrt(along * along + across * beyond) - along) / across;
+    const float to_wall = round ? to_arc : (at_end ? to_x : to_y);
+    // Floor and ceiling.
+    const float to_level = (dz < 0.0f ? -camera_z : height - camera_z) / dz;
+    const bool level = to_level < to_wall;
+    const float t = level ? to_level : to_wall;
+    const float x = camera_x + t * dx;
+    const float y = camera_y + t * dy;
+    const float z = camera_z + t * dz;
+    const bool on_carpet = std::fabs(x) <= carpet_x && std::fabs(y) <= carpet_y;
+    const int below = on_carpet ? kCarpet : kFloor;
+    const int flat = dz < 0.0f ? below : kCeiling;
+    surface[i] = level ? flat : kWall;
+    depth[i] = t;
+    hit_x[i] = x;
+    hit_y[i] = y;
+    // Where that is in the surface's texture (a round wall's coordinate follows in a loop of its own).
+    const float at_ends = dx > 0.0f ? y + half_width : 3.0f * half_width + 2.0f * half_length - y;
+    const float at_sides = dy > 0.0f ? 2.0f * half_width + half_length - x : 4.0f * half_width + 3.0f * half_length + x;
+    const float wall_u = at_end ? at_ends : at_sides;
+    const float margin_x = on_carpet ? carpet_x : half_length;
+    const float margin_y = on_carpet ? carpet_y : half_width;
+    const float level_x = dz < 0.0f ? margin_x : half_length;
+    const float level_y = dz < 0.0f ? margin_y : half_width;
+    hit_u[i] = level ? x + level_x : wall_u;
+    hit_v[i] = level ? y + level_y : z;
+    // How much of it the pixel sees.
+    const float lateral = t * length[i] * pixel_angle;
+    const float facing_wall =
+        round ? (to_arc * across + along) / half_length : (at_end ? std::fabs(dx) : std::fabs(dy));
+    const float facing = (level ? std::fabs(dz) : facing_wall) / length[i] + 1e-4f;
+    footprint[i] = lateral / std::sqrt(facing);
+    const float side = 0.5f * lateral / std::sqrt(across);
+    const float ahead = side / facing;
+    half_x[i] = std::sqrt(dx * dx * ahead * ahead + dy * dy * side * side);
+    half_y[i] = std::sqrt(dy * dy * ahead * ahead + dx * dx * side * side);
+  }
+  if (!round) return;
+  constexpr float kStart = static_cast<float>(-kPi / 4.0);
+  constexpr float kTurn = static_cast<float>(2.0 * kPi);
+  for (int i = 0; i < width; ++i) {
+    if (surface[i] != kWall) continue;
+    const float azimuth = std::atan2(hit_y[i], hit_x[i]) - kStart;
+    hit_u[i] = half_length * (azimuth < 0.0f ? azimuth + kTurn : azimuth);
+  }
+}
+
+void Background::shade(int row, Frame& frame) {
+  const Texture* const textures[kSurfaces] = {&room_.walls, &room_.ceiling, &room_.floor, &carpet_};
+  float texels_per_meter[kSurfaces];
+  for (int i = 0; i < kSurfaces; ++i) texels_per_meter[i] = textures[i]->texels_per_meter();
+
+  const int width = frame.width;
+  int first_carpet = width;
+  int last_carpet = -1;
+  for (int i = 0; i < width; ++i) {
+    if (hits_.surface[i] != kCarpet) continue;
+    if (first_carpet == width) first_carpet = i;
+    last_carpet = i;
+  }
+  lines_.cover({hits_.x.data() + first_carpet, hits_.y.data() + first_carpet, hits_.half_x.data() + first_carpet,
+                hits_.half_y.data() + first_carpet, last_carpet - first_carpet + 1},
+               hits_.coverage.data() + first_carpet);
+
+  float* __restrict red = frame.red.data() + frame.row(row);
+  float* __restrict green = frame.green.data() + frame.row(row);
+  float* __restrict blue = frame.blue.data() + frame.row(row);
+  const LinearColor line = kLineAlbedo * room_.light;
+  const Texture::Color white{line.x(), line.y(), line.z(), 0.0f};
+  for (int i = 0; i < width; ++i) {
+    const int surface = hits_.surface[i];
+    const int level = Texture::level_for(hits_.footprint[i] * texels_per_meter[surface]);
+    Texture::Color color = textures[surface]->sample(hits_.u[i], hits_.v[i], level);
+    if (surface == kCarpet) color += hits_.coverage[i] * (white * color[3] - color);
+    red[i] = color[0];
+    green[i] = color[1];
+    blue[i] = color[2];
+  }
+}
+
+void Background::label(int row, Frame& frame) {
+  constexpr Label kLabels[kSurfaces] = {Label::wall, Label::ceiling, Label::floor, Label::carpet};
+  Label* labels = frame.labels.data() + frame.row(row);
+  for (int i = 0; i < frame.width; ++i) {
+    const bool line = hits_.surface[i] == kCarpet && hits_.coverage[i] > 0.5f;
+    labels[i] = line ? Label::line : kLabels[hits_.surface[i]];
+  }
+}
+
+}  // namespace reorient

@@ -1,0 +1,51 @@
+// The surfaces that fill the picture: carpet with its lines, floor, walls and ceiling of the room.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "geometry/field_dimensions.h"
+#include "robots/simulator/render/framebuffer.h"
+#include "robots/simulator/render/scene/field_lines.h"
+#include "robots/simulator/room/room.h"
+
+namespace reorient {
+
+class Background {
+ public:
+  Background(const FieldDimensions& field, Room room, int image_width);
+
+  /// Fills in every pixel of `frame`. The camera must be inside of the room and above its floor.
+  void render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, Frame& frame);
+
+  const Room& room() const { return room_; }
+
+ private:
+  enum Surface { kWall, kCeiling, kFloor, kCarpet, kSurfaces };
+
+  /// One image row's worth of where the rays end. Structure of arrays, for SIMD.
+  struct Hits {
+    explicit Hits(int width);
+    std::vector<float> x, y;            // m, on the ground
+    std::vector<float> half_x, half_y;  // m, half the ground that a pixel covers
+    std::vector<float> u, v;            // m, in the surface's texture
+    std::vector<float> footprint;       // m, on the surface
+    std::vector<float> coverage;        // share of line
+    std::vector<int> surface;
+  };
+
+  void intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
+  void intersect_round_wall(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
+  void shade(int row, Frame& frame);
+  void label(int row, Frame& frame);
+
+  Room room_;
+  FieldLines lines_;
+  Texture carpet_;
+  float carpet_half_length_;
+  float carpet_half_width_;
+  Hits hits_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,216 @@
+// What survives a reload, and what becomes of a broken one.
+#include "tests/engine/script/script_fixture.h"
+
+namespace reorient {
+namespace {
+
+class ScriptReload : public ScriptTest {};
+
+const std::string kTwoStates = R"(local p = param { wait = { 1.0, range = { 0, 5 }, doc = "x" } }
+local memory = keep { visits = 0, deep = { list = { 1, 2 } } }
+behavior "b" { initial = "one",
+  state "one" { enter = function() memory.visits = memory.visits + 1 memory.deep.list[3] = "three" end, { "two", after = "wait" } },
+  state "two" { enter = command.pause_training, update = function() log.info(memory.visits .. memory.deep.list[3]) end } }
+)";
+
+std::string edited(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST_F(ScriptReload, StateTimersMemoryAndLeasesSurvive) {
+  load("b", kTwoStates);
+  ticks(25);
+  ReloadReport report = edit("b", kTwoStates + "-- edited\n");
+  EXPECT_TRUE(report.accepted) << report.fault.text();
+  EXPECT_TRUE(report.warnings.empty());
+  ticks(5);
+  EXPECT_EQ(state("b"), "one") << "the time in the state goes on from before";
+  ticks(1);
+  EXPECT_EQ(state("b"), "two");
+  edit("b", kTwoStates + "-- edited again\n");
+  const ScriptOutput& output = tick();
+  EXPECT_EQ(output.leases.size(), 1u);
+  EXPECT_EQ(logs.back(), "1three");
+  EXPECT_EQ(transitions.size(), 2u) << "a reload is no transition";
+}
+
+TEST_F(ScriptReload, DwellGoesOn) {
+  const std::string text = R"(behavior "b" { initial = "one",
+    state "one" { { "two", when = function() return true end, lasting = 1 } }, state "two" {} })";
+  load("b", text);
+  ticks(25);
+  edit("b", text + " ");
+  ticks(7);
+  EXPECT_EQ(state("b"), "two");
+}
+
+TEST_F(ScriptReload, AStateThatIsGoneFallsBackToItsNearestAncestor) {
+  load(
+      "b",
+      R"(behavior "b" { initial = "outer", state "outer" { initial = "x", state "x" { { "y", after = 0.1 } }, state "y" {} }, state "z" {} })");
+  ticks(10);
+  EXPECT_EQ(state("b"), "outer/y");
+  const ReloadReport report = edit("b", R"(behavior "b" { initial = "z", state "outer" { initial = "x",
+    state "x" { enter = function() log.info("+x") end } }, state "z" {} })");
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_EQ(report.warnings[0], "b: the state 'outer/y' is gone; it goes on in 'outer/x'");
+  tick();
+  EXPECT_EQ(state("b"), "outer/x");
+  EXPECT_EQ(logs, std::vector<std::string>{"+x"});
+  EXPECT_EQ(transitions.back().from, "outer/y");
+  EXPECT_EQ(transitions.back().to, "outer/x");
+}
+
+TEST_F(ScriptReload, ABrokenEditKeepsTheVersionBeforeAndSaysWhere) {
+  load("b", kTwoStates);
+  ticks(5);
+  for (const char* broken : {"behavior \"b\" { initial = ", "error(\"at load\")", "local t = nil\nlocal x = t.y", "",
+                             "behavior \"other\" { state \"a\" { { \"q\", after = 1 } } }"}) {
+    const ReloadReport report = edit("b", broken);
+    EXPECT_FALSE(report.accepted);
+    EXPECT_EQ(report.script, "behaviors/b.lua");
+    EXPECT_EQ(report.fault.file, "behaviors/b.lua");
+    EXPECT_GE(report.fault.line, 1);
+    EXPECT_FALSE(report.fault.message.empty());
+  }
+  ticks(30);
+  EXPECT_EQ(state("b"), "two");
+  EXPECT_TRUE(faults.empty());
+  EXPECT_TRUE(edit("b", kTwoStates).accepted);
+}
+
+TEST_F(ScriptReload, AFaultAtLoadHasATraceback) {
+  load("b", kTwoStates);
+  const ReloadReport report = edit("b", "local function f() error(\"deep\") end\nlocal function g() f() end\ng()");
+  EXPECT_EQ(report.fault.line, 1);
+  EXPECT_NE(report.fault.traceback.find("behaviors/b.lua:2"), std::string::npos) << report.fault.traceback;
+}
+
+TEST_F(ScriptReload, AnUnchangedFileIsNotReloaded) {
+  load("b", kTwoStates);
+  folder.write("behaviors/b.lua", kTwoStates);
+  EXPECT_TRUE(host().reload_changed(0.0).empty());
+  folder.write("behaviors/b.lua", "broken(");
+  EXPECT_EQ(host().reload_changed(0.0).size(), 1u);
+  EXPECT_TRUE(host().reload_changed(0.0).empty()) << "one report for one edit";
+}
+
+TEST_F(ScriptReload, AnEditOfALibraryReloadsAllThatRequireIt) {
+  folder.write("lib/words.lua", "return { text = \"old\" }");
+  for (const char* name : {"a", "b"}) {
+    load(name, "local words = require \"lib.words\" behavior \"" + std::string(name) +
+                   "\" { update = function() log.info(words.text) end }");
+  }
+  load("c", "behavior \"c\" {}");
+  folder.write("lib/words.lua", "return { text = \"new\" }");
+  EXPECT_EQ(host().reload_changed(0.0).size(), 2u);
+  tick();
+  EXPECT_EQ(logs, (std::vector<std::string>{"new", "new"}));
+}
+
+TEST_F(ScriptReload, AFileThatComesLaterIsTakenUp) {
+  load("b", kTwoStates);
+  EXPECT_FALSE(edit("b", "require \"lib.later\"\n" + kTwoStates).accepted);
+  folder.write("lib/later.lua", "return 1");
+  const auto reports = host().reload_changed(0.0);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_TRUE(reports[0].accepted) << reports[0].fault.text();
+}
+
+TEST_F(ScriptReload, AFileThatVanishesKeepsTheVersionBefore) {
+  load("b", kTwoStates);
+  std::filesystem::remove(folder.path() / "behaviors/b.lua");
+  const auto reports = host().reload_changed(0.0);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_FALSE(reports[0].accepted);
+  ticks(40);
+  EXPECT_EQ(state("b"), "two");
+}
+
+TEST_F(ScriptReload, AVersionThatFailsAgainAndAgainIsRolledBack) {
+  load("b", kTwoStates);
+  ticks(5);
+  EXPECT_TRUE(
+      edit("b", edited(kTwoStates, "state \"one\" {", "state \"one\" { update = function() error(\"new\") end,"))
+          .accepted);
+  ticks(limits.errors);
+  ASSERT_EQ(static_cast<int>(faults.size()), limits.errors);
+  EXPECT_EQ(faults.back().consequence, FaultRecord::Consequence::rolled_back);
+  ticks(60);
+  EXPECT_EQ(static_cast<int>(faults.size()), limits.errors);
+  EXPECT_FALSE(status("b").stopped);
+  EXPECT_EQ(state("b"), "two");
+  EXPECT_EQ(logs.back(), "1three");
+}
+
+TEST_F(ScriptReload, AStoppedScriptStartsAgainWithAGoodEdit) {
+  load("b", "behavior \"b\" { update = function() error(\"x\") end }");
+  ticks(limits.errors);
+  EXPECT_TRUE(status("b").stopped);
+  EXPECT_TRUE(edit("b", kTwoStates).accepted);
+  ticks(40);
+  EXPECT_EQ(state("b"), "two");
+}
+
+TEST_F(ScriptReload, AnOverrideSurvivesAndIsClampedWhereItNoLongerFits) {
+  load("b", kTwoStates);
+  parameters.set("b.wait", "4", ParameterOrigin::live);
+  EXPECT_TRUE(edit("b", kTwoStates + " ").warnings.empty());
+  EXPECT_EQ(std::get<double>(parameters.value("b.wait")), 4.0);
+  const ReloadReport report = edit("b", edited(kTwoStates, "range = { 0, 5 }", "range = { 0, 2 }"));
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("b.wait"), std::string::npos);
+  EXPECT_EQ(std::get<double>(parameters.value("b.wait")), 2.0);
+}
+
+TEST_F(ScriptReload, AParameterThatIsGoneIsNoLongerListed) {
+  load("b", kTwoStates);
+  EXPECT_NE(parameters.find("b.wait"), nullptr);
+  edit("b", "behavior \"b\" {}");
+  EXPECT_EQ(parameters.find("b.wait"), nullptr);
+}
+
+TEST_F(ScriptReload, WhatCannotBeKeptIsNamed) {
+  const std::string text =
+      "local memory = keep {} behavior \"b\" { enter = function() memory.f = print memory.n = 1 end }";
+  load("b", text);
+  tick();
+  const ReloadReport report = edit("b", text + " ");
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_EQ(report.warnings[0], "keep: 'f' cannot be kept over a reload");
+}
+
+TEST_F(ScriptReload, AKeptValueOfAnotherTypeGivesWayToTheNewDefault) {
+  load("b",
+       "local memory = keep { x = 1, y = 1 } behavior \"b\" { update = function() memory.x = 5 memory.y = 5 end }");
+  tick();
+  edit("b",
+       "local memory = keep { x = \"text\", y = 2 } behavior \"b\" { update = function() log.info(memory.x .. "
+       "memory.y) end }");
+  tick();
+  EXPECT_EQ(logs, std::vector<std::string>{"text5"});
+}
+
+TEST_F(ScriptReload, TwoScriptsCannotDeclareOneMachine) {
+  load("b", kTwoStates);
+  load("c", "behavior \"c\" {}");
+  const ReloadReport report = edit("c", "behavior \"b\" {}");
+  EXPECT_FALSE(report.accepted);
+  EXPECT_NE(report.fault.message.find("declared in behaviors/b.lua too"), std::string::npos);
+}
+
+TEST_F(ScriptReload, MemoryStaysFlatOverManyReloads) {
+  load("b", kTwoStates);
+  std::size_t before = 0;
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_TRUE(edit("b", kTwoStates + "-- " + std::to_string(i % 10)).accepted);
+    tick();
+    if (i == 50) before = status("b").memory;
+  }
+  EXPECT_LT(status("b").memory, before + 20'000);
+}
+
+}  // namespace
+}  // namespace reorient

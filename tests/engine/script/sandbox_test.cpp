@@ -1,0 +1,261 @@
+// Hostile scripts: each stops itself alone, within its budget.
+#include "tests/engine/script/script_fixture.h"
+
+namespace reorient {
+namespace {
+
+std::string updating(const std::string& body) { return "behavior \"evil\" { update = function() " + body + " end }"; }
+
+const char* const kHonest = "behavior \"honest\" { update = function() head.look(0.5, 0.1) end }";
+
+/// A body of `update` that must end in an error, or be harmless.
+struct Attack {
+  const char* name;
+  const char* body;
+  const char* error;  ///< a part of the message
+};
+
+class HostileScript : public ScriptTest, public ::testing::WithParamInterface<Attack> {};
+
+TEST_P(HostileScript, StopsAloneWithinItsBudget) {
+  load("evil", updating(GetParam().body));
+  load("honest", kHonest);
+  for (int frame = 0; frame < 10; ++frame) {
+    const ScriptOutput& output = tick();
+    ASSERT_TRUE(output.request.head.has_value()) << "the honest behaviour must go on";
+    EXPECT_EQ(output.request.head->angles.yaw, 0.5);
+  }
+  ASSERT_FALSE(faults.empty());
+  for (const FaultRecord& record : faults) {
+    EXPECT_EQ(record.script, "behaviors/evil.lua");
+    EXPECT_NE(record.fault.message.find(GetParam().error), std::string::npos) << record.fault.text();
+  }
+  EXPECT_EQ(static_cast<int>(faults.size()), limits.errors);
+  EXPECT_EQ(faults.back().consequence, FaultRecord::Consequence::stopped);
+  EXPECT_TRUE(status("evil").stopped);
+  EXPECT_FALSE(status("honest").stopped);
+  EXPECT_LE(status("evil").memory, static_cast<std::size_t>(limits.memory) * 1024);
+}
+
+constexpr const char* kBudget = "budget of 50000 instructions is used up";
+constexpr const char* kMemory = "more memory";
+
+INSTANTIATE_TEST_SUITE_P(
+    Attacks, HostileScript,
+    ::testing::Values(
+        Attack{"EndlessLoop", "while true do end", kBudget},
+        Attack{"LoopInsidePcall", "while true do pcall(function() while true do end end) end", kBudget},
+        Attack{"LoopInsideNestedPcalls", "local function f() pcall(f) while true do end end f()", kBudget},
+        Attack{"LoopInsideXpcall", "while true do xpcall(function() while true do end end, function() end) end",
+               kBudget},
+        Attack{"LoopInErrorHandler", "xpcall(error, function() while true do end end)", kBudget},
+        Attack{"LoopInClosingVariable",
+               "local x <close> = setmetatable({}, { __close = function() while true do end end }) while true do end",
+               ""},
+        Attack{"LoopInMetamethod",
+               "local t = setmetatable({}, { __index = function() while true do end end }) local _ = t.x", kBudget},
+        Attack{"LoopInToString", "tostring(setmetatable({}, { __tostring = function() while true do end end }))",
+               kBudget},
+        Attack{"LoopInSorting", "table.sort({ 3, 1, 2 }, function() while true do end end)", kBudget},
+        Attack{"LoopInReplacement", "(\"a\"):gsub(\"a\", function() while true do end end)", kBudget},
+        Attack{"LoopInPairs", "for _ in pairs(setmetatable({}, { __pairs = function() while true do end end })) do end",
+               kBudget},
+        Attack{"DeepRecursion", "local function f() return 1 + f() end f()", "more than 200 deep"},
+        Attack{"DeepRecursionOverPcall", "local function f() return pcall(f) end error(f())", ""},
+        Attack{"DeepRecursionOverMetamethods",
+               "local t = {} setmetatable(t, { __index = function(_, k) return t[k + 1] end }) local _ = t[1]", ""},
+        Attack{"StringBomb", "local s = \"x\" while true do s = s .. s end", kMemory},
+        Attack{"StringRepetition", "local _ = (\"x\"):rep(1e9)", "longer than the 4096 bytes"},
+        Attack{"RepetitionOfNothing", "for _ = 1, 1e9 do (\"\"):rep(1e15) end", kBudget},
+        Attack{"RepetitionThatOverflows", "local _ = (\"xy\"):rep(math.maxinteger, \",\")",
+               "longer than the 4096 bytes"},
+        Attack{"PatternBomb", "(\"a\"):rep(700):find(\".-.-.-b\")", kBudget},
+        Attack{"PatternBombInsidePcall", "while true do pcall(string.find, (\"a\"):rep(700), \".-.-.-b\") end",
+               kBudget},
+        Attack{"PatternBombOverGmatch", "for _ in (\"a\"):rep(4000):gmatch(\".-.-.-.-b\") do end", kBudget},
+        Attack{"PatternBombOverGsub",
+               "(\"a\"):rep(4000):gsub(\"(a*)*b\", \"\") (\"a\"):rep(4000):gsub(\".-.-.-b\", \"\")", kBudget},
+        Attack{"PatternThatNests", "(\"a\"):rep(300):find((\"a?\"):rep(300) .. (\"a\"):rep(300))",
+               "pattern too complex"},
+        Attack{"ReplacementBomb", "(\"x\"):rep(4000):gsub(\"x\", \"%0%0\")", "longer than the 4096 bytes"},
+        Attack{"FormatBomb", "for i = 1, 1e9 do string.format(\"%99.99f\", 1e308) end", kBudget},
+        Attack{"GigabyteTable", "local t = {} for i = 1, 1e12 do t[i] = i end", ""},
+        Attack{"TablesOfTables", "local t = {} while true do t = { t, {}, {}, {} } end", ""},
+        Attack{"MemoryInsidePcall",
+               "while true do pcall(function() local t = {} for i = 1, 1e9 do t[i] = {} end end) end", kBudget},
+        Attack{"ForgedLength", "table.insert(setmetatable({}, { __len = function() return 1 << 60 end }), 1, 1)",
+               "plain table"},
+        Attack{
+            "FakeBorder",
+            "local t = {} for i = 0, 61 do t[1 << i] = 1 end table.insert(t, 1, 1) table.concat(t, \"\", 1, 1 << 61)",
+            ""},
+        Attack{"MoveOverEverything", "table.move({}, 1, 1 << 60, 2)", kBudget},
+        Attack{"MoveOverAllIntegers", "table.move({}, math.mininteger, math.maxinteger - 1, 1)", kBudget},
+        Attack{"UnpackTooMuch", "table.unpack({}, 1, 1e8)", kBudget},
+        Attack{"ConcatTooMuch",
+               "table.concat(setmetatable({}, { __index = function() return \"x\" end }), \"\", 1, 1e15)",
+               "plain table"},
+        Attack{"WritesTheWorld", "robot.fallen = true", "robot is read-only"},
+        Attack{"WritesTheWorldRaw", "rawset(robot, \"fallen\", true)", "read-only"},
+        Attack{"ReplacesTheWorldsMetatable", "setmetatable(robot, { __index = {} })", "protected"},
+        Attack{"WritesIntoTheWorldsMetatable", "getmetatable(robot).__index = {}", "index a boolean"},
+        Attack{"WritesAnothersState", "behaviors.honest.state = \"x\"", "read-only"},
+        Attack{"ChangesTheStringMetatable", "getmetatable(\"\").__index = {}", "index a boolean"},
+        Attack{"WritesGlobals", "x = 1", "'x' would be a global variable"},
+        Attack{"ReplacesGlobalsRaw", "rawset(_ENV, \"robot\", {})", "read-only"},
+        Attack{"Finalizer", "setmetatable({}, { __gc = function() while true do end end })", "__gc"},
+        Attack{"ErrorOfNil", "error(nil)", "the error is a nil value"},
+        Attack{"ErrorOfTable", "error({})", "the error is a table value"},
+        Attack{"ErrorInErrorHandler", "local ok, what = xpcall(error, function() error(\"again\") end) error(what)",
+               "again"},
+        Attack{"CallsNil", "local f f()", "call a nil value"},
+        Attack{"RequiresLater", "require \"lib.walk\"", "require stands at the top"},
+        Attack{"DeclaresLater", "behavior \"second\" {}", "while it is loaded"},
+        Attack{"NotANumber", "head.look(0 / 0, 0)", "finite number"},
+        Attack{"EndlessSpeed", "walk.velocity(math.huge, 0, 0)", "finite number"},
+        Attack{"CommandFlood", "while true do command.flip_pose() end", "too many commands"},
+        Attack{"LogFlood", "while true do log.info(\"x\") end", kBudget},
+        Attack{"UnknownBehavior", "local _ = behaviors.honets.state", "did you mean 'honest'"},
+        Attack{"UnknownField", "local _ = robot.falen", "robot has no field 'falen' (did you mean 'fallen'?)"},
+        Attack{"TheTruth", "local _ = truth.x", "there is no 'truth'"},
+        Attack{"TheExperimenter", "experimenter.pick_up()", "there is no 'experimenter'"}),
+    [](const auto& attack) { return std::string(attack.param.name); });
+
+class Sandboxed : public ScriptTest {};
+
+TEST_F(Sandboxed, NothingLeadsOut) {
+  for (const char* name :
+       {"io", "os", "debug", "package", "load", "loadstring", "loadfile", "dofile", "collectgarbage", "coroutine", "_G",
+        "utf8", "newproxy", "next", "string.dump", "string.pack", "math.randomseed"}) {
+    const std::string text = std::string("local ok, value = pcall(function() return ") + name +
+                             " end) if ok and value ~= nil then error(\"escaped\") end behavior \"refused\" {}";
+    EXPECT_EQ(refusal(text).message, "it was accepted") << name;
+    folder.write("behaviors/refused.lua", "");
+    host().reload_changed(0.0);
+  }
+}
+
+TEST_F(Sandboxed, BytecodeIsRefused) {
+  EXPECT_NE(refusal("\x1bLuaT\x00\x19\x93\r\n").message.find("attempt to load a binary chunk"), std::string::npos);
+}
+
+TEST_F(Sandboxed, AnErrorInExitDoesNotKeepTheMachineInTheState) {
+  load("evil", R"(behavior "evil" { initial = "a",
+    state "a" { exit = function() error("no") end, { "b", after = 0.1 } },
+    state "b" { enter = function() log.info("entered b") end } })");
+  ticks(10);
+  EXPECT_EQ(state("evil"), "b");
+  EXPECT_EQ(logs, std::vector<std::string>{"entered b"});
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].fault.line, 2);
+}
+
+TEST_F(Sandboxed, ALoopInExitEndsTheLeaseAllTheSame) {
+  load("evil", R"(behavior "evil" { initial = "a",
+    state "a" { enter = function() command.pause_training() end, exit = function() while true do end end, { "b", after = 0.1 } },
+    state "b" {} })");
+  EXPECT_EQ(tick().leases.size(), 1u);
+  ticks(10);
+  EXPECT_EQ(state("evil"), "b");
+  EXPECT_TRUE(tick().leases.empty());
+}
+
+TEST_F(Sandboxed, TheLeasesOfAStoppedScriptEnd) {
+  load("evil",
+       R"(behavior "evil" { enter = function() command.pause_training() end, update = function() error("no") end })");
+  EXPECT_EQ(tick().leases.size(), 1u);
+  ticks(limits.errors);
+  EXPECT_TRUE(status("evil").stopped);
+  EXPECT_TRUE(tick().leases.empty());
+}
+
+TEST_F(Sandboxed, ErrorsThatAreFarApartAreForgotten) {
+  load(
+      "evil",
+      R"(behavior "evil" { initial = "a", state "a" { { "b", after = 11 } }, state "b" { enter = function() error("no") end,
+    { "a", after = 1 } } })");
+  ticks(30 * 12 * 8);
+  EXPECT_GE(static_cast<int>(faults.size()), limits.errors);
+  EXPECT_FALSE(status("evil").stopped);
+}
+
+TEST_F(Sandboxed, LoadingHasABudgetToo) {
+  EXPECT_NE(refusal("while true do end").message.find("budget of 2000000"), std::string::npos);
+  EXPECT_NE(refusal("pcall(function() while true do end end) behavior \"refused\" {}").message.find("budget"),
+            std::string::npos);
+}
+
+TEST_F(Sandboxed, ALoopInARequiredFileIsNotCaughtByPcall) {
+  folder.write("lib/evil.lua", "while true do end");
+  EXPECT_NE(refusal("pcall(require, \"lib.evil\") behavior \"refused\" {}").message.find("budget"), std::string::npos);
+}
+
+TEST_F(Sandboxed, ActingWhileItIsLoadedIsRefused) {
+  for (const char* call : {"command.flip_pose()", "command.pause_training()", "head.look(0, 0)", "walk.stand()",
+                           "motion.get_up()", "log.info(\"x\")", "print(\"x\")", "time_in_state()"}) {
+    const ScriptFault fault = refusal(std::string(call) + " behavior \"refused\" {}");
+    EXPECT_NE(fault.message.find("while"), std::string::npos) << call << ": " << fault.message;
+    EXPECT_EQ(fault.line, 1) << call;
+  }
+  EXPECT_NE(refusal("local x = robot.fallen").message.find("being loaded"), std::string::npos);
+}
+
+TEST_F(Sandboxed, FilesOutsideOfTheRootCannotBeRequired) {
+  TemporaryFolder outside;
+  outside.write("secret.lua", "return 1");
+  std::filesystem::create_directories(folder.path() / "lib");
+  std::filesystem::create_symlink(outside.path() / "secret.lua", folder.path() / "lib" / "link.lua");
+  for (const char* module :
+       {"../secret", "..secret", "/etc/passwd", "lib.link", "lib..x", "", "lib.", ".lib", "lib\\0x", "lib.gone"}) {
+    const ScriptFault fault = refusal("require \"" + std::string(module) + "\" behavior \"refused\" {}");
+    EXPECT_NE(fault.message, "it was accepted") << module;
+  }
+}
+
+TEST_F(Sandboxed, ARequireThatGoesInACircleIsRefused) {
+  folder.write("lib/a.lua", "require \"lib.b\"");
+  folder.write("lib/b.lua", "require \"lib.a\"");
+  EXPECT_NE(refusal("require \"lib.a\" behavior \"refused\" {}").message.find("requires itself"), std::string::npos);
+}
+
+TEST_F(Sandboxed, DeclarationsThatContainThemselvesAreRefused) {
+  EXPECT_NE(refusal("local t = {} t[1] = state \"x\" (t) behavior \"refused\" (t)").message, "it was accepted");
+}
+
+TEST_F(Sandboxed, TheSameScriptRollsTheSameDiceAndWalksTablesInTheSameOrder) {
+  const char* const text = R"(behavior "one" { enter = function()
+      local t, line = { zebra = 1, ant = 2, [3] = 3, [1] = 1, bee = 4 }, ""
+      for k, v in pairs(t) do line = line .. tostring(k) .. "=" .. tostring(v) .. " " end
+      print(line, math.random(1000000), {}, print, string.format("%s", {}))
+    end })";
+  load("one", text);
+  tick();
+  ScriptHost other(folder.path(), parameters);
+  ParameterRegistry fresh;
+  ScriptHost second(folder.path(), fresh);
+  second.load_behavior("one");
+  World start;
+  ASSERT_EQ(logs.size(), 1u);
+  EXPECT_EQ(second.tick(start).logs.at(0).text, logs[0]);
+  EXPECT_TRUE(logs[0].starts_with("1=1 3=3 ant=2 bee=4 zebra=1  ")) << logs[0];
+  EXPECT_TRUE(logs[0].ends_with(" table function table")) << logs[0];
+}
+
+TEST_F(Sandboxed, TheMemoryOfAScriptThatMakesGarbageStaysBounded) {
+  load("one", updating("local t = {} for i = 1, 100 do t[i] = { i, tostring(i) } end"));
+  ticks(2000);
+  EXPECT_TRUE(faults.empty());
+  EXPECT_LT(status("evil").memory, 1024u * 1024u);
+}
+
+TEST_F(Sandboxed, AFaultIsOneLineAndNamesItsFileWhateverTheScriptSays) {
+  load("loud", "behavior \"loud\" { update = function() error(\"first\\nsecond\") end }");
+  load("greedy", R"(behavior "greedy" { update = function() local t = {} for i = 1, 1e9 do t[i] = { i } end end })");
+  tick();
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].fault.text(), "behaviors/loud.lua:1: first second");
+  EXPECT_TRUE(faults[1].fault.text().starts_with("behaviors/greedy.lua")) << faults[1].fault.text();
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,253 @@
+// Transitions, dwell and nesting, frame by frame.
+#include "tests/engine/script/script_fixture.h"
+
+namespace reorient {
+namespace {
+
+class ScriptTransitions : public ScriptTest {
+ protected:
+  /// "from -> to" of all transitions so far.
+  std::vector<std::string> steps() const {
+    std::vector<std::string> all;
+    for (const TransitionRecord& record : transitions) all.push_back(record.from + " -> " + record.to);
+    return all;
+  }
+};
+
+using Steps = std::vector<std::string>;
+
+TEST_F(ScriptTransitions, ACommandCarriesItsIssuerStateReasonAndPriority) {
+  load("b", R"(behavior "b" { priority = 50, initial = "one",
+    state "one" { { "two", when = function() return robot.fallen end, because = "it fell" } },
+    state "two" { enter = command.flip_pose } })");
+  tick();
+  EXPECT_TRUE(commands.empty());
+  world.fallen = true;
+  tick();
+  ASSERT_EQ(commands.size(), 1u);
+  EXPECT_EQ(commands[0].command, Command::flip_pose);
+  EXPECT_EQ(commands[0].issuer, "b");
+  EXPECT_EQ(commands[0].state, "two");
+  EXPECT_EQ(commands[0].reason, "it fell");
+  EXPECT_EQ(commands[0].priority, 50.0);
+}
+
+TEST_F(ScriptTransitions, AMachineTakesOneTransitionAFrame) {
+  load("b", R"(local function yes() return true end
+    behavior "b" { initial = "one", state "one" { { "two", when = yes } }, state "two" { { "three", when = yes } },
+      state "three" { { "one", when = yes } } })");
+  ticks(4);
+  EXPECT_EQ(steps(), (Steps{" -> one", "one -> two", "two -> three", "three -> one"}));
+}
+
+TEST_F(ScriptTransitions, LastingAsksForTheConditionWithoutABreak) {
+  load("b", R"(behavior "b" { initial = "one",
+    state "one" { { "two", when = function() return robot.penalized end, lasting = 0.5 } }, state "two" {} })");
+  world.penalized = true;
+  ticks(12);
+  world.penalized = false;
+  ticks(1);
+  world.penalized = true;
+  ticks(15);
+  EXPECT_EQ(state("b"), "one");
+  ticks(1);
+  EXPECT_EQ(state("b"), "two");
+}
+
+TEST_F(ScriptTransitions, AfterCountsFromTheEntryOfItsState) {
+  load(
+      "b",
+      R"(behavior "b" { initial = "one", state "one" { { "two", after = 1 } }, state "two" { { "one", after = 0.5 } } })");
+  ticks(30);
+  EXPECT_EQ(state("b"), "one");
+  ticks(1);
+  EXPECT_EQ(state("b"), "two");
+  ticks(14);
+  EXPECT_EQ(state("b"), "two");
+  ticks(1);
+  EXPECT_EQ(state("b"), "one");
+}
+
+TEST_F(ScriptTransitions, DwellMayBeAParameterOrAFunction) {
+  load("b", R"(local p = param { wait = { 1.0, range = { 0, 5 }, doc = "x" } }
+    behavior "b" { initial = "one", state "one" { { "two", after = "wait" } },
+      state "two" { { "one", after = function() return p.wait / 2 end } } })");
+  parameters.set("b.wait", "0.2", ParameterOrigin::live);
+  ticks(7);
+  EXPECT_EQ(state("b"), "two");
+  ticks(3);
+  EXPECT_EQ(state("b"), "one");
+}
+
+TEST_F(ScriptTransitions, AlwaysIsCheckedFirstAndNotWhileItsTargetIsActive) {
+  load("b", R"(behavior "b" { initial = "one", always = { { "down", when = function() return robot.fallen end } },
+    state "one" { { "two", when = function() return true end } }, state "two" {}, state "down" { enter = function() log.info("down") end } })");
+  tick();
+  world.fallen = true;
+  ticks(5);
+  EXPECT_EQ(steps(), (Steps{" -> one", "one -> down"}));
+  EXPECT_EQ(logs, std::vector<std::string>{"down"});
+}
+
+TEST_F(ScriptTransitions, NestedStatesAreEnteredFromOutsideAndLeftFromInside) {
+  load("b", R"(local function say(text) return function() log.info(text) end end
+    behavior "b" { initial = "outer",
+      state "outer" { initial = "inner", enter = say "+outer", exit = say "-outer", update = say "outer",
+        { "other", after = 0.1 },
+        state "inner" { enter = say "+inner", exit = say "-inner", update = say "inner" } },
+      state "other" { enter = say "+other" } })");
+  ticks(4);
+  EXPECT_EQ(logs, (std::vector<std::string>{"+outer", "+inner", "outer", "inner", "outer", "inner", "outer", "inner",
+                                            "-inner", "-outer", "+other"}));
+  EXPECT_EQ(steps(), (Steps{" -> outer/inner", "outer/inner -> other"}));
+}
+
+TEST_F(ScriptTransitions, AnInnerTransitionLeavesTheOuterStateAsItIs) {
+  load("b",
+       R"(behavior "b" { initial = "outer", state "outer" { initial = "x", enter = function() log.info("+outer") end,
+    update = function() log.info(string.format("%.1f", time_in_state())) end,
+    state "x" { { "y", after = 0.1 } }, state "y" { { "z", after = 0.1 } } }, state "z" {} })");
+  ticks(5);
+  EXPECT_EQ(state("b"), "outer/y");
+  EXPECT_EQ(logs, (std::vector<std::string>{"+outer", "0.0", "0.0", "0.1", "0.1", "0.1"}));
+  ticks(3);
+  EXPECT_EQ(state("b"), "z");
+}
+
+TEST_F(ScriptTransitions, HistoryResumesTheInnerStateThatWasLast) {
+  load("b", R"(behavior "b" { initial = "outer", always = { { "down", when = function() return robot.fallen end } },
+    state "outer" { initial = "x", history = true, state "x" { { "y", after = 0.1 } }, state "y" {} },
+    state "down" { { "outer", when = function() return not robot.fallen end } } })");
+  ticks(5);
+  EXPECT_EQ(state("b"), "outer/y");
+  world.fallen = true;
+  tick();
+  world.fallen = false;
+  tick();
+  EXPECT_EQ(state("b"), "outer/y");
+}
+
+TEST_F(ScriptTransitions, ATransitionToItselfEntersAnew) {
+  load(
+      "b",
+      R"(behavior "b" { initial = "one", state "one" { enter = function() log.info("+") end, { "one", after = 0.1 } } })");
+  ticks(10);
+  EXPECT_EQ(logs.size(), 4u);
+}
+
+TEST_F(ScriptTransitions, APauseLastsAsLongAsItsState) {
+  load("b", R"(behavior "b" { initial = "one",
+    state "one" { enter = command.pause_training, { "two", after = 0.1, because = "enough" } },
+    state "two" { enter = command.pause_evaluation } })");
+  for (int i = 0; i < 3; ++i) {
+    const ScriptOutput& output = tick();
+    ASSERT_EQ(output.leases.size(), 1u);
+    EXPECT_EQ(output.leases[0].command, Command::pause_training);
+    EXPECT_EQ(output.leases[0].state, "one");
+    EXPECT_EQ(output.leases[0].reason, "start");
+  }
+  const ScriptOutput& output = tick();
+  ASSERT_EQ(output.leases.size(), 1u);
+  EXPECT_EQ(output.leases[0].command, Command::pause_evaluation);
+  EXPECT_EQ(output.leases[0].reason, "enough");
+}
+
+TEST_F(ScriptTransitions, TheGreaterPriorityHasEachChannel) {
+  load("low", R"(behavior "low" { priority = 1, update = function() head.look(0.1, 0) walk.velocity(0.1, 0, 0) end })");
+  load("high", R"(behavior "high" { priority = 2, update = function() head.look(0.2, 0, 2.0) end })");
+  load("same", R"(behavior "same" { priority = 2, update = function() head.look(0.3, 0) end })");
+  const Request& request = tick().request;
+  ASSERT_TRUE(request.head.has_value());
+  EXPECT_EQ(request.head->angles.yaw, 0.2);
+  EXPECT_EQ(request.head->speed, 2.0);
+  EXPECT_EQ(request.walk.forward, 0.1);
+  EXPECT_FALSE(request.get_up);
+}
+
+TEST_F(ScriptTransitions, ARequestHoldsForOneFrame) {
+  load(
+      "b",
+      R"(behavior "b" { initial = "one", enter = function() head.look(0, 0) walk.velocity(0.1, 0, 0) end, state "one" {} })");
+  EXPECT_TRUE(tick().request.head.has_value());
+  const Request& second = tick().request;
+  EXPECT_FALSE(second.head.has_value());
+  EXPECT_EQ(second.walk.forward, 0.0);
+}
+
+TEST_F(ScriptTransitions, BehavioursSeeEachOtherAsTheyStoodWhenTheFrameBegan) {
+  load("a", R"(behavior "a" { initial = "one", state "one" { { "two", after = 0.1 } }, state "two" {} })");
+  load("b", R"(behavior "b" { update = function() log.info(behaviors.a.state) end })");
+  ticks(5);
+  EXPECT_EQ(logs, (std::vector<std::string>{"", "one", "one", "one", "two"}));
+}
+
+TEST_F(ScriptTransitions, AConditionOnlyLooks) {
+  load(
+      "b",
+      R"(behavior "b" { initial = "one", state "one" { { "two", when = function() command.flip_pose() return true end } }, state "two" {} })");
+  ticks(2);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].fault.message.find("a condition only looks"), std::string::npos);
+  EXPECT_TRUE(commands.empty());
+}
+
+TEST_F(ScriptTransitions, AFileMayDeclareSeveralMachines) {
+  load(
+      "b",
+      R"(behavior "left" { update = function() log.info("left") end } behavior "right" { update = function() log.info("right") end })");
+  tick();
+  EXPECT_EQ(logs, (std::vector<std::string>{"left", "right"}));
+}
+
+struct Mistake {
+  const char* name;
+  const char* text;
+  int line;
+  const char* message;
+};
+
+class MistakenDeclaration : public ScriptTest, public ::testing::WithParamInterface<Mistake> {};
+
+TEST_P(MistakenDeclaration, IsRefusedWithItsLineAndWhatToDo) {
+  const ScriptFault fault = refusal(GetParam().text);
+  EXPECT_NE(fault.message.find(GetParam().message), std::string::npos) << fault.message;
+  EXPECT_EQ(fault.line, GetParam().line) << fault.message;
+  EXPECT_EQ(fault.file, "behaviors/refused.lua");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mistakes, MistakenDeclaration,
+    ::testing::Values(
+        Mistake{"SyntaxError", "behavior \"b\" {\n  initial = \n}", 3, "unexpected symbol"},
+        Mistake{"Nothing", "local x = 1", 1, "declares nothing"},
+        Mistake{"UnknownTarget",
+                "behavior \"b\" { initial = \"watching\",\n state \"watching\" {\n  { \"corecting\", after = 1 } },\n "
+                "state \"correcting\" {} }",
+                3, "'corecting', which is not a state (did you mean 'correcting'?)"},
+        Mistake{"UnknownInitial", "behavior \"b\" { initial = \"wathcing\", state \"watching\" {}, state \"b\" {} }", 1,
+                "did you mean 'watching'"},
+        Mistake{"NoInitial", "behavior \"b\" { state \"a\" {}, state \"b\" {} }", 1, "say which is the first"},
+        Mistake{"DuplicateState", "behavior \"b\" { initial = \"a\",\n state \"a\" {},\n state \"a\" {} }", 3,
+                "two states 'a'"},
+        Mistake{"NoCondition", "behavior \"b\" { state \"a\" { { \"a\" } } }", 1, "on no condition"},
+        Mistake{"LastingWithoutWhen", "behavior \"b\" { state \"a\" { { \"a\", lasting = 1 } } }", 1,
+                "'lasting' needs a 'when'"},
+        Mistake{"UnknownDwell",
+                "param { settle = { 1, range = { 0, 2 }, doc = \"x\" } }\nbehavior \"b\" { state \"a\" { { \"a\", "
+                "after = \"setle\" } } }",
+                2, "there is no param 'setle' (did you mean 'settle'?)"},
+        Mistake{"UnknownKey", "behavior \"b\" {\n state \"a\" { entre = print } }", 2,
+                "there is no 'entre' here (did you mean 'enter'?)"},
+        Mistake{"NotAFunction", "behavior \"b\" { enter = 5 }", 1, "enter is a function, not a number"},
+        Mistake{"NegativeDwell", "behavior \"b\" { state \"a\" { { \"a\", after = -1 } } }", 1, "0 or more"},
+        Mistake{"UnknownGlobal", "\nbehaviour \"b\" {}", 2, "there is no 'behaviour' (did you mean 'behavior'?)"},
+        Mistake{"TwoMachinesOfAName", "behavior \"b\" {}\nbehavior \"b\" {}", 2, "declared twice"},
+        Mistake{"ParamWithoutSentence", "param { x = { 1, range = { 0, 1 } } }", 1, "needs a sentence"},
+        Mistake{"ParamOutOfItsRange", "param { x = { 5, range = { 0, 1 }, doc = \"x\" } }", 1, "its range is 0 to 1"},
+        Mistake{"ParamWithoutRange", "param { x = { 5, doc = \"x\" } }", 1, "needs range"},
+        Mistake{"EmptyRange", "param { x = { 5, range = { 1, 0 }, doc = \"x\" } }", 1, "is empty"},
+        Mistake{"ScenarioWord", "scenario \"b\" {}", 1, "there is no 'scenario'"}),
+    [](const auto& mistake) { return std::string(mistake.param.name); });
+
+}  // namespace
+}  // namespace reorient

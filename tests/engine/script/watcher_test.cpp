@@ -1,0 +1,107 @@
+// Changed files are noticed, in place or by renaming, without sleeping.
+#include "engine/script/file_watcher.h"
+#include "tests/engine/script/script_fixture.h"
+
+namespace reorient {
+namespace {
+
+class Watcher : public ::testing::TestWithParam<FileWatcher::Means> {
+ protected:
+  /// How often something was reported within so many seconds of the watcher's own clock.
+  int reports(FileWatcher& watcher, double seconds = 1.0) {
+    int count = 0;
+    for (const double end = time_ + seconds; time_ < end; time_ += 0.01) count += watcher.poll(time_) ? 1 : 0;
+    return count;
+  }
+
+  TemporaryFolder folder_;
+  double time_ = 100.0;
+};
+
+TEST_P(Watcher, SaysNothingWhileNothingChanges) {
+  folder_.write("behaviors/a.lua", "1");
+  FileWatcher watcher(folder_.path(), GetParam());
+  EXPECT_EQ(reports(watcher), 0);
+}
+
+TEST_P(Watcher, NoticesAFileThatIsSavedInPlace) {
+  folder_.write("behaviors/a.lua", "1");
+  FileWatcher watcher(folder_.path(), GetParam());
+  folder_.write("behaviors/a.lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, NoticesAFileThatIsRenamedIntoPlace) {
+  folder_.write("behaviors/a.lua", "1");
+  FileWatcher watcher(folder_.path(), GetParam());
+  folder_.write_by_rename("behaviors/a.lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, ReportsFilesThatAreSavedTogetherOnce) {
+  for (const char* file : {"a", "b", "c"}) folder_.write(std::string("lib/") + file + ".lua", "1");
+  FileWatcher watcher(folder_.path(), GetParam());
+  for (const char* file : {"a", "b", "c"}) folder_.write(std::string("lib/") + file + ".lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, NoticesFilesInAFolderThatIsNew) {
+  FileWatcher watcher(folder_.path(), GetParam());
+  folder_.write("new/deep/a.lua", "1");
+  EXPECT_EQ(reports(watcher), 1);
+  folder_.write("new/deep/a.lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, NoticesAFolderThatIsReplaced) {
+  folder_.write("lib/a.lua", "1");
+  FileWatcher watcher(folder_.path(), GetParam());
+  std::filesystem::remove_all(folder_.path() / "lib");
+  EXPECT_GE(reports(watcher), 1);
+  folder_.write("lib/a.lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, DoesNotWaitForeverForQuiet) {
+  folder_.write("a.lua", "1");
+  FileWatcher watcher(folder_.path(), GetParam());
+  int count = 0;
+  std::string text = "1";
+  for (int i = 0; i < 30; ++i, time_ += 0.01) {
+    folder_.write("a.lua", text += "x");
+    count += watcher.poll(time_) ? 1 : 0;
+  }
+  EXPECT_GE(count, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Means, Watcher, ::testing::Values(FileWatcher::Means::automatic, FileWatcher::Means::polling),
+                         [](const auto& means) {
+                           return means.param == FileWatcher::Means::polling ? "Polling" : "Inotify";
+                         });
+
+class WatchedScripts : public ScriptTest {};
+
+TEST_F(WatchedScripts, AnEditIsObeyedWithinTheDebounceTime) {
+  load("b", "behavior \"b\" { update = function() log.info(\"old\") end }");
+  tick();
+  folder.write_by_rename("behaviors/b.lua", "behavior \"b\" { update = function() log.info(\"new\") end }");
+  double waited = 0.0;
+  std::vector<ReloadReport> reports;
+  for (; reports.empty() && waited < 1.0; waited += 0.01) reports = host().poll_files(waited);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_LE(waited, 0.1 + 0.02);
+  tick();
+  EXPECT_EQ(logs.back(), "new");
+}
+
+TEST_F(WatchedScripts, AFolderThatIsNotThereIsSaidInOneLine) {
+  try {
+    ScriptHost missing(folder.path() / "gone", parameters);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("there is no such folder"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,202 @@
+// Bad input: exit code 2, one line that names the culprit, and nothing written.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class BadInput : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  std::string file(const std::string& name, std::string_view text) const { return folder_.write(name, text).string(); }
+
+  std::set<std::string> files() const {
+    std::set<std::string> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path())) {
+      all.insert(entry.path().string());
+    }
+    return all;
+  }
+
+  /// A run of a tenth of a second, in case that it is not refused.
+  void expect_refused_run(Words words, const Words& culprits) const {
+    words.insert(words.begin(), "run");
+    const auto unless_given = [&](const std::string& option, const std::string& value) {
+      if (std::find(words.begin(), words.end(), option) == words.end()) words.insert(words.end(), {option, value});
+    };
+    unless_given("--seconds", "0.1");
+    unless_given("--width", "160");
+    unless_given("--out", path("out"));
+    expect_refused(words, culprits);
+  }
+
+  void expect_refused(const Words& words, const Words& culprits) const {
+    const std::set<std::string> before = files();
+    const ProgramRun run = run_reorient(words);
+    std::string said;
+    for (const std::string& word : words) said += word + ' ';
+    SCOPED_TRACE("reorient " + said + "\n" + run.err);
+    EXPECT_EQ(run.code, kBadInput);
+    EXPECT_EQ(run.out, "");
+    EXPECT_TRUE(run.err.starts_with("reorient: "));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+    EXPECT_TRUE(run.err.ends_with('\n'));
+    for (const std::string& culprit : culprits) EXPECT_NE(run.err.find(culprit), std::string::npos) << culprit;
+    EXPECT_EQ(files(), before);
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// A flat Radiance picture, every pixel the same grey.
+std::string radiance(int width, int height) {
+  std::string bytes =
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
+  for (int i = 0; i < width * height; ++i) bytes += "\x60\x60\x60\x80";
+  return bytes;
+}
+
+TEST_F(BadInput, ACommandLineWithoutASubcommandIsRefused) { expect_refused({}, {"subcommand"}); }
+
+TEST_F(BadInput, AnUnknownSubcommandIsNamed) { expect_refused({"dance"}, {"dance"}); }
+
+TEST_F(BadInput, AnUnknownOptionIsNamed) {
+  expect_refused_run({"--rooom", "hall.hdr"}, {"--rooom"});
+  expect_refused({"--loud"}, {"--loud"});
+  expect_refused({"test", "--quickly"}, {"--quickly"});
+  expect_refused({"version", "--long"}, {"--long"});
+}
+
+TEST_F(BadInput, AnOptionWithoutItsValueIsNamed) { expect_refused({"run", "--room"}, {"--room"}); }
+
+TEST_F(BadInput, AnOptionsValueThatIsNoneIsNamedWithTheOption) {
+  for (const char* width : {"100", "0", "-320", "wide", "320.5", "99999999999999999999"}) {
+    expect_refused_run({"--width", width}, {"--width", width});
+  }
+  for (const char* seconds : {"-1", "0", "long", "nan", "inf", "1e9"}) {
+    expect_refused_run({"--seconds", seconds}, {"--seconds", seconds});
+  }
+  for (const char* seed : {"-1", "one", "1.5", "99999999999999999999999"}) {
+    expect_refused_run({"--seed", seed}, {"--seed", seed});
+    expect_refused_run({"--hall", seed}, {"--hall", seed});
+  }
+  expect_refused_run({"--log", "loud"}, {"--log", "loud"});
+}
+
+TEST_F(BadInput, ARoomThatIsMissingIsNamed) { expect_refused_run({"--room", path("gone.hdr")}, {"gone.hdr"}); }
+
+TEST_F(BadInput, ARoomThatIsAFolderIsNamed) { expect_refused_run({"--room", folder_.path().string()}, {"not a file"}); }
+
+TEST_F(BadInput, ARoomThatIsEmptyIsNamed) { expect_refused_run({"--room", file("hall.hdr", "")}, {"hall.hdr"}); }
+
+TEST_F(BadInput, ARoomThatIsNoPictureIsNamed) {
+  expect_refused_run({"--room", file("hall.hdr", "a hall with many windows")}, {"hall.hdr"});
+}
+
+TEST_F(BadInput, ARoomThatEndsTooEarlyIsNamed) {
+  const std::string whole = radiance(64, 32);
+  for (const std::size_t size :
+       {std::size_t{8}, std::size_t{30}, std::size_t{60}, whole.size() / 2, whole.size() - 1}) {
+    expect_refused_run({"--room", file("hall.hdr", whole.substr(0, size))}, {"hall.hdr"});
+  }
+}
+
+TEST_F(BadInput, ARoomThatIsNoPanoramaIsNamedWithItsSize) {
+  expect_refused_run({"--room", file("hall.hdr", radiance(64, 64))}, {"hall.hdr", "64 x 64"});
+}
+
+TEST_F(BadInput, AnUnknownParameterIsNamedWithOneThatWasPerhapsMeant) {
+  expect_refused_run({"--set", "orientation.laed=0.3"}, {"orientation.laed", "did you mean 'orientation.lead'"});
+  expect_refused_run({"--set", "pose_filter.partciles=50"}, {"did you mean 'pose_filter.particles'"});
+}
+
+TEST_F(BadInput, ASettingThatIsNoneIsShownAsItShouldBe) {
+  for (const char* setting : {"orientation.lead", "=0.3", "", "="})
+    expect_refused_run({"--set", setting}, {"--set", "NAME=VALUE"});
+}
+
+TEST_F(BadInput, AParameterOutOfItsRangeIsNamedWithItsRange) {
+  expect_refused_run({"--set", "pose_filter.particles=1"}, {"pose_filter.particles", "10", "10000"});
+  expect_refused_run({"--set", "orientation.lead=7"}, {"orientation.lead", "0", "1"});
+}
+
+TEST_F(BadInput, AParameterOfAWrongTypeIsNamed) {
+  for (const char* value : {"many", "", "3.5", "true", "nan", "1e999", "50 particles"}) {
+    expect_refused_run({"--set", std::string("pose_filter.particles=") + value}, {"pose_filter.particles"});
+  }
+  for (const char* value : {"nan", "inf", "-inf", "soon"}) {
+    expect_refused_run({"--set", std::string("arbiter.flip_cooldown=") + value}, {"arbiter.flip_cooldown"});
+    expect_refused_run({"--set", std::string("orientation.lead=") + value}, {"orientation.lead"});
+  }
+  expect_refused_run({"--set", "room.mode=papr"}, {"room.mode", "did you mean 'paper'"});
+  expect_refused_run({"--set", "simulator.ball=perhaps"}, {"simulator.ball"});
+}
+
+TEST_F(BadInput, AParameterFileThatIsMissingIsNamed) {
+  expect_refused_run({"--params", path("gone.toml")}, {"gone.toml"});
+}
+
+TEST_F(BadInput, ABrokenParameterFileIsNamedWithTheLine) {
+  expect_refused_run({"--params", file("mine.toml", "[orientation]\nlead = = 0.3\n")}, {"mine.toml:2"});
+  expect_refused_run({"--params", file("mine.toml", std::string_view("\0\xff\xfe", 3))}, {"mine.toml:1"});
+}
+
+TEST_F(BadInput, AParameterFileWithAnUnknownNameOrAWrongValueIsRefused) {
+  expect_refused_run({"--params", file("mine.toml", "[orientation]\nlaed = 0.3\n")},
+                     {"did you mean 'orientation.lead'"});
+  expect_refused_run({"--params", file("mine.toml", "[pose_filter]\nparticles = 1\n")},
+                     {"mine.toml:2", "pose_filter.particles"});
+  expect_refused_run({"--params", file("mine.toml", "[pose_filter]\nparticles = [50]\n")}, {"mine.toml:2"});
+}
+
+TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) { expect_refused_run({"--field", path("gone.toml")}, {"gone.toml"}); }
+
+TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {
+  expect_refused_run({"gone"}, {"scenarios/gone.lua"});
+  expect_refused_run({path("gone.lua")}, {"gone.lua"});
+}
+
+TEST_F(BadInput, AFolderOfScriptsThatIsMissingIsNamed) {
+  expect_refused_run({"--scripts", path("gone")}, {"gone"});
+  expect_refused({"test", "--scripts", path("gone")}, {"gone"});
+}
+
+TEST_F(BadInput, AScriptWithASyntaxErrorIsNamedWithItsLine) {
+  const std::filesystem::path scripts = copy_scripts(folder_.path());
+  folder_.write("scripts/behaviors/head_scan.lua", "behavior \"head_scan\" {\n  initial = \n}\n");
+  expect_refused_run({"--scripts", scripts.string()}, {"behaviors/head_scan.lua:3"});
+}
+
+TEST_F(BadInput, AScriptThatFailsWhenItIsReadIsNamedWithItsLine) {
+  const std::filesystem::path scripts = copy_scripts(folder_.path());
+  folder_.write("scripts/behaviors/head_scan.lua", "local x = nil\nlocal y = x.z\nbehavior \"head_scan\" {}\n");
+  expect_refused_run({"--scripts", scripts.string()}, {"behaviors/head_scan.lua:2"});
+}
+
+TEST_F(BadInput, ATestThatIsMissingIsNamed) { expect_refused({"test", path("gone_test.lua")}, {"gone_test.lua"}); }
+
+TEST_F(BadInput, AFolderForPicturesThatCannotBeMadeIsNamed) {
+  file("taken", "a file, no folder");
+  expect_refused_run({"--out", path("taken")}, {"taken", "--out"});
+  expect_refused_run({"--out", path("taken/out")}, {"taken/out", "--out"});
+}
+
+TEST_F(BadInput, ASummaryThatCannotBeWrittenIsNamedBeforeTheRun) {
+  file("taken", "a file, no folder");
+  std::filesystem::create_directory(folder_.path() / "folder");
+  expect_refused_run({"--json", path("taken/summary.json")}, {"taken/summary.json"});
+  expect_refused_run({"--json", path("gone/summary.json")}, {"gone/summary.json"});
+  expect_refused_run({"--json", path("folder")}, {"folder"});
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,167 @@
+// reorient check, graph, new, params and test, as a person calls them.
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+namespace {
+
+class CommandsTest : public ::testing::Test {
+ protected:
+  CommandsTest() : scripts_(copy_scripts(folder_.path())) {}
+
+  ProgramRun run(std::vector<std::string> words) const {
+    words.insert(words.end(), {"--scripts", scripts_.string()});
+    return run_reorient(words);
+  }
+  void append(const std::string& file, const std::string& text) const {
+    std::ofstream(scripts_ / file, std::ios::app) << text;
+  }
+  std::string path(const std::string& file) const { return (folder_.path() / file).string(); }
+
+  TemporaryFolder folder_;
+  std::filesystem::path scripts_;
+};
+
+TEST_F(CommandsTest, CheckFindsNothingWrongWithTheShippedScripts) {
+  const ProgramRun checked = run({"check"});
+  EXPECT_EQ(checked.code, kSuccess) << checked.out;
+  EXPECT_NE(checked.out.find("0 errors, 0 warnings"), std::string::npos) << checked.out;
+}
+
+TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
+  append("behaviors/head_scan.lua", "local x = robot.falen\n");
+  const ProgramRun checked = run({"check"});
+  EXPECT_EQ(checked.code, kWrong);
+  EXPECT_NE(checked.out.find("behaviors/head_scan.lua:33:17: error: there is no robot.falen (did you mean 'fallen'?)"),
+            std::string::npos)
+      << checked.out;
+}
+
+TEST_F(CommandsTest, CheckFailsOnAWarningOnlyWhenAskedTo) {
+  std::ofstream(scripts_ / "behaviors/odd.lua")
+      << "behavior \"odd\" { initial = \"a\", state \"a\" { { \"b\", after = 1 } }, state \"b\" {} }\n";
+  EXPECT_EQ(run({"check"}).code, kSuccess);
+  EXPECT_EQ(run({"check", "--strict"}).code, kWrong);
+}
+
+TEST_F(CommandsTest, CheckRefusesAPathThatIsNotThere) {
+  const ProgramRun checked = run({"check", path("nothing.lua")});
+  EXPECT_EQ(checked.code, kBadInput);
+  EXPECT_NE(checked.err.find("nothing.lua"), std::string::npos);
+}
+
+TEST_F(CommandsTest, GraphDrawsABehaviorAndAScenario) {
+  EXPECT_TRUE(run({"graph", "orientation"}).out.starts_with("stateDiagram-v2\n"));
+  EXPECT_TRUE(run({"graph", "orientation", "--format", "dot"}).out.starts_with("digraph \"orientation\" {\n"));
+  const ProgramRun scenario = run({"graph", "turned_round"});
+  EXPECT_NE(scenario.out.find("state \"carrying\" as carrying"), std::string::npos);
+  EXPECT_EQ(scenario.out.find("watching"), std::string::npos) << "the behaviours of the scenario are not asked for";
+  EXPECT_EQ(run({"graph", (scripts_ / "behaviors/orientation.lua").string()}).code, kSuccess);
+}
+
+TEST_F(CommandsTest, GraphWritesAFile) {
+  EXPECT_EQ(run({"graph", "orientation", "--out", path("o.mmd")}).out, "");
+  EXPECT_EQ(read_whole_file(path("o.mmd")), run({"graph", "orientation"}).out);
+}
+
+TEST_F(CommandsTest, GraphRefusesWhatItDoesNotKnow) {
+  const ProgramRun drawn = run({"graph", "orientatoin"});
+  EXPECT_EQ(drawn.code, kBadInput);
+  EXPECT_NE(drawn.err.find("did you mean 'orientation'?"), std::string::npos) << drawn.err;
+  EXPECT_EQ(run({"graph", "orientation", "--format", "png"}).code, kBadInput);
+}
+
+TEST_F(CommandsTest, ANewBehaviorPassesItsCheckAndItsTest) {
+  ASSERT_EQ(run({"new", "behavior", "ball_search"}).code, kSuccess);
+  const ProgramRun checked = run({"check", "--strict"});
+  EXPECT_EQ(checked.code, kSuccess) << checked.out;
+  const ProgramRun tested = run({"test", (scripts_ / "tests/ball_search_test.lua").string()});
+  EXPECT_EQ(tested.code, kSuccess) << tested.out;
+  EXPECT_NE(tested.out.find("4 passed, 0 failed"), std::string::npos) << tested.out;
+}
+
+TEST_F(CommandsTest, ANewScenarioPassesItsCheckAndItsTestOnTheSimulatorToo) {
+  ASSERT_EQ(run({"new", "scenario", "wait_here"}).code, kSuccess);
+  EXPECT_EQ(run({"check", "--strict"}).code, kSuccess);
+  const ProgramRun tested = run({"test", "--simulator", (scripts_ / "tests/wait_here_test.lua").string()});
+  EXPECT_EQ(tested.code, kSuccess) << tested.out;
+  EXPECT_NE(tested.out.find("3 passed, 0 failed"), std::string::npos) << tested.out;
+}
+
+TEST_F(CommandsTest, NewNeverOverwritesAndTakesPlainNamesOnly) {
+  const std::string before = read_whole_file(scripts_ / "behaviors/orientation.lua").value();
+  for (const char* name : {"orientation", "../escape", "Big", "with space", "", "1st", "a/b"}) {
+    EXPECT_EQ(run({"new", "behavior", name}).code, kBadInput) << name;
+  }
+  EXPECT_EQ(run({"new", "robot", "x"}).code, kBadInput);
+  EXPECT_EQ(read_whole_file(scripts_ / "behaviors/orientation.lua"), before);
+}
+
+TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
+  const ProgramRun listed = run({"params", "orientation.", "--set", "orientation.lead=0.3"});
+  EXPECT_EQ(listed.code, kSuccess) << listed.err;
+  EXPECT_NE(listed.out.find("orientation.lead          0.3  command line  0 to 1: how far one pose must be ahead"),
+            std::string::npos)
+      << listed.out;
+  EXPECT_NE(listed.out.find("orientation.proof         0.5  default       0 to 10 s: "), std::string::npos)
+      << listed.out;
+  EXPECT_EQ(listed.out.find("head_scan"), std::string::npos);
+}
+
+TEST_F(CommandsTest, ParamsListsThoseOfTheCoreTheSimulatorAndTheScenarios) {
+  const ProgramRun listed = run({"params"});
+  for (const char* name :
+       {"pose_filter.", "room.", "arbiter.flip_cooldown", "body.", "script.memory", "turned_round.learn", "walk.speed"})
+    EXPECT_NE(("\n" + listed.out).find(std::string("\n") + name), std::string::npos) << name;
+}
+
+TEST_F(CommandsTest, ParamsSavesOverridesThatARunLoads) {
+  const std::string file = path("tuned.toml");
+  ASSERT_EQ(
+      run({"params", "--changed", "--set", "orientation.lead=0.3", "--set", "room.mode=paper", "--save-params", file})
+          .code,
+      kSuccess)
+      << run({"params", "room."}).out;
+  const ProgramRun again = run({"params", "--changed", "--params", file});
+  EXPECT_NE(again.out.find("orientation.lead  "), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("file"), std::string::npos) << again.out;
+}
+
+TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
+  EXPECT_EQ(run({"params", "no_such_part"}).code, kBadInput);
+  EXPECT_EQ(run({"params", "--set", "orientation.led=1"}).code, kBadInput);
+  EXPECT_EQ(run({"params", "--set", "orientation.lead=2"}).code, kBadInput);
+}
+
+TEST_F(CommandsTest, ARunSavesWhatWasTuned) {
+  const std::string file = path("tuned.toml");
+  run_shortly({"--scripts", scripts_.string(), "--set", "head_scan.speed=2.5", "--save-params", file});
+  const std::string saved = read_whole_file(file).value_or("");
+  EXPECT_EQ(saved.substr(0, saved.find(' ')), "head_scan.speed");
+  EXPECT_EQ(run_shortly({"--save-params", path("no/folder/x")}).code, kBadInput);
+}
+
+TEST_F(CommandsTest, TestWritesAReportAndCoverage) {
+  const std::string file = path("report.xml");
+  const ProgramRun tested =
+      run({"test", "--coverage", "--junit", file, (scripts_ / "tests/stand_up_test.lua").string()});
+  EXPECT_EQ(tested.code, kSuccess) << tested.out;
+  EXPECT_NE(tested.out.find("stand_up: 3 of 3 states"), std::string::npos) << tested.out;
+  EXPECT_TRUE(read_whole_file(file).value_or("").starts_with("<?xml"));
+  EXPECT_EQ(run({"test", "--junit", path("no/folder/x")}).code, kBadInput);
+}
+
+TEST(ShippedScripts, PassTheirOwnTestsOnTheSimulatorToo) {
+  const ProgramRun tested = run_reorient({"test", "--simulator"});
+  EXPECT_EQ(tested.code, kSuccess) << tested.out;
+  EXPECT_NE(tested.out.find(" passed, 0 failed\n"), std::string::npos) << tested.out;
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,122 @@
+// The guides are run as they stand: their files are written, their edits made, their commands called, and what they
+// show is what must come.
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+namespace {
+
+/// What stands between two fences.
+struct Block {
+  std::string kind;  ///< "lua", "console", ...
+  std::string file;  ///< that it is about, may be empty
+  int line = 0;
+  std::vector<std::string> lines;
+};
+
+std::vector<Block> blocks_of(const std::filesystem::path& guide) {
+  std::ifstream in(guide);
+  std::vector<Block> blocks;
+  bool inside = false;
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (!line.starts_with("```")) {
+      if (inside) blocks.back().lines.push_back(line);
+      continue;
+    }
+    inside = !inside;
+    if (!inside) continue;
+    std::istringstream words(line.substr(3));
+    Block block;
+    words >> block.kind >> block.file;
+    block.line = number;
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// "..." alone stands for any lines, at the beginning of a line for any beginning.
+bool matches(const std::vector<std::string>& shown, std::size_t i, const std::vector<std::string>& seen,
+             std::size_t j) {
+  if (i == shown.size()) return j == seen.size();
+  if (shown[i] == "...") return matches(shown, i + 1, seen, j) || (j < seen.size() && matches(shown, i, seen, j + 1));
+  if (j == seen.size()) return false;
+  const bool fits = shown[i].starts_with("...") ? seen[j].ends_with(shown[i].substr(3)) : shown[i] == seen[j];
+  return fits && matches(shown, i + 1, seen, j + 1);
+}
+
+class Guide : public ::testing::TestWithParam<const char*> {
+ protected:
+  Guide() { copy_scripts(folder_.path()); }
+
+  void write(const Block& block) const {
+    std::string text;
+    for (const std::string& line : block.lines) text += line + "\n";
+    folder_.write(block.file, text);
+  }
+
+  void edit(const Block& block) const {
+    std::string from, to;
+    for (const std::string& line : block.lines) (line.starts_with('-') ? from : to) += line.substr(1);
+    std::string text = read_whole_file(folder_.path() / block.file).value_or("");
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << "line " << block.line << ": " << block.file << " has no '" << from << "'";
+    folder_.write(block.file, text.replace(at, from.size(), to));
+  }
+
+  void call(const Block& block) const {
+    const std::string prompt = "$ ./run ";
+    ASSERT_FALSE(block.lines.empty());
+    ASSERT_TRUE(block.lines[0].starts_with(prompt)) << "line " << block.line;
+    std::vector<std::string> words;
+    std::istringstream in(block.lines[0].substr(prompt.size()));
+    for (std::string word; in >> word;) {
+      const bool is_script = word.starts_with("scripts/");
+      words.push_back(is_script ? (folder_.path() / word).string() : word);
+    }
+    words.insert(words.end(), {"--scripts", (folder_.path() / "scripts").string()});
+    const ProgramRun run = run_reorient(words);
+    const std::vector<std::string> shown(block.lines.begin() + 1, block.lines.end());
+    EXPECT_TRUE(matches(shown, 0, lines_of(run.out), 0))
+        << "line " << block.line << ": " << block.lines[0] << " printed\n"
+        << run.out << run.err;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(Guide, ShowsWhatReallyHappens) {
+  int commands = 0;
+  for (const Block& block : blocks_of(kProjectFolder / GetParam())) {
+    if (block.kind == "console") {
+      call(block);
+      ++commands;
+    } else if (block.kind == "diff") {
+      edit(block);
+    } else if (block.kind == "lua" && !block.file.empty()) {
+      write(block);
+    }
+  }
+  EXPECT_GE(commands, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Docs, Guide, ::testing::Values("docs/first-behavior.md"));
+
+}  // namespace
+}  // namespace reorient

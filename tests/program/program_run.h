@@ -1,0 +1,46 @@
+// The program as a person at the keyboard calls it, with what it printed.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "program/program.h"
+
+namespace reorient {
+
+struct ProgramRun {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+inline const std::filesystem::path kProjectFolder = REORIENT_SOURCE_DIR;
+
+/// `words`: what stands behind the program's name.
+inline ProgramRun run_reorient(const std::vector<std::string>& words) {
+  setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
+  std::vector<const char*> argv{"reorient"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  std::ostringstream out, err;
+  const int code = run_program(static_cast<int>(argv.size()), argv.data(), out, err);
+  return {code, out.str(), err.str()};
+}
+
+/// A short run in small images that writes nothing, with more options behind.
+inline ProgramRun run_shortly(const std::vector<std::string>& more) {
+  std::vector<std::string> words{"run", "--seconds", "3", "--width", "160", "--no-pictures", "--log", "off"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_reorient(words);
+}
+
+/// A copy of the shipped scripts, to be broken.
+inline std::filesystem::path copy_scripts(const std::filesystem::path& folder) {
+  const std::filesystem::path copy = folder / "scripts";
+  std::filesystem::copy(kProjectFolder / "scripts", copy, std::filesystem::copy_options::recursive);
+  return copy;
+}
+
+}  // namespace reorient

@@ -1,0 +1,102 @@
+#include "workbench/views/pictures/confidence_plot.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/workbench/pictures/pixels.h"
+#include "workbench/views/pictures/canvas/palette.h"
+
+namespace reorient::pictures {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// Where the curves are; the picture's own numbers.
+constexpr int kLeft = 196;
+constexpr int kRight = 1464;
+constexpr int kTop = 176;
+constexpr int kBottom = 576;
+
+ConfidencePlot ten_seconds(double current, double opposite) {
+  ConfidencePlot plot;
+  for (int i = 0; i <= 100; ++i) plot.samples.push_back({0.1 * i, current, opposite, kNan, kNan});
+  return plot;
+}
+
+TEST(ConfidencePlot, draws_each_curve_at_the_height_of_its_confidence) {
+  const Picture picture = draw_confidence_plot(ten_seconds(0.8, 0.1));
+  for (const int x : {kLeft + 100, (kLeft + kRight) / 2, kRight - 100}) {
+    EXPECT_TRUE(alike(picture.at(x, kTop + 80), palette::belief)) << x;
+    EXPECT_TRUE(alike(picture.at(x, kTop + 360), palette::opposite)) << x;
+  }
+}
+
+TEST(ConfidencePlot, leaves_a_gap_where_there_is_no_confidence) {
+  ConfidencePlot plot = ten_seconds(0.8, 0.1);
+  for (int i = 40; i < 60; ++i) plot.samples[static_cast<std::size_t>(i)].current = kNan;
+  const Picture picture = draw_confidence_plot(plot);
+  EXPECT_FALSE(alike(picture.at((kLeft + kRight) / 2, kTop + 80), palette::belief));
+  EXPECT_TRUE(alike(picture.at((kLeft + kRight) / 2, kTop + 360), palette::opposite));
+}
+
+TEST(ConfidencePlot, draws_a_granted_command_through_and_a_refused_one_dashed) {
+  ConfidencePlot plot = ten_seconds(0.8, 0.1);
+  plot.commands = {{2.5, "flip", true}, {7.5, "purge", false}};
+  const Picture picture = draw_confidence_plot(plot);
+  const auto longest = [&](int x, Color color) {
+    int best = 0;
+    int run = 0;
+    for (int y = kTop; y < kBottom; ++y) {
+      run = alike(picture.at(x, y), color, 40) ? run + 1 : 0;
+      best = std::max(best, run);
+    }
+    return best;
+  };
+  EXPECT_GT(longest(kLeft + 317, palette::ink), 380);
+  const int dash = std::max(longest(kLeft + 950, palette::faint_ink), longest(kLeft + 951, palette::faint_ink));
+  EXPECT_GE(dash, 4);
+  EXPECT_LT(dash, 12);
+}
+
+TEST(ConfidencePlot, draws_refusals_frame_after_frame_as_one) {
+  ConfidencePlot once = ten_seconds(0.8, 0.1);
+  once.commands = {{2.0, "flip", false}};
+  ConfidencePlot often = once;
+  for (int i = 1; i < 60; ++i) often.commands.push_back({2.0 + i / 30.0, "flip", false});
+  EXPECT_EQ(draw_confidence_plot(once), draw_confidence_plot(often));
+}
+
+TEST(ConfidencePlot, gives_a_condition_a_lane_and_shades_the_ground_where_the_robot_was_carried) {
+  ConfidencePlot plot = ten_seconds(0.9, 0.1);
+  const int height_without = draw_confidence_plot(plot).height;
+  plot.conditions = {{Condition::carried, 4.0, 6.0}};
+  const Picture picture = draw_confidence_plot(plot);
+  EXPECT_GT(picture.height, height_without);
+  EXPECT_FALSE(alike(picture.at(kLeft + 640, kTop + 210), palette::page));
+  EXPECT_TRUE(alike(picture.at(kLeft + 300, kTop + 210), palette::page));
+  plot.conditions = {{Condition::training, 4.0, 6.0}};
+  EXPECT_TRUE(alike(draw_confidence_plot(plot).at(kLeft + 640, kTop + 210), palette::page));
+}
+
+TEST(ConfidencePlot, stays_within_its_axes_whatever_the_values) {
+  ConfidencePlot plot = ten_seconds(1e30, -1e30);
+  plot.samples.push_back({kNan, 0.5, 0.5, 0.5, 0.5});
+  plot.commands = {{kNan, "flip", true}, {-1e300, "flip", true}, {1e300, std::string(5000, 'x'), true}};
+  plot.conditions = {{Condition::fallen, kNan, 3.0}, {Condition::fallen, 5.0, 2.0}, {Condition::fallen, -1e300, 1e300}};
+  const Picture picture = draw_confidence_plot(plot);
+  EXPECT_EQ(picture.width, 1500);
+  EXPECT_EQ(count(picture, palette::page, kRight + 6, kTop, 1500, kBottom), (1500 - kRight - 6) * (kBottom - kTop));
+}
+
+TEST(ConfidencePlot, draws_a_run_in_which_nothing_happened) {
+  const Picture picture = draw_confidence_plot({});
+  EXPECT_GT(count(picture, palette::grid), 4000);
+  ConfidencePlot one;
+  one.samples = {{3.0, 0.5, 0.5, 0.5, 0.5}};
+  EXPECT_EQ(draw_confidence_plot(one).width, 1500);
+}
+
+}  // namespace
+}  // namespace reorient::pictures

@@ -1,0 +1,29 @@
+// What tests ask of a picture's pixels.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "workbench/views/pictures/canvas/picture.h"
+
+namespace reorient::pictures {
+
+inline bool alike(const Color& a, const Color& b, int tolerance = 12) {
+  return std::abs(a.red - b.red) <= tolerance && std::abs(a.green - b.green) <= tolerance &&
+         std::abs(a.blue - b.blue) <= tolerance;
+}
+
+/// Pixels of that colour in a part of the picture; what is outside of the picture does not count.
+inline int count(const Picture& picture, const Color& color, int left, int top, int right, int bottom) {
+  int found = 0;
+  for (int y = std::max(top, 0); y < std::min(bottom, picture.height); ++y)
+    for (int x = std::max(left, 0); x < std::min(right, picture.width); ++x)
+      if (alike(picture.at(x, y), color)) ++found;
+  return found;
+}
+
+inline int count(const Picture& picture, const Color& color) {
+  return count(picture, color, 0, 0, picture.width, picture.height);
+}
+
+}  // namespace reorient::pictures

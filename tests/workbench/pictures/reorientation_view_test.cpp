@@ -1,0 +1,61 @@
+#include "workbench/views/pictures/reorientation_view.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/workbench/pictures/pixels.h"
+#include "workbench/views/pictures/canvas/palette.h"
+
+namespace reorient::pictures {
+namespace {
+
+// Of the two panels, below title and legend; the picture's own numbers.
+constexpr int kTop = 170;
+constexpr int kMiddle = 750;
+
+Reorientation flip() {
+  const Pose2 truth(3.0, 1.0, 0.0);
+  return {"flip", 46.2, {{Pose2(-3.0, -1.0, 0.0)}, truth, reflect(truth)}, {{truth}, truth, truth}};
+}
+
+TEST(ReorientationView, shows_the_belief_jump_to_the_truth) {
+  const Picture picture = draw_reorientation_view({}, {flip()});
+  const auto believed = [&](int left, int right) {
+    return count(picture, palette::belief, left, kTop, right, picture.height);
+  };
+  EXPECT_GT(believed(36, 386), 60);  // before: on the left of the first panel
+  EXPECT_EQ(believed(400, kMiddle), 0);
+  EXPECT_EQ(believed(kMiddle + 20, 1100), 0);  // after: on the right of the second one
+  EXPECT_GT(believed(1114, 1464), 60);
+  EXPECT_GT(count(picture, palette::truth, 400, kTop, kMiddle, picture.height), 100);
+}
+
+TEST(ReorientationView, gives_each_command_a_line) {
+  const int one = draw_reorientation_view({}, {flip()}).height;
+  const int two = draw_reorientation_view({}, {flip(), flip()}).height;
+  const int three = draw_reorientation_view({}, {flip(), flip(), flip()}).height;
+  EXPECT_GT(two, one + 400);
+  EXPECT_NEAR(three - two, two - one, 1);
+}
+
+TEST(ReorientationView, stays_of_a_size_that_can_be_looked_at) {
+  EXPECT_LT(draw_reorientation_view({}, std::vector<Reorientation>(500)).height, 8000);
+}
+
+TEST(ReorientationView, draws_a_run_without_commands) {
+  const Picture picture = draw_reorientation_view({}, {});
+  EXPECT_EQ(picture.width, 1500);
+  EXPECT_EQ(count(picture, palette::carpet), 0);
+}
+
+TEST(ReorientationView, leaves_out_poses_that_are_none) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Reorientation bad{"purge", nan, {}, {}};
+  const Reorientation empty = bad;
+  bad.before = {{Pose2(nan, nan, nan), Pose2(1e300, 0.0, 0.0)}, Pose2(0.0, nan, 0.0), Pose2(nan, 0.0, 0.0)};
+  EXPECT_EQ(draw_reorientation_view({}, {bad}), draw_reorientation_view({}, {empty}));
+}
+
+}  // namespace
+}  // namespace reorient::pictures

@@ -1,0 +1,90 @@
+#include "workbench/files/parameter_file.h"
+
+#include <stdexcept>
+#include <string>
+
+#include <toml++/toml.h>
+
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+namespace {
+
+std::string place(const std::filesystem::path& file, const toml::source_region& where) {
+  return file.string() + ":" + std::to_string(where.begin.line) + ": ";
+}
+
+std::string text_of(const toml::node& node) {
+  if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+  if (const auto* real = node.as_floating_point()) return to_text(real->get());
+  if (const auto* yes = node.as_boolean()) return yes->get() ? "true" : "false";
+  if (const auto* string = node.as_string()) return string->get();
+  throw std::runtime_error("a parameter is a number, true, false or a name in quotes");
+}
+
+void read_table(ParameterRegistry& registry, const std::filesystem::path& file, const toml::table& table,
+                const std::string& prefix) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    if (const toml::table* inner = node.as_table()) {
+      read_table(registry, file, *inner, name + ".");
+      continue;
+    }
+    try {
+      registry.set_early(name, text_of(node), ParameterOrigin::file);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(place(file, node.source()) + error.what());
+    }
+  }
+}
+
+bool is_bare(std::string_view key) {
+  constexpr std::string_view kBare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  return !key.empty() && key.find_first_not_of(kBare) == std::string_view::npos;
+}
+
+/// A dotted name as a TOML key.
+std::string as_key(std::string_view name) {
+  std::string key;
+  while (true) {
+    const std::size_t dot = name.find('.');
+    const std::string_view part = name.substr(0, dot);
+    if (is_bare(part)) {
+      key += part;
+    } else {
+      key.append(1, '"').append(part).append(1, '"');
+    }
+    if (dot == std::string_view::npos) return key;
+    key += '.';
+    name.remove_prefix(dot + 1);
+  }
+}
+
+}  // namespace
+
+void load_parameters(ParameterRegistry& registry, const std::filesystem::path& file) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(file, missing)) {
+    throw std::runtime_error(file.string() + ": there is no such parameter file");
+  }
+  toml::table table;
+  try {
+    table = toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw std::runtime_error(place(file, error.source()) + std::string(error.description()));
+  }
+  read_table(registry, file, table, "");
+}
+
+void save_parameters(const ParameterRegistry& registry, const std::filesystem::path& file) {
+  std::string text;
+  for (const Parameter& parameter : registry.list()) {
+    if (parameter.origin == ParameterOrigin::standard) continue;
+    const char* const quote = parameter.kind == ParameterKind::choice ? "\"" : "";
+    text += as_key(parameter.name) + " = " + quote + to_text(parameter.value) + quote + "  # " + range_text(parameter) +
+            ": " + parameter.sentence + "\n";
+  }
+  write_whole_file(file, text);
+}
+
+}  // namespace reorient

@@ -1,0 +1,78 @@
+#include "workbench/script_tools/check/symbol_table.h"
+
+#include <sstream>
+
+#include "engine/script/language/script_actions.h"
+#include "engine/script/language/world_fields.h"
+#include "workbench/script_tools/reference/vocabulary.h"
+
+namespace reorient {
+namespace {
+
+void add_library(KnownNames& known) {
+  for (const LibraryRow& row : library_rows()) {
+    std::istringstream names{std::string(row.names)};
+    for (std::string name; names >> name;) {
+      if (row.table.empty()) {
+        known.globals.insert(name);
+      } else {
+        known.globals.insert(std::string(row.table));
+        known.tables[std::string(row.table)].fields.insert(name);
+      }
+    }
+  }
+}
+
+void add_words(std::span<const ScriptWord> words, KnownNames& known) {
+  for (const ScriptWord& word : words) {
+    const std::string name(word.name);
+    const std::size_t dot = name.find('.');
+    known.globals.insert(name.substr(0, dot));
+    if (dot != std::string::npos) known.tables[name.substr(0, dot)].fields.insert(name.substr(dot + 1));
+  }
+}
+
+void add_world(bool for_scenarios, KnownNames& known) {
+  for (const WorldField& field : world_fields()) {
+    if (field.for_scenarios && !for_scenarios) continue;
+    known.globals.insert(std::string(field.table));
+    known.tables[std::string(field.table)].fields.insert(std::string(field.name));
+  }
+}
+
+void add_functions(bool for_scenarios, KnownNames& known) {
+  for (const ScriptFunction& function : script_functions()) {
+    if (function.for_scenarios && !for_scenarios) continue;
+    KnownFunction signature{{}, function.result.empty()};  // what gives nothing back is called for its effect
+    for (const ArgumentDoc& argument : function.arguments) signature.argument_types.push_back(argument.type);
+    if (function.table.empty()) {
+      known.globals.insert(function.name);
+      known.functions[function.name] = std::move(signature);
+    } else {
+      known.globals.insert(function.table);
+      known.tables[function.table].fields.insert(function.name);
+      known.tables[function.table].functions[function.name] = std::move(signature);
+    }
+  }
+}
+
+}  // namespace
+
+KnownNames known_names(ScriptRole role) {
+  KnownNames known;
+  add_library(known);
+  if (role == ScriptRole::test) {
+    add_words(test_words(), known);
+    return known;
+  }
+  add_words(language_words(), known);
+  if (role == ScriptRole::behavior) known.globals.erase("scenario");
+  if (role == ScriptRole::scenario) known.globals.erase("behavior");
+  // A library serves both: what only scenarios have is known there too.
+  const bool for_scenarios = role != ScriptRole::behavior;
+  add_world(for_scenarios, known);
+  add_functions(for_scenarios, known);
+  return known;
+}
+
+}  // namespace reorient

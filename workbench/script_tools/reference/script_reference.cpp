@@ -1,0 +1,197 @@
+#include "workbench/script_tools/reference/script_reference.h"
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "engine/script/language/script_actions.h"
+#include "engine/script/language/world_fields.h"
+#include "workbench/script_tools/reference/vocabulary.h"
+
+namespace reorient {
+namespace {
+
+std::string signature(const ScriptFunction& function) {
+  std::string text = function.table.empty() ? function.name : function.table + "." + function.name;
+  text += "(";
+  for (std::size_t i = 0; i < function.arguments.size(); ++i) {
+    const bool optional = function.arguments[i].type.ends_with('?');
+    text += (i > 0 ? ", " : "") + function.arguments[i].name + (optional ? "?" : "");
+  }
+  return text + ")";
+}
+
+bool is_for_scenarios(std::string_view table) {
+  for (const WorldField& field : world_fields()) {
+    if (field.table == table) return field.for_scenarios;
+  }
+  return false;
+}
+
+void write_words(std::ostream& out, std::span<const ScriptWord> words) {
+  for (const ScriptWord& word : words) {
+    out << "### `" << word.name << "`\n```lua\n" << word.usage << "\n```\n" << word.sentence << "\n\n";
+  }
+}
+
+void write_world(std::ostream& out) {
+  out << "## The world\nRead-only tables, refreshed before each frame. A name that does not exist is an error.\n\n";
+  for (const WorldTable& table : world_tables()) {
+    out << "### `" << table.name << "`" << (is_for_scenarios(table.name) ? " (scenarios only)" : "") << "\n"
+        << table.sentence << "\n\n| field | type | unit | what it is |\n|---|---|---|---|\n";
+    for (const WorldField& field : world_fields()) {
+      if (field.table != table.name) continue;
+      out << "| `" << field.full_name() << "` | " << (field.is_boolean() ? "boolean" : "number") << " | " << field.unit
+          << " | " << field.sentence << " |\n";
+    }
+    out << "\n";
+  }
+}
+
+void write_functions(std::ostream& out, bool for_scenarios) {
+  out << "| function | what it does |\n|---|---|\n";
+  for (const ScriptFunction& function : script_functions()) {
+    if (function.for_scenarios != for_scenarios) continue;
+    out << "| `" << signature(function) << "`" << (function.result.empty() ? "" : ": " + function.result) << " | "
+        << function.sentence << " |\n";
+  }
+  out << "\n";
+}
+
+std::string quoted_list(std::string_view names) {
+  std::istringstream words{std::string(names)};
+  std::string list;
+  for (std::string word; words >> word;) list.append(list.empty() ? "\"" : ", \"").append(word).append(1, '"');
+  return list;
+}
+
+/// The globals that the words stand for: "expect.state" is the table expect.
+std::set<std::string> first_names(std::span<const ScriptWord> words) {
+  std::set<std::string> names;
+  for (const ScriptWord& word : words) names.insert(std::string(word.name.substr(0, word.name.find('.'))));
+  return names;
+}
+
+}  // namespace
+
+std::string script_reference() {
+  std::ostringstream out;
+  out << "# Script reference\n"
+         "Generated from the declarations that make the bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes "
+         "it anew.\n\n"
+         "A behaviour is a file under `scripts/behaviors/`, a scenario one under `scripts/scenarios/`, what several "
+         "share lies "
+         "under\n`scripts/lib/`. Lengths are metres, angles radians, times seconds; x forward, y left.\n\n## Words\n";
+  write_words(out, language_words());
+  out << "### A transition\n```lua\n{ \"target\", when = f, lasting = 0.5, after = \"settle\", because = \"the "
+         "reason\" }\n```\n"
+         "Leads to the state `target`: looked for among the state's own states, then beside it, then further out; "
+         "`\"outer/inner\"` is a "
+         "path\nfrom the top. It is taken when `when` gives true, has done so for `lasting` without a break, and the "
+         "state was entered "
+         "`after`\nago at least. Both times are seconds, the name of a param, or a function that gives seconds. "
+         "`because` goes into the "
+         "record. In one\nframe a machine takes one transition at most: those of outer states come first, there "
+         "`always` before the "
+         "others.\n\n";
+  write_world(out);
+  out << "## Functions\nThey act, so they stand in `enter`, `update` and `exit`, not in conditions.\n\n";
+  write_functions(out, false);
+  out << "### In scenarios only\n";
+  write_functions(out, true);
+  out << "## From Lua's own library\n";
+  for (const LibraryRow& row : library_rows()) {
+    out << "- `" << (row.table.empty() ? "base" : row.table) << "`: " << row.names << "\n";
+  }
+  out << "\n`pairs` goes through numbers and then names in their order, so that each run is the same. Table functions "
+         "take tables "
+         "without a\nmetatable. There are no global variables: write `local`, or `keep` for what shall survive.\n\n## "
+         "Words of tests\n"
+         "Files `scripts/tests/*_test.lua`, run by `reorient test`.\n\n";
+  write_words(out, test_words());
+  std::string text = out.str();
+  text.pop_back();  // the last blank line
+  return text;
+}
+
+std::string script_annotations() {
+  std::ostringstream out;
+  out << "---@meta\n-- What scripts can see and say, for the Lua language server. Generated from the declarations that "
+         "make the\n"
+         "-- bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.\n\n";
+  out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? boolean\n"
+         "---@field always? table[]\n---@field behaviors? string[]\n---@field enter? fun()\n---@field update? fun()\n"
+         "---@field exit? fun()\n---@field [integer] table\n\n";
+  for (const WorldTable& table : world_tables()) {
+    out << "---" << table.sentence << "\n---@class reorient." << table.name << "\n";
+    for (const WorldField& field : world_fields()) {
+      if (field.table != table.name) continue;
+      out << "---@field " << field.name << " " << (field.is_boolean() ? "boolean" : "number") << " "
+          << (field.unit.empty() ? "" : std::string(field.unit) + ", ") << field.sentence << "\n";
+    }
+    out << table.name << " = {}\n\n";
+  }
+  std::set<std::string> tables;
+  for (const ScriptFunction& function : script_functions()) {
+    if (!function.table.empty() && tables.insert(function.table).second) out << function.table << " = {}\n\n";
+    out << "---" << function.sentence << "\n";
+    std::string arguments;
+    for (const ArgumentDoc& argument : function.arguments) {
+      const bool optional = argument.type.ends_with('?');
+      const std::string type = optional ? argument.type.substr(0, argument.type.size() - 1) : argument.type;
+      out << "---@param " << argument.name << (optional ? "? " : " ") << type << "\n";
+      arguments += (arguments.empty() ? "" : ", ") + argument.name;
+    }
+    if (!function.result.empty()) out << "---@return " << function.result << "\n";
+    out << "function " << (function.table.empty() ? "" : function.table + ".") << function.name << "(" << arguments
+        << ") end\n\n";
+  }
+  for (const ScriptWord& word : language_words()) out << "---" << word.sentence << "\n" << word.annotation << "\n\n";
+  out << "expect = {}\n\n";
+  for (const ScriptWord& word : test_words()) out << "---" << word.sentence << "\n" << word.annotation << "\n\n";
+  std::string text = out.str();
+  text.pop_back();
+  return text;
+}
+
+std::string script_luacheck() {
+  std::map<std::string, std::string> tables;  // of the world and the functions, with their fields
+  std::set<std::string> globals = first_names(language_words());
+  const auto add = [&tables](std::string_view table, std::string_view name) {
+    std::string& list = tables[std::string(table)];
+    list.append(list.empty() ? "\"" : ", \"").append(name).append(1, '"');
+  };
+  for (const WorldField& field : world_fields()) add(field.table, field.name);
+  for (const ScriptFunction& function : script_functions()) {
+    if (function.table.empty()) {
+      globals.insert(function.name);
+    } else {
+      add(function.table, function.name);
+    }
+  }
+  std::ostringstream out;
+  out << "-- For luacheck. Generated from the declarations that make the bindings; do not edit.\n"
+         "-- `REORIENT_REGENERATE=1 ./test` writes it anew.\nlocal function fields(...)\n  local known = {}\n"
+         "  for _, name in ipairs { ... } do known[name] = {} end\n  return { fields = known }\nend\n\n"
+         "stds.reorient = { read_globals = {\n";
+  for (const LibraryRow& row : library_rows()) {
+    if (row.table.empty()) {
+      out << "  " << quoted_list(row.names) << ",\n";
+    } else {
+      out << "  " << row.table << " = fields(" << quoted_list(row.names) << "),\n";
+    }
+  }
+  for (const std::string& name : globals) {
+    out << "  " << name << (name == "behaviors" ? " = { other_fields = true },\n" : " = {},\n");
+  }
+  for (const auto& [table, names] : tables) out << "  " << table << " = fields(" << names << "),\n";
+  out << "} }\nstds.reorient_test = { read_globals = {\n  expect = { other_fields = true },\n";
+  for (const std::string& name : first_names(test_words())) {
+    if (name != "expect") out << "  " << name << " = {},\n";
+  }
+  out << "} }\n\nstd = \"reorient\"\nfiles[\"**/*_test.lua\"].std = \"reorient+reorient_test\"\n"
+         "exclude_files = { \"annotations\", \"**/annotations\" }\nmax_line_length = 140\n";
+  return out.str();
+}
+
+}  // namespace reorient

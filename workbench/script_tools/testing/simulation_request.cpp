@@ -1,0 +1,113 @@
+#include "workbench/script_tools/testing/simulation_request.h"
+
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/script/sandbox/safe_library.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kLongest = 86400.0;  // s
+
+/// The value on top of the stack, if it is a whole number within the bounds.
+std::optional<lua_Integer> whole_number(lua_State* L, lua_Integer least, lua_Integer most) {
+  if (lua_isinteger(L, -1) == 0) return std::nullopt;
+  const lua_Integer number = lua_tointeger(L, -1);
+  return number >= least && number <= most ? std::optional(number) : std::nullopt;
+}
+
+bool read_width(lua_State* L, SimulationRequest& request) {
+  const std::optional<lua_Integer> width = whole_number(L, 160, 640);
+  if (!width || (*width != 160 && *width != 320 && *width != 640)) return false;
+  request.width = static_cast<int>(*width);
+  return true;
+}
+
+bool read_seconds(lua_State* L, SimulationRequest& request) {
+  if (lua_type(L, -1) != LUA_TNUMBER) return false;
+  request.seconds = lua_tonumber(L, -1);
+  return request.seconds > 0.0 && request.seconds <= kLongest;
+}
+
+bool read_seed(lua_State* L, SimulationRequest& request) {
+  const std::optional<lua_Integer> seed = whole_number(L, 0, LUA_MAXINTEGER);
+  if (seed) request.seed = static_cast<std::uint64_t>(*seed);
+  return seed.has_value();
+}
+
+bool read_with(lua_State* L, SimulationRequest& request) {
+  if (!lua_istable(L, -1)) return false;
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= count; ++i) {
+    const bool is_text = lua_rawgeti(L, -1, i) == LUA_TSTRING;
+    if (is_text) request.with.emplace_back(lua_tostring(L, -1));
+    lua_pop(L, 1);
+    if (!is_text) return false;
+  }
+  return true;
+}
+
+bool read_parameters(lua_State* L, SimulationRequest& request) {
+  if (!lua_istable(L, -1)) return false;
+  const int table = lua_gettop(L);
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) {
+      lua_pop(L, 2);
+      return false;
+    }
+    push_text(L, -1);
+    request.parameters.emplace_back(lua_tostring(L, -3), lua_tostring(L, -1));
+    lua_pop(L, 1);
+  }
+  return true;
+}
+
+bool read_scenario(lua_State* L, SimulationRequest& request) {
+  if (lua_type(L, -1) != LUA_TSTRING) return false;
+  request.scenario = lua_tostring(L, -1);
+  return true;
+}
+
+bool read_room_awareness(lua_State* L, SimulationRequest& request) {
+  if (!lua_isboolean(L, -1)) return false;
+  request.room_awareness = lua_toboolean(L, -1) != 0;
+  return true;
+}
+
+/// Reads the value on top of the stack and leaves it there; false: it does not fit.
+struct Field {
+  const char* name;
+  bool (*read)(lua_State* L, SimulationRequest& request);
+};
+constexpr Field kFields[] = {{"scenario", read_scenario}, {"with", read_with},
+                             {"seed", read_seed},         {"width", read_width},
+                             {"seconds", read_seconds},   {"room_awareness", read_room_awareness},
+                             {"params", read_parameters}};
+
+void read_field(lua_State* L, const std::string& key, SimulationRequest& request) {
+  std::vector<std::string> known;
+  for (const Field& field : kFields) {
+    known.emplace_back(field.name);
+    if (field.name != key) continue;
+    if (field.read(L, request)) return;
+    throw std::runtime_error("simulate: " + key + " has no value that fits");
+  }
+  throw std::runtime_error("simulate: there is no '" + key + "'" + did_you_mean(key, known));
+}
+
+}  // namespace
+
+SimulationRequest read_simulation_request(lua_State* L, int table) {
+  luaL_checktype(L, table, LUA_TTABLE);
+  SimulationRequest request;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("simulate takes { scenario = \"...\", seed = 1 }");
+    read_field(L, lua_tostring(L, -2), request);
+  }
+  if (request.scenario.empty())
+    throw std::runtime_error("simulate needs a scenario: simulate { scenario = \"turned_round\" }");
+  return request;
+}
+
+}  // namespace reorient

@@ -1,0 +1,105 @@
+// A fake world with a fake clock in which scripted tests run behaviours.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <lua.hpp>
+
+#include "engine/script/script_host.h"
+#include "engine/world/arbiter.h"
+#include "workbench/script_tools/testing/coverage.h"
+#include "workbench/script_tools/testing/simulation.h"
+
+namespace reorient {
+
+/// Where an expectation was not met, and how.
+struct TestFailure {
+  std::string file;
+  int line = 0;
+  std::string text;  ///< may have several lines
+};
+
+/// One test's bench: what `load`, `set`, `advance`, `reload` and `expect` of a test act on.
+class TestBench {
+ public:
+  /// `simulate` may be empty: then simulate() ends the test, and needs_simulator() says why.
+  TestBench(std::filesystem::path scripts_root, const Simulate& simulate, CoverageTrace& trace);
+
+  /// Makes the functions as globals of `L`.
+  void add_to(lua_State* L);
+
+  /// What went wrong so far, with errors of the scripts that the test did not expect.
+  std::vector<TestFailure> finish();
+  bool needs_simulator() const { return needs_simulator_; }
+
+ private:
+  // What a test does.
+  int load(lua_State* L);
+  int load_scenario(lua_State* L);
+  int set(lua_State* L);
+  int advance(lua_State* L);
+  int reload(lua_State* L);
+  int simulate(lua_State* L);
+  void set_param(std::string_view name, std::string_view value);
+
+  // What it expects of the frames of the last advance(), or of a simulation: test_expectations.cpp.
+  void expect_state(std::string_view machine, std::string_view path);
+  void expect_reason(std::string_view machine, std::string_view text);
+  void expect_command(std::string_view name, std::optional<std::string_view> verdict);
+  void expect_no_command(std::optional<std::string_view> name);
+  void expect_lease(std::string_view name);
+  void expect_no_lease(std::string_view name);
+  void expect_head(double yaw, double pitch);
+  void expect_walk(double forward, double left, double turn);
+  void expect_get_up(bool wanted);
+  void expect_log(std::string_view text);
+  void expect_action(std::string_view name);
+  void expect_verdict(bool succeeded, std::string_view text);
+  void expect_error(std::string_view text);
+  void expect_refused(std::string_view text);
+  int expect_equal(lua_State* L);
+  void expect_near(double actual, double expected, double tolerance);
+
+  template <auto Method>
+  void add_function(lua_State* L, const char* name);
+  void add_expectations(lua_State* L);
+  ScriptHost& host();
+  std::vector<MachineStatus> machines();
+  void fail(const std::string& expected, const std::string& actual);
+  void fail(const std::string& text);
+  std::string file_of(const std::string& script) const;
+  bool has_lease(std::string_view name) const;
+  std::string commands_seen() const;
+
+  std::filesystem::path root_;
+  const Simulate& simulate_;
+  CoverageTrace& trace_;
+  bool needs_simulator_ = false;
+  std::optional<std::vector<MachineStatus>> simulated_;  ///< machines at the end of a simulation
+  lua_State* lua_ = nullptr;
+  ParameterRegistry parameters_;
+  ArbiterParameters arbiter_parameters_;
+  ScriptLimits limits_;
+  World world_;
+  long frame_ = 0;
+  std::unique_ptr<ScriptHost> host_;
+  Arbiter arbiter_;
+  std::string last_script_;
+  std::vector<TestFailure> failures_;
+  std::vector<FaultRecord> faults_;      ///< not yet expected
+  std::optional<ReloadReport> refused_;  ///< not yet expected
+  // Of the last advance():
+  std::vector<CommandRecord> commands_;
+  std::vector<TransitionRecord> transitions_;  ///< of the whole test
+  std::vector<LogRecord> logs_;
+  std::vector<ExperimenterAction> actions_;
+  std::vector<Lease> leases_;
+  std::optional<ScenarioVerdict> verdict_;
+  Request request_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,40 @@
+// Scripted behaviour tests: scripts/tests/*_test.lua, in a fake world with a fake clock.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "workbench/script_tools/testing/coverage.h"
+#include "workbench/script_tools/testing/simulation.h"
+#include "workbench/script_tools/testing/test_bench.h"
+
+namespace reorient {
+
+struct TestCase {
+  std::string file;
+  std::string name;
+  std::vector<TestFailure> failures;  ///< none: it passed
+  bool skipped = false;               ///< it wants the simulator, and there is none
+};
+
+struct TestSummary {
+  std::vector<TestCase> cases;  ///< a file that cannot be run is a case of its own
+  int passed = 0;
+  int failed = 0;
+  int skipped = 0;
+};
+
+/// What to run, and with what.
+struct TestRun {
+  std::filesystem::path scripts_root;
+  std::vector<std::filesystem::path> paths;  ///< files and folders; none: all of scripts_root/tests
+  Simulate simulate;                         ///< none: tests that want the simulator are skipped
+};
+
+/// Writes one line a test and each failure with file, line, what was expected and what was seen. `trace` is filled
+/// with what the tests took. Throws std::runtime_error with one line when a path does not exist or holds no tests.
+TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace);
+
+}  // namespace reorient

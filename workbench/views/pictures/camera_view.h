@@ -1,0 +1,55 @@
+// The camera image with what the robot found in it and what it expected (the paper's Fig. 4b). Positions are pixels of
+// the image: u right, v down, (0, 0) the centre of the top left pixel.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/image.h"
+#include "workbench/views/pictures/parts/histogram_bars.h"
+
+namespace reorient::pictures {
+
+/// A tile of the wall, projected back into the image from the believed pose.
+struct ImageTile {
+  std::vector<Eigen::Vector2d> corners;  ///< in order around the tile; more than four where the lens bends its sides
+  HistogramBars perceived;
+  bool counted = true;  ///< false: covered, too steep or too near; drawn dashed and without a chart
+};
+
+struct ImageLinePoint {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< across the line, of any length but 0
+};
+
+struct ImageGoalPost {
+  Eigen::Vector2d base = Eigen::Vector2d::Zero();
+  Eigen::Vector2d top = Eigen::Vector2d::Zero();
+};
+
+struct ImageArea {
+  double left = 0.0;
+  double top = 0.0;
+  double right = 0.0;
+  double bottom = 0.0;
+};
+
+/// What is empty is not drawn.
+struct CameraView {
+  ImageView image;
+  double time = 0.0;  ///< s
+  std::vector<ImageTile> tiles;
+  std::vector<Eigen::Vector2d> view_particles;
+  std::vector<ImageLinePoint> line_points;
+  std::vector<ImageGoalPost> goal_posts;
+  std::vector<ImageArea> obstacles;
+  std::vector<Eigen::Vector2d> boundary;                      ///< of the field, from left to right
+  std::vector<std::vector<Eigen::Vector2d>> projected_lines;  ///< field lines as the believed pose expects them
+};
+
+/// 1280 pixels wide, whatever the image's size, with the legend below the image.
+Picture draw_camera_view(const CameraView& camera);
+
+}  // namespace reorient::pictures

@@ -1,0 +1,14 @@
+// Pictures as PNG files.
+#pragma once
+
+#include <filesystem>
+
+#include "workbench/views/pictures/canvas/picture.h"
+
+namespace reorient::pictures {
+
+/// Writes a picture beside its final name and renames it when it is complete, so that nobody ever sees half of it.
+/// Throws std::runtime_error with one line where that fails, and leaves what was there before.
+void write_png(const std::filesystem::path& file, const Picture& picture);
+
+}  // namespace reorient::pictures

@@ -1,0 +1,245 @@
+#include "workbench/views/pictures/confidence_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "workbench/views/pictures/canvas/canvas.h"
+#include "workbench/views/pictures/parts/legend.h"
+
+namespace reorient::pictures {
+namespace {
+
+constexpr int kWidth = 1500;
+constexpr double kLeft = 196.0;  // room for the lanes' names
+constexpr double kRight = kWidth - 36.0;
+constexpr double kTop = 176.0;     // below title, legend and the commands' names
+constexpr double kCurves = 400.0;  // height
+constexpr double kLane = 28.0;
+constexpr int kLabelLanes = 2;
+constexpr double kRefusedApart = 5.0;  // pixels: refusals frame after frame are drawn as one
+
+struct LaneStyle {
+  const char* name;
+  Color color;
+  bool shades_curves;
+};
+
+LaneStyle lane_style(Condition condition) {
+  switch (condition) {
+    case Condition::training:
+      return {"training", {64, 160, 92}, false};
+    case Condition::training_paused:
+      return {"training paused", {150, 160, 60}, false};
+    case Condition::evaluation_paused:
+      return {"evaluation paused", palette::cluster, false};
+    case Condition::belief_reflected:
+      return {"belief reflected", palette::opposite, false};
+    case Condition::carried:
+      return {"carried", {126, 87, 194}, true};
+    case Condition::fallen:
+      return {"fallen", {230, 126, 34}, true};
+  }
+  return {"", palette::cluster, false};
+}
+
+struct TimeAxis {
+  double first = 0.0;  // s
+  double last = 1.0;
+
+  double x(double time) const { return kLeft + (time - first) / (last - first) * (kRight - kLeft); }
+  bool contains(double time) const { return time >= first && time <= last; }
+};
+
+TimeAxis time_axis(const ConfidencePlot& plot) {
+  double first = std::numeric_limits<double>::infinity();
+  double last = -first;
+  const auto include = [&](double time) {
+    if (!(std::abs(time) < 1e9)) return;  // nor NaN
+    first = std::min(first, time);
+    last = std::max(last, time);
+  };
+  for (const ConfidenceSample& sample : plot.samples) include(sample.time);
+  if (plot.samples.empty()) {
+    for (const CommandMark& mark : plot.commands) include(mark.time);
+    for (const ConditionInterval& interval : plot.conditions) {
+      include(interval.from);
+      include(interval.to);
+    }
+  }
+  if (first > last) return {};
+  return {first, std::max(last, first + 1.0)};
+}
+
+// 1, 2 or 5 times a power of ten: at most `most` ticks.
+double tick_step(double range, int most) {
+  double step = std::pow(10.0, std::floor(std::log10(range / most)));
+  for (const double factor : {2.0, 2.5, 2.0}) {
+    if (range / step <= most) break;
+    step *= factor;
+  }
+  return step;
+}
+
+double confidence_y(double confidence) { return kTop + (1.0 - std::clamp(confidence, -0.02, 1.02)) * kCurves; }
+
+void draw_axes(Canvas& canvas, const TimeAxis& axis, double bottom) {
+  const TextStyle label{.size = 18.0, .color = palette::faint_ink, .align = Align::right};
+  for (int i = 0; i <= 4; ++i) {
+    const double y = confidence_y(i / 4.0);
+    canvas.line({kLeft, y}, {kRight, y}, palette::grid, 1.0);
+    char words[16];
+    std::snprintf(words, sizeof words, "%.2f", i / 4.0);
+    canvas.text({kLeft - 10.0, y + 6.0}, words, label);
+  }
+  TextStyle middle = label;
+  middle.align = Align::center;
+  const double step = tick_step(axis.last - axis.first, 12);
+  for (int i = 0; i <= 14; ++i) {
+    const double time = (std::ceil(axis.first / step - 1e-9) + i) * step;
+    if (time > axis.last + 1e-9) break;
+    canvas.line({axis.x(time), kTop}, {axis.x(time), bottom}, palette::grid, 1.0);
+    char words[32];
+    std::snprintf(words, sizeof words, step < 1.0 ? "%.1f" : "%.0f", time);
+    canvas.text({axis.x(time), bottom + 24.0}, words, middle);
+  }
+  canvas.text({(kLeft + kRight) / 2.0, bottom + 54.0}, "time in s", {.size = 20.0, .align = Align::center});
+  canvas.text({kLeft - 10.0, kTop - 24.0}, "confidence", {.size = 20.0, .align = Align::right});
+}
+
+/// The box between two times, or nothing where they do not overlap with the axis.
+std::optional<Box> box_between(const TimeAxis& axis, const ConditionInterval& interval, double top, double height) {
+  if (!(interval.to > interval.from) || interval.to < axis.first || interval.from > axis.last) return std::nullopt;
+  const double left = axis.x(std::max(interval.from, axis.first));
+  const double right = axis.x(std::min(interval.to, axis.last));
+  return Box{left, top, std::max(right - left, 1.0), height};
+}
+
+std::vector<Condition> lanes_of(const ConfidencePlot& plot) {
+  std::vector<Condition> lanes;
+  for (const Condition condition : {Condition::training, Condition::training_paused, Condition::evaluation_paused,
+                                    Condition::belief_reflected, Condition::carried, Condition::fallen}) {
+    const auto is_it = [&](const ConditionInterval& interval) { return interval.condition == condition; };
+    if (std::any_of(plot.conditions.begin(), plot.conditions.end(), is_it)) lanes.push_back(condition);
+  }
+  return lanes;
+}
+
+void shade_curves(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot) {
+  for (const ConditionInterval& interval : plot.conditions) {
+    const LaneStyle style = lane_style(interval.condition);
+    const auto box = box_between(axis, interval, kTop, kCurves);
+    if (box && style.shades_curves) canvas.fill_box(*box, style.color.with_opacity(0.16));
+  }
+}
+
+void draw_lanes(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, const std::vector<Condition>& lanes) {
+  double top = kTop + kCurves + 14.0;
+  for (const Condition condition : lanes) {
+    const LaneStyle style = lane_style(condition);
+    canvas.text({kLeft - 10.0, top + 17.0}, style.name, {.size = 17.0, .align = Align::right});
+    canvas.fill_box({kLeft, top + 2.0, kRight - kLeft, kLane - 8.0}, palette::empty_plate);
+    for (const ConditionInterval& interval : plot.conditions) {
+      if (interval.condition != condition) continue;
+      if (const auto box = box_between(axis, interval, top + 2.0, kLane - 8.0))
+        canvas.fill_box(*box, style.color.with_opacity(0.75));
+    }
+    top += kLane;
+  }
+}
+
+void draw_curve(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, double ConfidenceSample::*value,
+                Color color, double thickness) {
+  std::vector<Pixel> points;
+  points.reserve(plot.samples.size());
+  for (const ConfidenceSample& sample : plot.samples) {
+    const double confidence = sample.*value;  // clamping would hide a NaN
+    points.emplace_back(axis.x(sample.time), std::isfinite(confidence) ? confidence_y(confidence) : confidence);
+  }
+  canvas.polyline(points, color, thickness);
+}
+
+void draw_commands(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, double bottom) {
+  std::array<double, kLabelLanes> lane_ends;
+  lane_ends.fill(-1e9);
+  double last_refusal = -1e9;
+  for (const CommandMark& mark : plot.commands) {
+    if (!axis.contains(mark.time)) continue;
+    const double x = axis.x(mark.time);
+    if (!mark.granted) {
+      const bool again = std::abs(x - last_refusal) < kRefusedApart;
+      last_refusal = x;
+      if (again) continue;
+    }
+    const TextStyle style{.size = 19.0,
+                          .color = mark.granted ? palette::ink : palette::faint_ink,
+                          .align = Align::center,
+                          .bold = mark.granted};
+    const std::string label = shortened(mark.label, 240.0, style);
+    const double half = Canvas::text_width(label, style) / 2.0;
+    const double center = std::clamp(x, kLeft + half - 20.0, kRight - half + 20.0);
+    double line_top = kTop;
+    for (std::size_t lane = 0; lane < lane_ends.size(); ++lane) {
+      if (center - half < lane_ends[lane] + 12.0) continue;
+      lane_ends[lane] = center + half;
+      const double baseline = kTop - 12.0 - 27.0 * static_cast<double>(lane);
+      canvas.text({center, baseline}, label, style);
+      line_top = baseline + 6.0;
+      break;
+    }
+    // A label in the upper lane leaves its line to those below it.
+    const Pixel top(x, std::max(line_top, kTop - 6.0));
+    if (mark.granted) {
+      canvas.line(top, {x, bottom}, palette::ink, 2.0);
+    } else {
+      canvas.dashed_line(top, {x, bottom}, palette::faint_ink, 1.5, 6.0);
+    }
+  }
+}
+
+std::vector<LegendEntry> entries(const ConfidencePlot& plot) {
+  const auto curves = [](Color color) {
+    return [color](Canvas& canvas, const Pixel& center) {
+      canvas.fill_box({center.x() - 16.0, center.y() - 7.0, 32.0, 14.0}, color.with_opacity(0.25));
+      canvas.line(center - Pixel(16.0, 0.0), center + Pixel(16.0, 0.0), color, 3.5);
+    };
+  };
+  std::vector<LegendEntry> list{{curves(palette::belief), "current pose (bold: smoothed, pale: raw)"},
+                                {curves(palette::opposite), "opposite pose"}};
+  const auto dashed = [](Canvas& canvas, const Pixel& center) {
+    canvas.dashed_line(center - Pixel(16.0, 0.0), center + Pixel(16.0, 0.0), palette::faint_ink, 1.5, 6.0);
+  };
+  const auto refused = [](const CommandMark& mark) { return !mark.granted; };
+  if (!plot.commands.empty()) list.push_back(line_entry(palette::ink, 2.0, "command"));
+  if (std::any_of(plot.commands.begin(), plot.commands.end(), refused)) list.push_back({dashed, "refused"});
+  return list;
+}
+
+}  // namespace
+
+Picture draw_confidence_plot(const ConfidencePlot& plot) {
+  const TimeAxis axis = time_axis(plot);
+  const std::vector<Condition> lanes = lanes_of(plot);
+  const double lanes_height = lanes.empty() ? 0.0 : 14.0 + kLane * static_cast<double>(lanes.size());
+  const double bottom = kTop + kCurves + lanes_height;
+  Canvas canvas(kWidth, static_cast<int>(bottom + 76.0));
+
+  canvas.text({36.0, 54.0}, "Confidence in the believed pose and in its reflection", {.size = 28.0, .bold = true});
+  draw_legend_rows(canvas, {32.0, 74.0, kWidth - 64.0, 34.0}, entries(plot));
+  draw_axes(canvas, axis, bottom);
+  shade_curves(canvas, axis, plot);
+  draw_lanes(canvas, axis, plot, lanes);
+  const Box curves{kLeft, kTop - 12.0, kRight - kLeft + 2.0, kCurves + 24.0};
+  canvas.within(curves, [&] {
+    draw_curve(canvas, axis, plot, &ConfidenceSample::raw_opposite, palette::opposite.with_opacity(0.3), 1.0);
+    draw_curve(canvas, axis, plot, &ConfidenceSample::raw_current, palette::belief.with_opacity(0.3), 1.0);
+    draw_curve(canvas, axis, plot, &ConfidenceSample::opposite, palette::opposite, 3.5);
+    draw_curve(canvas, axis, plot, &ConfidenceSample::current, palette::belief, 3.5);
+  });
+  draw_commands(canvas, axis, plot, kTop + kCurves);
+  return canvas.finish();
+}
+
+}  // namespace reorient::pictures

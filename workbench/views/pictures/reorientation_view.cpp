@@ -1,0 +1,99 @@
+#include "workbench/views/pictures/reorientation_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/angle.h"
+#include "workbench/views/pictures/parts/field_drawing.h"
+#include "workbench/views/pictures/parts/legend.h"
+
+namespace reorient::pictures {
+namespace {
+
+constexpr int kWidth = 1500;
+constexpr std::size_t kMost = 10;
+constexpr double kMargin = 36.0;
+constexpr double kHeader = 112.0;
+constexpr double kGap = 28.0;
+constexpr double kTitle = 58.0;
+constexpr double kPanelWidth = (kWidth - 2.0 * kMargin - kGap) / 2.0;
+
+double panel_height(const FieldDimensions& field) {
+  const double ratio = (field.width + 2.0 * field.border) / (field.length + 2.0 * field.border);
+  return std::isfinite(ratio) ? std::clamp(kPanelWidth * ratio, 200.0, 900.0) : 480.0;
+}
+
+// How far the belief is from the truth, where both are known.
+std::string error_of(const PoseSnapshot& snapshot) {
+  if (!snapshot.truth || !snapshot.belief) return {};
+  const double distance = (snapshot.truth->position - snapshot.belief->position).norm();
+  const double turn = std::abs(to_degrees(angle_difference(snapshot.truth->rotation, snapshot.belief->rotation)));
+  if (!std::isfinite(distance) || !std::isfinite(turn)) return {};
+  char words[80];
+  std::snprintf(words, sizeof words, "belief %.2f m and %.0f deg off", distance, turn);
+  return words;
+}
+
+void draw_panel(Canvas& canvas, const Box& box, const FieldDimensions& field, const PoseSnapshot& snapshot) {
+  const FieldView view = FieldView::fitted(field, box);
+  canvas.within(box, [&] {
+    canvas.fill_box(box, palette::carpet_border);
+    draw_field(canvas, view, field);
+    draw_pose_particles(canvas, view, snapshot.particles);
+    if (snapshot.truth) draw_robot(canvas, view, *snapshot.truth, palette::truth, kTruthRadius);
+    if (snapshot.belief) draw_robot(canvas, view, *snapshot.belief, palette::belief);
+  });
+}
+
+void draw_row(Canvas& canvas, double top, const FieldDimensions& field, const Reorientation& reorientation) {
+  char time[48];
+  std::snprintf(time, sizeof time, " at %.1f s", reorientation.time);
+  const TextStyle title{.size = 24.0, .bold = true};
+  const std::string name = shortened(reorientation.command, 300.0, title) + time + ": ";
+  double left = kMargin;
+  for (const bool before : {true, false}) {
+    const PoseSnapshot& snapshot = before ? reorientation.before : reorientation.after;
+    canvas.text({left, top + kTitle - 16.0}, name + (before ? "before" : "after"), title);
+    canvas.text({left + kPanelWidth, top + kTitle - 16.0}, error_of(snapshot),
+                {.size = 19.0, .color = palette::faint_ink, .align = Align::right});
+    draw_panel(canvas, {left, top + kTitle, kPanelWidth, panel_height(field)}, field, snapshot);
+    left += kPanelWidth + kGap;
+  }
+}
+
+std::vector<LegendEntry> entries() {
+  const auto robot = [](Color color) {
+    return [color](Canvas& canvas, const Pixel& center) { draw_robot_symbol(canvas, center, color); };
+  };
+  const auto particle = [](Canvas& canvas, const Pixel& center) {
+    const Pose2 sample;
+    draw_pose_particles(canvas, {center - Pixel(4.0, 0.0), 1.0}, {&sample, 1});
+  };
+  return {
+      {robot(palette::truth), "true pose"}, {robot(palette::belief), "believed pose"}, {particle, "pose particles"}};
+}
+
+}  // namespace
+
+Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<Reorientation>& reorientations) {
+  const std::size_t rows = std::min(reorientations.size(), kMost);
+  const double row_height = kTitle + panel_height(field);
+  const double height = kHeader + std::max(row_height * static_cast<double>(rows) + kMargin, 80.0);
+  Canvas canvas(kWidth, static_cast<int>(height));
+  canvas.text({kMargin, 54.0}, "Spontaneous reorientation", {.size = 28.0, .bold = true});
+  draw_legend_rows(canvas, {kMargin - 4.0, 72.0, kWidth - 2.0 * kMargin, 32.0}, entries());
+
+  const TextStyle plain{.size = 19.0, .color = palette::faint_ink};
+  if (rows == 0) canvas.text({kMargin, kHeader + 40.0}, "No command rearranged the particles.", plain);
+  for (std::size_t row = 0; row < rows; ++row)
+    draw_row(canvas, kHeader + row_height * static_cast<double>(row), field, reorientations[row]);
+  if (reorientations.size() > rows) {
+    const std::string rest = "and " + std::to_string(reorientations.size() - rows) + " more";
+    canvas.text({kWidth - kMargin, height - 12.0}, rest,
+                {.size = 17.0, .color = palette::faint_ink, .align = Align::right});
+  }
+  return canvas.finish();
+}
+
+}  // namespace reorient::pictures

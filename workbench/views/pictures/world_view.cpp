@@ -1,0 +1,225 @@
+#include "workbench/views/pictures/world_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/angle.h"
+#include "workbench/views/pictures/parts/field_drawing.h"
+#include "workbench/views/pictures/parts/legend.h"
+
+namespace reorient::pictures {
+namespace {
+
+constexpr int kWidth = 1500;
+constexpr int kHeight = 1200;
+constexpr int kRows = 6;
+constexpr double kFullShare = 0.5;  // of the pixels: such a bar is as high as its ring
+
+// Radii in pixels, from the inside out.
+constexpr double kFieldRadius = 268.0;
+constexpr double kGoalAreaInner = 270.0;
+constexpr double kGoalAreaOuter = 280.0;
+constexpr double kViewInner = 284.0;
+constexpr double kParticles = 306.0;
+constexpr double kViewOuter = 328.0;
+constexpr double kModelInner = 332.0;
+constexpr double kModelDepth = 140.0;
+constexpr double kPerceivedInner = 480.0;
+constexpr double kBelow = 0.3;  // of a ring's depth, for the deviations
+
+bool drawable(const WallTile& tile) {
+  const double width = tile.to - tile.from;
+  return tile.row >= 0 && tile.row < kRows && width > 0.0 && width <= 2.0 * kPi && std::abs(tile.from) < 1e3;
+}
+
+// The wall, unrolled: rows of tiles are rings around the centre, the lowest row is the innermost.
+class Rings {
+ public:
+  Rings(Canvas& canvas, const Pixel& center, double inner, double depth, int rows)
+      : canvas_(canvas), center_(center), inner_(inner), depth_(depth / rows) {}
+
+  void plate(const WallTile& tile, Color color) const {
+    const double foot = inner_ + tile.row * depth_;
+    const double seam = std::min(0.06 * (tile.to - tile.from), 4.0 / foot);
+    canvas_.fill(ring_sector(center_, foot + 1.0, foot + depth_ - 1.5, tile.from + seam / 2.0, tile.to - seam / 2.0),
+                 color);
+  }
+
+  void bars(const WallTile& tile, double below) const {
+    const double foot = inner_ + tile.row * depth_ + 2.0;
+    const double height = depth_ - 5.0;
+    const double margin = 0.1 * (tile.to - tile.from);
+    const auto place = [&](double along, double up) -> Pixel {
+      const double base = foot + below * height;
+      const double radius = base + up * (up > 0.0 ? (1.0 - below) * height : below * height);
+      // The first bin is at the left of somebody who looks at the wall from the centre.
+      const double angle = tile.to - margin + along * (tile.from - tile.to + 2.0 * margin);
+      return center_ + radius * Pixel(std::cos(angle), -std::sin(angle));
+    };
+    draw_histogram(canvas_, tile.histogram, place, kFullShare);
+  }
+
+ private:
+  Canvas& canvas_;
+  Pixel center_;
+  double inner_;
+  double depth_;
+};
+
+int rows_of(const WorldView& world) {
+  int rows = 1;
+  for (const auto* tiles : {&world.model, &world.untrained, &world.perceived})
+    for (const WallTile& tile : *tiles)
+      if (drawable(tile)) rows = std::max(rows, tile.row + 1);
+  return rows;
+}
+
+void draw_wall(Canvas& canvas, const Pixel& center, const WorldView& world) {
+  const int rows = rows_of(world);
+  const Rings wall(canvas, center, kModelInner, kModelDepth, rows);
+  for (const WallTile& tile : world.untrained)
+    if (drawable(tile)) wall.plate(tile, palette::empty_plate);
+  for (const WallTile& tile : world.model) {
+    if (!drawable(tile)) continue;
+    wall.plate(tile, palette::plate);
+    wall.bars(tile, kBelow);
+  }
+  const Rings perceived(canvas, center, kPerceivedInner, kModelDepth * (1.0 - kBelow), rows);
+  for (const WallTile& tile : world.perceived) {
+    if (!drawable(tile)) continue;
+    perceived.plate(tile, palette::plate);
+    perceived.bars(tile, 0.0);
+  }
+}
+
+void draw_view_sector(Canvas& canvas, const Pixel& center, double azimuth, double half_width, Color color) {
+  const double from = azimuth - half_width;
+  const double to = azimuth + half_width;
+  const std::vector<Pixel> sector = ring_sector(center, kViewInner, kViewOuter, from, to);
+  canvas.fill(sector, color.with_opacity(0.2));
+  canvas.polyline(sector, color.with_opacity(0.85), 1.5, true);
+}
+
+// The sectors whose particles are counted (the paper's Section 3.4), and the view from the robot to the wall.
+void draw_sectors(Canvas& canvas, const FieldView& view, const WorldView& world) {
+  if (world.goal_area_half_width > 0.0) {
+    for (const double middle : {0.0, kPi}) {
+      const double half = std::min(world.goal_area_half_width, kPi / 2.0);
+      canvas.fill(ring_sector(view.center, kGoalAreaInner, kGoalAreaOuter, middle - half, middle + half),
+                  palette::goal_area);
+    }
+  }
+  if (!world.view_azimuth || !(world.view_half_width > 0.0)) return;
+  const double half = std::min(world.view_half_width, kPi / 2.0);
+  const double azimuth = *world.view_azimuth;
+  draw_view_sector(canvas, view.center, azimuth, half, palette::belief);
+  draw_view_sector(canvas, view.center, azimuth + kPi, half, palette::opposite);
+  if (!world.belief) return;
+  const Pixel robot = view * world.belief->position;
+  for (const double side : {-half, half}) {
+    const double angle = azimuth + side;
+    const Pixel end = view.center + kViewInner * Pixel(std::cos(angle), -std::sin(angle));
+    canvas.dashed_line(robot, end, palette::belief.with_opacity(0.55), 1.0, 7.0);
+  }
+}
+
+void draw_view_particles(Canvas& canvas, const Pixel& center, const WorldView& world) {
+  for (const ViewCluster& cluster : world.view_clusters) {
+    if (!(cluster.spread >= 0.0)) continue;
+    const double along = std::clamp(2.0 * cluster.spread * kParticles, 16.0, 0.5 * kPi * kParticles);
+    const Pixel middle = center + kParticles * Pixel(std::cos(cluster.azimuth), -std::sin(cluster.azimuth));
+    if (along < 70.0) {
+      canvas.ellipse(middle, {along, 19.0}, cluster.azimuth + kPi / 2.0, palette::cluster, 3.0);
+    } else {  // an ellipse would leave the ring
+      const double half = along / kParticles;
+      canvas.polyline(
+          ring_sector(center, kParticles - 19.0, kParticles + 19.0, cluster.azimuth - half, cluster.azimuth + half),
+          palette::cluster, 3.0, true);
+    }
+  }
+  // Particles differ in azimuth alone; spread over the ring's depth by the golden ratio, they stay countable.
+  double depth = 0.5;
+  for (const double azimuth : world.view_particles) {
+    depth = std::fmod(depth + 0.6180339887498949, 1.0);
+    const double radius = kParticles + 26.0 * (depth - 0.5);
+    canvas.disc(center + radius * Pixel(std::cos(azimuth), -std::sin(azimuth)), 3.1, palette::view_particle);
+  }
+}
+
+std::vector<LegendEntry> entries(const WorldView& world) {
+  std::vector<LegendEntry> list;
+  const auto robot = [](Color color) {
+    return [color](Canvas& canvas, const Pixel& center) { draw_robot_symbol(canvas, center, color); };
+  };
+  if (world.truth) list.push_back({robot(palette::truth), "true pose"});
+  if (world.belief) list.push_back({robot(palette::belief), "believed pose"});
+  if (!world.pose_particles.empty()) {
+    list.push_back({[](Canvas& canvas, const Pixel& center) {
+                      const Pose2 sample;
+                      draw_pose_particles(canvas, {center - Pixel(4.0, 0.0), 1.0}, {&sample, 1});
+                    },
+                    "pose particles"});
+  }
+  if (!world.view_particles.empty()) list.push_back(dot_entry(palette::view_particle, 4.0, "view particles"));
+  if (!world.view_clusters.empty()) {
+    list.push_back({[](Canvas& canvas, const Pixel& center) {
+                      canvas.ellipse(center, {15.0, 8.0}, 0.0, palette::cluster, 3.0);
+                    },
+                    "their clusters"});
+  }
+  if (world.view_azimuth) {
+    list.push_back(patch_entry(palette::belief.with_opacity(0.35), "current view"));
+    list.push_back(patch_entry(palette::opposite.with_opacity(0.35), "opposite view"));
+  }
+  if (world.goal_area_half_width > 0.0) list.push_back(patch_entry(palette::goal_area, "goal view areas"));
+  return list;
+}
+
+void draw_chart_legend(Canvas& canvas) {
+  const double left = 1226.0;
+  const double top = 988.0;
+  canvas.text({left, top}, "Colour histograms", {.size = 21.0, .bold = true});
+  draw_bin_legend(canvas, {left, top + 18.0});
+  const TextStyle small{.size = 16.0, .color = palette::faint_ink};
+  char words[64];
+  std::snprintf(words, sizeof words, "share outward, full %.0f %%", 100.0 * kFullShare);
+  canvas.text({left, top + 138.0}, words, small);
+  std::snprintf(words, sizeof words, "deviation inward, full %.1f %%", 25.0 * kFullShare);
+  canvas.text({left, top + 160.0}, words, small);
+  canvas.text({left, top + 182.0}, "outside of the wall: seen now", small);
+}
+
+}  // namespace
+
+Picture draw_world_view(const WorldView& world) {
+  Canvas canvas(kWidth, kHeight);
+  const Pixel center(kWidth / 2.0, kHeight / 2.0);
+  const double half_diagonal =
+      std::hypot(world.field.length / 2.0 + world.field.border, world.field.width / 2.0 + world.field.border);
+  const double scale = std::min(kFieldRadius / half_diagonal, kModelInner / world.wall_radius);
+  const FieldView view{center, std::isfinite(scale) && scale > 0.0 ? scale : 1.0};
+
+  draw_wall(canvas, center, world);
+  draw_field(canvas, view, world.field);
+  draw_sectors(canvas, view, world);
+  draw_view_particles(canvas, center, world);
+  draw_pose_particles(canvas, view, world.pose_particles);
+  if (world.truth) draw_robot(canvas, view, *world.truth, palette::truth, kTruthRadius);
+  if (world.belief) draw_robot(canvas, view, *world.belief, palette::belief);
+  const double field_bottom = (world.field.width / 2.0 + world.field.border) * view.pixels_per_metre;
+  draw_scale_bar(canvas, view, center + Pixel(0.0, std::clamp(field_bottom + 44.0, 60.0, 236.0)), palette::ink);
+
+  canvas.text({36.0, 58.0}, "The robot's view of its world", {.size = 28.0, .bold = true});
+  char time[48];
+  std::snprintf(time, sizeof time, "at %.1f s", world.time);
+  const TextStyle plain{.size = 20.0, .color = palette::faint_ink};
+  canvas.text({36.0, 92.0}, time, plain);
+  canvas.text({36.0, 120.0}, shortened(world.note, 380.0, plain), plain);
+  const std::vector<LegendEntry> list = entries(world);
+  draw_legend_column(canvas, {36.0, kHeight - 40.0 - 30.0 * static_cast<double>(list.size())}, list);
+  draw_chart_legend(canvas);
+  return canvas.finish();
+}
+
+}  // namespace reorient::pictures

@@ -1,0 +1,51 @@
+// The robot's inner view of the world, from above (the paper's Fig. 4a).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/field_dimensions.h"
+#include "geometry/pose2.h"
+#include "workbench/views/pictures/parts/histogram_bars.h"
+
+namespace reorient::pictures {
+
+/// A tile of the wall around the field. Azimuths are seen from the field's centre: rad, 0 towards +x, turning left.
+struct WallTile {
+  double from = 0.0;  ///< its right side
+  double to = 0.0;    ///< its left side, greater than `from`
+  int row = 0;        ///< 0 is the lowest; at most 5 are drawn
+  HistogramBars histogram;
+};
+
+/// A group of view particles that agree.
+struct ViewCluster {
+  double azimuth = 0.0;  ///< rad
+  double spread = 0.0;   ///< rad, standard deviation
+};
+
+/// All in the field frame. What is empty is not drawn.
+struct WorldView {
+  FieldDimensions field;
+  double time = 0.0;  ///< s
+  std::string note;   ///< one more line below the title
+  std::optional<Pose2> truth;
+  std::optional<Pose2> belief;
+  std::vector<Pose2> pose_particles;
+
+  double wall_radius = 8.0;            ///< m
+  std::vector<WallTile> model;         ///< trained tiles
+  std::vector<WallTile> untrained;     ///< drawn as empty plates
+  std::vector<WallTile> perceived;     ///< of this frame, without deviations
+  std::vector<double> view_particles;  ///< azimuths, rad
+  std::vector<ViewCluster> view_clusters;
+  std::optional<double>
+      view_azimuth;  ///< rad, where on the wall the believed pose looks; its opposite is half a turn on
+  double view_half_width = 0.5235987755982988;       ///< rad, of the sectors that count for the confidences
+  double goal_area_half_width = 0.2181661564992912;  ///< rad, of the areas behind the goals; 0: not drawn
+};
+
+Picture draw_world_view(const WorldView& world);
+
+}  // namespace reorient::pictures
