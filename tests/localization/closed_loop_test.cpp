@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "localization/pose_filter.h"
-#include "synthetic_field.h"
+#include "tests/localization/synthetic_field.h"
 
 namespace reorient {
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arbitrary_particles.h"
-#include "synthetic_field.h"
+#include "tests/localization/arbitrary_particles.h"
+#include "tests/localization/synthetic_field.h"
 
 namespace reorient {
 namespace {

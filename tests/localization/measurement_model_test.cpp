@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arbitrary_particles.h"
 #include "localization/reorientation.h"
-#include "synthetic_field.h"
+#include "tests/localization/arbitrary_particles.h"
+#include "tests/localization/synthetic_field.h"
 
 namespace reorient {
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arbitrary_particles.h"
 #include "localization/measurement/field_map.h"
+#include "tests/localization/arbitrary_particles.h"
 
 namespace reorient {
 namespace {

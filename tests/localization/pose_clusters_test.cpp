@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arbitrary_particles.h"
 #include "localization/reorientation.h"
+#include "tests/localization/arbitrary_particles.h"
 
 namespace reorient {
 namespace {

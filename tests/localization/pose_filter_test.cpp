@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arbitrary_particles.h"
 #include "localization/measurement/field_map.h"
 #include "localization/reorientation.h"
-#include "synthetic_field.h"
+#include "tests/localization/arbitrary_particles.h"
+#include "tests/localization/synthetic_field.h"
 
 namespace reorient {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arbitrary_particles.h"
+#include "tests/localization/arbitrary_particles.h"
 
 namespace reorient {
 namespace {

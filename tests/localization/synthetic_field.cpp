@@ -1,4 +1,4 @@
-#include "synthetic_field.h"
+#include "tests/localization/synthetic_field.h"
 
 #include <algorithm>
 #include <cmath>

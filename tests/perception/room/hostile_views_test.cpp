@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "painted_room.h"
+#include "tests/perception/room/painted_room.h"
 
 namespace reorient {
 namespace {

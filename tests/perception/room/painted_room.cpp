@@ -1,4 +1,4 @@
-#include "painted_room.h"
+#include "tests/perception/room/painted_room.h"
 
 #include <algorithm>
 #include <cmath>

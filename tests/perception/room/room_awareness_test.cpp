@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "painted_room.h"
+#include "tests/perception/room/painted_room.h"
 
 namespace reorient {
 namespace {
