@@ -15,7 +15,7 @@ GoalPost post_seen_from(const Pose2& robot, const Eigen::Vector2d& in_field) {
   return {robot.inverse() * in_field, true, Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
 }
 
-/// Two goal posts and, spread over the penalty area's front line and the goal line, so many line points.
+/// Two goal posts and, spread over the penalty area's front line and the goal line, this many line points.
 FieldPercept percept_from(const Pose2& robot, int line_points) {
   FieldPercept percept;
   percept.goal_posts = {post_seen_from(robot, {4.5, 0.8}), post_seen_from(robot, {4.5, -0.8})};
@@ -104,27 +104,27 @@ void pose_filter_frame(benchmark::State& state, SeenGoal seen_goal) {
   parameters.particles = static_cast<int>(state.range(0));
   PoseFilter filter(parameters, FieldDimensions(), 1);
   const Pose2 robot(1.5, 0.3, 0.1);
-  filter.start_at(robot, 0.1, 0.05);
+  filter.set_initial_pose(robot, 0.1, 0.05);
   const FieldPercept percept = percept_from(robot, 40);
   for (auto _ : state) {
     filter.predict(Pose2(), kFrame);
     filter.update(percept, seen_goal);
-    benchmark::DoNotOptimize(filter.belief().share);
+    benchmark::DoNotOptimize(filter.belief().cluster_weight);
   }
   report_per_particle(state, filter.particles().size());
 }
 BENCHMARK_CAPTURE(pose_filter_frame, unknown_goal, SeenGoal::unknown)->Arg(100)->Arg(200)->Arg(500);
 BENCHMARK_CAPTURE(pose_filter_frame, known_goal, SeenGoal::opponent)->Arg(200);
 
-/// The same while the robot has no idea where it is: the dearest frames.
+/// The same while the robot has no idea where it is: the most expensive frames.
 void pose_filter_lost_frame(benchmark::State& state) {
   PoseFilter filter(PoseFilterParameters(), FieldDimensions(), 1);
   const FieldPercept percept = percept_from({1.5, 0.3, 0.1}, 40);
   for (auto _ : state) {
-    filter.start_anywhere();
+    filter.initialize_globally();
     filter.predict(Pose2(), kFrame);
     filter.update(percept, SeenGoal::unknown);
-    benchmark::DoNotOptimize(filter.belief().share);
+    benchmark::DoNotOptimize(filter.belief().cluster_weight);
   }
 }
 BENCHMARK(pose_filter_lost_frame);

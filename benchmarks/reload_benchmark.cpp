@@ -1,5 +1,5 @@
 // How soon an edit runs, and what many edits cost. `reload_benchmark [SAVES [RELOADS]]`: saves of each kind while
-// frames run at 30 Hz on the wall's clock (default 250: about two minutes), then reloads in memory (default 10000).
+// frames run at 30 Hz in wall-clock time (default 250: about two minutes), then reloads in memory (default 10000).
 // Prints Markdown tables.
 #include <algorithm>
 #include <array>

@@ -37,7 +37,7 @@ void RoomAwarenessUpdate(benchmark::State& state) {
   RoomAwareness awareness(parameters, 1);
   const RobotDimensions dimensions;
   const Image image = striped_image(width, height);
-  RoomView view;
+  RoomObservation view;
   view.image = image.view();
   view.camera = CameraModel::from_fields_of_view(width, height, from_degrees(56.3), from_degrees(43.7));
   view.camera.k1 = -0.05;

@@ -18,13 +18,13 @@ void step(World& world) {
   const double wave = 0.1 * static_cast<double>(world.frame % 10);
   world.head = {wave, -0.1};
   world.pose.pose = Pose2(wave, -wave, wave);
-  world.pose.reflected_share = 0.01 * wave;
+  world.pose.reflected_weight = 0.01 * wave;
   world.confidence.current = 0.5 + 0.1 * wave;
   world.confidence.opposite = 0.1 * wave;
   world.confidence.raw_current = wave;
   world.confidence.raw_opposite = 1.0 - wave;
   world.confidence.coverage = 0.9;
-  world.confidence.informative = 0.3;
+  world.confidence.distinctiveness = 0.3;
   world.trained_seconds += world.time_step;
   world.line_points = static_cast<int>(world.frame % 40);
 }

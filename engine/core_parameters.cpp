@@ -8,9 +8,9 @@ void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   registry.bind("robot_state", parameters.robot_state);
   registry.bind("field_features", parameters.field_features);
   registry.bind("pose_filter", parameters.pose_filter);
-  registry.bind("motion", parameters.pose_filter.motion);
-  registry.bind("measurement", parameters.pose_filter.measurement);
-  registry.bind("injection", parameters.pose_filter.injection);
+  registry.bind("motion_model", parameters.pose_filter.motion);
+  registry.bind("measurement_model", parameters.pose_filter.measurement);
+  registry.bind("goal_injection", parameters.pose_filter.injection);
   registry.bind("pose_clusters", parameters.pose_filter.clusters);
   for_each_part(parameters.room, [&](const char* prefix, auto& part) { registry.bind(prefix, part); });
   registry.bind("goal_view", parameters.goal_view);

@@ -5,7 +5,7 @@
 namespace reorient {
 namespace {
 
-/// What stands on the field hides the room behind it (findings: "a tile counts" only where it is really seen).
+/// What stands on the field hides the room behind it: a tile counts only where it is really seen.
 void collect_covered(const FieldPercept& percept, std::vector<CoveredArea>& covered) {
   covered.clear();
   for (const Obstacle& obstacle : percept.obstacles) {
@@ -102,7 +102,8 @@ void FrameLoop::describe_world() {
   world_.penalized = observation_.penalized;
   world_.head = observation_.head;
   world_.pose = pose_filter_.belief();
-  world_.pose_lost = pose_filter_.recovery().lostness(parameters_.pose_filter.injection.lost_margin);
+  world_.recovery_probability =
+      pose_filter_.recovery().recovery_probability(parameters_.pose_filter.injection.lost_margin);
   world_.goal_posts = static_cast<int>(percept_->goal_posts.size());
   world_.line_points = static_cast<int>(percept_->line_points.size());
   world_.truth = robot_.ground_truth();
@@ -114,15 +115,15 @@ void FrameLoop::decide() {
   rearrangement_.reset();
   if (arbitration_->reorientation) rearrange(*arbitration_->reorientation);
   for (const ExperimenterAction& action : script_output_->actions) {
-    if (action.kind == ExperimenterAction::Kind::start_at) start_at(action.pose);
+    if (action.kind == ExperimenterAction::Kind::set_initial_pose) set_initial_pose(action.pose);
   }
   world_.pose = pose_filter_.belief();
 }
 
-void FrameLoop::start_at(const Pose2& told) {
+void FrameLoop::set_initial_pose(const Pose2& told) {
   constexpr double kPositionDeviation = 0.1;  // m, of somebody who places a robot by eye
   constexpr double kRotationDeviation = from_degrees(5.0);
-  pose_filter_.start_at(told, kPositionDeviation, kRotationDeviation);
+  pose_filter_.set_initial_pose(told, kPositionDeviation, kRotationDeviation);
   world_.pose_known = true;
 }
 
@@ -181,7 +182,7 @@ void FrameLoop::fingerprint() {
                              world_.pose.pose.position.x(),
                              world_.pose.pose.position.y(),
                              world_.pose.pose.rotation,
-                             world_.pose.share,
+                             world_.pose.cluster_weight,
                              world_.confidence.current,
                              world_.confidence.opposite}) {
     digest_.add(value);

@@ -65,7 +65,7 @@ class FrameLoop {
   void look_at_room();
   void describe_world();
   void decide();
-  void start_at(const Pose2& told);
+  void set_initial_pose(const Pose2& told);
   void rearrange(Command command);
   void fingerprint();
 

@@ -10,8 +10,8 @@ namespace reorient {
 struct PoseBelief {
   Pose2 pose;                                            ///< mean of the heaviest cluster of pose particles
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of that cluster: x, y, rotation; m^2, m rad, rad^2
-  double share = 0.0;                                    ///< of all particles, in that cluster
-  double reflected_share = 0.0;                          ///< of all particles, near the reflection of `pose`
+  double cluster_weight = 0.0;                           ///< of all particles, in that cluster
+  double reflected_weight = 0.0;                         ///< of all particles, near the reflection of `pose`
 };
 
 /// Which of the two goals is in view, where that is known (the paper's goal views).

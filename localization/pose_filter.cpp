@@ -29,12 +29,12 @@ PoseFilter::PoseFilter(const PoseFilterParameters& parameters, const FieldDimens
       particles_(particle_count(parameters)),
       scratch_(particle_count(parameters)),
       costs_(particle_count(parameters)) {
-  start_anywhere();
+  initialize_globally();
 }
 
-void PoseFilter::start_at(const Pose2& pose, double position_deviation, double rotation_deviation) {
+void PoseFilter::set_initial_pose(const Pose2& pose, double position_deviation, double rotation_deviation) {
   if (!pose.position.allFinite() || !std::isfinite(pose.rotation + position_deviation + rotation_deviation)) {
-    start_anywhere();
+    initialize_globally();
     return;
   }
   particles_ = ParticleSet(particles_.size());
@@ -50,7 +50,7 @@ void PoseFilter::start_at(const Pose2& pose, double position_deviation, double r
   find_belief();
 }
 
-void PoseFilter::start_anywhere() {
+void PoseFilter::initialize_globally() {
   particles_ = ParticleSet(particles_.size());
   const Eigen::Vector2d carpet = half_size_ - Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -79,7 +79,7 @@ void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal) {
     inject(percept, seen_goal);
   }
   find_belief();
-  if (belief_.share > kFoundShare) searching_ = false;
+  if (belief_.cluster_weight > kFoundShare) searching_ = false;
 }
 
 void PoseFilter::weigh() {
@@ -113,9 +113,9 @@ void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal) {
   if (!p.enabled) return;
   const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_.line_points(), p);
   if (!goal) return;
-  const double lostness = searching_ ? 1.0 : recovery_.lostness(p.lost_margin);
+  const double recovery_probability = searching_ ? 1.0 : recovery_.recovery_probability(p.lost_margin);
   const double rate =
-      (seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate) + p.lost_rate * lostness;
+      (seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate) + p.lost_rate * recovery_probability;
   // Fractions of a particle are injected by chance, so that rates below one particle a frame count as well.
   const auto count = static_cast<int>(rate * static_cast<double>(particles_.size()) + random_.uniform());
   for (int i = 0; i < count; ++i) {

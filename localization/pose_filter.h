@@ -43,10 +43,10 @@ class PoseFilter {
   PoseFilter(const PoseFilterParameters& parameters, const FieldDimensions& field, std::uint64_t seed);
 
   /// Somebody told where the robot stands. Standard deviations in m (along each axis) and rad.
-  /// Where any of that is not finite, the same as start_anywhere().
-  void start_at(const Pose2& pose, double position_deviation, double rotation_deviation);
+  /// Where any of that is not finite, the same as initialize_globally().
+  void set_initial_pose(const Pose2& pose, double position_deviation, double rotation_deviation);
   /// Nobody knows.
-  void start_anywhere();
+  void initialize_globally();
 
   /// Follows the robot's motion since the last frame, `odometry_step` = last.inverse() * now, over `time_step` seconds.
   void predict(const Pose2& odometry_step, double time_step);

@@ -24,7 +24,7 @@ std::string check_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error == std::errc() && end == text.data() + text.size()) return {};
-  return "'" + text + "' is no whole number from 0 to 2^64 - 1";
+  return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
 
 std::string check_seconds(const std::string& text) {
@@ -33,7 +33,7 @@ std::string check_seconds(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   const bool whole = error == std::errc() && end == text.data() + text.size();
   if (whole && seconds >= kLeast && seconds <= kMost) return {};
-  return "'" + text + "' is no number from 0.1 to 86400";
+  return "'" + text + "' is not a number from 0.1 to 86400";
 }
 
 }  // namespace reorient

@@ -22,13 +22,13 @@ constexpr const char* kExamples = R"(Examples:
   reorient run                              a robot is turned round and notices; pictures go into out/
   reorient run --seed 7 --room hall.hdr     the same in another room, with other noise
   reorient run --realtime                   at the robot's own pace: edit scripts/behaviors/*.lua meanwhile
-  reorient run --without-room-awareness     the same robot without it stays wrong (exit code 1)
+  reorient run --no-room-awareness     the same robot without it stays wrong (exit code 1)
   reorient run --set orientation.lead=0.3   any parameter for this run; reorient params lists them
   reorient new behavior ball_search         a small script with its test, to start from
   reorient check                            mistakes in scripts, with line and column
   reorient test --coverage                  the scripted behaviour tests, and what they leave out
   reorient graph orientation                its states as a Mermaid diagram
-Exit codes: 0 the robot ended right, all tests passed, nothing is wrong; 1 it is not so; 2 bad input.)";
+Exit codes: 0 success (the robot ended right, all tests passed, nothing is wrong); 1 failure; 2 invalid input.)";
 
 std::string one_line(std::string text) {
   for (char& c : text) {

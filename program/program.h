@@ -8,7 +8,7 @@ namespace reorient {
 /// Exit codes.
 inline constexpr int kSuccess = 0;
 inline constexpr int kWrong = 1;     ///< the robot ended wrong, a test failed
-inline constexpr int kBadInput = 2;  ///< one line on `err` says what, where and how to mend it
+inline constexpr int kBadInput = 2;  ///< one line on `err` says what, where and how to fix it
 
 int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 

@@ -12,7 +12,8 @@ class Experimenter {
   virtual void put_down(const Pose2& where) = 0;  ///< upright, standing
   virtual void push_over() = 0;                   ///< the robot falls
   virtual void penalize(bool penalized) = 0;
-  virtual void set_exposure(double stops) = 0;  ///< the hall's light against the camera's exposure, in powers of two
+  virtual void set_exposure_compensation(
+      double stops) = 0;  ///< the hall's light against the camera's exposure, in powers of two
 };
 
 }  // namespace reorient

@@ -8,30 +8,30 @@
 
 namespace reorient {
 
-enum class ParameterKind { real, whole, yes_no, choice };
+enum class ParameterKind { real, integer, boolean, choice };
 
 /// In the order of ParameterKind; a choice is its name.
 using ParameterValue = std::variant<double, int, bool, std::string>;
 
 /// Who set a value. A later one outranks an earlier one: a file never undoes what the command line says.
-enum class ParameterOrigin { standard, file, command_line, live };
+enum class ParameterOrigin { default_value, file, command_line, live };
 
 std::string_view to_string(ParameterOrigin origin);
 
 struct ParameterDeclaration {
   std::string name;  ///< "module.name" or "behavior.name"
   ParameterKind kind = ParameterKind::real;
-  ParameterValue standard = 0.0;  ///< the default
-  double minimum = 0.0;           ///< of real and whole ones, both ends included
+  ParameterValue default_value = 0.0;  ///< the default
+  double minimum = 0.0;                ///< of real and whole ones, both ends included
   double maximum = 0.0;
   std::string unit;
-  std::string sentence;              ///< what it is
+  std::string description;           ///< what it is
   std::vector<std::string> choices;  ///< of a choice
 };
 
 struct Parameter : ParameterDeclaration {
   ParameterValue value = 0.0;
-  ParameterOrigin origin = ParameterOrigin::standard;
+  ParameterOrigin origin = ParameterOrigin::default_value;
 };
 
 /// As a person writes it, and as parse_parameter() reads it back without loss.

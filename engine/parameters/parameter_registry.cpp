@@ -18,8 +18,8 @@ void ParameterRegistry::assign(Entry& entry, ParameterValue value, ParameterOrig
 void ParameterRegistry::declare(ParameterDeclaration declaration, Apply apply) {
   const std::string name = declaration.name;
   if (entries_.contains(name)) throw std::runtime_error("parameter " + name + " is declared twice; rename one of them");
-  ParameterValue value = declaration.standard;
-  ParameterOrigin origin = ParameterOrigin::standard;
+  ParameterValue value = declaration.default_value;
+  ParameterOrigin origin = ParameterOrigin::default_value;
   if (const auto found = overrides_.find(name); found != overrides_.end()) {
     value = parse_parameter(declaration, found->second.text);
     origin = found->second.origin;
@@ -63,14 +63,14 @@ std::vector<std::string> ParameterRegistry::declare_for(const std::string& owner
         found->second.text = to_text(value);
       }
     }
-    assign(entry, std::move(value), overridden ? found->second.origin : ParameterOrigin::standard);
+    assign(entry, std::move(value), overridden ? found->second.origin : ParameterOrigin::default_value);
   }
   return warnings;
 }
 
 ParameterValue ParameterRegistry::preview(const ParameterDeclaration& declaration) const {
   const auto found = overrides_.find(declaration.name);
-  return found == overrides_.end() ? declaration.standard : clamp_parameter(declaration, found->second.text);
+  return found == overrides_.end() ? declaration.default_value : clamp_parameter(declaration, found->second.text);
 }
 
 void ParameterRegistry::check_override(const ParameterDeclaration& declaration) const {

@@ -58,7 +58,7 @@ class ParameterRegistry {
  private:
   struct Override {
     std::string text;
-    ParameterOrigin origin = ParameterOrigin::standard;
+    ParameterOrigin origin = ParameterOrigin::default_value;
   };
   struct Entry {
     Parameter parameter;
@@ -82,33 +82,33 @@ struct ParameterRegistry::Binder {
   std::string prefix;
 
   void operator()(const char* name, double& value, double minimum, double maximum, const char* unit,
-                  const char* sentence) const {
-    registry.declare({prefix + name, ParameterKind::real, value, minimum, maximum, unit, sentence, {}},
+                  const char* description) const {
+    registry.declare({prefix + name, ParameterKind::real, value, minimum, maximum, unit, description, {}},
                      [&value](const ParameterValue& set) { value = std::get<double>(set); });
   }
   void operator()(const char* name, int& value, int minimum, int maximum, const char* unit,
-                  const char* sentence) const {
+                  const char* description) const {
     const auto low = static_cast<double>(minimum);
     const auto high = static_cast<double>(maximum);
-    registry.declare({prefix + name, ParameterKind::whole, value, low, high, unit, sentence, {}},
+    registry.declare({prefix + name, ParameterKind::integer, value, low, high, unit, description, {}},
                      [&value](const ParameterValue& set) { value = std::get<int>(set); });
   }
-  void operator()(const char* name, bool& value, const char* sentence) const {
-    registry.declare({prefix + name, ParameterKind::yes_no, value, 0.0, 0.0, "", sentence, {}},
+  void operator()(const char* name, bool& value, const char* description) const {
+    registry.declare({prefix + name, ParameterKind::boolean, value, 0.0, 0.0, "", description, {}},
                      [&value](const ParameterValue& set) { value = std::get<bool>(set); });
   }
   template <typename Enum>
   requires std::is_enum_v<Enum>
   void operator()(const char* name, Enum& value, std::initializer_list<const char*> choices,
-                  const char* sentence) const {
+                  const char* description) const {
     const std::vector<std::string> list(choices.begin(), choices.end());
-    registry.declare(
-        {prefix + name, ParameterKind::choice, list.at(static_cast<std::size_t>(value)), 0.0, 0.0, "", sentence, list},
-        [&value, list](const ParameterValue& set) {
-          for (std::size_t i = 0; i < list.size(); ++i) {
-            if (list[i] == std::get<std::string>(set)) value = static_cast<Enum>(i);
-          }
-        });
+    registry.declare({prefix + name, ParameterKind::choice, list.at(static_cast<std::size_t>(value)), 0.0, 0.0, "",
+                      description, list},
+                     [&value, list](const ParameterValue& set) {
+                       for (std::size_t i = 0; i < list.size(); ++i) {
+                         if (list[i] == std::get<std::string>(set)) value = static_cast<Enum>(i);
+                       }
+                     });
   }
 };
 

@@ -23,16 +23,16 @@ std::optional<Number> read_number(std::string_view text) {
 std::optional<double> read_any(const ParameterDeclaration& parameter, std::string_view text) {
   const std::optional<double> number = read_number<double>(text);
   if (!number || !std::isfinite(*number)) return std::nullopt;
-  if (parameter.kind == ParameterKind::whole && *number != std::round(*number)) return std::nullopt;
+  if (parameter.kind == ParameterKind::integer && *number != std::round(*number)) return std::nullopt;
   return number;
 }
 
 ParameterValue as_value(const ParameterDeclaration& parameter, double number) {
-  if (parameter.kind == ParameterKind::whole) return static_cast<int>(number);
+  if (parameter.kind == ParameterKind::integer) return static_cast<int>(number);
   return number;
 }
 
-std::optional<bool> read_yes_no(std::string_view text) {
+std::optional<bool> read_boolean(std::string_view text) {
   if (text == "true" || text == "yes" || text == "on" || text == "1") return true;
   if (text == "false" || text == "no" || text == "off" || text == "0") return false;
   return std::nullopt;
@@ -47,7 +47,7 @@ std::runtime_error refusal(const ParameterDeclaration& parameter, std::string_vi
 
 std::string_view to_string(ParameterOrigin origin) {
   switch (origin) {
-    case ParameterOrigin::standard:
+    case ParameterOrigin::default_value:
       return "default";
     case ParameterOrigin::file:
       return "file";
@@ -71,7 +71,7 @@ std::string to_text(const ParameterValue& value) {
 }
 
 std::string range_text(const ParameterDeclaration& parameter) {
-  if (parameter.kind == ParameterKind::yes_no) return "true or false";
+  if (parameter.kind == ParameterKind::boolean) return "true or false";
   if (parameter.kind == ParameterKind::choice) {
     std::string list;
     for (const std::string& choice : parameter.choices) list += (list.empty() ? "" : ", ") + choice;
@@ -83,8 +83,8 @@ std::string range_text(const ParameterDeclaration& parameter) {
 }
 
 ParameterValue parse_parameter(const ParameterDeclaration& parameter, std::string_view text) {
-  if (parameter.kind == ParameterKind::yes_no) {
-    if (const std::optional<bool> yes = read_yes_no(text)) return *yes;
+  if (parameter.kind == ParameterKind::boolean) {
+    if (const std::optional<bool> yes = read_boolean(text)) return *yes;
     throw refusal(parameter, text, "it is true or false");
   }
   if (parameter.kind == ParameterKind::choice) {
@@ -93,7 +93,7 @@ ParameterValue parse_parameter(const ParameterDeclaration& parameter, std::strin
     throw refusal(parameter, text, "choose one of " + range_text(parameter) + did_you_mean(text, parameter.choices));
   }
   const std::optional<double> number = read_any(parameter, text);
-  const char* kind = parameter.kind == ParameterKind::whole ? "a whole number" : "a number";
+  const char* kind = parameter.kind == ParameterKind::integer ? "a whole number" : "a number";
   if (!number) throw refusal(parameter, text, std::string("it is ") + kind + " from " + range_text(parameter));
   if (*number < parameter.minimum || *number > parameter.maximum) {
     throw refusal(parameter, text, "its range is " + range_text(parameter));
@@ -105,9 +105,9 @@ ParameterValue clamp_parameter(const ParameterDeclaration& parameter, std::strin
   try {
     return parse_parameter(parameter, text);
   } catch (const std::runtime_error&) {
-    const bool numeric = parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::whole;
+    const bool numeric = parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer;
     const std::optional<double> number = numeric ? read_any(parameter, text) : std::nullopt;
-    if (!number) return parameter.standard;
+    if (!number) return parameter.default_value;
     return as_value(parameter, std::clamp(*number, parameter.minimum, parameter.maximum));
   }
 }

@@ -62,12 +62,12 @@ Script::Script(const ScriptFolder& folder, const std::string& file, ScriptKind k
 void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
   lua_State* const L = sandbox_.state();
   const bool for_scenario = kind == ScriptKind::scenario;
-  world_ = std::make_unique<WorldView>(L, for_scenario);
+  world_ = std::make_unique<WorldTables>(L, for_scenario);
   add_script_functions(L, actions_, for_scenario);
   add_behavior_view(L, directory);
   declarations_ = std::make_unique<Declarations>(
       L, for_scenario,
-      [this](const std::string& name) -> const DeclarationPlaces& {
+      [this](const std::string& name) -> const SourceLocations& {
         constexpr std::size_t kLettersPerInstruction = 32;
         sandbox_.charge(static_cast<std::int64_t>(texts_[name].size() / kLettersPerInstruction));
         return places_of(name);
@@ -100,7 +100,7 @@ std::string_view Script::read(const std::string& file) {
     std::error_code error;
     if (std::filesystem::exists(folder_.root() / file, error)) {
       const std::string most = std::to_string(kLargestScript / 1024);
-      throw ScriptError({file, 0, "this is no plain file below the scripts' root of at most " + most + " KiB", {}});
+      throw ScriptError({file, 0, "this is not a plain file below the scripts' root of at most " + most + " KiB", {}});
     }
     const std::string folder = std::filesystem::path(file).parent_path().generic_string();
     const std::string hint = did_you_mean(file, scripts_in(folder_.root(), folder));
@@ -109,9 +109,9 @@ std::string_view Script::read(const std::string& file) {
   return texts_[file] = std::move(*text);
 }
 
-const DeclarationPlaces& Script::places_of(const std::string& file) {
+const SourceLocations& Script::places_of(const std::string& file) {
   const auto known = places_.find(file);
-  return known != places_.end() ? known->second : places_.emplace(file, DeclarationPlaces(texts_[file])).first->second;
+  return known != places_.end() ? known->second : places_.emplace(file, SourceLocations(texts_[file])).first->second;
 }
 
 void Script::load_module(const std::string& file) {
@@ -268,7 +268,7 @@ void Script::run_exit(Machine& machine, int state, int function) {
 
 std::map<std::string, KeptTable> Script::memory(std::vector<std::string>& left_out) const {
   std::map<std::string, KeptTable> all;
-  std::size_t bytes = static_cast<std::size_t>(limits_.memory) * 1024 / 2;  // the next version has to hold it too
+  std::size_t bytes = static_cast<std::size_t>(limits_.max_memory) * 1024 / 2;  // the next version has to hold it too
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);

@@ -62,7 +62,7 @@ class Script : public MachineCallbacks {
   /// Pushes what the file returns. Throws ScriptError.
   void load_module(const std::string& file);
   std::string_view read(const std::string& file);
-  const DeclarationPlaces& places_of(const std::string& file);
+  const SourceLocations& places_of(const std::string& file);
   void add_globals(const MachineDirectory& directory, ScriptKind kind);
   void push_function(int function);
 
@@ -71,11 +71,11 @@ class Script : public MachineCallbacks {
   const ParameterRegistry& registry_;
   BundleHashes* hashes_;                      ///< while it is loaded
   std::map<std::string, std::string> texts_;  ///< while it is loaded; so are the next
-  std::map<std::string, DeclarationPlaces> places_;
+  std::map<std::string, SourceLocations> places_;
   std::vector<std::string> loading_;  ///< files whose `require` has not returned yet
   Sandbox sandbox_;
   ScriptActions actions_;
-  std::unique_ptr<WorldView> world_;
+  std::unique_ptr<WorldTables> world_;
   std::unique_ptr<Declarations> declarations_;
   FrameDraft* draft_ = nullptr;
   std::uint64_t parameter_revision_ = 0;

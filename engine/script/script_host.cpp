@@ -21,7 +21,7 @@ struct ScriptHost::Slot {
   std::string file;
   ScriptKind kind = ScriptKind::behavior;
   std::unique_ptr<Script> script;
-  std::unique_ptr<Script> last_good;  ///< while the present version is on probation
+  std::unique_ptr<Script> last_good;  ///< while the present version is on trial_time
   BundleHashes read;                  ///< the files as they were last read, accepted or not
   std::vector<Running> machines;
   double swapped_at = 0.0;
@@ -148,7 +148,7 @@ ReloadReport ScriptHost::reload(Slot& slot, double time) {
   try {
     std::unique_ptr<Script> script = compile(slot, hashes);
     const bool runs_well = slot.recent_errors == 0 && !slot.stopped;
-    const bool is_proven = slot.frames > 0 && time_ - slot.swapped_at >= limits_.probation;
+    const bool is_proven = slot.frames > 0 && time_ - slot.swapped_at >= limits_.trial_time;
     report.warnings = swap_in(slot, script);
     if (runs_well && (is_proven || !slot.last_good)) slot.last_good = std::move(script);
     report.accepted = true;
@@ -222,13 +222,13 @@ void ScriptHost::tick(Slot& slot) {
 /// Counts the error; too many in a row end this version: the last good one takes over, or the script is stopped.
 void ScriptHost::note_fault(Slot& slot, ScriptFault fault) {
   if (fault.file.empty()) fault.file = slot.file;  // where memory is lacking, Lua says no place
-  if (time_ - slot.last_error_at > limits_.forgiveness) slot.recent_errors = 0;
+  if (time_ - slot.last_error_at > limits_.error_window) slot.recent_errors = 0;
   ++slot.errors;
   ++slot.recent_errors;
   slot.last_error_at = time_;
   slot.last_error = fault.text();
   FaultRecord record{time_, slot.file, std::move(fault), FaultRecord::Consequence::none};
-  if (slot.recent_errors >= limits_.errors && !slot.stopped) {
+  if (slot.recent_errors >= limits_.max_errors && !slot.stopped) {
     if (slot.last_good) {
       record.consequence = FaultRecord::Consequence::rolled_back;
       std::unique_ptr<Script> script = std::move(slot.last_good);

@@ -22,7 +22,7 @@ namespace reorient {
 struct ReloadReport {
   double time = 0.0;
   std::string script;                 ///< file, from the scripts' root
-  bool accepted = false;              ///< false: the version before goes on
+  bool accepted = false;              ///< false: the previous version keeps running
   ScriptFault fault;                  ///< where it was not accepted
   std::vector<std::string> warnings;  ///< states that are gone, parameters that were clamped, memory left out
 };
@@ -48,7 +48,7 @@ class ScriptHost : public MachineDirectory {
   /// `parameters` and `limits` must outlive the host; changed limits hold for what is loaded from then on. Throws
   /// std::runtime_error with one line when there is no such folder.
   ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters,
-             const ScriptLimits& limits = kStandardLimits);
+             const ScriptLimits& limits = kDefaultLimits);
   ~ScriptHost() override;
   ScriptHost(const ScriptHost&) = delete;
   ScriptHost& operator=(const ScriptHost&) = delete;

@@ -40,11 +40,11 @@ struct FaultRecord {
 
 /// What a scenario wants done from outside: to robots/experimenter.h, and telling the robot where it stands.
 struct ExperimenterAction {
-  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure, start_at };
+  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose };
 
   Kind kind = Kind::pick_up;
-  Pose2 pose;              ///< of put_down, start_at
-  double stops = 0.0;      ///< of set_exposure
+  Pose2 pose;              ///< of put_down, set_initial_pose
+  double stops = 0.0;      ///< of set_exposure_compensation
   bool penalized = false;  ///< of penalize
 };
 
@@ -55,7 +55,7 @@ struct ScenarioVerdict {
 };
 
 struct ScriptOutput {
-  std::vector<CommandRequest> commands;  ///< reorientations, uttered in this frame
+  std::vector<CommandRequest> commands;  ///< reorientations, issued in this frame
   std::vector<Lease> leases;             ///< all that are held now
   Request request;                       ///< to the robot
   std::vector<TransitionRecord> transitions;

@@ -10,7 +10,7 @@ enum class Command { flip_pose, purge_reflection, reset_orientation, pause_train
 
 std::string_view to_string(Command command);
 
-/// A behaviour's wish, in the frame in which it was uttered.
+/// A behaviour's wish, in the frame in which it was issued.
 struct CommandRequest {
   Command command = Command::flip_pose;
   std::string issuer;     ///< behaviour
@@ -19,7 +19,7 @@ struct CommandRequest {
   double priority = 0.0;  ///< the behaviour's; the greater wins
 };
 
-/// A pause that holds as long as the state in which it was uttered.
+/// A pause that holds as long as the state in which it was issued.
 struct Lease {
   Command command = Command::pause_training;  ///< or pause_evaluation
   std::string issuer;

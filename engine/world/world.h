@@ -25,8 +25,8 @@ struct World {
   HeadAngles head;
 
   PoseBelief pose;
-  double pose_lost = 0.0;   ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
-  bool pose_known = false;  ///< somebody told where the robot stands, or the filter has found it
+  double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
+  bool pose_known = false;            ///< somebody told where the robot stands, or the filter has found it
   Confidences confidence;
   double trained_seconds = 0.0;  ///< time during which the background model was trained so far
   bool training = false;         ///< in the frame before

@@ -8,7 +8,7 @@ namespace reorient {
 namespace {
 
 /// A normal that is off by no more than this is as good as a true one (rad), since a percept's normals are noisy and a
-/// bin of directions is wide; each radian more counts as so many metres of distance.
+/// bin of directions is wide; each radian more counts as this many metres of distance.
 constexpr double kDirectionTolerance = 25.0 * kPi / 180.0;
 constexpr double kMetresPerRadian = 0.6;
 

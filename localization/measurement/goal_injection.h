@@ -37,11 +37,11 @@ void describe(InjectionParameters& p, Visit&& visit) {
   visit("fast_time", p.fast_time, 0.05, 60.0, "s", "time over which their present fit is averaged");
   visit("lost_margin", p.lost_margin, 0.05, 1.0, "",
         "the robot counts as lost once the present fit is below this share of the usual");
-  visit("candidates", p.candidates, 1, 100, "", "for each new particle so many poses are drawn, and the best is taken");
+  visit("candidates", p.candidates, 1, 100, "", "how many poses are drawn for each new particle; the best is taken");
   visit("goal_width_tolerance", p.goal_width_tolerance, 0.05, 1.5, "m",
         "two posts make a goal when their distance is right within this");
   visit("line_points_with_one_post", p.line_points_with_one_post, 0, 200, "",
-        "one post alone is enough when so many line points are seen with it");
+        "one post alone is enough when this many line points are seen with it");
 }
 
 /// A goal as one frame shows it, robot frame, m. With one post only nobody knows which of the two it is.

@@ -33,9 +33,9 @@ struct MeasurementModelParameters {
 template <typename Visit>
 void describe(MeasurementModelParameters& p, Visit&& visit) {
   visit("line_points", p.line_points, 1, 200, "",
-        "at most so many line points of a frame are used, spread over all of them");
+        "at most this many line points of a frame are used, spread over all of them");
   visit("independent_points", p.independent_points, 1.0, 200.0, "",
-        "line points of one frame share their errors: together they weigh at most as much as so many");
+        "line points of one frame share their errors: together they weigh at most as much as this many");
   visit("correlation_time", p.correlation_time, 0.0, 5.0, "s",
         "errors last so long (the torso sways): frames that follow each other faster weigh less in proportion");
   visit("position_deviation", p.position_deviation, 0.01, 1.0, "m", "error of a measured position at any distance");

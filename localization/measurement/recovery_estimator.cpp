@@ -16,7 +16,7 @@ void RecoveryEstimator::update(double fit, double elapsed, double slow_time, dou
   fast_ = approach(fast_, fast_time);
 }
 
-double RecoveryEstimator::lostness(double margin) const {
+double RecoveryEstimator::recovery_probability(double margin) const {
   return slow_ > 0.0 ? std::clamp(1.0 - fast_ / (margin * slow_), 0.0, 1.0) : 0.0;
 }
 

@@ -19,7 +19,7 @@ class RecoveryEstimator {
 
   /// How sure it is that the robot is lost: 0 while fast >= margin * slow, 1 where nothing fits any more. 0 before the
   /// first frame.
-  double lostness(double margin) const;
+  double recovery_probability(double margin) const;
 
  private:
   double age_ = 0.0;  ///< s

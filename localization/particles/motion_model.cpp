@@ -16,9 +16,9 @@ StepNoise step_noise(const Pose2& step, double time, const MotionModelParameters
   const double way = step.position.norm();
   const double turn = std::abs(step.rotation);
   const auto square = [](double value) { return value * value; };
-  return {std::sqrt(square(p.position_per_time) * time + square(p.position_per_way) * way),
-          std::sqrt(square(p.rotation_per_time) * time + square(p.rotation_per_way) * way +
-                    square(p.rotation_per_turn) * turn)};
+  return {std::sqrt(square(p.position_noise_per_time) * time + square(p.position_noise_per_distance) * way),
+          std::sqrt(square(p.rotation_noise_per_time) * time + square(p.rotation_noise_per_distance) * way +
+                    square(p.rotation_noise_per_rotation) * turn)};
 }
 
 }  // namespace

@@ -10,22 +10,24 @@ namespace reorient {
 
 /// Noise grows with the root of time, of way and of turn, so that it does not depend on the frame rate.
 struct MotionModelParameters {
-  double position_per_time = 0.02;
-  double position_per_way = 0.12;
-  double rotation_per_time = 0.03;
-  double rotation_per_way = 0.08;
-  double rotation_per_turn = 0.15;
+  double position_noise_per_time = 0.02;
+  double position_noise_per_distance = 0.12;
+  double rotation_noise_per_time = 0.03;
+  double rotation_noise_per_distance = 0.08;
+  double rotation_noise_per_rotation = 0.15;
 };
 
 template <typename Visit>
 void describe(MotionModelParameters& p, Visit&& visit) {
-  visit("position_per_time", p.position_per_time, 0.0, 1.0, "m/s^0.5", "how far a standing robot's position spreads");
-  visit("position_per_way", p.position_per_way, 0.0, 1.0, "m/m^0.5",
+  visit("position_noise_per_time", p.position_noise_per_time, 0.0, 1.0, "m/s^0.5",
+        "how far a standing robot's position spreads");
+  visit("position_noise_per_distance", p.position_noise_per_distance, 0.0, 1.0, "m/m^0.5",
         "how far the position spreads with the way walked");
-  visit("rotation_per_time", p.rotation_per_time, 0.0, 1.0, "rad/s^0.5", "how far a standing robot's rotation spreads");
-  visit("rotation_per_way", p.rotation_per_way, 0.0, 1.0, "rad/m^0.5",
+  visit("rotation_noise_per_time", p.rotation_noise_per_time, 0.0, 1.0, "rad/s^0.5",
+        "how far a standing robot's rotation spreads");
+  visit("rotation_noise_per_distance", p.rotation_noise_per_distance, 0.0, 1.0, "rad/m^0.5",
         "how far the rotation spreads with the way walked");
-  visit("rotation_per_turn", p.rotation_per_turn, 0.0, 1.0, "rad/rad^0.5",
+  visit("rotation_noise_per_rotation", p.rotation_noise_per_rotation, 0.0, 1.0, "rad/rad^0.5",
         "how far the rotation spreads with the turn made");
 }
 

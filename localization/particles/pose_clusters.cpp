@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kBinStep = 0.5;  // m; a bin is two steps wide, so that neighbours overlap by half
 constexpr int kTurnSteps = 8;     // steps of rotation in a full turn; again a bin is two of them wide
-const PoseClusterParameters kBin{.radius = 1.5 * kBinStep, .opening = 2.0 * kPi / kTurnSteps, .lead_to_switch = 1.0};
+const PoseClusterParameters kBin{
+    .radius = 1.5 * kBinStep, .max_rotation_difference = 2.0 * kPi / kTurnSteps, .lead_to_switch = 1.0};
 constexpr int kMostShifts = 5;
 constexpr double kShiftEnds = 1e-3;  // m and rad
 
@@ -28,12 +29,12 @@ void for_each_near(const ParticleSet& particles, const Pose2& center, const Pose
   const auto y = static_cast<float>(center.position.y());
   const BinaryAngle rotation = to_binary_angle(center.rotation);
   const auto square_radius = static_cast<float>(p.radius * p.radius);
-  const auto opening = static_cast<float>(p.opening * kBinaryAnglesPerRadian);
+  const auto max_rotation_difference = static_cast<float>(p.max_rotation_difference * kBinaryAnglesPerRadian);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const float dx = particles.x[i] - x;
     const float dy = particles.y[i] - y;
     const auto turn = static_cast<float>(static_cast<std::int32_t>(particles.rotation[i] - rotation));
-    if (dx * dx + dy * dy <= square_radius && std::abs(turn) <= opening) {
+    if (dx * dx + dy * dy <= square_radius && std::abs(turn) <= max_rotation_difference) {
       take(Eigen::Vector3d(dx, dy, turn / kBinaryAnglesPerRadian), static_cast<double>(particles.weight[i]));
     }
   }
@@ -69,7 +70,7 @@ Cluster shift_mean(const ParticleSet& particles, const Pose2& start, const PoseC
 
 }  // namespace
 
-double share_near(const ParticleSet& particles, const Pose2& mean, const PoseClusterParameters& parameters) {
+double weight_near(const ParticleSet& particles, const Pose2& mean, const PoseClusterParameters& parameters) {
   double share = 0.0;
   for_each_near(particles, mean, parameters, [&](const Eigen::Vector3d&, double weight) { share += weight; });
   return std::min(share, 1.0);
@@ -121,7 +122,7 @@ PoseBelief PoseClusters::find(const ParticleSet& particles, const PoseBelief& la
     if (heaviest.share > parameters.lead_to_switch * believed.share) believed = heaviest;
   }
   return {believed.mean, believed.covariance, believed.share,
-          share_near(particles, reflect(believed.mean), parameters)};
+          weight_near(particles, reflect(believed.mean), parameters)};
 }
 
 }  // namespace reorient

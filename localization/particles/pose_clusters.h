@@ -11,16 +11,17 @@ namespace reorient {
 
 struct PoseClusterParameters {
   double radius = 0.75;
-  double opening = 0.7;
+  double max_rotation_difference = 0.7;
   double lead_to_switch = 1.5;
 };
 
 template <typename Visit>
 void describe(PoseClusterParameters& p, Visit&& visit) {
   visit("radius", p.radius, 0.1, 3.0, "m", "particles this near to a cluster's mean belong to it");
-  visit("opening", p.opening, 0.1, 3.0, "rad", "and those whose rotation differs from its mean by less than this");
+  visit("max_rotation_difference", p.max_rotation_difference, 0.1, 3.0, "rad",
+        "and those whose rotation differs from its mean by less than this");
   visit("lead_to_switch", p.lead_to_switch, 1.0, 10.0, "",
-        "another cluster is believed once it weighs so many times as much as the one believed before");
+        "another cluster is believed once it weighs this many times as much as the one believed before");
 }
 
 /// Finds clusters by counting in overlapping bins and shifting the mean of the fullest (Fukunaga and Hostetler, 1975).
@@ -43,6 +44,6 @@ class PoseClusters {
 };
 
 /// Share of the particles' weight that belongs to a cluster with this mean.
-double share_near(const ParticleSet& particles, const Pose2& mean, const PoseClusterParameters& parameters);
+double weight_near(const ParticleSet& particles, const Pose2& mean, const PoseClusterParameters& parameters);
 
 }  // namespace reorient

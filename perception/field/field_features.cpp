@@ -5,7 +5,7 @@
 namespace reorient {
 namespace {
 
-int highest_row_of_ground(const GroundView& view) {
+int highest_row_of_ground(const GroundProjection& view) {
   const double left = view.horizon(0.0);
   const double right = view.horizon(view.camera().width - 1.0);
   return static_cast<int>(std::clamp(std::min(left, right), 0.0, static_cast<double>(view.camera().height)));
@@ -30,7 +30,7 @@ const FieldPercept& FieldFeatures::find(const ImageView& image, const CameraMode
   if (image.empty() || image.width < 2) return percept_;
   const bool same_size = camera.width == image.width && camera.height == image.height;
   const auto view =
-      GroundView::look(same_size ? camera : camera.scaled_to(image.width, image.height), robot_from_camera);
+      GroundProjection::look(same_size ? camera : camera.scaled_to(image.width, image.height), robot_from_camera);
   if (!view) return percept_;
 
   carpet_color_.observe(image, *view);

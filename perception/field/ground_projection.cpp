@@ -25,18 +25,19 @@ bool is_upright(const Eigen::Isometry3d& robot_from_camera) {
 
 }  // namespace
 
-std::optional<GroundView> GroundView::look(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera) {
+std::optional<GroundProjection> GroundProjection::look(const CameraModel& camera,
+                                                       const Eigen::Isometry3d& robot_from_camera) {
   if (!is_usable(camera) || !is_upright(robot_from_camera)) return std::nullopt;
-  return GroundView(camera, robot_from_camera);
+  return GroundProjection(camera, robot_from_camera);
 }
 
-GroundView::GroundView(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera)
+GroundProjection::GroundProjection(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera)
     : camera_(camera),
       robot_from_camera_(robot_from_camera),
       camera_from_robot_(robot_from_camera.inverse()),
       down_(-robot_from_camera.linear().row(2).transpose()) {}
 
-std::optional<Eigen::Vector2d> GroundView::at_height(const Eigen::Vector2d& pixel, double height) const {
+std::optional<Eigen::Vector2d> GroundProjection::at_height(const Eigen::Vector2d& pixel, double height) const {
   constexpr double kFlattest = 1e-3;  // closer to the horizon, the ground is more than 500 m away
   const Eigen::Vector3d ray = robot_from_camera_.linear() * camera_.ray(pixel);
   const Eigen::Vector3d& origin = robot_from_camera_.translation();
@@ -45,17 +46,17 @@ std::optional<Eigen::Vector2d> GroundView::at_height(const Eigen::Vector2d& pixe
   return origin.head<2>() + ray.head<2>() * (climb / ray.z());
 }
 
-std::optional<Eigen::Vector2d> GroundView::pixel(const Eigen::Vector3d& point) const {
+std::optional<Eigen::Vector2d> GroundProjection::pixel(const Eigen::Vector3d& point) const {
   return camera_.project(camera_from_robot_ * point);
 }
 
-Eigen::Vector2d GroundView::away(const Eigen::Vector2d& point) const {
+Eigen::Vector2d GroundProjection::away(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d offset = point - robot_from_camera_.translation().head<2>();
   const double length = offset.norm();
   return length > 1e-9 ? Eigen::Vector2d(offset / length) : Eigen::Vector2d::Zero();
 }
 
-double GroundView::horizon(double column) const {
+double GroundProjection::horizon(double column) const {
   // Rays (1, -u, -v) that are at right angles to gravity; u is found from the column by undoing the distortion.
   constexpr int kIterations = 3;
   const double wanted = (column - camera_.center.x()) / camera_.focal.x();
@@ -72,7 +73,7 @@ double GroundView::horizon(double column) const {
   return row;
 }
 
-double GroundView::vertical_slant(const Eigen::Vector2d& pixel) const {
+double GroundProjection::vertical_slant(const Eigen::Vector2d& pixel) const {
   constexpr double kStep = 0.01;
   const Eigen::Vector3d ray = camera_.ray(pixel);
   const auto lower = camera_.project(ray + kStep * down_);

@@ -11,11 +11,11 @@
 namespace reorient {
 
 /// One camera in one attitude above the ground. Points are in the robot frame (m), pixels as in CameraModel.
-class GroundView {
+class GroundProjection {
  public:
   /// Nothing for a camera that does not look at the ground from above and roughly upright: numbers that are not
   /// finite, on the ground or far up, rolled by more than 35 degrees, looking (almost) straight down or up.
-  static std::optional<GroundView> look(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
+  static std::optional<GroundProjection> look(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
 
   const CameraModel& camera() const { return camera_; }
   double camera_height() const { return robot_from_camera_.translation().z(); }
@@ -43,7 +43,7 @@ class GroundView {
   double vertical_slant(const Eigen::Vector2d& pixel) const;
 
  private:
-  GroundView(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
+  GroundProjection(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
 
   CameraModel camera_;
   Eigen::Isometry3d robot_from_camera_;

@@ -2,7 +2,7 @@
 
 namespace reorient {
 
-double self_difference(const BackgroundModel& model, const ComparedModel& compared, const Wall& wall) {
+double distinctiveness(const BackgroundModel& model, const ComparedModel& compared, const Wall& wall) {
   double sum = 0.0;
   int pairs = 0;
   for (int tile = 0; tile < wall.tiles(); ++tile) {

@@ -1,4 +1,4 @@
-// Whether the room can tell a pose from its reflection at all (findings 9).
+// Whether the room can tell a pose from its reflection at all: one that looks the same after half a turn cannot.
 #pragma once
 
 #include "perception/room/background_model.h"
@@ -9,6 +9,6 @@ namespace reorient {
 
 /// How much the model differs from itself turned by half a turn: the mean Hellinger distance over the tiles that are
 /// trusted on both sides, in [0, 1]; 0 where there are none. The same scale in every mode and for every measure.
-double self_difference(const BackgroundModel& model, const ComparedModel& compared, const Wall& wall);
+double distinctiveness(const BackgroundModel& model, const ComparedModel& compared, const Wall& wall);
 
 }  // namespace reorient

@@ -30,7 +30,7 @@ RoomAwareness::RoomAwareness(const RoomParameters& parameters, std::uint64_t see
   forget();
 }
 
-const Confidences& RoomAwareness::update(const RoomView& view) {
+const Confidences& RoomAwareness::update(const RoomObservation& view) {
   const double elapsed = seconds_since_last(view.time);
   const double step = std::min(elapsed, kLongestStep);
   perceive(view, elapsed);
@@ -38,7 +38,7 @@ const Confidences& RoomAwareness::update(const RoomView& view) {
   compared_model_.prepare(model_, comparison());
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
-  confidences_.informative = self_difference(model_, compared_model_, wall_);
+  confidences_.distinctiveness = distinctiveness(model_, compared_model_, wall_);
   return confidences_;
 }
 
@@ -49,7 +49,7 @@ double RoomAwareness::seconds_since_last(double time) {
   return elapsed;
 }
 
-void RoomAwareness::perceive(const RoomView& view, double elapsed) {
+void RoomAwareness::perceive(const RoomObservation& view, double elapsed) {
   perceived_.find(view, wall_, parameters_.perception);
   light_.observe(perceived_.light(view.image, parameters_.light, parameters_.perception), elapsed, parameters_.light);
   const Light light = is_paper() ? Light{} : light_.light();
@@ -73,7 +73,7 @@ void RoomAwareness::train(double step) {
   }
 }
 
-void RoomAwareness::evaluate(const RoomView& view, double step) {
+void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   view_center_ = view_center(wall_, view.belief, view.robot_from_camera);
   if (!view_center_ || !std::isfinite(view.odometry_rotation)) return;
   filter_.predict(turn_since_last(view), step, parameters_.view_filter);
@@ -87,7 +87,7 @@ void RoomAwareness::evaluate(const RoomView& view, double step) {
 
 /// How far the view centre moved along the wall because head and body turned: the turn, linearised at the current view
 /// centre. The belief's own jumps do not count.
-double RoomAwareness::turn_since_last(const RoomView& view) {
+double RoomAwareness::turn_since_last(const RoomObservation& view) {
   const Eigen::Vector3d axis = view.robot_from_camera.linear().col(0);
   const double yaw = std::atan2(axis.y(), axis.x());
   const double direction = yaw + view.odometry_rotation;
@@ -163,7 +163,7 @@ void RoomAwareness::append_state(std::vector<std::uint8_t>& bytes) const {
   for (const ViewParticle& particle : filter_.particles()) append(bytes, particle.azimuth);
   for (const double value :
        {confidences_.current, confidences_.opposite, confidences_.raw_current, confidences_.raw_opposite,
-        confidences_.goal_opponent, confidences_.goal_own, confidences_.coverage, confidences_.informative,
+        confidences_.goal_opponent, confidences_.goal_own, confidences_.coverage, confidences_.distinctiveness,
         confidences_.evidence, light_.light().luma, light_.light().cb, light_.light().cr}) {
     append(bytes, value);
   }

@@ -54,10 +54,10 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("room", static_cast<RoomModeParameters&>(p));
   visit("wall", p.wall);
   visit("color", p.color);
-  visit("light", p.light);
-  visit("perception", p.perception);
-  visit("background", p.background);
-  visit("distance", p.distance);
+  visit("light_adaptation", p.light);
+  visit("perceived_tiles", p.perception);
+  visit("background_model", p.background);
+  visit("histogram_distance", p.distance);
   visit("view_filter", p.view_filter);
   visit("confidence", p.confidence);
   visit("evidence", p.evidence);
@@ -69,7 +69,7 @@ class RoomAwareness {
 
   /// One frame, in the paper's order: tiles, histograms, background model, view filter, confidences. Views with
   /// anything that is not finite, or from outside of the wall, show no tiles; then the filter rests too.
-  const Confidences& update(const RoomView& view);
+  const Confidences& update(const RoomObservation& view);
 
   /// What a granted command means here. The paper starts the confidences from zero on each of the three; otherwise a
   /// purge leaves them as they are. A flip turns the belief and not the robot: the view particles stay.
@@ -100,10 +100,10 @@ class RoomAwareness {
 
  private:
   double seconds_since_last(double time);  // 0 where time does not go on
-  void perceive(const RoomView& view, double elapsed);
+  void perceive(const RoomObservation& view, double elapsed);
   void train(double step);
-  void evaluate(const RoomView& view, double step);
-  double turn_since_last(const RoomView& view);
+  void evaluate(const RoomObservation& view, double step);
+  double turn_since_last(const RoomObservation& view);
   Comparison comparison() const;
   ViewCorrection correction() const;
   bool is_paper() const { return parameters_.mode == RoomMode::paper; }

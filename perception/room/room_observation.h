@@ -18,7 +18,7 @@ struct CoveredArea {
 };
 
 /// What one frame tells the module.
-struct RoomView {
+struct RoomObservation {
   double time = 0.0;  ///< s
   ImageView image;
   CameraModel camera;

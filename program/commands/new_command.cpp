@@ -63,15 +63,15 @@ constexpr const char* kBehaviorTest =
     R"(--- Tests of the behaviour NAME, in a fake world with a fake clock: reorient test scripts/tests/NAME_test.lua
 
 test("rests while the robot is sure of its pose", function()
-  set { confidence = { current = 0.9, opposite = 0.0 } }
-  load "NAME"
+  set_world { confidence = { current = 0.9, opposite = 0.0 } }
+  load_behavior "NAME"
   advance(5.0)
   expect.state("NAME", "sure")
 end)
 
 test("looks to both sides while it is not", function()
-  set { confidence = { current = 0.4, opposite = 0.4 } }
-  load "NAME"
+  set_world { confidence = { current = 0.4, opposite = 0.4 } }
+  load_behavior "NAME"
   advance(1.0)
   expect.state("NAME", "looking/left")
   expect.reason("NAME", "the robot is not sure of its pose")
@@ -84,15 +84,15 @@ test("looks to both sides while it is not", function()
 end)
 
 test("rests again as soon as it is sure", function()
-  load "NAME"
+  load_behavior "NAME"
   advance(1.0)
-  set { confidence = { current = 0.9, opposite = 0.0 } }
+  set_world { confidence = { current = 0.9, opposite = 0.0 } }
   advance(0.1)
   expect.state("NAME", "sure")
 end)
 
 test("keeps its state when the script is edited", function()
-  load "NAME"
+  load_behavior "NAME"
   advance(1.0)
   reload { from = "0.8, range", to = "0.5, range" }
   expect.state("NAME", "looking/left")
@@ -122,7 +122,7 @@ scenario "NAME" {
   state "placing" {
     enter = function()
       experimenter.put_down(-1.0, 0.5, 0)
-      belief.start_at(-1.0, 0.5, 0)
+      belief.set_initial_pose(-1.0, 0.5, 0)
     end,
     { "waiting", after = 0.1, because = "the robot was told where it stands" },
   },
@@ -141,14 +141,14 @@ constexpr const char* kScenarioTest = R"(--- Tests of the scenario NAME.
 
 test("judges by the pose", function()
   load_scenario "NAME"
-  set { pose = { x = -1.0, y = 0.5 }, truth = { x = -1.0, y = 0.5 } }
+  set_world { pose = { x = -1.0, y = 0.5 }, truth = { x = -1.0, y = 0.5 } }
   advance(21.0)
   expect.verdict(true, "knows its place")
 end)
 
 test("fails a robot that is elsewhere", function()
   load_scenario "NAME"
-  set { pose = { x = -1.0, y = 0.5 }, truth = { x = 1.0, y = -0.5 } }
+  set_world { pose = { x = -1.0, y = 0.5 }, truth = { x = 1.0, y = -0.5 } }
   advance(21.0)
   expect.verdict(false, "lost its place")
 end)

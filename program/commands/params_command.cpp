@@ -30,7 +30,7 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
   }
   for (const Parameter& parameter : parameters) {
     out << fmt::format("{:<{}}  {:>{}}  {:<12}  {}: {}\n", parameter.name, name_width, to_text(parameter.value),
-                       value_width, to_string(parameter.origin), range_text(parameter), parameter.sentence);
+                       value_width, to_string(parameter.origin), range_text(parameter), parameter.description);
   }
 }
 
@@ -45,7 +45,7 @@ int params(const ParamsOptions& options, std::ostream& out) {
   std::vector<Parameter> wanted = tuning.registry.list();
   std::erase_if(wanted, [&](const Parameter& parameter) {
     return parameter.name.find(options.part) == std::string::npos ||
-           (options.changed && parameter.origin == ParameterOrigin::standard);
+           (options.changed && parameter.origin == ParameterOrigin::default_value);
   });
   if (wanted.empty() && !options.changed)
     throw std::runtime_error("no parameter has '" + options.part + "' in its name; reorient params lists all");

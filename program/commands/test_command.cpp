@@ -45,7 +45,7 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
     outcome.faults.insert(outcome.faults.end(), output.faults.begin(), output.faults.end());
   }
   outcome.verdict = run.verdict();
-  outcome.is_right = summarize(history, outcome.verdict).right;
+  outcome.is_correct = summarize(history, outcome.verdict).correct;
   outcome.machines = run.scripts().machines();
   outcome.commands = history.commands();
   outcome.transitions = history.transitions();

@@ -39,7 +39,7 @@ std::string parameters_text(const ParameterRegistry& parameters, const std::stri
   for (const Parameter& parameter : parameters.list()) {
     if (parameter.name.find(part) == std::string::npos) continue;
     text += fmt::format("  {} = {}  ({}; {}) {}\n", parameter.name, to_text(parameter.value), range_text(parameter),
-                        to_string(parameter.origin), parameter.sentence);
+                        to_string(parameter.origin), parameter.description);
   }
   return text.empty() ? "  no parameter has '" + part + "' in its name\n" : text;
 }

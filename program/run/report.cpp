@@ -91,12 +91,12 @@ void print_timeline(const RunHistory& history, bool every_transition, std::ostre
 }
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out) {
-  out << fmt::format("\n{}{}\n", summary.right && summary.succeeded ? "right: " : "wrong: ", summary.verdict);
+  out << fmt::format("\n{}{}\n", summary.correct && summary.succeeded ? "right: " : "wrong: ", summary.verdict);
   if (summary.corrected_after) {
-    out << fmt::format("  turned round at {:.1f} s, corrected after {:.1f} s\n", *summary.turned_round_at,
+    out << fmt::format("  turned round at {:.1f} s, corrected after {:.1f} s\n", *summary.belief_wrong_at,
                        *summary.corrected_after);
-  } else if (summary.turned_round_at) {
-    out << fmt::format("  turned round at {:.1f} s, not corrected\n", *summary.turned_round_at);
+  } else if (summary.belief_wrong_at) {
+    out << fmt::format("  turned round at {:.1f} s, not corrected\n", *summary.belief_wrong_at);
   }
   if (summary.error) {
     out << fmt::format("  pose error {:.2f} m, {:.1f} degrees\n", summary.error->position,
@@ -116,10 +116,10 @@ void write_summary(const RunSummary& summary, const RunHistory& history, const R
       {"room", circumstances.room},
       {"seed", circumstances.seed},
       {"room_awareness", circumstances.room_awareness},
-      {"right", summary.right},
+      {"correct", summary.correct},
       {"succeeded", summary.succeeded},
       {"verdict", summary.verdict},
-      {"turned_round_at_seconds", or_null(summary.turned_round_at)},
+      {"belief_wrong_at_seconds", or_null(summary.belief_wrong_at)},
       {"corrected_after_seconds", or_null(summary.corrected_after)},
       {"position_error_metres", nullptr},
       {"rotation_error_degrees", nullptr},

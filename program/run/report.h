@@ -18,7 +18,7 @@ struct RunCircumstances {
   bool room_awareness = true;
   double wall_seconds = 0.0;  ///< that the run took
   std::string digest;
-  TimeQuantiles frame_time;                    ///< s on the wall's clock, reloads included
+  TimeQuantiles frame_time;                    ///< s in wall-clock time, reloads included
   TimeQuantiles frame_time_without_rendering;  ///< the part of it that is not the simulator's
   int reloads_accepted = 0;
   int reloads_refused = 0;

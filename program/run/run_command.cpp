@@ -31,7 +31,7 @@ void log_scripts(const ScriptOutput& output) {
   for (const LogRecord& record : output.logs) spdlog::info("{}: {}", record.issuer, record.text);
   for (const FaultRecord& fault : output.faults) {
     using Consequence = FaultRecord::Consequence;
-    const char* consequence = fault.consequence == Consequence::rolled_back ? "; the version before runs again"
+    const char* consequence = fault.consequence == Consequence::rolled_back ? "; the previous version runs again"
                               : fault.consequence == Consequence::stopped   ? "; it is stopped until it is edited"
                                                                             : "";
     spdlog::error("{}{}", fault.fault.text(), consequence);
@@ -49,7 +49,7 @@ void log_reloads(const std::vector<ReloadReport>& reports, ReloadCounts& counts)
     if (report.accepted) {
       spdlog::info("{}: the edit is running", report.script);
     } else {
-      spdlog::error("{}: the edit is refused, the version before goes on: {}", report.script, report.fault.text());
+      spdlog::error("{}: edit rejected; keeping the previous version: {}", report.script, report.fault.text());
     }
     for (const std::string& warning : report.warnings) spdlog::warn("{}: {}", report.script, warning);
   }
@@ -92,10 +92,10 @@ void log_pose(const World& world) {
   };
   spdlog::debug(
       "{:.1f} s: belief {} share {:.2f} reflected {:.2f}, truth {}; {} line points, {} posts, {} tiles, "
-      "coverage {:.2f}, informative {:.2f}, goals {:.2f} {:.2f}",
-      world.time, text(world.pose.pose), world.pose.share, world.pose.reflected_share,
+      "coverage {:.2f}, distinctiveness {:.2f}, goals {:.2f} {:.2f}",
+      world.time, text(world.pose.pose), world.pose.cluster_weight, world.pose.reflected_weight,
       world.truth ? text(world.truth->pose) : "unknown", world.line_points, world.goal_posts,
-      world.confidence.visible_tiles, world.confidence.coverage, world.confidence.informative,
+      world.confidence.visible_tiles, world.confidence.coverage, world.confidence.distinctiveness,
       world.confidence.goal_opponent, world.confidence.goal_own);
 }
 
@@ -109,7 +109,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--with", options.with, "a behaviour beside those of the scenario; may be given again")
       ->allow_extra_args(false);
   run.add_option("--room", options.room, "equirectangular panorama: .hdr, .png or .jpg (default: a procedural hall)");
-  run.add_option("--hall", options.hall, "seed of the procedural hall")->check(check_seed)->capture_default_str();
+  run.add_option("--hall-seed", options.hall, "seed of the procedural hall")->check(check_seed)->capture_default_str();
   run.add_option("--field", options.field, "field dimensions (default: assets/fields/spl.toml)");
   run.add_option("--seed", options.seed, "of all noise; one seed, one digest")
       ->check(check_seed)
@@ -119,7 +119,7 @@ void add_options(CLI::App& run, RunOptions& options) {
       ->capture_default_str();
   run.add_flag("--realtime", options.realtime,
                "at the robot's own pace: scripts are reloaded when they are saved; Enter opens a prompt for commands");
-  run.add_flag("!--without-room-awareness", options.room_awareness, "switch the view of the room off");
+  run.add_flag("!--no-room-awareness", options.room_awareness, "switch the view of the room off");
   add_parameter_options(run, options.parameters);
   run.add_option("--save-params", options.save_parameters,
                  "write what differs from the defaults at the end into this file");
@@ -142,7 +142,7 @@ int tell_results(const RunOptions& options, const RunCircumstances& circumstance
   if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
   if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
   print_summary(summary, circumstances, out);
-  return summary.right && summary.succeeded ? kSuccess : kWrong;
+  return summary.correct && summary.succeeded ? kSuccess : kWrong;
 }
 
 int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err) {

@@ -228,7 +228,7 @@ pictures::Picture draw_confidences(const RunHistory& history) {
   add(Condition::training, [](const FrameSample& s) { return s.training; });
   add(Condition::evaluation_paused, [](const FrameSample& s) { return !s.evaluating; });
   add(Condition::belief_reflected,
-      [](const FrameSample& s) { return s.truth && is_right(reflect(s.belief.pose), s.truth->pose); });
+      [](const FrameSample& s) { return s.truth && is_correct(reflect(s.belief.pose), s.truth->pose); });
   add(Condition::carried, [](const FrameSample& s) { return s.carried; });
   add(Condition::fallen, [](const FrameSample& s) { return s.fallen; });
   return draw_confidence_plot(plot);

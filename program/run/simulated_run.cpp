@@ -21,10 +21,10 @@ void obey(const ExperimenterAction& action, Experimenter& experimenter) {
     case Kind::penalize:
       experimenter.penalize(action.penalized);
       break;
-    case Kind::set_exposure:
-      experimenter.set_exposure(action.stops);
+    case Kind::set_exposure_compensation:
+      experimenter.set_exposure_compensation(action.stops);
       break;
-    case Kind::start_at:
+    case Kind::set_initial_pose:
       break;  // said to the robot, not done to it: the frame loop's
   }
 }

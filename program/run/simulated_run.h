@@ -27,7 +27,7 @@ class SimulatedRun {
   const FrameLoop& frame() const { return *frame_; }
   ScriptHost& scripts() { return *scripts_; }
   ParameterRegistry& parameters() { return tuning_.registry; }
-  /// s on the wall's clock that the robot took to observe in the last frame: to render.
+  /// s in wall-clock time that the robot took to observe in the last frame: to render.
   double observing() const { return timed_robot_->observing(); }
   /// The scenario's, once it gave one.
   const std::optional<ScenarioVerdict>& verdict() const { return frame_->script_output().verdict; }

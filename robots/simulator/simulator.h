@@ -69,7 +69,7 @@ class Simulator : public Robot, public Experimenter {
   void put_down(const Pose2& where) override { body_.put_down(where); }
   void push_over() override { body_.push_over(); }
   void penalize(bool penalized) override { body_.penalize(penalized); }
-  void set_exposure(double stops) override { sensor_.set_stops(stops); }
+  void set_exposure_compensation(double stops) override { sensor_.set_stops(stops); }
 
   /// What each pixel of the latest image shows, and how far away along the optical axis it is (m), row by row.
   /// Empty unless SimulatorParameters::labels.

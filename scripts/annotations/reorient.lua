@@ -6,7 +6,7 @@
 ---@field priority? number
 ---@field initial? string
 ---@field history? boolean
----@field always? table[]
+---@field common? table[]
 ---@field behaviors? string[]
 ---@field enter? fun()
 ---@field update? fun()
@@ -35,9 +35,9 @@ robot = {}
 ---@field y number m, to the left
 ---@field rotation number rad, 0 looks towards the opponent goal, positive turns left
 ---@field known boolean somebody told where the robot stands, or the pose filter has found it
----@field share number of all pose particles, in the cluster that is believed
----@field reflected_share number of all pose particles, near the reflection of the believed pose
----@field lost number how much worse than usual the pose particles fit what is seen of the field: 0 as usual, 1 not at all
+---@field cluster_weight number of all pose particles, in the cluster that is believed
+---@field reflected_weight number of all pose particles, near the reflection of the believed pose
+---@field recovery_probability number how much worse than usual the pose particles fit what is seen of the field: 0 as usual, 1 not at all
 pose = {}
 
 ---What room awareness says about the believed pose; all from 0 to 1 unless said.
@@ -49,7 +49,7 @@ pose = {}
 ---@field goal_opponent number that the robot looks at the wall behind the opponent goal
 ---@field goal_own number that the robot looks at the wall behind its own goal
 ---@field coverage number share of the wall that is trained well enough to be compared with
----@field informative number how much the room differs from itself turned by half a turn; 0: it looks the same
+---@field distinctiveness number how much the room differs from itself turned by half a turn; 0: it looks the same
 ---@field visible_tiles number how many tiles of the wall counted in this frame
 confidence = {}
 
@@ -162,7 +162,7 @@ function experimenter.penalize(penalized) end
 
 ---Changes the hall's light against the camera's exposure, in powers of two.
 ---@param stops number
-function experimenter.set_exposure(stops) end
+function experimenter.set_exposure_compensation(stops) end
 
 belief = {}
 
@@ -170,7 +170,7 @@ belief = {}
 ---@param x number
 ---@param y number
 ---@param rotation number
-function belief.start_at(x, y, rotation) end
+function belief.set_initial_pose(x, y, rotation) end
 
 verdict = {}
 
@@ -182,7 +182,7 @@ function verdict.succeed(text) end
 ---@param text string
 function verdict.fail(text) end
 
----Declares numbers that can be tuned: default, range, unit, sentence. `{ true, doc = ... }` is a switch, `{ "slow", choices = { "slow", "fast" }, doc = ... }` a choice, `whole = true` asks for whole numbers. The result is a read-only table of the present values. Their full name is the file's name, a dot, and the name.
+---Declares numbers that can be tuned: default, range, unit, sentence. `{ true, doc = ... }` is a switch, `{ "slow", choices = { "slow", "fast" }, doc = ... }` a choice, `integer = true` asks for whole numbers. The result is a read-only table of the present values. Their full name is the file's name, a dot, and the name.
 ---@param declarations table<string, table>
 ---@return table<string, any> values
 function param(declarations) end
@@ -193,12 +193,12 @@ function param(declarations) end
 ---@return T memory
 function keep(defaults) end
 
----Declares a state machine. `priority`: the greater wins where two want the same. `initial`: the first state. `always`: transitions out of whichever state, not taken while their target is active.
+---Declares a state machine. `priority`: the greater wins where two want the same. `initial`: the first state. `common`: transitions out of whichever state, not taken while their target is active.
 ---@param name string
 ---@return fun(body: reorient.State)
 function behavior(name) end
 
----Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within it, then also `initial`, `always`, and `history = true` to resume the inner state that was active last.
+---Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within it, then also `initial`, `common`, and `history = true` to resume the inner state that was active last.
 ---@param name string
 ---@return fun(body: reorient.State): table
 function state(name) end
@@ -234,7 +234,7 @@ function test(name, run) end
 
 ---Loads a behaviour.
 ---@param behavior string
-function load(behavior) end
+function load_behavior(behavior) end
 
 ---Loads a scenario and its behaviours.
 ---@param scenario string
@@ -242,14 +242,14 @@ function load_scenario(scenario) end
 
 ---Changes the fake world, from the next frame on.
 ---@param world table<string, table<string, number|boolean>>
-function set(world) end
+function set_world(world) end
 
 ---Changes a parameter as a user does live.
 ---@param name string
 ---@param value string
 function set_param(name, value) end
 
----Lets so many seconds pass, 30 frames each; one frame at least.
+---Lets this many seconds pass, 30 frames each; at least one frame.
 ---@param seconds number
 function advance(seconds) end
 
@@ -259,7 +259,7 @@ function reload(edit) end
 
 ---Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.
 ---@param run { scenario: string, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, params: table<string, any>? }
----@return boolean is_right
+---@return boolean is_correct
 function simulate(run) end
 
 ---The machine is in this state (path).
@@ -272,12 +272,12 @@ function expect.state(machine, path) end
 ---@param text string
 function expect.reason(machine, text) end
 
----The command was uttered during the last `advance`, with this verdict if one is named (granted, outranked, too_soon, not_allowed).
+---The command was issued during the last `advance`, with this verdict if one is named (granted, outranked, too_soon, not_allowed).
 ---@param name string
 ---@param verdict? string
 function expect.command(name, verdict) end
 
----The command, or any reorientation, was not uttered during the last `advance`.
+---The command, or any reorientation, was not issued during the last `advance`.
 ---@param name? string
 function expect.no_command(name) end
 

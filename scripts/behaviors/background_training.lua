@@ -68,7 +68,7 @@ behavior "background_training" {
 
     state "studying" {
       { "vouching",
-        when = function() return pose.reflected_share > p.doubt end,
+        when = function() return pose.reflected_weight > p.doubt end,
         because = "the pose was told, so its reflection is wrong" },
     },
 

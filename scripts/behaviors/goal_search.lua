@@ -3,7 +3,7 @@
 --- It decides nothing; it only brings the evidence before the eyes of those who do. Where no goal post is in view at
 --- either place, the belief is worth nothing, and neither is looking where it says.
 
-local look = require "lib.look"
+local gaze = require "lib.gaze"
 
 local p = param {
   lead        = { 0.4,  range = { 0, 1 },                doc = "how far one pose must be ahead of the other for the robot to be sure" },
@@ -25,14 +25,14 @@ local function goal_line(side) return side * field.length / 2 end
 local function is_helpless() return robot.fallen or robot.carried or robot.penalized end
 
 -- Before the room is known, or where both of its ends look the same, looking at the goals would not help either.
-local function can_room_tell() return evaluation.active and confidence.informative >= p.informative end
+local function can_room_tell() return evaluation.active and confidence.distinctiveness >= p.informative end
 
 local function is_unsure() return can_room_tell() and math.abs(confidence.current - confidence.opposite) < p.lead end
 
 local function is_sure() return not is_unsure() end
 
 local function is_opponent_goal_nearer()
-  return look.turn_to(goal_line(OPPONENT), 0.0) <= look.turn_to(goal_line(OWN), 0.0)
+  return gaze.angle_to(goal_line(OPPONENT), 0.0) <= gaze.angle_to(goal_line(OWN), 0.0)
 end
 
 local function begin_search() memory.looks, memory.saw_posts = 0, false end
@@ -42,12 +42,12 @@ local function is_belief_worthless() return memory.looks >= 2 and not memory.saw
 local function looking_at(side, other_goal)
   return {
     update = function()
-      look.at(goal_line(side), 0.0)
-      if seen.goal_posts > 0 and look.is_at(goal_line(side), 0.0) then memory.saw_posts = true end
+      gaze.at(goal_line(side), 0.0)
+      if seen.goal_posts > 0 and gaze.is_at(goal_line(side), 0.0) then memory.saw_posts = true end
     end,
     exit = function() memory.looks = memory.looks + 1 end,
     { other_goal,
-      when = function() return look.is_at(goal_line(side), 0.0) end,
+      when = function() return gaze.is_at(goal_line(side), 0.0) end,
       lasting = "dwell", because = "the goal was looked at" },
     { other_goal, after = "out_of_view", because = "the goal cannot be looked at" },
   }
@@ -56,7 +56,7 @@ end
 behavior "goal_search" {
   priority = 30,
   initial = "resting",
-  always = {
+  common = {
     { "helpless", when = is_helpless, because = "the robot lies, is carried or is penalized" },
   },
 

@@ -1,6 +1,6 @@
 --- Where am I, after somebody has carried me? A robot that was lifted distrusts its pose. Back on its feet it stays
 --- where it is and turns, so that room awareness and self-localization see all around it, and nothing is learned, until
---- the room has spoken for the believed pose long enough. If neither pose wins, the orientation is forgotten, once.
+--- the room has supported the believed pose long enough. If neither pose wins, the orientation is forgotten, once.
 --- Flips and purges are the business of orientation: a reflected pose wins or loses there.
 
 local posture = require "lib.posture"
@@ -26,13 +26,13 @@ local function is_helpless() return robot.carried or robot.fallen or robot.penal
 
 local function lead() return confidence.current - confidence.opposite end
 
-local function speaks_for_the_pose()
-  local is_found = pose.share >= p.share and pose.lost <= p.lost
+local function supports_the_pose()
+  local is_found = pose.cluster_weight >= p.share and pose.recovery_probability <= p.lost
   return not is_helpless() and is_found and lead() > p.lead and clock.time - memory.put_down_at > p.stale
 end
 
 -- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
-local function can_room_tell() return evaluation.active and confidence.informative >= p.informative end
+local function can_room_tell() return evaluation.active and confidence.distinctiveness >= p.informative end
 
 local function is_stuck() return can_room_tell() and math.abs(lead()) < p.lead and seen.goal_posts == 0 end
 
@@ -40,7 +40,7 @@ behavior "kidnap_recovery" {
   priority = 25,
   initial = "undisturbed",
   update = posture.watch,
-  always = {
+  common = {
     { "lifted", when = posture.is_lifted, lasting = "lift", because = "somebody carries the robot" },
   },
 
@@ -56,7 +56,7 @@ behavior "kidnap_recovery" {
     initial = "with its belief",
     enter = function() command.pause_training() end,
     update = function() walking.turn(p.turn) end,
-    { "recovered", when = speaks_for_the_pose, lasting = "proof", because = "the room speaks for the believed pose" },
+    { "recovered", when = supports_the_pose, lasting = "proof", because = "the room supports the believed pose" },
 
     state "with its belief" {
       { "with any orientation", when = is_stuck, lasting = "quiet", after = "patience", because = "neither pose won" },
@@ -74,7 +74,7 @@ behavior "kidnap_recovery" {
       command.pause_training()
       log.info("still unsure of the pose, goes on with it")
     end,
-    { "recovered", when = speaks_for_the_pose, lasting = "proof", because = "the room speaks for the believed pose" },
+    { "recovered", when = supports_the_pose, lasting = "proof", because = "the room supports the believed pose" },
   },
 
   state "recovered" {

@@ -20,10 +20,10 @@ local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false }
 
 -- A flip turns every belief round, right ones as well, and a reset spreads them: once the current pose has proved right
 -- after either, what is wrong is purged. The purge also says that the pose is known again, so that training may go on.
-local function is_purge_due() return memory.confirm or pose.reflected_share > p.lingering end
+local function is_purge_due() return memory.confirm or pose.reflected_weight > p.lingering end
 
 local function may_decide()
-  return confidence.coverage >= p.coverage and confidence.informative >= p.informative and pose.lost <= p.lost
+  return confidence.coverage >= p.coverage and confidence.distinctiveness >= p.informative and pose.recovery_probability <= p.lost
 end
 
 -- The confidences are smoothed. If the pose filter has changed its mind meanwhile, this frame's already say so, and a
@@ -42,7 +42,7 @@ behavior "orientation" {
   priority = 50,
   initial = "watching",
   update = posture.watch,
-  always = {
+  common = {
     { "fallen", when = function() return robot.fallen end, because = "the robot fell" },
     { "carried", when = posture.is_lifted, because = "the robot is being carried" },
   },
@@ -62,7 +62,7 @@ behavior "orientation" {
       memory.confirm = true
       command.flip_pose()
     end,
-    { "purging", when = function() return pose.reflected_share > p.lingering end, because = "the flip turned right beliefs round too" },
+    { "purging", when = function() return pose.reflected_weight > p.lingering end, because = "the flip turned right beliefs round too" },
     { "watching", after = "settle" },
   },
 

@@ -30,7 +30,7 @@ end
 behavior "penalty_marks" {
   priority = 20,
   initial = "walking",
-  always = {
+  common = {
     { "helpless", when = is_helpless, because = "the robot cannot walk now" },
     { "waiting", when = function() return is_pose_searched() and not is_helpless() end, because = "others search for the pose" },
   },

@@ -27,7 +27,7 @@ behavior "training_pause" {
   priority = 60,
   initial = "allowing",
   update = posture.watch,
-  always = {
+  common = {
     { "fallen", when = posture.is_down, because = "the robot lies or gets up" },
     { "carried", when = posture.is_lifted, because = "the robot is carried" },
     { "penalized",

@@ -21,17 +21,17 @@ end
 local function clamp(value, limit) return math.max(-limit, math.min(limit, value)) end
 
 --- Distance (m) and bearing (rad, to the left of where the robot looks) of a point on the field.
-function walk_library.to_point(x, y)
+function walk_library.distance_and_bearing(x, y)
   local dx, dy = x - pose.x, y - pose.y
   return math.sqrt(dx * dx + dy * dy), walk_library.normalize(math.atan(dy, dx) - pose.rotation)
 end
 
 --- Whether the robot believes that it stands within `distance` (m) of a point.
-function walk_library.is_near(x, y, distance) return (walk_library.to_point(x, y)) <= distance end
+function walk_library.is_near(x, y, distance) return (walk_library.distance_and_bearing(x, y)) <= distance end
 
 --- One frame's walk towards (x, y); there it turns to `rotation`, if one is given. True: it has arrived.
 function walk_library.walk_to(x, y, rotation)
-  local distance, bearing = walk_library.to_point(x, y)
+  local distance, bearing = walk_library.distance_and_bearing(x, y)
   if distance > p.near then
     local forward = math.abs(bearing) < p.aligned and p.speed or 0.0
     walk.velocity(forward, 0.0, clamp(2.0 * bearing, p.turn))

@@ -10,7 +10,7 @@ local p = param {
   ahead    = { 1.0,   range = { -3, 3 },    unit = "m",   doc = "where it is put down: ahead of the reflection of its belief" },
   left     = { 1.2,   range = { -3, 3 },    unit = "m",   doc = "and to the left of that" },
   turn     = { 0.7,   range = { -3.2, 3.2 }, unit = "rad", doc = "and turned to the left" },
-  goal     = { 0.5,   range = { 0.1, 2 },   unit = "m",   doc = "how near to the right mark is right" },
+  mark_tolerance = { 0.5,   range = { 0.1, 2 },   unit = "m",   doc = "how near to the right mark is right" },
   stay     = { 0.5,   range = { 0, 10 },    unit = "s",   doc = "how long it must stay near a mark" },
   timeout  = { 180.0, range = { 1, 600 },   unit = "s",   doc = "how long it may take after being put down" },
 }
@@ -60,10 +60,10 @@ scenario "kidnapped" {
 
     state "lost" {
       { "right",
-        when = function() return stands_on_a_mark() and ground_truth.is_on_mark(-1, p.goal) end,
+        when = function() return stands_on_a_mark() and ground_truth.is_on_mark(-1, p.mark_tolerance) end,
         lasting = "stay", because = "the robot stands on the right mark" },
       { "wrong",
-        when = function() return stands_on_a_mark() and not ground_truth.is_on_mark(-1, p.goal) end,
+        when = function() return stands_on_a_mark() and not ground_truth.is_on_mark(-1, p.mark_tolerance) end,
         lasting = "stay", because = "the robot believes that it stands on a mark" },
     },
 

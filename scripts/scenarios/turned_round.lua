@@ -7,7 +7,7 @@ local ground_truth = require "lib.ground_truth"
 local p = param {
   learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "how long the robot may learn the room" },
   carry   = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "how long it is in the air" },
-  goal    = { 0.5,   range = { 0.1, 2 },  unit = "m", doc = "how near to the right mark is right" },
+  mark_tolerance = { 0.5,   range = { 0.1, 2 },  unit = "m", doc = "how near to the right mark is right" },
   stay    = { 0.5,   range = { 0, 10 },   unit = "s", doc = "how long it must stay near a mark" },
   timeout = { 120.0, range = { 1, 600 },  unit = "s", doc = "how long it may take after being put down" },
 }
@@ -15,6 +15,10 @@ local p = param {
 local START = { x = -3.2, y = -3.5, rotation = math.rad(90) }
 
 local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
+
+local function stands_on_mark(side)
+  return ground_truth.is_on_mark(side, p.mark_tolerance) and behaviors.penalty_marks.state == "on the mark"
+end
 
 scenario "turned_round" {
   behaviors = {
@@ -26,7 +30,7 @@ scenario "turned_round" {
   state "placing" {
     enter = function()
       experimenter.put_down(START.x, START.y, START.rotation)
-      belief.start_at(START.x, START.y, START.rotation)
+      belief.set_initial_pose(START.x, START.y, START.rotation)
     end,
     { "learning", after = 0.1, because = "the robot was told where it stands" },
   },
@@ -50,9 +54,9 @@ scenario "turned_round" {
     { "failed", after = "timeout", because = "the time is up" },
 
     state "lost" {
-      { "right", when = function() return ground_truth.is_on_mark(-1, p.goal) and behaviors.penalty_marks.state == "on the mark" end,
+      { "right", when = function() return stands_on_mark(-1) end,
         lasting = "stay", because = "the robot stands on the right mark" },
-      { "wrong", when = function() return ground_truth.is_on_mark(1, p.goal) and behaviors.penalty_marks.state == "on the mark" end,
+      { "wrong", when = function() return stands_on_mark(1) end,
         lasting = "stay", because = "the robot stands on the wrong mark" },
     },
 

@@ -1,14 +1,14 @@
 --- Tests of behaviors/background_training.lua.
 
 local function start()
-  load "background_training"
-  set { pose = { known = true } }
+  load_behavior "background_training"
+  set_world { pose = { known = true } }
   advance(0.1)
 end
 
 local function learned()
   start()
-  set { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
+  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
   advance(0.1)
 end
 
@@ -20,7 +20,7 @@ test("with a known pose and no model it trains first and does not evaluate", fun
 end)
 
 test("without a known pose it neither trains nor evaluates", function()
-  load "background_training"
+  load_behavior "background_training"
   advance(1)
   expect.state("background_training", "waiting")
   expect.lease("pause_training")
@@ -29,29 +29,29 @@ end)
 
 test("it goes on learning until enough of the wall is covered", function()
   start()
-  set { training = { seconds = 25 }, confidence = { coverage = 0.2 } }
+  set_world { training = { seconds = 25 }, confidence = { coverage = 0.2 } }
   advance(1)
   expect.state("background_training", "learning/studying")
 end)
 
 test("it trusts the model after a while whatever the coverage", function()
   start()
-  set { training = { seconds = 36 }, confidence = { coverage = 0.2 } }
+  set_world { training = { seconds = 36 }, confidence = { coverage = 0.2 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
 end)
 
 test("while it learns from a pose that it was told, it purges reflected beliefs", function()
   start()
-  set { training = { seconds = 5 }, pose = { reflected_share = 0.02 } }
+  set_world { training = { seconds = 5 }, pose = { reflected_weight = 0.02 } }
   advance(1)
   expect.no_command()
-  set { pose = { reflected_share = 0.2 } }
+  set_world { pose = { reflected_weight = 0.2 } }
   advance(0.1)
   expect.command("purge_reflection", "granted")
   expect.state("background_training", "learning/vouching")
   expect.lease("pause_evaluation")
-  set { pose = { reflected_share = 0.0 } }
+  set_world { pose = { reflected_weight = 0.0 } }
   advance(4)
   expect.state("background_training", "learning/studying")
 end)
@@ -66,13 +66,13 @@ end)
 
 test("it trains on only while the current pose clearly wins", function()
   learned()
-  set { confidence = { current = 0.8, opposite = 0.1 } }
+  set_world { confidence = { current = 0.8, opposite = 0.1 } }
   advance(0.9)
   expect.lease("pause_training")
   advance(0.3)
   expect.state("background_training", "trusting/refining")
   expect.no_lease("pause_training")
-  set { confidence = { current = 0.3 } }
+  set_world { confidence = { current = 0.3 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
@@ -81,10 +81,10 @@ end)
 for _, what in ipairs { "fallen", "carried", "penalized" } do
   test("it stops refining while the robot is " .. what, function()
     learned()
-    set { confidence = { current = 0.9 } }
+    set_world { confidence = { current = 0.9 } }
     advance(2)
     expect.state("background_training", "trusting/refining")
-    set { robot = { [what] = true } }
+    set_world { robot = { [what] = true } }
     advance(0.1)
     expect.state("background_training", "trusting/watching")
     expect.reason("background_training", "the robot does not stand on the field")
@@ -95,13 +95,13 @@ for _, what in ipairs { "fallen", "carried", "penalized" } do
 
   test("it stops learning while the robot is " .. what, function()
     start()
-    set { robot = { [what] = true } }
+    set_world { robot = { [what] = true } }
     advance(0.1)
     expect.state("background_training", "waiting")
     expect.reason("background_training", "the robot does not stand on the field")
     expect.lease("pause_training")
     expect.lease("pause_evaluation")
-    set { robot = { [what] = false } }
+    set_world { robot = { [what] = false } }
     advance(0.4)
     expect.state("background_training", "waiting")
     advance(0.3)   -- after it was carried nobody vouches for its pose
@@ -109,13 +109,13 @@ for _, what in ipairs { "fallen", "carried", "penalized" } do
   end)
 
   test("with training_pause both rest while the robot is " .. what .. ", and nothing is trained sooner than it may", function()
-    load "training_pause"
+    load_behavior "training_pause"
     learned()
-    set { confidence = { current = 0.9 }, robot = { [what] = true } }
+    set_world { confidence = { current = 0.9 }, robot = { [what] = true } }
     advance(1)
     expect.lease("pause_training")
     expect.lease("pause_evaluation")
-    set { robot = { [what] = false } }
+    set_world { robot = { [what] = false } }
     advance(1)
     expect.lease("pause_training")
     expect.no_lease("pause_evaluation")
@@ -125,8 +125,8 @@ for _, what in ipairs { "fallen", "carried", "penalized" } do
 end
 
 test("a room that is known already is trusted at once", function()
-  load "background_training"
-  set { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
+  load_behavior "background_training"
+  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
   expect.reason("background_training", "the room is known")
@@ -134,19 +134,19 @@ end)
 
 test("a room that was learned enough while a purge settles is trusted", function()
   start()
-  set { training = { seconds = 5 }, pose = { reflected_share = 0.2 } }
+  set_world { training = { seconds = 5 }, pose = { reflected_weight = 0.2 } }
   advance(0.1)
   expect.state("background_training", "learning/vouching")
-  set { training = { seconds = 36 } }
+  set_world { training = { seconds = 36 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
 end)
 
 test("after it was put down it does not train on confidences from before", function()
   learned()
-  set { confidence = { current = 0.9 }, robot = { carried = true } }
+  set_world { confidence = { current = 0.9 }, robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(9)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
@@ -156,10 +156,10 @@ end)
 
 test("a robot that was lifted before it had learned the room does not learn from a pose that nobody vouches for", function()
   start()
-  set { training = { seconds = 5 } }
-  set { robot = { carried = true } }
+  set_world { training = { seconds = 5 } }
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(5)
   expect.state("background_training", "waiting")
   expect.lease("pause_training")
@@ -168,20 +168,20 @@ end)
 test("a robot that was lifted before it trained at all does not vouch for its pose any more, either", function()
   start()
   advance(1)
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false }, pose = { reflected_share = 0.5 } }
+  set_world { robot = { carried = false }, pose = { reflected_weight = 0.5 } }
   advance(5)
   expect.state("background_training", "waiting")
   expect.no_command()
 end)
 
 test("a robot that was told its pose while it was still carried learns once it stands", function()
-  load "background_training"
-  set { robot = { carried = true }, pose = { known = true } }
+  load_behavior "background_training"
+  set_world { robot = { carried = true }, pose = { known = true } }
   advance(2)
   expect.state("background_training", "waiting")
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(1)
   expect.state("background_training", "learning/studying")
 end)

@@ -1,7 +1,7 @@
 --- Tests of scenarios/fallen.lua and lib/ground_truth.lua.
 
 local function set_pose(x, y, rotation)
-  set { truth = { x = x, y = y, rotation = rotation }, pose = { x = x, y = y, rotation = rotation } }
+  set_world { truth = { x = x, y = y, rotation = rotation }, pose = { x = x, y = y, rotation = rotation } }
 end
 
 --- Up to the moment when the robot lies.
@@ -10,18 +10,18 @@ local function fall()
   set_pose(1, 0.5, 0)
   advance(0.1)
   expect.action("put_down")
-  expect.action("start_at")
+  expect.action("set_initial_pose")
   advance(60.1)
   expect.state("fallen", "pushed over/down")
   expect.reason("fallen", "the time to learn is over")
   expect.action("push_over")
-  set { robot = { fallen = true }, truth = { fallen = true } }
+  set_world { robot = { fallen = true }, truth = { fallen = true } }
   advance(3)
   expect.get_up(true)
 end
 
 local function get_up()
-  set { robot = { fallen = false }, truth = { fallen = false } }
+  set_world { robot = { fallen = false }, truth = { fallen = false } }
   advance(1)
   expect.command("reset_orientation", "granted")
 end
@@ -31,7 +31,7 @@ test("succeeds when the robot got up and is sure of a right pose", function()
   get_up()
   expect.state("fallen", "pushed over/up again")
   expect.reason("fallen", "the robot got up and forgot its orientation")
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(9)
   expect.state("fallen", "pushed over/up again")
   advance(2)
@@ -47,7 +47,7 @@ end)
 
 test("is not content with a right pose without a reset", function()
   fall()
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(30)
   expect.state("fallen", "pushed over/down")
 end)
@@ -55,7 +55,7 @@ end)
 test("fails when the time is up, and says how far off the belief is", function()
   fall()
   get_up()
-  set { confidence = { current = 0.9 }, pose = { x = -1, y = -0.5, rotation = math.pi } }
+  set_world { confidence = { current = 0.9 }, pose = { x = -1, y = -0.5, rotation = math.pi } }
   advance(120)
   expect.verdict(false, "2.24 m and 180 degrees off")
 end)

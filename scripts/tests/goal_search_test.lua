@@ -1,27 +1,27 @@
---- Tests of behaviors/goal_search.lua and lib/look.lua.
+--- Tests of behaviors/goal_search.lua and lib/gaze.lua.
 
-local function stand_at(x, y, rotation) set { pose = { x = x, y = y, rotation = rotation } } end
+local function stand_at(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
 --- Stands where the opponent goal is 45 degrees to the left and the own goal 45 degrees to the right.
 local function stand_between_the_goals() stand_at(0.0, -4.5, math.rad(90)) end
 
 local function look_at(yaw)
-  set { robot = { head_yaw = yaw } }
+  set_world { robot = { head_yaw = yaw } }
   advance(1.2)
 end
 
 local function start()
-  load "goal_search"
+  load_behavior "goal_search"
   stand_between_the_goals()
-  set { evaluation = { active = true }, confidence = { current = 0.9, informative = 0.3 }, seen = { goal_posts = 2 } }
+  set_world { evaluation = { active = true }, confidence = { current = 0.9, distinctiveness = 0.3 }, seen = { goal_posts = 2 } }
   advance(0.1)
 end
 
 --- Up to the first frames of a search.
 local function put_down()
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false }, confidence = { current = 0.0 } }
+  set_world { robot = { carried = false }, confidence = { current = 0.0 } }
   advance(6.2)
 end
 
@@ -29,14 +29,14 @@ test("leaves head and legs to others while one pose leads", function()
   start()
   advance(60)
   expect.state("goal_search", "resting")
-  set { confidence = { current = 0.0, opposite = 0.9 } }
+  set_world { confidence = { current = 0.0, opposite = 0.9 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)
 
 test("searches when neither pose leads for a while", function()
   start()
-  set { confidence = { current = 0.2 } }
+  set_world { confidence = { current = 0.2 } }
   advance(9.5)
   expect.state("goal_search", "resting")
   advance(0.6)
@@ -45,7 +45,7 @@ end)
 
 test("gives as its reason that neither pose leads", function()
   start()
-  set { confidence = { current = 0.2 } }
+  set_world { confidence = { current = 0.2 } }
   advance(10.03)
   expect.state("goal_search", "searching/choosing")
   expect.reason("goal_search", "neither pose leads")
@@ -54,14 +54,14 @@ end)
 
 test("does not search in a room that is not known", function()
   start()
-  set { evaluation = { active = false }, confidence = { current = 0.0 } }
+  set_world { evaluation = { active = false }, confidence = { current = 0.0 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)
 
 test("does not search in a room that looks the same after half a turn", function()
   start()
-  set { confidence = { current = 0.0, informative = 0.01 } }
+  set_world { confidence = { current = 0.0, distinctiveness = 0.01 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)
@@ -69,11 +69,11 @@ end)
 for _, what in ipairs { "fallen", "carried", "penalized" } do
   test("lets the confidences catch up after the robot was " .. what .. ", then searches if neither pose leads", function()
     start()
-    set { robot = { [what] = true } }
+    set_world { robot = { [what] = true } }
     advance(1)
     expect.state("goal_search", "helpless")
     expect.reason("goal_search", "the robot lies, is carried or is penalized")
-    set { robot = { [what] = false }, confidence = { current = 0.1 } }
+    set_world { robot = { [what] = false }, confidence = { current = 0.1 } }
     advance(5.9)
     expect.state("goal_search", "catching up")
     expect.reason("goal_search", "the robot may stand elsewhere than before")
@@ -85,9 +85,9 @@ end
 
 test("rests after a disturbance when one pose leads", function()
   start()
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(6.1)
   expect.state("goal_search", "resting")
   expect.reason("goal_search", "one pose leads, or the room cannot tell")
@@ -95,30 +95,30 @@ end)
 
 test("rests after a disturbance when the room is not known", function()
   start()
-  set { robot = { carried = true }, evaluation = { active = false }, confidence = { current = 0.0 } }
+  set_world { robot = { carried = true }, evaluation = { active = false }, confidence = { current = 0.0 } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(6.1)
   expect.state("goal_search", "resting")
 end)
 
 test("a disturbance while the confidences catch up begins the wait anew", function()
   start()
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false }, confidence = { current = 0.0 } }
+  set_world { robot = { carried = false }, confidence = { current = 0.0 } }
   advance(5)
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(1)
   expect.state("goal_search", "helpless")
-  set { robot = { fallen = false } }
+  set_world { robot = { fallen = false } }
   advance(5)
   expect.state("goal_search", "catching up")
 end)
 
 test("begins with the goal that is nearer to the view", function()
   start()
-  set { robot = { head_yaw = 0.5 } }
+  set_world { robot = { head_yaw = 0.5 } }
   put_down()
   expect.state("goal_search", "searching/own goal")
   expect.reason("goal_search", "the own goal is nearer to the view")
@@ -132,7 +132,7 @@ test("looks at both goals in turn and dwells on each", function()
   expect.state("goal_search", "searching/opponent goal")
   expect.reason("goal_search", "the opponent goal is nearer to the view")
   expect.head(-math.rad(45), 0.0)
-  set { robot = { head_yaw = -math.rad(45) } }
+  set_world { robot = { head_yaw = -math.rad(45) } }
   advance(0.9)
   expect.state("goal_search", "searching/opponent goal")
   advance(0.2)
@@ -146,7 +146,7 @@ end)
 test("turns the body towards a goal that the neck does not reach, the shorter way round", function()
   start()
   stand_at(0, 0, math.rad(20))   -- the own goal is 160 degrees to the left, the opponent goal 20 to the right
-  set { robot = { head_yaw = math.rad(-20) } }
+  set_world { robot = { head_yaw = math.rad(-20) } }
   put_down()
   advance(1.2)
   expect.state("goal_search", "searching/own goal")
@@ -167,7 +167,7 @@ end)
 test("goes on to the other goal when one cannot be looked at", function()
   start()
   put_down()
-  set { robot = { head_yaw = 0.3 }, confidence = { current = 0.0 } }
+  set_world { robot = { head_yaw = 0.3 }, confidence = { current = 0.0 } }
   advance(8.2)
   expect.state("goal_search", "searching/own goal")
   expect.reason("goal_search", "the goal cannot be looked at")
@@ -177,20 +177,20 @@ test("ends when one pose leads for a while, whichever", function()
   for _, pose_name in ipairs { "current", "opposite" } do
     start()
     put_down()
-    set { confidence = { [pose_name] = 0.9 } }
+    set_world { confidence = { [pose_name] = 0.9 } }
     advance(0.8)
     expect.state("goal_search", "searching/opponent goal")
     advance(0.3)
     expect.state("goal_search", "resting")
     expect.reason("goal_search", "one pose leads")
-    set { confidence = { [pose_name] = 0.0 } }
+    set_world { confidence = { [pose_name] = 0.0 } }
   end
 end)
 
 test("ends when its patience ends, and begins again later", function()
   start()
   put_down()
-  set { confidence = { current = 0.0 } }
+  set_world { confidence = { current = 0.0 } }
   look_at(-math.rad(45))
   advance(19)
   expect.state("goal_search", "resting")
@@ -202,7 +202,7 @@ end)
 test("ends when no goal stands at either place: the belief is worth nothing", function()
   start()
   put_down()
-  set { confidence = { current = 0.0 }, seen = { goal_posts = 0 } }
+  set_world { confidence = { current = 0.0 }, seen = { goal_posts = 0 } }
   look_at(-math.rad(45))
   expect.state("goal_search", "searching/own goal")
   look_at(math.rad(45))
@@ -215,13 +215,13 @@ end)
 test("does not take a goal that is seen elsewhere for the one that was looked for", function()
   start()
   put_down()
-  set { confidence = { current = 0.0 } }
+  set_world { confidence = { current = 0.0 } }
   for _ = 1, 2 do
-    set { robot = { head_yaw = 0.0 }, seen = { goal_posts = 2 } }
+    set_world { robot = { head_yaw = 0.0 }, seen = { goal_posts = 2 } }
     advance(0.5)
-    set { robot = { head_yaw = -math.rad(45) }, seen = { goal_posts = 0 } }
+    set_world { robot = { head_yaw = -math.rad(45) }, seen = { goal_posts = 0 } }
     advance(1.2)
-    set { robot = { head_yaw = math.rad(45) } }
+    set_world { robot = { head_yaw = math.rad(45) } }
     advance(1.2)
   end
   expect.reason("goal_search", "no goal stands where the belief says")
@@ -230,13 +230,13 @@ end)
 test("a fall ends the search", function()
   start()
   put_down()
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(0.1)
   expect.state("goal_search", "helpless")
 end)
 
 test("has the head before head_scan, and not before it searches", function()
-  load "head_scan"
+  load_behavior "head_scan"
   start()
   expect.head(1.1, -0.1)
   put_down()
@@ -244,11 +244,11 @@ test("has the head before head_scan, and not before it searches", function()
 end)
 
 test("leaves the legs to stand_up", function()
-  load "stand_up"
+  load_behavior "stand_up"
   start()
   put_down()
   stand_at(0, 0, 0)
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(1.5)
   expect.walk(0, 0, 0)
   expect.get_up(true)

@@ -1,29 +1,29 @@
 --- Tests of behaviors/head_scan.lua.
 
 test("sweeps over the walls and then over the field", function()
-  load "head_scan"
+  load_behavior "head_scan"
   advance(0.1)
   expect.head(1.1, -0.1)
-  set { robot = { head_yaw = 1.09 } }
+  set_world { robot = { head_yaw = 1.09 } }
   advance(0.1)
   expect.state("head_scan", "walls to the right")
   expect.head(-1.1, -0.1)
-  set { robot = { head_yaw = -1.09 } }
+  set_world { robot = { head_yaw = -1.09 } }
   advance(0.1)
   expect.state("head_scan", "field to the left")
   expect.head(1.1, 0.25)
-  set { robot = { head_yaw = 1.09 } }
+  set_world { robot = { head_yaw = 1.09 } }
   advance(0.1)
   expect.state("head_scan", "field to the right")
   expect.head(-1.1, 0.25)
-  set { robot = { head_yaw = -1.09 } }
+  set_world { robot = { head_yaw = -1.09 } }
   advance(0.1)
   expect.state("head_scan", "walls to the left")
   expect.reason("head_scan", "the side is reached")
 end)
 
 test("turns back when a side cannot be reached", function()
-  load "head_scan"
+  load_behavior "head_scan"
   advance(4.2)
   expect.state("head_scan", "walls to the right")
   expect.reason("head_scan", "the side cannot be reached")
@@ -34,7 +34,7 @@ test("turns back when a side cannot be reached", function()
 end)
 
 test("the width can be set live", function()
-  load "head_scan"
+  load_behavior "head_scan"
   advance(0.1)
   set_param("head_scan.width", "0.7")
   advance(0.1)

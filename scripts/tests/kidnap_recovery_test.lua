@@ -1,20 +1,20 @@
 --- Tests of behaviors/kidnap_recovery.lua.
 
 local function put_down()
-  load "kidnap_recovery"
-  set { evaluation = { active = true }, confidence = { informative = 0.3 } }
+  load_behavior "kidnap_recovery"
+  set_world { evaluation = { active = true }, confidence = { distinctiveness = 0.3 } }
   advance(0.1)
-  set { robot = { carried = true }, pose = { share = 0.9 } }
+  set_world { robot = { carried = true }, pose = { cluster_weight = 0.9 } }
   advance(1)
   expect.state("kidnap_recovery", "lifted")
   expect.reason("kidnap_recovery", "somebody carries the robot")
   expect.lease("pause_training")
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(0.4)
 end
 
 test("does nothing as long as nobody lifts the robot", function()
-  load "kidnap_recovery"
+  load_behavior "kidnap_recovery"
   advance(60)
   expect.state("kidnap_recovery", "undisturbed")
   expect.no_lease("pause_training")
@@ -22,23 +22,23 @@ test("does nothing as long as nobody lifts the robot", function()
 end)
 
 test("does not take the beginning of a fall for being lifted", function()
-  load "kidnap_recovery"
-  set { robot = { carried = true } }
+  load_behavior "kidnap_recovery"
+  set_world { robot = { carried = true } }
   advance(0.5)
-  set { robot = { carried = false, fallen = true } }
+  set_world { robot = { carried = false, fallen = true } }
   advance(2)
   expect.state("kidnap_recovery", "undisturbed")
 end)
 
 test("does not take getting up for being lifted", function()
-  load "kidnap_recovery"
-  set { robot = { fallen = true } }
+  load_behavior "kidnap_recovery"
+  set_world { robot = { fallen = true } }
   advance(3)
-  set { robot = { fallen = false } }
+  set_world { robot = { fallen = false } }
   advance(0.2)
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(3)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(1)
   expect.state("kidnap_recovery", "undisturbed")
 end)
@@ -54,26 +54,26 @@ test("a robot that was put down turns on the spot, and nothing is trained", func
 end)
 
 test("a penalized robot begins to search when it may play again", function()
-  load "kidnap_recovery"
-  set { robot = { carried = true, penalized = true } }
+  load_behavior "kidnap_recovery"
+  set_world { robot = { carried = true, penalized = true } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(45)
   expect.state("kidnap_recovery", "lifted")
   expect.lease("pause_training")
-  set { robot = { penalized = false } }
+  set_world { robot = { penalized = false } }
   advance(0.4)
   expect.state("kidnap_recovery", "searching/with its belief")
 end)
 
-test("recovers when the room speaks for the believed pose long enough", function()
+test("recovers when the room supports the believed pose long enough", function()
   put_down()
-  set { confidence = { current = 0.8 } }
+  set_world { confidence = { current = 0.8 } }
   advance(5)
   expect.state("kidnap_recovery", "searching/with its belief")
   advance(1.5)
   expect.state("kidnap_recovery", "recovered")
-  expect.reason("kidnap_recovery", "the room speaks for the believed pose")
+  expect.reason("kidnap_recovery", "the room supports the believed pose")
   expect.log("recovered 6.")
   expect.no_lease("pause_training")
   expect.no_command()
@@ -81,16 +81,16 @@ end)
 
 test("does not believe confidences from before it was lifted", function()
   put_down()
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(2.9)
-  set { confidence = { current = 0.0 } }
+  set_world { confidence = { current = 0.0 } }
   advance(5)
   expect.state("kidnap_recovery", "searching/with its belief")
 end)
 
 test("does not believe in a pose on which the pose particles do not agree", function()
   put_down()
-  set { confidence = { current = 0.9 }, pose = { share = 0.4 } }
+  set_world { confidence = { current = 0.9 }, pose = { cluster_weight = 0.4 } }
   advance(15)
   expect.state("kidnap_recovery", "searching/with its belief")
 end)
@@ -107,14 +107,14 @@ test("forgets the orientation once when neither pose wins, and searches again", 
   advance(20)
   expect.no_command()
   expect.lease("pause_training")
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(3.1)
   expect.state("kidnap_recovery", "recovered")
 end)
 
 test("forgets nothing while the opposite pose leads: orientation will flip it", function()
   put_down()
-  set { confidence = { opposite = 0.9 } }
+  set_world { confidence = { opposite = 0.9 } }
   advance(60)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.no_command()
@@ -123,9 +123,9 @@ end)
 test("forgets nothing while a goal is in view: it may just be helping", function()
   put_down()
   for _ = 1, 20 do
-    set { seen = { goal_posts = 1 } }
+    set_world { seen = { goal_posts = 1 } }
     advance(0.5)
-    set { seen = { goal_posts = 0 } }
+    set_world { seen = { goal_posts = 0 } }
     advance(2)
   end
   expect.state("kidnap_recovery", "searching/with its belief")
@@ -143,16 +143,16 @@ test("goes on in the end without training, and can still recover", function()
   expect.lease("pause_training")
   advance(30)
   expect.no_command()
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(3.1)
   expect.state("kidnap_recovery", "recovered")
-  expect.reason("kidnap_recovery", "the room speaks for the believed pose")
+  expect.reason("kidnap_recovery", "the room supports the believed pose")
   expect.no_lease("pause_training")
 end)
 
 test("a fall does not end the search", function()
   put_down()
-  set { robot = { fallen = true }, confidence = { current = 0.9 } }
+  set_world { robot = { fallen = true }, confidence = { current = 0.9 } }
   advance(10)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.lease("pause_training")
@@ -160,34 +160,34 @@ end)
 
 test("begins anew whenever it is lifted", function()
   put_down()
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(7)
   expect.state("kidnap_recovery", "recovered")
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1)
   expect.state("kidnap_recovery", "lifted")
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(1)
   expect.state("kidnap_recovery", "searching/with its belief")
 end)
 
 test("leaves the flip to orientation and stands before walking", function()
-  load "orientation"
-  load "penalty_marks"
-  set { confidence = { coverage = 0.9, informative = 0.3 } }
+  load_behavior "orientation"
+  load_behavior "penalty_marks"
+  set_world { confidence = { coverage = 0.9, distinctiveness = 0.3 } }
   put_down()
-  set { confidence = { opposite = 0.9 } }
+  set_world { confidence = { opposite = 0.9 } }
   advance(4)
   expect.command("flip_pose", "granted")
   expect.walk(0, 0, 0.4)
-  set { confidence = { opposite = 0.0, current = 0.9 } }
+  set_world { confidence = { opposite = 0.0, current = 0.9 } }
   advance(5)
   expect.state("kidnap_recovery", "recovered")
   expect.walk(0, 0, 0.6)   -- penalty_marks turns to its mark
 end)
 
 test("leaves the legs to goal_search while that looks at a goal", function()
-  load "goal_search"
+  load_behavior "goal_search"
   put_down()
   advance(5)
   expect.state("goal_search", "catching up")
@@ -199,11 +199,11 @@ end)
 
 for what, world in pairs {
   ["is not known"] = { evaluation = { active = false } },
-  ["looks the same after half a turn"] = { confidence = { informative = 0.01 } },
+  ["looks the same after half a turn"] = { confidence = { distinctiveness = 0.01 } },
 } do
   test("forgets nothing when the room " .. what .. ", and goes on in the end", function()
     put_down()
-    set(world)
+    set_world(world)
     advance(24)
     expect.state("kidnap_recovery", "searching/with its belief")
     advance(1)
@@ -226,10 +226,10 @@ end)
 
 test("a direction that fits is not enough while the place does not", function()
   put_down()
-  set { confidence = { current = 0.9 }, pose = { lost = 0.5 } }
+  set_world { confidence = { current = 0.9 }, pose = { recovery_probability = 0.5 } }
   advance(20)
   expect.state("kidnap_recovery", "searching/with its belief")
-  set { pose = { lost = 0.0 } }
+  set_world { pose = { recovery_probability = 0.0 } }
   advance(3.2)
   expect.state("kidnap_recovery", "recovered")
 end)

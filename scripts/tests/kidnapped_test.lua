@@ -1,7 +1,7 @@
 --- Tests of scenarios/kidnapped.lua and lib/ground_truth.lua.
 
-local function set_truth(x, y, rotation) set { truth = { x = x, y = y, rotation = rotation } } end
-local function set_belief(x, y, rotation) set { pose = { x = x, y = y, rotation = rotation } } end
+local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
+local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
 --- Up to the moment when the robot stands elsewhere.
 local function put_down()
@@ -10,24 +10,24 @@ local function put_down()
   set_truth(1, 0.5, 0)
   advance(0.1)
   expect.action("put_down")
-  expect.action("start_at")
+  expect.action("set_initial_pose")
   advance(60.1)
   expect.state("kidnapped", "carrying")
   expect.action("pick_up")
   expect.log("picked up")
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(2.1)
   expect.state("kidnapped", "elsewhere/lost")
   expect.reason("kidnapped", "put down at another place")
   expect.action("put_down")
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   set_truth(1.6, 2.0, -2.0)
   advance(1)
 end
 
---- The room speaks for the belief, right or wrong.
+--- The room supports the belief, right or wrong.
 local function become_sure()
-  set { confidence = { current = 0.9 }, pose = { share = 0.9 } }
+  set_world { confidence = { current = 0.9 }, pose = { cluster_weight = 0.9 } }
   advance(6)
   expect.state("kidnap_recovery", "recovered")
 end

@@ -1,8 +1,8 @@
 --- Tests of behaviors/orientation.lua.
 
 local function learned_room()
-  load "orientation"
-  set { confidence = { coverage = 0.9, informative = 0.3 } }
+  load_behavior "orientation"
+  set_world { confidence = { coverage = 0.9, distinctiveness = 0.3 } }
   advance(0.1)
 end
 
@@ -14,7 +14,7 @@ end)
 
 test("flips once when the opposite pose wins", function()
   learned_room()
-  set { confidence = { opposite = 0.9, current = 0.05 } }
+  set_world { confidence = { opposite = 0.9, current = 0.05 } }
   advance(0.4)
   expect.no_command()
   advance(0.3)
@@ -28,9 +28,9 @@ end)
 test("does not flip on a lead that does not last", function()
   learned_room()
   for _ = 1, 10 do
-    set { confidence = { opposite = 0.9 } }
+    set_world { confidence = { opposite = 0.9 } }
     advance(0.3)
-    set { confidence = { opposite = 0.1 } }
+    set_world { confidence = { opposite = 0.1 } }
     advance(0.1)
   end
   expect.state("orientation", "watching")
@@ -39,14 +39,14 @@ end)
 
 test("does not decide before enough of the room was learned", function()
   learned_room()
-  set { confidence = { opposite = 1.0, coverage = 0.1 } }
+  set_world { confidence = { opposite = 1.0, coverage = 0.1 } }
   advance(10)
   expect.no_command()
 end)
 
 test("does not flip in a room that looks the same after half a turn", function()
   learned_room()
-  set { confidence = { opposite = 1.0, informative = 0.0 } }
+  set_world { confidence = { opposite = 1.0, distinctiveness = 0.0 } }
   advance(10)
   expect.no_command()
   expect.state("orientation", "watching")
@@ -54,7 +54,7 @@ end)
 
 test("purges when the current pose wins while reflected beliefs linger", function()
   learned_room()
-  set { confidence = { current = 0.9 }, pose = { reflected_share = 0.3 } }
+  set_world { confidence = { current = 0.9 }, pose = { reflected_weight = 0.3 } }
   advance(0.7)
   expect.command("purge_reflection", "granted")
   expect.reason("orientation", "the current pose won while reflected beliefs may linger")
@@ -62,18 +62,18 @@ end)
 
 test("does not purge when hardly any reflected belief is left", function()
   learned_room()
-  set { confidence = { current = 0.9 }, pose = { reflected_share = 0.02 } }
+  set_world { confidence = { current = 0.9 }, pose = { reflected_weight = 0.02 } }
   advance(5)
   expect.no_command()
 end)
 
 test("resets the orientation after a fall, once the robot is up", function()
   learned_room()
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(3)
   expect.state("orientation", "fallen")
   expect.no_command()
-  set { robot = { fallen = false } }
+  set_world { robot = { fallen = false } }
   advance(0.5)
   expect.state("orientation", "resetting")
   expect.command("reset_orientation", "granted")
@@ -85,29 +85,29 @@ end)
 
 test("a robot that gets up has unloaded feet, and is reset all the same", function()
   learned_room()
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(3)
-  set { robot = { fallen = false } }
+  set_world { robot = { fallen = false } }
   advance(0.2)
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(2.5)
   expect.state("orientation", "fallen")
   expect.no_command()
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(0.5)
   expect.command("reset_orientation", "granted")
 end)
 
 test("purges once after a reset, when the room has told the orientation", function()
   learned_room()
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(3)
-  set { robot = { fallen = false } }
+  set_world { robot = { fallen = false } }
   advance(0.5)
   expect.command("reset_orientation", "granted")
   advance(6)
   expect.no_command()
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(1)
   expect.command("purge_reflection", "granted")
   advance(10)
@@ -116,10 +116,10 @@ end)
 
 test("a fall while it settles is a fall, too", function()
   learned_room()
-  set { confidence = { opposite = 0.9 } }
+  set_world { confidence = { opposite = 0.9 } }
   advance(0.7)
   expect.state("orientation", "correcting")
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(0.1)
   expect.state("orientation", "fallen")
   expect.reason("orientation", "the robot fell")
@@ -127,32 +127,32 @@ end)
 
 test("a fall begins with unloaded feet", function()
   learned_room()
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(0.4)
   expect.state("orientation", "carried")
   expect.reason("orientation", "the robot is being carried")
-  set { robot = { carried = false, fallen = true } }
+  set_world { robot = { carried = false, fallen = true } }
   advance(0.1)
   expect.state("orientation", "fallen")
 end)
 
 test("does not flip when the pose filter has already changed its mind", function()
   learned_room()
-  set { confidence = { opposite = 0.9, raw_current = 1.0, raw_opposite = 0.0 } }
+  set_world { confidence = { opposite = 0.9, raw_current = 1.0, raw_opposite = 0.0 } }
   advance(3)
   expect.no_command()
 end)
 
 test("does not purge while what is seen now speaks against the believed pose", function()
   learned_room()
-  set { confidence = { current = 0.9, raw_opposite = 1.0 }, pose = { reflected_share = 0.3 } }
+  set_world { confidence = { current = 0.9, raw_opposite = 1.0 }, pose = { reflected_weight = 0.3 } }
   advance(3)
   expect.no_command()
 end)
 
 test("purges at once after a flip that turned right beliefs round too", function()
   learned_room()
-  set { confidence = { opposite = 0.9 }, pose = { reflected_share = 0.4 } }
+  set_world { confidence = { opposite = 0.9 }, pose = { reflected_weight = 0.4 } }
   advance(0.7)
   expect.command("flip_pose", "granted")
   expect.command("purge_reflection", "granted")
@@ -162,11 +162,11 @@ end)
 
 test("does nothing while it is carried", function()
   learned_room()
-  set { robot = { carried = true }, confidence = { opposite = 1.0 } }
+  set_world { robot = { carried = true }, confidence = { opposite = 1.0 } }
   advance(5)
   expect.state("orientation", "carried")
   expect.no_command()
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(2.5)
   expect.no_command()   -- the confidences still speak of where it was before
   advance(1.5)
@@ -175,9 +175,9 @@ end)
 
 test("decides no sooner than it has stood for a while", function()
   learned_room()
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(2)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(3.1)
   expect.state("orientation", "watching")
   expect.reason("orientation", "the robot stands again")
@@ -185,10 +185,10 @@ end)
 
 test("purges once after a flip that proved right, however few reflected beliefs there are", function()
   learned_room()
-  set { confidence = { opposite = 1.0 } }
+  set_world { confidence = { opposite = 1.0 } }
   advance(0.7)
   expect.command("flip_pose", "granted")
-  set { confidence = { current = 0.9, opposite = 0.0 } }
+  set_world { confidence = { current = 0.9, opposite = 0.0 } }
   advance(4)
   expect.command("purge_reflection", "granted")
   expect.state("orientation", "purging")
@@ -198,7 +198,7 @@ end)
 
 test("an edit of the lead changes nothing of the state and counts at once", function()
   learned_room()
-  set { confidence = { opposite = 0.4 } }
+  set_world { confidence = { opposite = 0.4 } }
   advance(2)
   expect.no_command()
   reload { from = "lead        = { 0.5,", to = "lead        = { 0.3," }
@@ -208,10 +208,10 @@ end)
 
 test("an edit while it settles keeps the time that it has settled", function()
   learned_room()
-  set { confidence = { opposite = 0.9 } }
+  set_world { confidence = { opposite = 0.9 } }
   advance(0.6)
   expect.state("orientation", "correcting")
-  set { confidence = { opposite = 0.0 } }
+  set_world { confidence = { opposite = 0.0 } }
   advance(2.0)
   reload { from = "priority = 50", to = "priority = 51" }
   advance(0.5)
@@ -220,11 +220,11 @@ test("an edit while it settles keeps the time that it has settled", function()
   expect.state("orientation", "watching")
 end)
 
-test("a broken edit leaves the version before running", function()
+test("a broken edit keeps the previous version running", function()
   learned_room()
   reload { from = "initial = \"watching\"", to = "initial = \"wathcing\"" }
   expect.refused("did you mean 'watching'?")
-  set { confidence = { opposite = 0.9 } }
+  set_world { confidence = { opposite = 0.9 } }
   advance(0.7)
   expect.command("flip_pose", "granted")
 end)
@@ -232,17 +232,17 @@ end)
 test("the lead can be set", function()
   set_param("orientation.lead", "0.2")
   learned_room()
-  set { confidence = { opposite = 0.3 } }
+  set_world { confidence = { opposite = 0.3 } }
   advance(0.7)
   expect.command("flip_pose")
 end)
 
 test("does not decide between two poses while the pose filter is lost: both may be wrong", function()
   learned_room()
-  set { confidence = { opposite = 0.9 }, pose = { lost = 0.6 } }
+  set_world { confidence = { opposite = 0.9 }, pose = { recovery_probability = 0.6 } }
   advance(5)
   expect.no_command()
-  set { pose = { lost = 0.1 } }
+  set_world { pose = { recovery_probability = 0.1 } }
   advance(0.7)
   expect.command("flip_pose", "granted")
 end)

@@ -1,14 +1,14 @@
 --- Tests of scenarios/patrol.lua and lib/ground_truth.lua.
 
-local function set_truth(x, y, rotation) set { truth = { x = x, y = y, rotation = rotation } } end
+local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
 
 local function start()
   load_scenario "patrol"
-  set { pose = { x = -3.2, y = -3.5, rotation = math.rad(90) } }
+  set_world { pose = { x = -3.2, y = -3.5, rotation = math.rad(90) } }
   set_truth(-3.2, -3.5, math.rad(90))
   advance(0.2)
   expect.action("put_down")
-  expect.action("start_at")
+  expect.action("set_initial_pose")
   expect.state("patrol", "walking/on its way")
 end
 

@@ -1,9 +1,9 @@
 --- Tests of behaviors/penalty_marks.lua and lib/walk.lua.
 
-local function stand_at(x, y, rotation) set { pose = { x = x, y = y, rotation = rotation } } end
+local function stand_at(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
 test("walks straight to its own mark when it looks there", function()
-  load "penalty_marks"
+  load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
   advance(0.1)
   expect.state("penalty_marks", "walking")
@@ -11,14 +11,14 @@ test("walks straight to its own mark when it looks there", function()
 end)
 
 test("turns on the spot when the mark is behind it", function()
-  load "penalty_marks"
+  load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(-90))
   advance(0.1)
   expect.walk(0, 0, 0.6)
 end)
 
 test("goes to the other mark after it was on one", function()
-  load "penalty_marks"
+  load_behavior "penalty_marks"
   stand_at(-3.2, 0.05, 0)
   advance(0.1)
   expect.state("penalty_marks", "on the mark")
@@ -29,8 +29,8 @@ test("goes to the other mark after it was on one", function()
 end)
 
 test("turns round once on a mark while it learns the room", function()
-  load "penalty_marks"
-  set { training = { active = true }, confidence = { coverage = 0.3 } }
+  load_behavior "penalty_marks"
+  set_world { training = { active = true }, confidence = { coverage = 0.3 } }
   stand_at(-3.2, 0, 0)
   advance(0.1)
   expect.state("penalty_marks", "turning round")
@@ -40,17 +40,17 @@ test("turns round once on a mark while it learns the room", function()
 end)
 
 test("goes to its own mark first after a disturbance", function()
-  load "penalty_marks"
+  load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
   advance(1.2)
   expect.state("penalty_marks", "walking")   -- to the other mark
   for _, what in ipairs { "fallen", "carried", "penalized" } do
-    set { robot = { [what] = true } }
+    set_world { robot = { [what] = true } }
     advance(1)
     expect.state("penalty_marks", "helpless")
     expect.reason("penalty_marks", "the robot cannot walk now")
     expect.walk(0, 0, 0)
-    set { robot = { [what] = false } }
+    set_world { robot = { [what] = false } }
     stand_at(2, 0, 0)
     advance(0.4)
     expect.state("penalty_marks", "helpless")
@@ -62,60 +62,60 @@ test("goes to its own mark first after a disturbance", function()
 end)
 
 test("goes to its own mark first also when it was lifted from the other one", function()
-  load "penalty_marks"
+  load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
   advance(1.2)
   stand_at(3.2, 0, 0)
   advance(0.1)
   expect.state("penalty_marks", "on the mark")
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   stand_at(2, 0, math.pi)
   advance(1)
   expect.walk(0.2, 0, 0)
 end)
 
 test("a disturbance ends turning round", function()
-  load "penalty_marks"
-  set { training = { active = true }, confidence = { coverage = 0.3 } }
+  load_behavior "penalty_marks"
+  set_world { training = { active = true }, confidence = { coverage = 0.3 } }
   stand_at(-3.2, 0, 0)
   advance(0.1)
   expect.state("penalty_marks", "turning round")
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(0.1)
   expect.state("penalty_marks", "helpless")
 end)
 
 test("waits while others search for the pose, even on a mark", function()
-  load "kidnap_recovery"
-  load "penalty_marks"
+  load_behavior "kidnap_recovery"
+  load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
-  set { robot = { carried = true }, pose = { share = 0.9 } }
+  set_world { robot = { carried = true }, pose = { cluster_weight = 0.9 } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(5)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.state("penalty_marks", "waiting")
   expect.reason("penalty_marks", "others search for the pose")
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(3.2)
   expect.state("kidnap_recovery", "recovered")
   expect.state("penalty_marks", "on the mark")   -- of its own half, and only now
 end)
 
 test("goes on to the same mark after a goal search", function()
-  load "goal_search"
-  load "penalty_marks"
-  set { evaluation = { active = true }, confidence = { current = 0.9, informative = 0.3 } }
+  load_behavior "goal_search"
+  load_behavior "penalty_marks"
+  set_world { evaluation = { active = true }, confidence = { current = 0.9, distinctiveness = 0.3 } }
   stand_at(-3.2, 0, 0)
   advance(1.2)
   expect.state("penalty_marks", "walking")   -- to the opponent's mark
-  set { confidence = { current = 0.0 } }
+  set_world { confidence = { current = 0.0 } }
   advance(11)
   expect.state("penalty_marks", "waiting")
   expect.walk(0, 0, 0)
-  set { confidence = { current = 0.9 } }
+  set_world { confidence = { current = 0.9 } }
   advance(1.2)
   expect.state("penalty_marks", "walking")
   expect.reason("penalty_marks", "the search has ended")
@@ -123,20 +123,20 @@ test("goes on to the same mark after a goal search", function()
 end)
 
 test("a fall while it waits is a disturbance", function()
-  load "kidnap_recovery"
-  load "penalty_marks"
-  set { robot = { carried = true } }
+  load_behavior "kidnap_recovery"
+  load_behavior "penalty_marks"
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(2)
   expect.state("penalty_marks", "waiting")
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(1)
   expect.state("penalty_marks", "helpless")
 end)
 
 test("an edit of the library counts without losing the way", function()
-  load "penalty_marks"
+  load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
   advance(1.3)
   expect.state("penalty_marks", "walking")

@@ -11,7 +11,7 @@ local function expect_no_pause()
 end
 
 local function start()
-  load "training_pause"
+  load_behavior "training_pause"
   advance(0.1)
 end
 
@@ -30,14 +30,14 @@ local REASONS = {
 for what, reason in pairs(REASONS) do
   test("pauses both while the robot is " .. what .. ", and a moment longer", function()
     start()
-    set { robot = { [what] = true } }
+    set_world { robot = { [what] = true } }
     advance(0.1)
     expect.state("training_pause", what)
     expect.reason("training_pause", reason)
     expect_pause()
     advance(10)
     expect_pause()
-    set { robot = { [what] = false } }
+    set_world { robot = { [what] = false } }
     advance(0.4)
     expect.state("training_pause", "settling")
     expect.reason("training_pause", "the robot stands on the field again")
@@ -50,12 +50,12 @@ for what, reason in pairs(REASONS) do
 
   test("begins anew when the robot is " .. what .. " while it settles", function()
     start()
-    set { robot = { carried = true } }
+    set_world { robot = { carried = true } }
     advance(1)
-    set { robot = { carried = false } }
+    set_world { robot = { carried = false } }
     advance(0.2)
     expect.state("training_pause", "settling")
-    set { robot = { [what] = true } }
+    set_world { robot = { [what] = true } }
     advance(0.1)
     expect.state("training_pause", what)
     expect_pause()
@@ -64,26 +64,26 @@ end
 
 test("a fall goes on until the robot has got up, although its feet carry no load meanwhile", function()
   start()
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(3)
-  set { robot = { fallen = false } }
+  set_world { robot = { fallen = false } }
   advance(0.2)
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(2.5)
   expect.state("training_pause", "fallen")
   expect.reason("training_pause", "the robot lies or gets up")
   expect_pause()
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(1)
   expect.state("training_pause", "allowing")
 end)
 
 test("a robot that trips has unloaded feet first and then lies", function()
   start()
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(0.4)
   expect.state("training_pause", "carried")
-  set { robot = { carried = false, fallen = true } }
+  set_world { robot = { carried = false, fallen = true } }
   advance(0.1)
   expect.state("training_pause", "fallen")
   expect_pause()
@@ -91,10 +91,10 @@ end)
 
 test("a robot that is carried off by the referee stays paused from one reason to the next", function()
   start()
-  set { robot = { carried = true, penalized = true } }
+  set_world { robot = { carried = true, penalized = true } }
   advance(1)
   expect.state("training_pause", "carried")
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(0.1)
   expect.state("training_pause", "penalized")
   expect_pause()
@@ -103,9 +103,9 @@ end)
 test("the time to settle can be set", function()
   set_param("training_pause.settle", "2.0")
   start()
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1)
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   advance(1.9)
   expect_pause()
   advance(0.2)
@@ -114,7 +114,7 @@ end)
 
 test("a reload in the middle keeps the pause", function()
   start()
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(1)
   reload { from = "priority = 60", to = "priority = 61" }
   advance(0.1)

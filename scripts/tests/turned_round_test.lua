@@ -1,7 +1,7 @@
 --- Tests of scenarios/turned_round.lua.
 
-local function set_truth(x, y, rotation) set { truth = { x = x, y = y, rotation = rotation } } end
-local function set_belief(x, y, rotation) set { pose = { x = x, y = y, rotation = rotation } } end
+local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
+local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
 --- Up to the moment when the robot stands where its belief is reflected.
 local function put_down()
@@ -9,16 +9,16 @@ local function put_down()
   load_scenario "turned_round"
   advance(0.1)
   expect.action("put_down")
-  expect.action("start_at")
+  expect.action("set_initial_pose")
   set_belief(1, 0.5, 0)
   advance(40.1)
   expect.state("turned_round", "carrying")
   expect.action("pick_up")
-  set { robot = { carried = true } }
+  set_world { robot = { carried = true } }
   advance(1.6)
   expect.state("turned_round", "turned round/lost")
   expect.action("put_down")
-  set { robot = { carried = false } }
+  set_world { robot = { carried = false } }
   set_truth(-1, -0.5, math.pi)
   advance(0.1)
 end

@@ -81,7 +81,7 @@ const char* const kIdle = R"(scenario "tested" {})";
 /// Stands where it was told; half a second later it says `command`.
 std::string told_and_then(const std::string& command) {
   return R"(scenario "tested" { initial = "told",
-    state "told" { enter = function() belief.start_at(-2, 1, 0.5) end, { "acting", after = 0.5, because = "it is time" } },
+    state "told" { enter = function() belief.set_initial_pose(-2, 1, 0.5) end, { "acting", after = 0.5, because = "it is time" } },
     state "acting" { enter = function() )" +
          command + R"( end } })";
 }
@@ -224,7 +224,7 @@ TEST(Frame, NeitherTrainsNorEvaluatesWhileItIsCarried) {
 
 TEST(Frame, RestsWhatAScriptPausesFromTheNextFrameOn) {
   Loop loop(R"(scenario "tested" { initial = "told",
-    state "told" { enter = function() belief.start_at(-2, 1, 0.5) end, { "pausing", after = 0.5 } },
+    state "told" { enter = function() belief.set_initial_pose(-2, 1, 0.5) end, { "pausing", after = 0.5 } },
     state "pausing" { enter = function() command.pause_training() command.pause_evaluation() end, { "going on", after = 0.5 } },
     state "going on" {} })");
   loop.step(10);

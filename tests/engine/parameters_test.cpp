@@ -72,7 +72,7 @@ TEST_F(Parameters, AreListedWithValueDefaultAndOrigin) {
   ASSERT_EQ(list.size(), 4u);
   EXPECT_EQ(list[1].name, "view.noise");
   EXPECT_EQ(to_text(list[1].value), "0.5");
-  EXPECT_EQ(to_text(list[1].standard), "0.05");
+  EXPECT_EQ(to_text(list[1].default_value), "0.05");
   EXPECT_EQ(to_string(list[1].origin), "command line");
   EXPECT_EQ(range_text(list[1]), "0 to 1 rad");
   EXPECT_EQ(to_string(list[0].origin), "default");
@@ -147,7 +147,7 @@ TEST_F(Parameters, WhatIsSavedIsReadBack) {
   load_parameters(second, folder.path() / "saved.toml");
   EXPECT_EQ(other.noise, filter.noise);
   EXPECT_EQ(other.distance, Distance::ssd3);
-  EXPECT_EQ(second.find("view.particles")->origin, ParameterOrigin::standard);
+  EXPECT_EQ(second.find("view.particles")->origin, ParameterOrigin::default_value);
   EXPECT_THROW(save_parameters(registry, folder.path() / "gone" / "saved.toml"), std::runtime_error);
 }
 

@@ -47,9 +47,9 @@ ScriptLimits low_limits() {
   ScriptLimits limits;
   limits.instructions_per_frame = 5'000;
   limits.instructions_per_load = 20'000;
-  limits.memory = 256;
+  limits.max_memory = 256;
   limits.string_length = 1024;
-  limits.probation = 0.1;
+  limits.trial_time = 0.1;
   return limits;
 }
 
@@ -94,12 +94,12 @@ class Worlds {
     world_.penalized = draw(8) == 0;
     world_.head = {fraction() - 0.5, 0.2 * fraction()};
     world_.pose.pose = Pose2(6.0 * fraction() - 3.0, 4.0 * fraction() - 2.0, 6.0 * fraction() - 3.0);
-    world_.pose.reflected_share = fraction();
+    world_.pose.reflected_weight = fraction();
     world_.pose_known = draw(2) == 0;
     world_.confidence.current = fraction();
     world_.confidence.opposite = fraction();
     world_.confidence.coverage = fraction();
-    world_.confidence.informative = fraction();
+    world_.confidence.distinctiveness = fraction();
     world_.trained_seconds = 60.0 * fraction();
     world_.truth.reset();
     if (draw(2) == 0) world_.truth = GroundTruth{world_.pose.pose, world_.fallen, world_.carried};
@@ -192,7 +192,7 @@ class Trial {
       require(!fault.fault.message.empty(), "a fault says what");
       rolled_back |= fault.consequence == FaultRecord::Consequence::rolled_back;
     }
-    // What a version uttered before it was rolled back is from its own states, which are gone.
+    // What a version issued before it was rolled back is from its own states, which are gone.
     for (const CommandRequest& command : output.commands) {
       if (!rolled_back) require_state(command.issuer, command.state);
     }
@@ -206,7 +206,7 @@ class Trial {
   }
 
   void look_at_machines() const {
-    const std::size_t most_memory = static_cast<std::size_t>(limits_.memory) * 1024 + kMemorySlack;
+    const std::size_t most_memory = static_cast<std::size_t>(limits_.max_memory) * 1024 + kMemorySlack;
     for (const MachineStatus& machine : host_.machines()) {
       require_state(machine.name, machine.state);
       require(machine.memory <= most_memory, "memory stays below its cap");
@@ -225,7 +225,7 @@ class Trial {
   void look_at_definitions() const {
     for (const MachineDefinition* definition : host_.definitions()) {
       require(!to_mermaid(*definition).empty() && !to_dot(*definition).empty(), "a machine can be drawn");
-      (void)doubts(*definition);
+      (void)machine_warnings(*definition);
       for (const TransitionDefinition& transition : definition->transitions) {
         require(transition.to > 0 && transition.to < static_cast<int>(definition->states.size()),
                 "a transition leads to a state");
@@ -255,7 +255,7 @@ const std::string& library() {
 
 /// What `reorient check` does: it takes any text, and points into it.
 void check_without_running(const std::string& text) {
-  static const KnownNames known = known_names(ScriptRole::behavior);
+  static const SymbolTable known = symbol_table(ScriptRole::behavior);
   const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
   TextPosition before;
   for (const DeclarationError& error : check_names(text, known)) {

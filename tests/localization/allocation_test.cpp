@@ -27,7 +27,7 @@ TEST(PoseFilterMemory, IsNotAllocatedInTheSteadyStateNorByCommands) {
   parameters.injection.known_goal_rate = 0.2;
   PoseFilter filter(parameters, FieldDimensions(), 1);
   const Pose2 start(2.0, 0.5, 0.0);
-  filter.start_at(start, 0.1, 0.05);
+  filter.set_initial_pose(start, 0.1, 0.05);
   SyntheticField field(FieldDimensions(), PerceptErrors(), 1);
   std::vector<FieldPercept> percepts;
   for (int i = 0; i < 60; ++i) percepts.push_back(field.look(start, scanning_yaw(i / 30.0), i / 30.0));

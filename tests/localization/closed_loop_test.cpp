@@ -12,7 +12,7 @@ const Pose2 kBesideField(-3.2, -3.5, kPi / 2.0);
 
 PoseFilter filter_at(const Pose2& pose, std::uint64_t seed) {
   PoseFilter filter(PoseFilterParameters(), FieldDimensions(), seed);
-  filter.start_at(pose, 0.1, 0.05);
+  filter.set_initial_pose(pose, 0.1, 0.05);
   return filter;
 }
 
@@ -93,7 +93,7 @@ TEST_P(ClosedLoop, FindsItsRotationAgainAfterAReset) {
   filter.reset_orientation();
   robot.stand_for(5.0);
   EXPECT_TRUE(robot.believes_truth() || robot.believes_reflection());
-  EXPECT_GT(filter.belief().share, 0.6);
+  EXPECT_GT(filter.belief().cluster_weight, 0.6);
 }
 
 TEST_P(ClosedLoop, FindsItsPoseAgainAfterItWasCarriedTwoMetresSideways) {
@@ -112,7 +112,8 @@ TEST_P(ClosedLoop, FindsItsPoseAgainAfterItWasCarriedTwoMetresSideways) {
 TEST_P(ClosedLoop, FindsTheTruthFromAnywhereWhenItIsToldWhichGoalItSees) {
   PoseFilter filter(PoseFilterParameters(), FieldDimensions(), GetParam());
   SyntheticRobot robot(filter, {-1.0, 1.0, 0.5}, GetParam());
-  while (robot.time < 180.0 && !(robot.believes_truth() && filter.belief().share > 0.6)) robot.walk(goal_ahead(robot));
+  while (robot.time < 180.0 && !(robot.believes_truth() && filter.belief().cluster_weight > 0.6))
+    robot.walk(goal_ahead(robot));
   EXPECT_TRUE(robot.believes_truth());
 }
 

@@ -58,12 +58,12 @@ TEST(MotionModel, SpreadsByTheWayAndTheTurnWhateverTheFrameRate) {
   const MotionModelParameters p;
   for (const int steps : {10, 100}) {
     const Spread standing = spread_after_a_second(Pose2(), steps);
-    EXPECT_NEAR(standing.x, p.position_per_time, 0.1 * p.position_per_time);
-    EXPECT_NEAR(standing.rotation, p.rotation_per_time, 0.1 * p.rotation_per_time);
+    EXPECT_NEAR(standing.x, p.position_noise_per_time, 0.1 * p.position_noise_per_time);
+    EXPECT_NEAR(standing.rotation, p.rotation_noise_per_time, 0.1 * p.rotation_noise_per_time);
     const Spread walking = spread_after_a_second({0.3, 0.0, 0.0}, steps);
-    EXPECT_NEAR(walking.x, std::hypot(p.position_per_time, p.position_per_way * std::sqrt(0.3)), 0.01);
+    EXPECT_NEAR(walking.x, std::hypot(p.position_noise_per_time, p.position_noise_per_distance * std::sqrt(0.3)), 0.01);
     const Spread turning = spread_after_a_second({0.0, 0.0, 1.0}, steps);
-    EXPECT_NEAR(turning.rotation, std::hypot(p.rotation_per_time, p.rotation_per_turn), 0.02);
+    EXPECT_NEAR(turning.rotation, std::hypot(p.rotation_noise_per_time, p.rotation_noise_per_rotation), 0.02);
   }
 }
 

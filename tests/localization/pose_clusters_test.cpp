@@ -36,8 +36,8 @@ RC_GTEST_PROP(PoseClusters, FindsTheHeavierOfTwoFromAnywhere, ()) {
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(two_clusters(pose, reflect(pose), 150, 200), PoseBelief(), {});
   RC_ASSERT(near(belief.pose, pose));
-  RC_ASSERT(std::abs(belief.share - 0.75) < 0.01);
-  RC_ASSERT(std::abs(belief.reflected_share - 0.25) < 0.01);
+  RC_ASSERT(std::abs(belief.cluster_weight - 0.75) < 0.01);
+  RC_ASSERT(std::abs(belief.reflected_weight - 0.25) < 0.01);
 }
 
 TEST(PoseClusters, StaysWithTheLighterOfTwoUntilTheOtherClearlyLeads) {
@@ -52,7 +52,7 @@ TEST(PoseClusters, SeparatesTwoRotationsAtOnePlace) {
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(two_clusters(pose, reflect(pose), 60, 200), believed(pose), {});
   EXPECT_TRUE(near(belief.pose, reflect(pose)));
-  EXPECT_NEAR(belief.share, 0.7, 0.01);
+  EXPECT_NEAR(belief.cluster_weight, 0.7, 0.01);
 }
 
 TEST(PoseClusters, MeasuresTheSpreadOfItsParticles) {
@@ -72,7 +72,7 @@ TEST(PoseClusters, CountsWeightsNotHeads) {
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(particles, PoseBelief(), {});
   EXPECT_TRUE(near(belief.pose, pose));
-  EXPECT_NEAR(belief.share, 0.9, 0.01);
+  EXPECT_NEAR(belief.cluster_weight, 0.9, 0.01);
 }
 
 RC_GTEST_PROP(PoseClusters, FindsSomethingFiniteInWhateverParticles, ()) {
@@ -80,8 +80,8 @@ RC_GTEST_PROP(PoseClusters, FindsSomethingFiniteInWhateverParticles, ()) {
   const PoseBelief belief = clusters.find(any_particles(), believed(any_pose_on_carpet()), {});
   RC_ASSERT(belief.pose.position.allFinite());
   RC_ASSERT(belief.covariance.allFinite());
-  RC_ASSERT(belief.share > 0.0 && belief.share < 1.0001);
-  RC_ASSERT(belief.reflected_share >= 0.0 && belief.reflected_share <= 1.0);
+  RC_ASSERT(belief.cluster_weight > 0.0 && belief.cluster_weight < 1.0001);
+  RC_ASSERT(belief.reflected_weight >= 0.0 && belief.reflected_weight <= 1.0);
 }
 
 }  // namespace

@@ -52,10 +52,10 @@ FieldPercept any_hostile_percept() {
 TEST(PoseFilter, BelievesWhatItIsToldAtTheStart) {
   PoseFilter filter = spl_filter();
   const Pose2 start(-3.2, -3.5, kPi / 2.0);
-  filter.start_at(start, 0.1, 0.05);
+  filter.set_initial_pose(start, 0.1, 0.05);
   EXPECT_TRUE(near(filter.belief().pose, start));
-  EXPECT_GT(filter.belief().share, 0.99);
-  EXPECT_EQ(filter.belief().reflected_share, 0.0);
+  EXPECT_GT(filter.belief().cluster_weight, 0.99);
+  EXPECT_EQ(filter.belief().reflected_weight, 0.0);
 }
 
 TEST(PoseFilter, StartsAnywhereWithParticlesAllOverTheCarpet) {
@@ -68,20 +68,20 @@ TEST(PoseFilter, StartsAnywhereWithParticlesAllOverTheCarpet) {
     squares.insert({static_cast<int>(std::floor(pose.position.x())), static_cast<int>(std::floor(pose.position.y()))});
   }
   EXPECT_GT(squares.size(), 60u);
-  EXPECT_LT(filter.belief().share, 0.3);
+  EXPECT_LT(filter.belief().cluster_weight, 0.3);
 }
 
 TEST(PoseFilter, StartsAnywhereWhenItIsToldNonsense) {
   PoseFilter filter = spl_filter();
-  filter.start_at({kNaN, 0.0, 0.0}, 0.1, 0.1);
-  filter.start_at({0.0, 0.0, 0.0}, kInfinity, 0.1);
+  filter.set_initial_pose({kNaN, 0.0, 0.0}, 0.1, 0.1);
+  filter.set_initial_pose({0.0, 0.0, 0.0}, kInfinity, 0.1);
   EXPECT_TRUE(filter.belief().pose.position.allFinite());
-  EXPECT_LT(filter.belief().share, 0.3);
+  EXPECT_LT(filter.belief().cluster_weight, 0.3);
 }
 
 TEST(PoseFilter, FollowsTheOdometryWhereNothingIsSeen) {
   PoseFilter filter = spl_filter();
-  filter.start_at({-2.0, 0.0, 0.0}, 0.01, 0.01);
+  filter.set_initial_pose({-2.0, 0.0, 0.0}, 0.01, 0.01);
   for (int i = 0; i < 30; ++i) {
     filter.predict({0.01, 0.0, 0.0}, 1.0 / 30.0);
     EXPECT_NEAR(filter.belief().pose.position.x(), -2.0 + 0.01 * (i + 1), 0.1);
@@ -93,12 +93,12 @@ TEST(PoseFilter, FollowsTheOdometryWhereNothingIsSeen) {
 TEST(PoseFilter, FlipsParticlesAndBeliefWithinTheCall) {
   PoseFilter filter = spl_filter();
   const Pose2 start(-3.2, 1.0, 0.5);
-  filter.start_at(start, 0.1, 0.05);
+  filter.set_initial_pose(start, 0.1, 0.05);
   const PoseBelief before = filter.belief();
   filter.flip_pose();
   EXPECT_TRUE(near(filter.belief().pose, reflect(start)));
-  EXPECT_EQ(filter.belief().share, before.share);
-  EXPECT_TRUE(near(filter.particles().pose(0), reflect(start)) || filter.belief().share > 0.99);
+  EXPECT_EQ(filter.belief().cluster_weight, before.cluster_weight);
+  EXPECT_TRUE(near(filter.particles().pose(0), reflect(start)) || filter.belief().cluster_weight > 0.99);
   // The reflected belief is the one that would be found in the reflected particles.
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief found = clusters.find(filter.particles(), filter.belief(), {});
@@ -108,7 +108,7 @@ TEST(PoseFilter, FlipsParticlesAndBeliefWithinTheCall) {
 
 TEST(PoseFilter, FlippedTwiceIsAsBefore) {
   PoseFilter filter = spl_filter();
-  filter.start_at({-3.2, 1.0, 0.5}, 0.5, 0.5);
+  filter.set_initial_pose({-3.2, 1.0, 0.5}, 0.5, 0.5);
   const std::vector<float> before = state_of(filter);
   const Pose2 pose = filter.belief().pose;
   filter.flip_pose();
@@ -120,29 +120,29 @@ TEST(PoseFilter, FlippedTwiceIsAsBefore) {
 
 TEST(PoseFilter, PurgesTheReflectionWithinTheCall) {
   PoseFilter filter = spl_filter();
-  filter.start_at({-3.2, 1.0, 0.5}, 0.1, 0.05);
+  filter.set_initial_pose({-3.2, 1.0, 0.5}, 0.1, 0.05);
   InjectionParameters strong;
   // A known goal seen from the reflection makes a second cluster.
   PoseFilterParameters parameters;
   parameters.injection.known_goal_rate = 0.3;
   filter.set_parameters(parameters);
   SyntheticRobot robot(filter, {-3.2, 1.0, kPi}, 1);
-  filter.start_at(robot.truth, 0.1, 0.05);
-  for (int i = 0; i < 300 && filter.belief().reflected_share < 0.1; ++i) robot.stand(SeenGoal::opponent);
-  ASSERT_GT(filter.belief().reflected_share, 0.1);
+  filter.set_initial_pose(robot.truth, 0.1, 0.05);
+  for (int i = 0; i < 300 && filter.belief().reflected_weight < 0.1; ++i) robot.stand(SeenGoal::opponent);
+  ASSERT_GT(filter.belief().reflected_weight, 0.1);
   const Pose2 believed = filter.belief().pose;
   filter.purge_reflection();
-  EXPECT_EQ(filter.belief().reflected_share, 0.0);
+  EXPECT_EQ(filter.belief().reflected_weight, 0.0);
   EXPECT_TRUE(near(filter.belief().pose, believed));
 }
 
 TEST(PoseFilter, ForgetsTheRotationButNotThePositionOnAReset) {
   PoseFilter filter = spl_filter();
   const Pose2 start(-3.2, 1.0, 0.5);
-  filter.start_at(start, 0.05, 0.05);
+  filter.set_initial_pose(start, 0.05, 0.05);
   filter.reset_orientation();
   EXPECT_LT((filter.belief().pose.position - start.position).norm(), 0.1);
-  EXPECT_LT(filter.belief().share, 0.5);
+  EXPECT_LT(filter.belief().cluster_weight, 0.5);
 }
 
 RC_GTEST_PROP(PoseFilter, StaysFiniteWhateverItIsGiven, ()) {
@@ -160,7 +160,7 @@ RC_GTEST_PROP(PoseFilter, StaysFiniteWhateverItIsGiven, ()) {
 TEST(PoseFilter, DoesTheSameAgainWithTheSameSeedAndSomethingElseWithAnother) {
   const auto run = [](std::uint64_t seed) {
     PoseFilter filter = spl_filter(seed);
-    filter.start_at({-3.2, 0.0, 0.0}, 0.2, 0.1);
+    filter.set_initial_pose({-3.2, 0.0, 0.0}, 0.2, 0.1);
     SyntheticRobot robot(filter, {-3.2, 0.0, 0.0}, 9);
     for (int i = 0; i < 100; ++i) robot.walk(SeenGoal::opponent);
     filter.reset_orientation();
@@ -174,7 +174,7 @@ TEST(PoseFilter, DoesTheSameAgainWithTheSameSeedAndSomethingElseWithAnother) {
 TEST(PoseFilter, TakesAnotherNumberOfParticlesWhileItRuns) {
   PoseFilter filter = spl_filter();
   const Pose2 start(1.0, 1.0, 1.0);
-  filter.start_at(start, 0.1, 0.05);
+  filter.set_initial_pose(start, 0.1, 0.05);
   PoseFilterParameters parameters;
   for (const int count : {50, 500, 10, 0}) {
     parameters.particles = count;
@@ -192,10 +192,10 @@ TEST(PoseFilter, InjectsNothingWhenInjectionIsSwitchedOff) {
   parameters.injection.known_goal_rate = 0.5;
   PoseFilter filter(parameters, FieldDimensions(), 1);
   const Pose2 believed(-2.0, 1.0, kPi);
-  filter.start_at(believed, 0.1, 0.05);
+  filter.set_initial_pose(believed, 0.1, 0.05);
   SyntheticRobot robot(filter, believed, 1);
   robot.stand_for(5.0, SeenGoal::opponent);  // which it is not: injected particles would be at the reflection
-  EXPECT_EQ(filter.belief().reflected_share, 0.0);
+  EXPECT_EQ(filter.belief().reflected_weight, 0.0);
 }
 
 TEST(PoseFilter, AppendsFourNumbersAndOnePoseForEachParticle) {
@@ -210,15 +210,15 @@ TEST(PoseFilter, AppendsFourNumbersAndOnePoseForEachParticle) {
 struct Registry {
   std::set<std::string>& names;
   template <typename Number>
-  void operator()(const char* name, Number& value, Number min, Number max, const char*, const char* sentence) {
+  void operator()(const char* name, Number& value, Number min, Number max, const char*, const char* description) {
     EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_LE(min, value) << name;
     EXPECT_GE(max, value) << name;
-    EXPECT_STRNE(sentence, "") << name;
+    EXPECT_STRNE(description, "") << name;
   }
-  void operator()(const char* name, bool&, const char* sentence) {
+  void operator()(const char* name, bool&, const char* description) {
     EXPECT_TRUE(names.insert(name).second) << name;
-    EXPECT_STRNE(sentence, "") << name;
+    EXPECT_STRNE(description, "") << name;
   }
 };
 

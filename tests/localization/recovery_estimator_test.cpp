@@ -9,28 +9,30 @@ void feed(RecoveryEstimator& estimator, double fit, double seconds) {
   for (int i = 0; i < static_cast<int>(seconds * 30.0); ++i) estimator.update(fit, 1.0 / 30.0, 60.0, 0.7);
 }
 
-TEST(RecoveryEstimator, IsNotLostBeforeItHasSeenAnything) { EXPECT_EQ(RecoveryEstimator().lostness(0.6), 0.0); }
+TEST(RecoveryEstimator, IsNotLostBeforeItHasSeenAnything) {
+  EXPECT_EQ(RecoveryEstimator().recovery_probability(0.6), 0.0);
+}
 
 TEST(RecoveryEstimator, GetsUsedToAPoorFitFromTheStart) {
   RecoveryEstimator estimator;
   feed(estimator, 0.2, 1.0);
   EXPECT_NEAR(estimator.slow(), 0.2, 1e-9);
-  EXPECT_EQ(estimator.lostness(0.6), 0.0);
+  EXPECT_EQ(estimator.recovery_probability(0.6), 0.0);
 }
 
 TEST(RecoveryEstimator, IsLostSoonAfterTheFitDrops) {
   RecoveryEstimator estimator;
   feed(estimator, 0.6, 10.0);
-  EXPECT_EQ(estimator.lostness(0.6), 0.0);
+  EXPECT_EQ(estimator.recovery_probability(0.6), 0.0);
   feed(estimator, 0.1, 2.0);
-  EXPECT_GT(estimator.lostness(0.6), 0.4);
+  EXPECT_GT(estimator.recovery_probability(0.6), 0.4);
 }
 
 TEST(RecoveryEstimator, OverlooksASingleBadFrame) {
   RecoveryEstimator estimator;
   feed(estimator, 0.6, 10.0);
   estimator.update(0.0, 1.0 / 30.0, 60.0, 0.7);
-  EXPECT_EQ(estimator.lostness(0.6), 0.0);
+  EXPECT_EQ(estimator.recovery_probability(0.6), 0.0);
 }
 
 TEST(RecoveryEstimator, ForgetsWhenItIsRestarted) {
@@ -38,7 +40,7 @@ TEST(RecoveryEstimator, ForgetsWhenItIsRestarted) {
   feed(estimator, 0.6, 10.0);
   feed(estimator, 0.1, 2.0);
   estimator.restart();
-  EXPECT_EQ(estimator.lostness(0.6), 0.0);
+  EXPECT_EQ(estimator.recovery_probability(0.6), 0.0);
   EXPECT_EQ(estimator.slow(), 0.0);
 }
 

@@ -87,7 +87,7 @@ TEST_F(BadInput, AnOptionsValueThatIsNoneIsNamedWithTheOption) {
   }
   for (const char* seed : {"-1", "one", "1.5", "99999999999999999999999"}) {
     expect_refused_run({"--seed", seed}, {"--seed", seed});
-    expect_refused_run({"--hall", seed}, {"--hall", seed});
+    expect_refused_run({"--hall-seed", seed}, {"--hall-seed", seed});
   }
   expect_refused_run({"--log", "loud"}, {"--log", "loud"});
 }

@@ -116,8 +116,8 @@ TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
 
 TEST_F(CommandsTest, ParamsListsThoseOfTheCoreTheSimulatorAndTheScenarios) {
   const ProgramRun listed = run({"params"});
-  for (const char* name :
-       {"pose_filter.", "room.", "arbiter.flip_cooldown", "body.", "script.memory", "turned_round.learn", "walk.speed"})
+  for (const char* name : {"pose_filter.", "room.", "arbiter.flip_cooldown", "body.", "script.max_memory",
+                           "turned_round.learn", "walk.speed"})
     EXPECT_NE(("\n" + listed.out).find(std::string("\n") + name), std::string::npos) << name;
 }
 

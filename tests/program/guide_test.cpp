@@ -81,7 +81,7 @@ class Guide : public ::testing::TestWithParam<const char*> {
   }
 
   void call(const Block& block) const {
-    const std::string prompt = "$ ./run ";
+    const std::string prompt = "$ ./reorient ";
     ASSERT_FALSE(block.lines.empty());
     ASSERT_TRUE(block.lines[0].starts_with(prompt)) << "line " << block.line;
     std::vector<std::string> words;

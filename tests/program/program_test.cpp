@@ -27,7 +27,7 @@ TEST(Program, HelpsWithExamples) {
     EXPECT_NE(run.out.find("Examples:\n"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("\n  reorient "), std::string::npos);
   }
-  EXPECT_NE(run_reorient({"run", "--help"}).out.find("--without-room-awareness"), std::string::npos);
+  EXPECT_NE(run_reorient({"run", "--help"}).out.find("--no-room-awareness"), std::string::npos);
 }
 
 TEST(Program, GuessesWhichSubcommandWasMeant) {
@@ -49,8 +49,8 @@ TEST(Program, RepeatsARunWithItsSeedAndNotWithAnother) {
   EXPECT_EQ(digest.size(), std::string("digest: 0123456789abcdef\n").size());
   EXPECT_EQ(digest_of(run_shortly({"--seed", "5"})), digest);
   EXPECT_NE(digest_of(run_shortly({"--seed", "6"})), digest);
-  EXPECT_NE(digest_of(run_shortly({"--seed", "5", "--hall", "2"})), digest);
-  EXPECT_NE(digest_of(run_shortly({"--seed", "5", "--without-room-awareness"})), digest);
+  EXPECT_NE(digest_of(run_shortly({"--seed", "5", "--hall-seed", "2"})), digest);
+  EXPECT_NE(digest_of(run_shortly({"--seed", "5", "--no-room-awareness"})), digest);
 }
 
 TEST(Program, EndsWrongWhereTheTimeIsUpTooEarly) {
@@ -79,10 +79,10 @@ TEST(Program, WritesTheSummaryForPrograms) {
                           "room",
                           "seed",
                           "room_awareness",
-                          "right",
+                          "correct",
                           "succeeded",
                           "verdict",
-                          "turned_round_at_seconds",
+                          "belief_wrong_at_seconds",
                           "corrected_after_seconds",
                           "position_error_metres",
                           "rotation_error_degrees",
@@ -100,7 +100,7 @@ TEST(Program, WritesTheSummaryForPrograms) {
   }
   EXPECT_EQ(json["seed"], 9);
   EXPECT_EQ(json["scenario"], "turned_round");
-  EXPECT_TRUE(json["right"].get<bool>());  // nobody has turned it round yet
+  EXPECT_TRUE(json["correct"].get<bool>());  // nobody has turned it round yet
   EXPECT_FALSE(json["succeeded"].get<bool>());
   EXPECT_NEAR(json["seconds"].get<double>(), 3.0, 0.05);
   EXPECT_LT(json["position_error_metres"].get<double>(), 1.0);
@@ -128,9 +128,9 @@ TEST(Program, WritesFourPictures) {
 TEST(Program, FailsWithAScriptedTestThatFails) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
-  folder.write(
-      "scripts/tests/wrong_test.lua",
-      "test(\"gets up at once\", function()\n  load \"stand_up\"\n  advance(0.1)\n  expect.get_up(true)\nend)\n");
+  folder.write("scripts/tests/wrong_test.lua",
+               "test(\"gets up at once\", function()\n  load_behavior \"stand_up\"\n  advance(0.1)\n  "
+               "expect.get_up(true)\nend)\n");
   const ProgramRun run = run_reorient({"test", "--scripts", scripts.string()});
   EXPECT_EQ(run.code, kWrong);
   EXPECT_NE(run.out.find("tests/wrong_test.lua:4"), std::string::npos) << run.out;
@@ -146,7 +146,7 @@ TEST(MainJob, EndsRight) {
 
 TEST(MainJob, EndsWrongWithoutRoomAwareness) {
   const ProgramRun run =
-      run_reorient({"run", "--width", "160", "--no-pictures", "--log", "off", "--without-room-awareness"});
+      run_reorient({"run", "--width", "160", "--no-pictures", "--log", "off", "--no-room-awareness"});
   EXPECT_EQ(run.code, kWrong) << run.out << run.err;
   EXPECT_NE(run.out.find("not corrected"), std::string::npos) << run.out;
 }

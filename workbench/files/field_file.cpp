@@ -75,7 +75,7 @@ FieldDimensions load_field(const std::filesystem::path& file) {
   }
   for (const auto& [key, value] : table) {
     if (!is_key(key.str()))
-      fail(file, "'" + std::string(key.str()) + "' is no key of a field; see assets/fields/README.md");
+      fail(file, "'" + std::string(key.str()) + "' is not a key of a field; see assets/fields/README.md");
   }
   FieldDimensions field;
   for (const Length& length : kLengths) read_length(table, length, file, field);

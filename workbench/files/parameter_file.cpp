@@ -79,10 +79,10 @@ void load_parameters(ParameterRegistry& registry, const std::filesystem::path& f
 void save_parameters(const ParameterRegistry& registry, const std::filesystem::path& file) {
   std::string text;
   for (const Parameter& parameter : registry.list()) {
-    if (parameter.origin == ParameterOrigin::standard) continue;
+    if (parameter.origin == ParameterOrigin::default_value) continue;
     const char* const quote = parameter.kind == ParameterKind::choice ? "\"" : "";
     text += as_key(parameter.name) + " = " + quote + to_text(parameter.value) + quote + "  # " + range_text(parameter) +
-            ": " + parameter.sentence + "\n";
+            ": " + parameter.description + "\n";
   }
   write_whole_file(file, text);
 }

@@ -1,4 +1,4 @@
-// How long frames take on the clock of the wall. Nothing of it enters a decision, a record or the digest.
+// How long frames take in wall-clock time. Nothing of it enters a decision, a record or the digest.
 #pragma once
 
 #include <chrono>

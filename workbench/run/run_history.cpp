@@ -8,7 +8,7 @@ PoseError pose_error(const Pose2& belief, const Pose2& truth) {
   return {(belief.position - truth.position).norm(), std::abs(angle_difference(belief.rotation, truth.rotation))};
 }
 
-bool is_right(const Pose2& belief, const Pose2& truth) {
+bool is_correct(const Pose2& belief, const Pose2& truth) {
   constexpr double kNear = 1.0;          // m
   constexpr double kTurned = kPi / 4.0;  // rad
   const PoseError error = pose_error(belief, truth);
@@ -42,10 +42,10 @@ RunSummary summarize(const RunHistory& history, const std::optional<ScenarioVerd
 
   const auto wrong = [](const FrameSample& sample) {
     return sample.truth && !sample.carried && !sample.truth->carried &&
-           !is_right(sample.belief.pose, sample.truth->pose);
+           !is_correct(sample.belief.pose, sample.truth->pose);
   };
   summary.error = pose_error(last.belief.pose, last.truth->pose);
-  summary.right = is_right(last.belief.pose, last.truth->pose);
+  summary.correct = is_correct(last.belief.pose, last.truth->pose);
   // The last stretch of wrong belief, interrupted at most by moments in which the belief was right for a short while.
   constexpr double kStaysRight = 5.0;  // s
   const auto& samples = history.samples();
@@ -55,8 +55,8 @@ RunSummary summarize(const RunHistory& history, const std::optional<ScenarioVerd
   for (auto sample = last_wrong; sample != samples.rend() && begin - sample->time < kStaysRight; ++sample) {
     if (wrong(*sample)) begin = sample->time;
   }
-  summary.turned_round_at = begin;
-  if (summary.right) summary.corrected_after = last_wrong->time - begin;
+  summary.belief_wrong_at = begin;
+  if (summary.correct) summary.corrected_after = last_wrong->time - begin;
   return summary;
 }
 

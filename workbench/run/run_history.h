@@ -28,7 +28,7 @@ struct PoseError {
 PoseError pose_error(const Pose2& belief, const Pose2& truth);
 
 /// Nearer to the truth than to its reflection, by what tells the two apart: the direction, and close enough to count.
-bool is_right(const Pose2& belief, const Pose2& truth);
+bool is_correct(const Pose2& belief, const Pose2& truth);
 
 class RunHistory {
  public:
@@ -52,8 +52,8 @@ class RunHistory {
 struct RunSummary {
   bool succeeded = false;                 ///< the scenario said so
   std::string verdict;                    ///< the scenario's words
-  bool right = false;                     ///< the belief is right at the end
-  std::optional<double> turned_round_at;  ///< s, start of the last time that the belief was wrong
+  bool correct = false;                   ///< the belief is right at the end
+  std::optional<double> belief_wrong_at;  ///< s, start of the last time that the belief was wrong
   std::optional<double> corrected_after;  ///< s from then until it was right and stayed so
   std::optional<PoseError> error;         ///< at the end
   int flips = 0;

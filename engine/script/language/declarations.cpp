@@ -52,7 +52,7 @@ std::string raw_text(lua_State* L, int table, const char* name) {
   const int type = raw_field(L, table, name);
   if (type == LUA_TSTRING) text = lua_tostring(L, -1);
   lua_pop(L, 1);
-  if (type != LUA_TSTRING && type != LUA_TNIL) throw std::runtime_error(std::string(name) + " is a text in quotes");
+  if (type != LUA_TSTRING && type != LUA_TNIL) throw std::runtime_error(std::string(name) + " must be a string");
   return text;
 }
 
@@ -109,28 +109,29 @@ Declarations::Declarations(lua_State* L, bool is_scenario, PlacesOf places_of, P
 
 ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, const std::string& name) {
   const int table = lua_gettop(L);
-  check_keys(L, table, {"range", "unit", "doc", "choices", "whole"});
+  check_keys(L, table, {"range", "unit", "doc", "choices", "integer"});
   ParameterDeclaration declaration;
   declaration.unit = raw_text(L, table, "unit");
-  declaration.sentence = raw_text(L, table, "doc");
-  if (declaration.sentence.empty())
+  declaration.description = raw_text(L, table, "doc");
+  if (declaration.description.empty())
     throw std::runtime_error("param " + name + " needs a sentence: doc = \"what it is\"");
   const int type = lua_rawgeti(L, table, 1);
   if (type == LUA_TBOOLEAN) {
-    declaration.kind = ParameterKind::yes_no;
-    declaration.standard = lua_toboolean(L, -1) != 0;
+    declaration.kind = ParameterKind::boolean;
+    declaration.default_value = lua_toboolean(L, -1) != 0;
     lua_pop(L, 1);
     return declaration;
   }
   if (type == LUA_TSTRING) {
     declaration.kind = ParameterKind::choice;
-    declaration.standard = std::string(lua_tostring(L, -1));
+    declaration.default_value = std::string(lua_tostring(L, -1));
     lua_pop(L, 1);
     if (raw_field(L, table, "choices") != LUA_TTABLE)
       throw std::runtime_error("param " + name + " needs choices = { ... }");
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
     for (lua_Integer i = 1; i <= count; ++i) {
-      if (lua_rawgeti(L, -1, i) != LUA_TSTRING) throw std::runtime_error("the choices of param " + name + " are texts");
+      if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
+        throw std::runtime_error("the choices of param " + name + " must be strings");
       declaration.choices.emplace_back(lua_tostring(L, -1));
       lua_pop(L, 1);
     }
@@ -140,7 +141,7 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
   if (type != LUA_TNUMBER) throw std::runtime_error("param " + name + " begins with its default: { 0.5, range = ... }");
   const double number = lua_tonumber(L, -1);
   lua_pop(L, 1);
-  raw_field(L, table, "whole");
+  raw_field(L, table, "integer");
   const bool whole = lua_toboolean(L, -1) != 0;
   lua_pop(L, 1);
   if (raw_field(L, table, "range") != LUA_TTABLE)
@@ -155,10 +156,10 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
     throw std::runtime_error("param " + name + " is too large for a whole number");
   }
   if (whole) {
-    declaration.kind = ParameterKind::whole;
-    declaration.standard = static_cast<int>(number);
+    declaration.kind = ParameterKind::integer;
+    declaration.default_value = static_cast<int>(number);
   } else {
-    declaration.standard = number;
+    declaration.default_value = number;
   }
   return declaration;
 }
@@ -184,7 +185,8 @@ void Declarations::read_parameter(lua_State* L, const std::string& file) {
   parameter.key = key;
   parameter.declaration = read_parameter_declaration(L, key);
   parameter.declaration.name = stem_of(file) + "." + key;
-  parse_parameter(parameter.declaration, to_text(parameter.declaration.standard));  // the default must fit its range
+  parse_parameter(parameter.declaration,
+                  to_text(parameter.declaration.default_value));  // the default must fit its range
   for (const DeclaredParameter& other : parameters) {
     if (other.declaration.name == parameter.declaration.name) {
       throw std::runtime_error("param " + parameter.declaration.name + " is declared twice");

@@ -17,9 +17,9 @@ constexpr std::size_t kMostTransitions = 2000;  // one table can stand in many s
 const char kStateName = 'n';
 const char kStateLine = 'l';
 
-constexpr const char* kMachineKeys[] = {"priority", "initial", "always", "enter", "update", "exit"};
-constexpr const char* kScenarioKeys[] = {"priority", "initial", "always", "enter", "update", "exit", "behaviors"};
-constexpr const char* kStateKeys[] = {"initial", "history", "always", "enter", "update", "exit"};
+constexpr const char* kMachineKeys[] = {"priority", "initial", "common", "enter", "update", "exit"};
+constexpr const char* kScenarioKeys[] = {"priority", "initial", "common", "enter", "update", "exit", "behaviors"};
+constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit"};
 constexpr const char* kTransitionKeys[] = {"when", "lasting", "after", "because"};
 
 bool is_state(lua_State* L, int table) {
@@ -52,7 +52,7 @@ void mark_state(lua_State* L, int table, int name, int line) {
 }
 
 MachineReader::MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                             const DeclarationPlaces& places, std::vector<DeclarationError>& errors)
+                             const SourceLocations& places, std::vector<DeclarationError>& errors)
     : lua_(L), machine_(machine), parameters_(parameters), places_(places), errors_(errors) {}
 
 void MachineReader::note_at(const std::string& key, const std::string& message) {
@@ -60,7 +60,7 @@ void MachineReader::note_at(const std::string& key, const std::string& message) 
 }
 
 void MachineReader::read(int table, int line) {
-  DeclarationPlaces::Table place = places_.table(machine_.is_scenario ? "scenario" : "behavior", machine_.name, line);
+  SourceLocations::Table place = places_.table(machine_.is_scenario ? "scenario" : "behavior", machine_.name, line);
   position_ = place.position;
   end_ = places_.end_of(place);
   machine_.position = position_;
@@ -76,7 +76,7 @@ void MachineReader::read(int table, int line) {
   read_state(table, 0, place);
 }
 
-void MachineReader::read_state(int table, int state, DeclarationPlaces::Table& place) {
+void MachineReader::read_state(int table, int state, SourceLocations::Table& place) {
   if (++depth_ > kDeepestNesting) throw std::runtime_error("states nest too deeply");
   luaL_checkstack(lua_, 8, "states nest too deeply");
   StateDefinition& definition = machine_.states[state];
@@ -87,7 +87,7 @@ void MachineReader::read_state(int table, int state, DeclarationPlaces::Table& p
   raw_field(lua_, table, "history");
   definition.history = lua_toboolean(lua_, -1) != 0;
   lua_pop(lua_, 1);
-  read_always(table, state, place);
+  read_common(table, state, place);
   // `definition` dangles from here on: states are added.
   const auto count = static_cast<lua_Integer>(lua_rawlen(lua_, table));
   for (lua_Integer i = 1; i <= count; ++i) {
@@ -99,7 +99,7 @@ void MachineReader::read_state(int table, int state, DeclarationPlaces::Table& p
 }
 
 /// What stands in a state's table without a name: states and transitions.
-void MachineReader::read_item(int item, int state, DeclarationPlaces::Table& place) {
+void MachineReader::read_item(int item, int state, SourceLocations::Table& place) {
   if (!lua_istable(lua_, item)) {
     note("here stand states and transitions, not a " + std::string(luaL_typename(lua_, item)));
   } else if (is_state(lua_, item)) {
@@ -117,7 +117,7 @@ void MachineReader::read_inner_state(int item, int parent) {
   lua_rawgetp(lua_, item, &kStateName);
   StateDefinition inner;
   inner.name = lua_tostring(lua_, -1);
-  DeclarationPlaces::Table place = places_.table("state", inner.name, static_cast<int>(lua_tointeger(lua_, -2)));
+  SourceLocations::Table place = places_.table("state", inner.name, static_cast<int>(lua_tointeger(lua_, -2)));
   lua_pop(lua_, 2);
   position_ = place.position;
   end_ = places_.end_of(place);
@@ -134,34 +134,34 @@ void MachineReader::read_inner_state(int item, int parent) {
   end_ = end_before;
 }
 
-void MachineReader::read_always(int table, int state, DeclarationPlaces::Table& place) {
-  constexpr const char* kMisread = "always is a list of transitions: always = { { \"target\", when = ... } }";
-  const int type = raw_field(lua_, table, "always");
+void MachineReader::read_common(int table, int state, SourceLocations::Table& place) {
+  constexpr const char* kMisread = "common is a list of transitions: common = { { \"target\", when = ... } }";
+  const int type = raw_field(lua_, table, "common");
   const int list = lua_gettop(lua_);
-  if (type != LUA_TNIL && type != LUA_TTABLE) note_at("always", kMisread);
+  if (type != LUA_TNIL && type != LUA_TTABLE) note_at("common", kMisread);
   const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(lua_, list)) : 0;
   for (lua_Integer i = 1; i <= count; ++i) {
     if (lua_rawgeti(lua_, list, i) == LUA_TTABLE && !is_state(lua_, lua_gettop(lua_))) {
       read_transition(lua_gettop(lua_), state, true, place);
     } else {
-      note_at("always", kMisread);
+      note_at("common", kMisread);
     }
     lua_pop(lua_, 1);
   }
   lua_pop(lua_, 1);
 }
 
-void MachineReader::read_transition(int table, int state, bool always, DeclarationPlaces::Table& place) {
+void MachineReader::read_transition(int table, int state, bool common, SourceLocations::Table& place) {
   if (machine_.transitions.size() >= kMostTransitions) throw std::runtime_error("too many transitions");
   const TextPosition position_before = position_;
   TransitionDefinition transition;
   transition.from = state;
-  transition.always = always;
+  transition.common = common;
   const bool has_target = lua_rawgeti(lua_, table, 1) == LUA_TSTRING;
   if (has_target) transition.target = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
   if (transition.target.empty()) return note("a transition begins with the name of the state that it leads to");
-  position_ = places_.transition(place, transition.target, always);
+  position_ = places_.transition(place, transition.target, common);
   transition.position = position_;
   check_keys(table, kTransitionKeys);
   transition.when = read_function(table, "when");
@@ -222,7 +222,7 @@ int MachineReader::read_function(int table, const char* key) {
 std::string MachineReader::read_text(int table, const char* key) {
   std::string text;
   const int type = raw_field(lua_, table, key);
-  if (type != LUA_TNIL && type != LUA_TSTRING) note_at(key, std::string(key) + " is a text in quotes");
+  if (type != LUA_TNIL && type != LUA_TSTRING) note_at(key, std::string(key) + " must be a string");
   if (type == LUA_TSTRING) text = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
   return text;

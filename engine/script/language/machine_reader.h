@@ -24,17 +24,17 @@ class MachineReader {
   /// `parameters`: full names of what `lasting` and `after` may refer to; `places`: of the machine's file. What is
   /// wrong is appended to `errors`; reading goes on, so that one look shows all.
   MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                const DeclarationPlaces& places, std::vector<DeclarationError>& errors);
+                const SourceLocations& places, std::vector<DeclarationError>& errors);
 
   /// Reads the machine's table, which Lua met in this line. Throws std::runtime_error where there is far too much.
   void read(int table, int line);
 
  private:
-  void read_state(int table, int state, DeclarationPlaces::Table& place);
-  void read_item(int item, int state, DeclarationPlaces::Table& place);
+  void read_state(int table, int state, SourceLocations::Table& place);
+  void read_item(int item, int state, SourceLocations::Table& place);
   void read_inner_state(int item, int parent);
-  void read_always(int table, int state, DeclarationPlaces::Table& place);
-  void read_transition(int table, int state, bool always, DeclarationPlaces::Table& place);
+  void read_common(int table, int state, SourceLocations::Table& place);
+  void read_transition(int table, int state, bool common, SourceLocations::Table& place);
   Dwell read_dwell(int table, const char* key);
   int find_parameter(const std::string& name);
   int read_function(int table, const char* key);
@@ -49,7 +49,7 @@ class MachineReader {
   lua_State* lua_;
   MachineDefinition& machine_;
   std::span<const std::string> parameters_;
-  const DeclarationPlaces& places_;
+  const SourceLocations& places_;
   std::vector<DeclarationError>& errors_;
   TextPosition position_;  ///< of the state or transition that is being read
   TextPosition end_;       ///< where it ends

@@ -29,7 +29,7 @@ void describe_types(Result (ScriptActions::*)(Arguments...), ScriptFunction& fun
 
 /// `name` is "table.name" or a global's name.
 template <auto Method>
-ScriptFunction make(const std::string& name, const std::vector<const char*>& arguments, const char* sentence,
+ScriptFunction make(const std::string& name, const std::vector<const char*>& arguments, const char* description,
                     bool for_scenarios = false) {
   ScriptFunction function;
   const std::size_t dot = name.find('.');
@@ -38,7 +38,7 @@ ScriptFunction make(const std::string& name, const std::vector<const char*>& arg
   function.call = &lua::Bound<Method>::call;
   for (const char* argument : arguments) function.arguments.push_back({argument, ""});
   describe_types(Method, function);
-  function.sentence = sentence;
+  function.description = description;
   function.for_scenarios = for_scenarios;
   return function;
 }
@@ -73,10 +73,11 @@ const std::vector<ScriptFunction>& script_functions() {
       make<&A::push_over>("experimenter.push_over", {}, "Makes the robot fall.", true),
       make<&A::penalize>("experimenter.penalize", {"penalized"},
                          "Takes the robot out of the game, or lets it in again.", true),
-      make<&A::set_exposure>("experimenter.set_exposure", {"stops"},
-                             "Changes the hall's light against the camera's exposure, in powers of two.", true),
-      make<&A::start_at>("belief.start_at", {"x", "y", "rotation"}, "Tells the robot where it stands (m, m, rad).",
-                         true),
+      make<&A::set_exposure_compensation>("experimenter.set_exposure_compensation", {"stops"},
+                                          "Changes the hall's light against the camera's exposure, in powers of two.",
+                                          true),
+      make<&A::set_initial_pose>("belief.set_initial_pose", {"x", "y", "rotation"},
+                                 "Tells the robot where it stands (m, m, rad).", true),
       make<&A::succeed>("verdict.succeed", {"text"}, "Ends the run: the robot did right, and why.", true),
       make<&A::fail>("verdict.fail", {"text"}, "Ends the run: the robot did wrong, and why.", true),
   };
@@ -173,8 +174,8 @@ void ScriptActions::put_down(double x, double y, double rotation) {
   act({ExperimenterAction::Kind::put_down, Pose2(x, y, rotation), 0.0, false});
 }
 
-void ScriptActions::start_at(double x, double y, double rotation) {
-  act({ExperimenterAction::Kind::start_at, Pose2(x, y, rotation), 0.0, false});
+void ScriptActions::set_initial_pose(double x, double y, double rotation) {
+  act({ExperimenterAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
 }
 
 void ScriptActions::judge(bool succeeded, std::string_view text) {

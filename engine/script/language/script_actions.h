@@ -58,8 +58,10 @@ class ScriptActions {
   void put_down(double x, double y, double rotation);
   void push_over() { act({ExperimenterAction::Kind::push_over, {}, 0.0, false}); }
   void penalize(bool penalized) { act({ExperimenterAction::Kind::penalize, {}, 0.0, penalized}); }
-  void set_exposure(double stops) { act({ExperimenterAction::Kind::set_exposure, {}, stops, false}); }
-  void start_at(double x, double y, double rotation);
+  void set_exposure_compensation(double stops) {
+    act({ExperimenterAction::Kind::set_exposure_compensation, {}, stops, false});
+  }
+  void set_initial_pose(double x, double y, double rotation);
   void succeed(std::string_view text) { judge(true, text); }
   void fail(std::string_view text) { judge(false, text); }
 
@@ -87,8 +89,8 @@ struct ScriptFunction {
   std::string name;
   lua_CFunction call = nullptr;
   std::vector<ArgumentDoc> arguments;
-  std::string result;    ///< type, or empty
-  std::string sentence;  ///< with the units of its arguments
+  std::string result;       ///< type, or empty
+  std::string description;  ///< with the units of its arguments
   bool for_scenarios = false;
 };
 

@@ -20,7 +20,7 @@ struct WorldField {
   std::string_view table;  ///< "robot"
   std::string_view name;   ///< "fallen"
   std::string_view unit;   ///< "m", or empty
-  std::string_view sentence;
+  std::string_view description;
   WorldAccess access;
   bool for_scenarios = false;  ///< behaviours do not get it
 
@@ -32,7 +32,7 @@ std::span<const WorldField> world_fields();
 
 struct WorldTable {
   std::string_view name;
-  std::string_view sentence;
+  std::string_view description;
 };
 
 /// The tables of world_fields(), in the order in which they are documented.

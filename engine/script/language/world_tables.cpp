@@ -85,7 +85,7 @@ void make_read_only(lua_State* L, const std::string& what) {
   lua_remove(L, -2);
 }
 
-WorldView::WorldView(lua_State* L, bool for_scenario) : lua_(L) {
+WorldTables::WorldTables(lua_State* L, bool for_scenario) : lua_(L) {
   for (const WorldTable& table : world_tables()) {
     lua_newtable(L);
     lua_pushvalue(L, -1);
@@ -107,7 +107,7 @@ WorldView::WorldView(lua_State* L, bool for_scenario) : lua_(L) {
   }
 }
 
-void WorldView::refresh(const std::vector<double>& values) {
+void WorldTables::refresh(const std::vector<double>& values) {
   int table = LUA_NOREF;
   for (Shown& shown : shown_) {
     const double value = values[shown.field];

@@ -9,10 +9,10 @@
 
 namespace reorient {
 
-class WorldView {
+class WorldTables {
  public:
   /// Makes the tables as globals of `L`; scenarios also get `truth`.
-  WorldView(lua_State* L, bool for_scenario);
+  WorldTables(lua_State* L, bool for_scenario);
 
   /// Writes what changed since the last call; `values` as read_world() gives them.
   void refresh(const std::vector<double>& values);

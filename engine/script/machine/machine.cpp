@@ -77,7 +77,7 @@ int Machine::ready_transition(MachineCallbacks& script, double time) {
 
 bool Machine::is_ready(MachineCallbacks& script, int index, double time) {
   const TransitionDefinition& transition = definition_->transitions[index];
-  const bool to_itself = !transition.always && transition.to == transition.from;
+  const bool to_itself = !transition.common && transition.to == transition.from;
   if (is_active(transition.to) && !to_itself) return false;
   double& since = holding_since_[index];
   if (transition.when != LUA_NOREF) {

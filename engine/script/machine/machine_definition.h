@@ -28,7 +28,7 @@ struct TransitionDefinition {
   Dwell lasting;         ///< how long `when` must have held without a break
   Dwell after;           ///< how long since `from` was entered
   std::string because;   ///< the reason, never empty once validated
-  bool always = false;   ///< checked before the others, and not while the target is active already
+  bool common = false;   ///< checked before the others, and not while the target is active already
   std::string key;       ///< names it across reloads
   TextPosition position;
 };
@@ -44,7 +44,7 @@ struct StateDefinition {
   int enter = LUA_NOREF;
   int update = LUA_NOREF;
   int exit = LUA_NOREF;
-  std::vector<int> transitions;  ///< `always` ones first
+  std::vector<int> transitions;  ///< `common` ones first
   TextPosition position;
 };
 

@@ -53,7 +53,7 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
     return nullptr;
   }
   if (sandbox.confined_ && new_size > held) {
-    const std::size_t cap = static_cast<std::size_t>(sandbox.limits_.memory) * 1024;
+    const std::size_t cap = static_cast<std::size_t>(sandbox.limits_.max_memory) * 1024;
     const bool is_string = block == nullptr && old_size == LUA_TSTRING;
     const bool too_long = is_string && new_size > sandbox.string_length() + kStringHeader;
     if (too_long || new_size > cap || sandbox.memory_ - held > cap - new_size) {

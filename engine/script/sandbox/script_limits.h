@@ -6,14 +6,14 @@ namespace reorient {
 struct ScriptLimits {
   int instructions_per_frame = 50'000;
   int instructions_per_load = 2'000'000;
-  int memory = 1024;         // KiB
+  int max_memory = 1024;     // KiB
   int string_length = 4096;  // bytes
-  int errors = 5;
-  double forgiveness = 10.0;  // s
-  double probation = 2.0;     // s
+  int max_errors = 5;
+  double error_window = 10.0;  // s
+  double trial_time = 2.0;     // s
 };
 
-inline constexpr ScriptLimits kStandardLimits{};
+inline constexpr ScriptLimits kDefaultLimits{};
 
 template <typename Visit>
 void describe(ScriptLimits& limits, Visit&& visit) {
@@ -21,12 +21,13 @@ void describe(ScriptLimits& limits, Visit&& visit) {
         "how many Lua instructions a script may run in one frame");
   visit("instructions_per_load", limits.instructions_per_load, 1000, 1'000'000'000, "",
         "how many Lua instructions a script may run while it is loaded");
-  visit("memory", limits.memory, 256, 1'048'576, "KiB", "how much memory a script may hold");
+  visit("max_memory", limits.max_memory, 256, 1'048'576, "KiB", "how much memory a script may hold");
   visit("string_length", limits.string_length, 256, 16'777'216, "byte", "the longest string that a script may make");
-  visit("errors", limits.errors, 1, 1000, "", "after how many run-time errors a script is rolled back or stopped");
-  visit("forgiveness", limits.forgiveness, 0.1, 3600.0, "s",
+  visit("max_errors", limits.max_errors, 1, 1000, "",
+        "after how many run-time errors a script is rolled back or stopped");
+  visit("error_window", limits.error_window, 0.1, 3600.0, "s",
         "how long without an error until earlier ones are forgotten");
-  visit("probation", limits.probation, 0.0, 3600.0, "s",
+  visit("trial_time", limits.trial_time, 0.0, 3600.0, "s",
         "how long a version must run without an error to count as good");
 }
 

@@ -1,4 +1,5 @@
-// The text of a Lua script as tokens, for whoever must know where something stands: Lua itself tells lines, no columns.
+// The text of a Lua script as tokens, for whoever must know where something stands: Lua itself reports lines, no
+// columns.
 #pragma once
 
 #include <string>

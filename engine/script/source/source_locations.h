@@ -10,9 +10,9 @@
 
 namespace reorient {
 
-class DeclarationPlaces {
+class SourceLocations {
  public:
-  explicit DeclarationPlaces(std::string_view text);
+  explicit SourceLocations(std::string_view text);
 
   /// The table of `state "name" { ... }` or the like, as far as it was written there and not made by a function.
   struct Table {
@@ -20,7 +20,7 @@ class DeclarationPlaces {
     std::size_t begin = 0;   ///< token after the opening brace; 0: the table is not there
     std::size_t end = 0;     ///< the closing brace
     std::size_t cursor = 0;  ///< transitions before it were asked for already
-    std::size_t always_cursor = 0;
+    std::size_t common_cursor = 0;
     int misses = 0;  ///< transitions that were not found: after some, searching on is not worth its time
   };
 
@@ -28,7 +28,7 @@ class DeclarationPlaces {
   Table table(std::string_view word, std::string_view name, int line) const;
 
   /// Where the next transition of the table to `target` stands; the table's own place where it is not to be found.
-  TextPosition transition(Table& table, std::string_view target, bool always) const;
+  TextPosition transition(Table& table, std::string_view target, bool common) const;
 
   TextPosition end_of(const Table& table) const;
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kColumns = CarpetMap::kColumns;
 
-/// From the bottom up, carpet speaks for going on and everything else against: a line or a robot across the column
+/// From the bottom up, carpet supports going on and everything else against: a line or a robot across the column
 /// is passed when enough carpet follows, a green banner beyond the field is not reached.
 int highest_carpet(const CarpetMap& map, int column) {
   constexpr int kLeast = 3;  // cells of carpet

@@ -29,7 +29,7 @@ CarpetColor::CarpetColor(const FieldFeatureParameters& parameters) : parameters_
   samples_.reserve(static_cast<std::size_t>(kSampleColumns) * kSampleRows);
 }
 
-void CarpetColor::observe(const ImageView& image, const GroundView& view) {
+void CarpetColor::observe(const ImageView& image, const GroundProjection& view) {
   collect(image, view);
   double b = 0.0;
   double r = 0.0;
@@ -38,7 +38,7 @@ void CarpetColor::observe(const ImageView& image, const GroundView& view) {
   prepare_thresholds();
 }
 
-void CarpetColor::collect(const ImageView& image, const GroundView& view) {
+void CarpetColor::collect(const ImageView& image, const GroundProjection& view) {
   samples_.clear();
   const double horizon = std::clamp(view.horizon(0.5 * image.width), 0.0, static_cast<double>(image.height));
   for (int j = 0; j < kSampleRows; ++j) {

@@ -21,7 +21,7 @@ class CarpetColor {
 
   /// Looks at the ground close to the robot, where most is carpet. The colour is carried over from image to image; an
   /// image with little green leaves it as it is, one with another green (the light was switched) replaces it.
-  void observe(const ImageView& image, const GroundView& view);
+  void observe(const ImageView& image, const GroundProjection& view);
 
   bool known() const { return known_; }
 
@@ -53,7 +53,7 @@ class CarpetColor {
     int y, b, r;     ///< chroma without its offset of 128
     int difference;  ///< of luma to two rows below
   };
-  void collect(const ImageView& image, const GroundView& view);
+  void collect(const ImageView& image, const GroundProjection& view);
   bool find_green(double& b, double& r) const;
   void blend(double b, double r);
   void prepare_thresholds();

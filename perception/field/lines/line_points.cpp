@@ -53,7 +53,7 @@ double half_turn_angle(const Vector2d& direction) {
 }
 
 /// Normal on the ground of a stripe whose image runs along `tangent`.
-std::optional<Vector2d> ground_normal(const GroundView& view, const Vector2d& pixel, const Vector2d& tangent) {
+std::optional<Vector2d> ground_normal(const GroundProjection& view, const Vector2d& pixel, const Vector2d& tangent) {
   const auto a = view.ground(pixel - 2.0 * tangent);
   const auto b = view.ground(pixel + 2.0 * tangent);
   if (!a || !b) return std::nullopt;
@@ -93,7 +93,8 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
   candidates_.reserve(kMostCandidates);
 }
 
-void LinePoints::find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept) {
+void LinePoints::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
+                      FieldPercept& percept) {
   constexpr int kSmallest = 16;  // pixels; below, there is no room for a line and carpet on both sides
   candidates_.clear();
   percept.line_points.clear();

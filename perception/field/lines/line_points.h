@@ -19,7 +19,7 @@ class LinePoints {
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads boundary, goal posts and obstacles of the percept, and fills in its line points.
-  void find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept);
+  void find(const ImageView& image, const GroundProjection& view, const CarpetColor& color, FieldPercept& percept);
 
  private:
   struct Candidate {
@@ -32,7 +32,7 @@ class LinePoints {
   /// Image, geometry and colour of the frame that find() works on.
   struct Frame {
     const ImageView& image;
-    const GroundView& view;
+    const GroundProjection& view;
     const CarpetColor& color;
     const FieldPercept& percept;
   };

@@ -30,7 +30,8 @@ GoalPosts::GoalPosts(const FieldFeatureParameters& parameters, const FieldDimens
   segments_.reserve(256);
 }
 
-void GoalPosts::find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept) {
+void GoalPosts::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
+                     FieldPercept& percept) {
   percept.goal_posts.clear();
   if (image.width < 16 || image.height < 16) return;
   const Frame frame{image, view, color};

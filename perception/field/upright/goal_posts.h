@@ -21,12 +21,12 @@ class GoalPosts {
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads the percept's boundary and fills in its goal posts.
-  void find(const ImageView& image, const GroundView& view, const CarpetColor& color, FieldPercept& percept);
+  void find(const ImageView& image, const GroundProjection& view, const CarpetColor& color, FieldPercept& percept);
 
  private:
   struct Frame {
     const ImageView& image;
-    const GroundView& view;
+    const GroundProjection& view;
     const CarpetColor& color;
   };
   /// A bright stretch of a row, and how far its colour goes on above and below.

@@ -20,7 +20,7 @@ bool is_post(const FieldPercept& percept, double x, double column_width) {
 
 Obstacles::Obstacles(const FieldFeatureParameters& parameters) : parameters_(parameters) {}
 
-void Obstacles::find(const CarpetMap& map, const GroundView& view, FieldPercept& percept) {
+void Obstacles::find(const CarpetMap& map, const GroundProjection& view, FieldPercept& percept) {
   constexpr double kSameThing = 2.0;  // a hand at half the camera's height seems to stand twice as far away as the feet
   constexpr double kGap = 0.12;       // m of carpet seen between two legs
   percept.obstacles.clear();
@@ -44,7 +44,7 @@ void Obstacles::find(const CarpetMap& map, const GroundView& view, FieldPercept&
   if (last >= 0) add(map, view, first, last, percept);
 }
 
-Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundView& view, const FieldPercept& percept,
+Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept,
                                    int column) const {
   constexpr double kLeastHeight = 0.15;         // m
   constexpr double kInside = 0.4;               // m, how far before the border of the carpet it must stand
@@ -78,7 +78,8 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundView& view,
   return {};
 }
 
-void Obstacles::add(const CarpetMap& map, const GroundView& view, int first, int last, FieldPercept& percept) const {
+void Obstacles::add(const CarpetMap& map, const GroundProjection& view, int first, int last,
+                    FieldPercept& percept) const {
   constexpr double kWidest = 2.5;  // m
   if (percept.obstacles.size() >= kMostObstacles) return;
   const auto lowest = std::max_element(feet_.begin() + first, feet_.begin() + last + 1,

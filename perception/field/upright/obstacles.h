@@ -16,7 +16,7 @@ class Obstacles {
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads the percept's boundary and goal posts and fills in its obstacles.
-  void find(const CarpetMap& map, const GroundView& view, FieldPercept& percept);
+  void find(const CarpetMap& map, const GroundProjection& view, FieldPercept& percept);
 
  private:
   /// The lowest stretch of a column that carpet does not explain.
@@ -24,8 +24,8 @@ class Obstacles {
     int row = -1;           ///< pixels, where it stands; below 0: there is none
     double distance = 0.0;  ///< m
   };
-  Foot foot_in(const CarpetMap& map, const GroundView& view, const FieldPercept& percept, int column) const;
-  void add(const CarpetMap& map, const GroundView& view, int first, int last, FieldPercept& percept) const;
+  Foot foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int column) const;
+  void add(const CarpetMap& map, const GroundProjection& view, int first, int last, FieldPercept& percept) const;
 
   FieldFeatureParameters parameters_;
   std::array<Foot, CarpetMap::kColumns> feet_{};

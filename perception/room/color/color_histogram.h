@@ -52,7 +52,7 @@ struct ColorThresholds {
   bool operator==(const ColorThresholds&) const = default;
 };
 
-/// Thresholds under a given light (findings 1): luma scaled by light.luma / 115, chroma relative to the light's.
+/// Thresholds under a given light: luma scaled by light.luma / 115, chroma relative to the light's.
 ColorThresholds color_thresholds(const ColorParameters& parameters, const Light& light = {});
 
 /// The bin of one pixel: what the definition says, for readers and tests.

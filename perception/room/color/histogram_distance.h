@@ -1,4 +1,5 @@
-// How different two colour histograms are (the paper's Section 3.4; findings 2).
+// How different two colour histograms are (the paper's Section 3.4). Hellinger and Jensen-Shannon tell poses apart best
+// under changed light; the sum of squares over three bins is the paper's own.
 #pragma once
 
 #include <array>

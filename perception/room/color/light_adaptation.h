@@ -1,4 +1,5 @@
-// The room's light as the camera shows it, so that thresholds can follow exposure and white balance (findings 1).
+// The room's light as the camera shows it, so that thresholds can follow exposure and white balance instead of
+// losing the model with them.
 #pragma once
 
 #include <span>
@@ -52,7 +53,7 @@ class LightAdaptation {
  public:
   /// One frame. `elapsed`: s since the frame before, however long that is.
   void observe(std::span<const TileLight> frame, double elapsed, const LightParameters& parameters);
-  /// Forgets the light of a wall of so many tiles.
+  /// Forgets the light of a wall of this many tiles.
   void restart(int tiles);
   /// Neutral as long as nothing was seen.
   const Light& light() const { return light_; }

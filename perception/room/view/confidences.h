@@ -1,4 +1,4 @@
-// Confidences (the paper's Section 3.4): how the view particles speak for the believed pose and for its reflection.
+// Confidences (the paper's Section 3.4): how far the view particles support the believed pose and for its reflection.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct Confidences {
   double opposite = 0.0;
   double raw_current = 0.0;
   double raw_opposite = 0.0;
-  double goal_opponent = 0.0;  ///< share of view particles on the wall behind the goal at +x
-  double goal_own = 0.0;       ///< the same, behind the goal at -x
-  double coverage = 0.0;       ///< share of the wall's tiles that are trained well enough to be compared with
-  double informative = 0.0;    ///< how much the model differs from itself turned by 180 degrees: 0 is the same
-  double evidence = 0.0;       ///< log-odds for the opposite pose against the current one, without any particles
-  int visible_tiles = 0;       ///< tiles that counted in this frame
+  double goal_opponent = 0.0;    ///< share of view particles on the wall behind the goal at +x
+  double goal_own = 0.0;         ///< the same, behind the goal at -x
+  double coverage = 0.0;         ///< share of the wall's tiles that are trained well enough to be compared with
+  double distinctiveness = 0.0;  ///< how much the model differs from itself turned by 180 degrees: 0 is the same
+  double evidence = 0.0;         ///< log-odds for the opposite pose against the current one, without any particles
+  int visible_tiles = 0;         ///< tiles that counted in this frame
 };
 
 struct ConfidenceParameters {
@@ -58,7 +58,7 @@ double smoothing_share(const ConfidenceParameters& parameters, double step, bool
 void update_confidences(Confidences& confidences, const ViewFilter& filter, double view_center, double share,
                         const ConfidenceParameters& parameters);
 
-/// Log-odds that fade (findings 13). Each of the two poses may choose among the cells next to it, since the belief
+/// Log-odds that fade. Each of the two poses may choose among the cells next to it, since the belief
 /// may be off by a column.
 double updated_evidence(double evidence, const ViewpointScores& scores, double step,
                         const EvidenceParameters& parameters);

@@ -1,4 +1,4 @@
-// How well each viewpoint on the wall would explain what is perceived (the paper's Section 3.4; findings 5).
+// How well each viewpoint on the wall would explain what is perceived (the paper's Section 3.4).
 #pragma once
 
 #include <span>
@@ -55,7 +55,8 @@ class ViewpointScores {
   double least() const { return columns() > 0 ? at(best_).distance : 0.0; }
   /// How far the best cell is ahead of the average of the known ones: 0 where all look the same.
   double lead() const { return average_ - least(); }
-  /// Whether this frame can tell the believed direction from the opposite one: both are known (findings 9).
+  /// Whether this frame can tell the believed direction from the opposite one: a view that predicts nothing is
+  /// no evidence, so both must be known.
   bool evidence() const { return evidence_; }
 
  private:

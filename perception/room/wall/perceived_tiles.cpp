@@ -67,7 +67,7 @@ void PerceivedTiles::clear() {
   tiles_.clear();
 }
 
-void PerceivedTiles::find(const RoomView& view, const Wall& wall, const PerceptionParameters& parameters) {
+void PerceivedTiles::find(const RoomObservation& view, const Wall& wall, const PerceptionParameters& parameters) {
   clear();
   const auto tiles = static_cast<std::size_t>(wall.tiles());
   counts_.assign(tiles, TileCount{});

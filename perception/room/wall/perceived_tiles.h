@@ -1,4 +1,4 @@
-// The tiles of the wall that one frame shows, and their colour histograms (the paper's Section 3.2; findings 4).
+// The tiles of the wall that one frame shows, and their colour histograms (the paper's Section 3.2).
 #pragma once
 
 #include <span>
@@ -54,7 +54,7 @@ class PerceivedTiles {
  public:
   /// Finds the tiles from the believed pose. None if the camera stands outside of the wall, or if anything is not
   /// finite.
-  void find(const RoomView& view, const Wall& wall, const PerceptionParameters& parameters);
+  void find(const RoomObservation& view, const Wall& wall, const PerceptionParameters& parameters);
 
   /// The light on each tile of which enough is in view. After find() with the same image; valid until the next call.
   std::span<const TileLight> light(const ImageView& image, const LightParameters& parameters,

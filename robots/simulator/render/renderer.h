@@ -28,7 +28,7 @@ class Renderer {
   };
 
   RayTable rays_;
-  Background background_;
+  Surfaces background_;
   Frame frame_;
   std::vector<Drawn> order_;
 };

@@ -17,9 +17,9 @@ Texture make_carpet(double length, double width, const LinearColor& light) {
   constexpr std::uint64_t kSeed = 0xca47e7;
   Random random(kSeed);
   const Area all{0.0, 0.0, length, width};
-  Canvas lit(length, width, kTexelsPerMeter, LinearColor::Ones());
+  TexturePainter lit(length, width, kTexelsPerMeter, LinearColor::Ones());
   lit.mottle(all, 0.10, 1.7, random);
-  Canvas turf(length, width, kTexelsPerMeter, LinearColor(0.016f, 0.150f, 0.066f));
+  TexturePainter turf(length, width, kTexelsPerMeter, LinearColor(0.016f, 0.150f, 0.066f));
   turf.mottle(all, 0.06, 0.45, random);
   turf.mottle(all, 0.07, 0.06, random);
   turf.mottle(all, 0.12, 0.02, random);
@@ -34,7 +34,7 @@ Texture make_carpet(double length, double width, const LinearColor& light) {
 
 }  // namespace
 
-Background::Hits::Hits(int width)
+Surfaces::Hits::Hits(int width)
     : x(width),
       y(width),
       half_x(width),
@@ -45,7 +45,7 @@ Background::Hits::Hits(int width)
       coverage(width),
       surface(width) {}
 
-Background::Background(const FieldDimensions& field, Room room, int image_width)
+Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width)
     : room_(std::move(room)),
       lines_(field),
       carpet_(make_carpet(field.length + 2.0 * field.border, field.width + 2.0 * field.border, room_.light)),
@@ -53,7 +53,7 @@ Background::Background(const FieldDimensions& field, Room room, int image_width)
       carpet_half_width_(static_cast<float>(0.5 * field.width + field.border)),
       hits_(image_width) {}
 
-void Background::render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, Frame& frame) {
+void Surfaces::render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, Frame& frame) {
   for (int row = 0; row < frame.height; ++row) {
     intersect(rays, field_from_camera, row, frame);
     shade(row, frame);
@@ -61,7 +61,7 @@ void Background::render(const RayTable& rays, const Eigen::Isometry3f& field_fro
   }
 }
 
-void Background::intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame) {
+void Surfaces::intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame) {
   const bool round = room_.shape.form == RoomForm::cylinder;
   const Eigen::Matrix3f rotation = field_from_camera.linear();
   const float r00 = rotation(0, 0), r01 = rotation(0, 1), r02 = rotation(0, 2);
@@ -155,7 +155,7 @@ void Background::intersect(const RayTable& rays, const Eigen::Isometry3f& field_
   }
 }
 
-void Background::shade(int row, Frame& frame) {
+void Surfaces::shade(int row, Frame& frame) {
   const Texture* const textures[kSurfaces] = {&room_.walls, &room_.ceiling, &room_.floor, &carpet_};
   float texels_per_meter[kSurfaces];
   for (int i = 0; i < kSurfaces; ++i) texels_per_meter[i] = textures[i]->texels_per_meter();
@@ -188,7 +188,7 @@ void Background::shade(int row, Frame& frame) {
   }
 }
 
-void Background::label(int row, Frame& frame) {
+void Surfaces::label(int row, Frame& frame) {
   constexpr Label kLabels[kSurfaces] = {Label::wall, Label::ceiling, Label::floor, Label::carpet};
   Label* labels = frame.labels.data() + frame.row(row);
   for (int i = 0; i < frame.width; ++i) {

@@ -12,9 +12,9 @@
 
 namespace reorient {
 
-class Background {
+class Surfaces {
  public:
-  Background(const FieldDimensions& field, Room room, int image_width);
+  Surfaces(const FieldDimensions& field, Room room, int image_width);
 
   /// Fills in every pixel of `frame`. The camera must be inside of the room and above its floor.
   void render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, Frame& frame);

@@ -24,7 +24,7 @@ const LinearColor kLamp(9.0f, 8.6f, 7.8f);
 /// One wall, painted as seen from inside: x from its left end, y up from the floor, metres.
 class Wall {
  public:
-  Wall(Canvas& canvas, double begin, double end, double height)
+  Wall(TexturePainter& canvas, double begin, double end, double height)
       : canvas_(&canvas), end_(end), width_(end - begin), height_(height) {}
 
   double width() const { return width_; }
@@ -50,7 +50,7 @@ class Wall {
     return {end_ - right, area.bottom, end_ - left, area.top};
   }
 
-  Canvas* canvas_;
+  TexturePainter* canvas_;
   double end_;
   double width_;
   double height_;
@@ -276,8 +276,8 @@ void sports_wall(Wall& wall, const Palette& palette, Random& random) {
   }
 }
 
-Canvas paint_walls(const RoomShape& shape, const Palette& palette, Random& random) {
-  Canvas canvas(wall_perimeter(shape), shape.height, kWallTexelsPerMeter, kSteel);
+TexturePainter paint_walls(const RoomShape& shape, const Palette& palette, Random& random) {
+  TexturePainter canvas(wall_perimeter(shape), shape.height, kWallTexelsPerMeter, kSteel);
   using Theme = void (*)(Wall&, const Palette&, Random&);
   std::array<Theme, 4> themes{stand, windows, stage, sports_wall};
   for (std::size_t i = themes.size() - 1; i > 0; --i) std::swap(themes[i], themes[random.below(i + 1)]);
@@ -293,9 +293,9 @@ Canvas paint_walls(const RoomShape& shape, const Palette& palette, Random& rando
   return canvas;
 }
 
-Canvas paint_ceiling(const RoomShape& shape, Random& random) {
+TexturePainter paint_ceiling(const RoomShape& shape, Random& random) {
   const Eigen::Vector2d extent = floor_extent(shape);
-  Canvas canvas(extent.x(), extent.y(), kCeilingTexelsPerMeter, LinearColor(0.2f, 0.19f, 0.17f));
+  TexturePainter canvas(extent.x(), extent.y(), kCeilingTexelsPerMeter, LinearColor(0.2f, 0.19f, 0.17f));
   const Area all{0.0, 0.0, extent.x(), extent.y()};
   canvas.mottle(all, 0.06, 0.8, random);
   for (double y = 0.15; y < extent.y(); y += 0.5)
@@ -317,9 +317,9 @@ Canvas paint_ceiling(const RoomShape& shape, Random& random) {
   return canvas;
 }
 
-Canvas paint_floor(const RoomShape& shape, const Palette& palette, Random& random) {
+TexturePainter paint_floor(const RoomShape& shape, const Palette& palette, Random& random) {
   const Eigen::Vector2d extent = floor_extent(shape);
-  Canvas canvas(extent.x(), extent.y(), kFloorTexelsPerMeter, LinearColor(0.23f, 0.145f, 0.08f));
+  TexturePainter canvas(extent.x(), extent.y(), kFloorTexelsPerMeter, LinearColor(0.23f, 0.145f, 0.08f));
   for (double y = 0.0; y < extent.y(); y += 0.12) {  // planks
     for (double x = -random.uniform(0.0, 1.5); x < extent.x(); x += 1.5) {
       canvas.rectangle({x, y, x + 1.49, y + 0.115},
@@ -335,7 +335,9 @@ Canvas paint_floor(const RoomShape& shape, const Palette& palette, Random& rando
   return canvas;
 }
 
-Texture to_texture(const Canvas& canvas, Texture::Edge edge) { return {canvas.image(), {}, canvas.extent(), edge}; }
+Texture to_texture(const TexturePainter& canvas, Texture::Edge edge) {
+  return {canvas.image(), {}, canvas.extent(), edge};
+}
 
 }  // namespace
 

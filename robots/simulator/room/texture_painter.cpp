@@ -12,11 +12,11 @@ double overlap(double low, double high, double from, double to) {
 
 }  // namespace
 
-Canvas::Canvas(double width, double height, double per_meter, const LinearColor& color)
+TexturePainter::TexturePainter(double width, double height, double per_meter, const LinearColor& color)
     : width_(width), height_(height), image_(texels_for(width, per_meter), texels_for(height, per_meter), color) {}
 
 template <typename Paint>
-void Canvas::for_each(const Area& area, Paint&& paint) {
+void TexturePainter::for_each(const Area& area, Paint&& paint) {
   const double scale_x = image_.width / width_;
   const double scale_y = image_.height / height_;
   const double left = area.left * scale_x;
@@ -36,13 +36,14 @@ void Canvas::for_each(const Area& area, Paint&& paint) {
   }
 }
 
-void Canvas::rectangle(const Area& area, const LinearColor& color, double opacity) {
+void TexturePainter::rectangle(const Area& area, const LinearColor& color, double opacity) {
   for_each(area, [&](LinearColor& texel, double coverage, double, double) {
     texel += static_cast<float>(opacity * coverage) * (color - texel);
   });
 }
 
-void Canvas::ellipse(double x, double y, double radius_x, double radius_y, const LinearColor& color, double opacity) {
+void TexturePainter::ellipse(double x, double y, double radius_x, double radius_y, const LinearColor& color,
+                             double opacity) {
   const double softness = width_ / image_.width / std::min(radius_x, radius_y);
   for_each({x - radius_x, y - radius_y, x + radius_x, y + radius_y},
            [&](LinearColor& texel, double, double at_x, double at_y) {
@@ -52,14 +53,14 @@ void Canvas::ellipse(double x, double y, double radius_x, double radius_y, const
            });
 }
 
-void Canvas::shade(const Area& area, double below, double above) {
+void TexturePainter::shade(const Area& area, double below, double above) {
   for_each(area, [&](LinearColor& texel, double coverage, double, double y) {
     const double factor = std::lerp(below, above, std::clamp((y - area.bottom) / area.height(), 0.0, 1.0));
     texel *= static_cast<float>(1.0 + coverage * (factor - 1.0));
   });
 }
 
-void Canvas::mottle(const Area& area, double strength, double size, Random& random) {
+void TexturePainter::mottle(const Area& area, double strength, double size, Random& random) {
   const int columns = static_cast<int>(std::ceil(area.width() / size)) + 2;
   const int rows = static_cast<int>(std::ceil(area.height() / size)) + 2;
   std::vector<double> knots(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));

@@ -20,10 +20,10 @@ struct Area {
   Area inset(double margin) const { return {left + margin, bottom + margin, right - margin, top - margin}; }
 };
 
-class Canvas {
+class TexturePainter {
  public:
   /// Of at least `per_meter` texels a metre; its size suits a Texture.
-  Canvas(double width, double height, double per_meter, const LinearColor& color);
+  TexturePainter(double width, double height, double per_meter, const LinearColor& color);
 
   void rectangle(const Area& area, const LinearColor& color, double opacity = 1.0);
   void ellipse(double x, double y, double radius_x, double radius_y, const LinearColor& color, double opacity = 1.0);

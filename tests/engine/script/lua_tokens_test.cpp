@@ -80,32 +80,32 @@ RC_GTEST_PROP(LuaTokensProperty, StandWhereTheySayInOrderWhateverTheTextIs, ()) 
   }
 }
 
-TEST(DeclarationPlaces, FindsTransitionsOfOneNameInTheirOrder) {
-  const DeclarationPlaces places(R"(behavior "b" {
-  always = { { "x", when = f } },
+TEST(SourceLocations, FindsTransitionsOfOneNameInTheirOrder) {
+  const SourceLocations places(R"(behavior "b" {
+  common = { { "x", when = f } },
   state "x" {
     { "y", when = f }, { "y", after = 1 },
     state "inner" { { "y", after = 2 } },
   },
   { "y", after = 3 },
 })");
-  DeclarationPlaces::Table machine = places.table("behavior", "b", 1);
+  SourceLocations::Table machine = places.table("behavior", "b", 1);
   EXPECT_EQ(places.transition(machine, "x", true).line, 2);
   EXPECT_EQ(places.transition(machine, "y", false).line, 7);
-  DeclarationPlaces::Table x = places.table("state", "x", 3);
+  SourceLocations::Table x = places.table("state", "x", 3);
   EXPECT_EQ(places.transition(x, "y", false).column, 7);
   EXPECT_EQ(places.transition(x, "y", false).column, 26);
   EXPECT_EQ(places.transition(x, "y", false).column, x.position.column) << "there is no third one";
-  DeclarationPlaces::Table inner = places.table("state", "inner", 5);
+  SourceLocations::Table inner = places.table("state", "inner", 5);
   EXPECT_EQ(places.transition(inner, "y", false).line, 5);
 }
 
-TEST(DeclarationPlaces, SettlesForTheLineOfWhatAFunctionMade) {
-  const DeclarationPlaces places("state \"a\" (make())\nstate(name) {}\n");
-  DeclarationPlaces::Table made = places.table("state", "a", 1);
+TEST(SourceLocations, SettlesForTheLineOfWhatAFunctionMade) {
+  const SourceLocations places("state \"a\" (make())\nstate(name) {}\n");
+  SourceLocations::Table made = places.table("state", "a", 1);
   EXPECT_EQ(made.position.column, 7);
   EXPECT_EQ(places.transition(made, "b", false).line, 1);
-  const DeclarationPlaces::Table unknown = places.table("state", "b", 2);
+  const SourceLocations::Table unknown = places.table("state", "b", 2);
   EXPECT_EQ(unknown.position.line, 2);
   EXPECT_EQ(unknown.position.column, 0);
 }

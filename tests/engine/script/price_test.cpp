@@ -1,5 +1,5 @@
 // What takes time is paid for in instructions, also where no instruction is executed: a budget of instructions is only
-// worth as much as the dearest thing that it does not count.
+// worth as much as the most expensive thing that it does not count.
 #include "tests/engine/script/script_fixture.h"
 
 namespace reorient {
@@ -95,7 +95,7 @@ TEST_F(Prices, VariablesThatAreClosedByOpeningOthersComeToAnEnd) {
     end
     kind.__close = open
     behavior "evil" { update = open })");
-  ticks(limits.errors);
+  ticks(limits.max_errors);
   ASSERT_FALSE(faults.empty());
   EXPECT_TRUE(status("evil").stopped);
 }
@@ -110,7 +110,7 @@ TEST_F(Prices, ForLoopsThatAreClosedByOpeningOthersComeToAnEnd) {
     end
     kind.__close = open
     behavior "evil" { update = function() while true do pcall(open) end end })");
-  ticks(limits.errors);
+  ticks(limits.max_errors);
   ASSERT_FALSE(faults.empty());
   EXPECT_TRUE(status("evil").stopped);
 }
@@ -127,7 +127,7 @@ TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
   EXPECT_FALSE(report.warnings.empty());
   EXPECT_LE(report.warnings.size(), 20u);
   tick();
-  EXPECT_LE(status("b").memory, static_cast<std::size_t>(limits.memory) * 1024);
+  EXPECT_LE(status("b").memory, static_cast<std::size_t>(limits.max_memory) * 1024);
 }
 
 TEST_F(Prices, OneTableIsNotKeptThousandsOfTimes) {

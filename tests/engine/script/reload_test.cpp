@@ -135,11 +135,11 @@ TEST_F(ScriptReload, AVersionThatFailsAgainAndAgainIsRolledBack) {
   EXPECT_TRUE(
       edit("b", edited(kTwoStates, "state \"one\" {", "state \"one\" { update = function() error(\"new\") end,"))
           .accepted);
-  ticks(limits.errors);
-  ASSERT_EQ(static_cast<int>(faults.size()), limits.errors);
+  ticks(limits.max_errors);
+  ASSERT_EQ(static_cast<int>(faults.size()), limits.max_errors);
   EXPECT_EQ(faults.back().consequence, FaultRecord::Consequence::rolled_back);
   ticks(60);
-  EXPECT_EQ(static_cast<int>(faults.size()), limits.errors);
+  EXPECT_EQ(static_cast<int>(faults.size()), limits.max_errors);
   EXPECT_FALSE(status("b").stopped);
   EXPECT_EQ(state("b"), "two");
   EXPECT_EQ(logs.back(), "1three");
@@ -147,7 +147,7 @@ TEST_F(ScriptReload, AVersionThatFailsAgainAndAgainIsRolledBack) {
 
 TEST_F(ScriptReload, AStoppedScriptStartsAgainWithAGoodEdit) {
   load("b", "behavior \"b\" { update = function() error(\"x\") end }");
-  ticks(limits.errors);
+  ticks(limits.max_errors);
   EXPECT_TRUE(status("b").stopped);
   EXPECT_TRUE(edit("b", kTwoStates).accepted);
   ticks(40);

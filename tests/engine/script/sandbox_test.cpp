@@ -30,11 +30,11 @@ TEST_P(HostileScript, StopsAloneWithinItsBudget) {
     EXPECT_EQ(record.script, "behaviors/evil.lua");
     EXPECT_NE(record.fault.message.find(GetParam().error), std::string::npos) << record.fault.text();
   }
-  EXPECT_EQ(static_cast<int>(faults.size()), limits.errors);
+  EXPECT_EQ(static_cast<int>(faults.size()), limits.max_errors);
   EXPECT_EQ(faults.back().consequence, FaultRecord::Consequence::stopped);
   EXPECT_TRUE(status("evil").stopped);
   EXPECT_FALSE(status("honest").stopped);
-  EXPECT_LE(status("evil").memory, static_cast<std::size_t>(limits.memory) * 1024);
+  EXPECT_LE(status("evil").memory, static_cast<std::size_t>(limits.max_memory) * 1024);
 }
 
 constexpr const char* kBudget = "budget of 50000 instructions is used up";
@@ -164,7 +164,7 @@ TEST_F(Sandboxed, TheLeasesOfAStoppedScriptEnd) {
   load("evil",
        R"(behavior "evil" { enter = function() command.pause_training() end, update = function() error("no") end })");
   EXPECT_EQ(tick().leases.size(), 1u);
-  ticks(limits.errors);
+  ticks(limits.max_errors);
   EXPECT_TRUE(status("evil").stopped);
   EXPECT_TRUE(tick().leases.empty());
 }
@@ -175,7 +175,7 @@ TEST_F(Sandboxed, ErrorsThatAreFarApartAreForgotten) {
       R"(behavior "evil" { initial = "a", state "a" { { "b", after = 11 } }, state "b" { enter = function() error("no") end,
     { "a", after = 1 } } })");
   ticks(30 * 12 * 8);
-  EXPECT_GE(static_cast<int>(faults.size()), limits.errors);
+  EXPECT_GE(static_cast<int>(faults.size()), limits.max_errors);
   EXPECT_FALSE(status("evil").stopped);
 }
 

@@ -80,7 +80,7 @@ TEST_F(ScriptTransitions, DwellMayBeAParameterOrAFunction) {
 }
 
 TEST_F(ScriptTransitions, AlwaysIsCheckedFirstAndNotWhileItsTargetIsActive) {
-  load("b", R"(behavior "b" { initial = "one", always = { { "down", when = function() return robot.fallen end } },
+  load("b", R"(behavior "b" { initial = "one", common = { { "down", when = function() return robot.fallen end } },
     state "one" { { "two", when = function() return true end } }, state "two" {}, state "down" { enter = function() log.info("down") end } })");
   tick();
   world.fallen = true;
@@ -115,7 +115,7 @@ TEST_F(ScriptTransitions, AnInnerTransitionLeavesTheOuterStateAsItIs) {
 }
 
 TEST_F(ScriptTransitions, HistoryResumesTheInnerStateThatWasLast) {
-  load("b", R"(behavior "b" { initial = "outer", always = { { "down", when = function() return robot.fallen end } },
+  load("b", R"(behavior "b" { initial = "outer", common = { { "down", when = function() return robot.fallen end } },
     state "outer" { initial = "x", history = true, state "x" { { "y", after = 0.1 } }, state "y" {} },
     state "down" { { "outer", when = function() return not robot.fallen end } } })");
   ticks(5);

@@ -7,7 +7,7 @@ namespace {
 
 class Watcher : public ::testing::TestWithParam<FileWatcher::Means> {
  protected:
-  /// How often something was reported within so many seconds of the watcher's own clock.
+  /// How often something was reported within this many seconds of the watcher's own clock.
   int reports(FileWatcher& watcher, double seconds = 1.0) {
     int count = 0;
     for (const double end = time_ + seconds; time_ < end; time_ += 0.01) count += watcher.poll(time_) ? 1 : 0;

@@ -1,6 +1,6 @@
 behavior "b" {
   initial = "a",
-  always = {
+  common = {
     { "down", when = function() return robot.fallen end, because = "it fell" },
   },
   state "a" {

@@ -49,12 +49,12 @@ TEST(ScanLine, NeedsNoLength) {
   }
 }
 
-RC_GTEST_PROP(GroundView, FindsTheGroundPointThatAPixelShows, ()) {
+RC_GTEST_PROP(GroundProjection, FindsTheGroundPointThatAPixelShows, ()) {
   CameraModel camera = CameraModel::from_fields_of_view(640, 480, 1.0, 0.75);
   camera.k1 = 0.03;
   const HeadAngles head{*rc::gen::inRange(-100, 101) * 0.01, *rc::gen::inRange(-10, 50) * 0.01};
   const TorsoAttitude torso{*rc::gen::inRange(-20, 21) * 0.01, *rc::gen::inRange(-10, 11) * 0.01};
-  const auto view = GroundView::look(camera, robot_from_camera({}, head, torso, 0.248));
+  const auto view = GroundProjection::look(camera, robot_from_camera({}, head, torso, 0.248));
   RC_ASSERT(view.has_value());
   const Eigen::Vector2d pixel(*rc::gen::inRange(0, 640), *rc::gen::inRange(0, 480));
   const auto ground = view->ground(pixel);

@@ -14,7 +14,7 @@ namespace {
 void expect_sound(const Confidences& confidences) {
   for (const double value :
        {confidences.current, confidences.opposite, confidences.raw_current, confidences.raw_opposite,
-        confidences.goal_opponent, confidences.goal_own, confidences.coverage, confidences.informative}) {
+        confidences.goal_opponent, confidences.goal_own, confidences.coverage, confidences.distinctiveness}) {
     ASSERT_GE(value, 0.0);
     ASSERT_LE(value, 1.0);
   }
@@ -27,26 +27,26 @@ TEST(HostileViews, LeaveTheConfidencesSoundAndTheModelAsItWas) {
   robot.run(6.0);
   const double coverage = robot.awareness.confidences().coverage;
   const auto try_view = [&](auto&& spoil) {
-    RoomView view = robot.look();
+    RoomObservation view = robot.look();
     spoil(view);
     robot.awareness.update(view);
     expect_sound(robot.awareness.confidences());
     EXPECT_EQ(robot.awareness.confidences().visible_tiles, 0);
     EXPECT_EQ(robot.awareness.confidences().coverage, coverage);
   };
-  try_view([](RoomView& view) { view.image = {}; });
-  try_view([](RoomView& view) { view.image.height = -1; });
-  try_view([&](RoomView& view) { view.belief.position.x() = nan; });
-  try_view([&](RoomView& view) { view.belief.rotation = nan; });
-  try_view([](RoomView& view) { view.belief.position = {100, 100}; });
-  try_view([&](RoomView& view) { view.robot_from_camera.translation().z() = nan; });
-  try_view([](RoomView& view) {
+  try_view([](RoomObservation& view) { view.image = {}; });
+  try_view([](RoomObservation& view) { view.image.height = -1; });
+  try_view([&](RoomObservation& view) { view.belief.position.x() = nan; });
+  try_view([&](RoomObservation& view) { view.belief.rotation = nan; });
+  try_view([](RoomObservation& view) { view.belief.position = {100, 100}; });
+  try_view([&](RoomObservation& view) { view.robot_from_camera.translation().z() = nan; });
+  try_view([](RoomObservation& view) {
     view.robot_from_camera.linear() = Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitY()).toRotationMatrix();
   });
-  try_view([](RoomView& view) {
+  try_view([](RoomObservation& view) {
     view.robot_from_camera.linear() = Eigen::AngleAxisd(-kPi / 2, Eigen::Vector3d::UnitY()).toRotationMatrix();
   });
-  try_view([](RoomView& view) { view.camera.height = 0; });
+  try_view([](RoomObservation& view) { view.camera.height = 0; });
   robot.run(3.0);
   EXPECT_GT(robot.awareness.confidences().visible_tiles, 3) << "and it goes on as if nothing had been";
 }
@@ -56,13 +56,13 @@ TEST(HostileViews, TimeThatStandsStillJumpsOrIsNoNumberIsNoTime) {
   robot.run(6.0);
   for (const double time : {robot.time, robot.time, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN(),
                             std::numeric_limits<double>::infinity(), 0.0}) {
-    RoomView view = robot.look();
+    RoomObservation view = robot.look();
     view.time = time;
     robot.awareness.update(view);
     expect_sound(robot.awareness.confidences());
   }
   for (const TileModel& tile : robot.awareness.model().tiles()) EXPECT_LT(tile.trained, 7.0);
-  RoomView view = robot.look();
+  RoomObservation view = robot.look();
   view.odometry_rotation = std::numeric_limits<double>::quiet_NaN();
   robot.awareness.update(view);
   expect_sound(robot.awareness.confidences());

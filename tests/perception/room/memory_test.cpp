@@ -31,7 +31,7 @@ TEST(Memory, TheSteadyStateAllocatesNothing) {
     const std::vector<CoveredArea> covered = {{20, 30, 60, 119}};
     long during_updates = 0;
     for (int frame = 0; frame < 300; ++frame) {
-      RoomView view = robot.look();
+      RoomObservation view = robot.look();
       view.covered = covered;
       const long before = allocations;
       robot.awareness.update(view);

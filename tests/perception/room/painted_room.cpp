@@ -70,11 +70,11 @@ Image PaintedRoom::render(const CameraModel& camera, const Eigen::Isometry3d& fi
   return image;
 }
 
-RoomView ScanningRobot::look() {
+RoomObservation ScanningRobot::look() {
   constexpr double kPeriod = 5.0;  // s for a sweep to and fro
   const double phase = std::fmod(time, kPeriod) / kPeriod;
   const double yaw = from_degrees(110.0) * (std::abs(4.0 * phase - 2.0) - 1.0);
-  RoomView view;
+  RoomObservation view;
   view.time = time;
   view.camera = small_camera();
   view.robot_from_camera = standing_camera(yaw);

@@ -54,7 +54,7 @@ class ScanningRobot {
   /// Scans for some seconds; frames at 15 Hz.
   void run(double seconds);
   /// The frame that the robot sees now; the image lives until the next call.
-  RoomView look();
+  RoomObservation look();
 
   PaintedRoom room;
   RoomAwareness awareness;

@@ -27,7 +27,7 @@ struct Scene {
     return tiles;
   }
   Image image;
-  RoomView view;
+  RoomObservation view;
 };
 
 std::map<int, int> pixels_by_tile(const PerceivedTiles& tiles) {

@@ -98,9 +98,9 @@ TEST(RoomAwareness, KeepsTrustInARightBeliefWhenTheLightChanges) {
 
 TEST(RoomAwareness, TellsInformativeRoomsFromOthers) {
   const RoomParameters parameters;
-  EXPECT_GT(trained_robot(PaintedRoom::colorful(2), parameters).awareness.confidences().informative, 0.3);
-  EXPECT_LT(trained_robot(PaintedRoom::symmetric(2), parameters).awareness.confidences().informative, 0.15);
-  EXPECT_LT(trained_robot(PaintedRoom::plain(), parameters).awareness.confidences().informative, 0.05);
+  EXPECT_GT(trained_robot(PaintedRoom::colorful(2), parameters).awareness.confidences().distinctiveness, 0.3);
+  EXPECT_LT(trained_robot(PaintedRoom::symmetric(2), parameters).awareness.confidences().distinctiveness, 0.15);
+  EXPECT_LT(trained_robot(PaintedRoom::plain(), parameters).awareness.confidences().distinctiveness, 0.05);
 }
 
 TEST(RoomAwareness, AWhiteRoomConvincesOfNothing) {
@@ -220,7 +220,7 @@ TEST(RoomAwareness, AJumpOfTheBeliefDoesNotMoveTheParticles) {
   parameters.view_filter.sharpness = 0.0;
   parameters.view_filter.injection = 0.0;
   robot.awareness.set_parameters(parameters);
-  RoomView view = robot.look();
+  RoomObservation view = robot.look();
   robot.awareness.update(view);
   const double before = robot.awareness.particles()[0].azimuth;
   view.belief = reflect(view.belief);
@@ -236,7 +236,7 @@ TEST(RoomAwareness, ParticlesTurnWithTheBody) {
   ScanningRobot robot(PaintedRoom::colorful(1), parameters, 1);
   robot.train = false;
   robot.truth = robot.belief = Pose2(0.0, 0.0, 0.0);
-  RoomView view = robot.look();
+  RoomObservation view = robot.look();
   view.robot_from_camera = Eigen::Isometry3d::Identity();
   robot.awareness.update(view);
   const double before = robot.awareness.particles()[0].azimuth;
@@ -249,7 +249,7 @@ TEST(RoomAwareness, ParticlesTurnWithTheBody) {
 
 TEST(RoomAwareness, KnowsWhichGoalIsInView) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(3), RoomParameters{});
-  RoomView view = robot.look();
+  RoomObservation view = robot.look();
   robot.belief = robot.truth = Pose2(-1.0, 0.0, 0.0);  // towards the opponent goal
   view.robot_from_camera = test::standing_camera(0.0);
   view.belief = robot.belief;

@@ -181,7 +181,7 @@ TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
   Observation observation;
   double before = 1e9;
   for (const double stops : {1.0, 0.0, -1.0, -2.0}) {
-    simulator.set_exposure(stops);
+    simulator.set_exposure_compensation(stops);
     simulator.observe(observation);
     EXPECT_LT(mean_luma(observation.image), before - 5.0);
     before = mean_luma(observation.image);

@@ -33,24 +33,24 @@ TEST(PoseError, IsAcrossTheSeamOfTheAngles) {
 }
 
 TEST(ARightBelief, IsWithinAMetreAndAnEighthTurnOfTheTruth) {
-  EXPECT_TRUE(is_right(kTruth, kTruth));
-  EXPECT_TRUE(is_right(Pose2(2.9, 1.0, 0.3), kTruth));
-  EXPECT_FALSE(is_right(Pose2(3.1, 1.0, 0.3), kTruth));
-  EXPECT_TRUE(is_right(Pose2(2.0, 1.0, 0.3 + 0.78), kTruth));
-  EXPECT_FALSE(is_right(Pose2(2.0, 1.0, 0.3 + 0.79), kTruth));
+  EXPECT_TRUE(is_correct(kTruth, kTruth));
+  EXPECT_TRUE(is_correct(Pose2(2.9, 1.0, 0.3), kTruth));
+  EXPECT_FALSE(is_correct(Pose2(3.1, 1.0, 0.3), kTruth));
+  EXPECT_TRUE(is_correct(Pose2(2.0, 1.0, 0.3 + 0.78), kTruth));
+  EXPECT_FALSE(is_correct(Pose2(2.0, 1.0, 0.3 + 0.79), kTruth));
 }
 
 RC_GTEST_PROP(ARightBeliefProperty, IsNeverRightTogetherWithItsReflection, ()) {
   const auto any = [] { return *rc::gen::inRange(-5000, 5001) / 1000.0; };
   const Pose2 belief(any(), any(), any());
   const Pose2 truth(any(), any(), any());
-  RC_ASSERT(!(is_right(belief, truth) && is_right(reflect(belief), truth)));
-  RC_ASSERT(is_right(belief, truth) == is_right(reflect(belief), reflect(truth)));
+  RC_ASSERT(!(is_correct(belief, truth) && is_correct(reflect(belief), truth)));
+  RC_ASSERT(is_correct(belief, truth) == is_correct(reflect(belief), reflect(truth)));
 }
 
 TEST(Summary, OfNothingIsNotRight) {
   const RunSummary summary = summarize({}, std::nullopt);
-  EXPECT_FALSE(summary.right);
+  EXPECT_FALSE(summary.correct);
   EXPECT_FALSE(summary.succeeded);
   EXPECT_FALSE(summary.error);
   EXPECT_EQ(summary.frames, 0);
@@ -67,8 +67,8 @@ TEST(Summary, OfABeliefThatWasNeverWrongHasNothingToCorrect) {
   RunHistory history;
   believe(history, kTruth, 0.0, 10.0);
   const RunSummary summary = summarize(history, std::nullopt);
-  EXPECT_TRUE(summary.right);
-  EXPECT_FALSE(summary.turned_round_at);
+  EXPECT_TRUE(summary.correct);
+  EXPECT_FALSE(summary.belief_wrong_at);
   EXPECT_FALSE(summary.corrected_after);
   EXPECT_EQ(summary.frames, 100);
   EXPECT_NEAR(summary.seconds, 9.9, 1e-9);
@@ -82,9 +82,9 @@ TEST(Summary, SaysHowLongItTookToCorrectTheBelief) {
   believe(history, reflect(kTruth), 10.0, 16.0);
   believe(history, kTruth, 16.0, 30.0);
   const RunSummary summary = summarize(history, std::nullopt);
-  EXPECT_TRUE(summary.right);
+  EXPECT_TRUE(summary.correct);
   ASSERT_TRUE(summary.corrected_after);
-  EXPECT_NEAR(*summary.turned_round_at, 10.0, 1e-9);
+  EXPECT_NEAR(*summary.belief_wrong_at, 10.0, 1e-9);
   EXPECT_NEAR(*summary.corrected_after, 5.9, 0.11);
 }
 
@@ -93,8 +93,8 @@ TEST(Summary, OfABeliefThatStayedWrongHasNoCorrection) {
   believe(history, kTruth, 0.0, 10.0);
   believe(history, reflect(kTruth), 10.0, 30.0);
   const RunSummary summary = summarize(history, std::nullopt);
-  EXPECT_FALSE(summary.right);
-  EXPECT_NEAR(*summary.turned_round_at, 10.0, 1e-9);
+  EXPECT_FALSE(summary.correct);
+  EXPECT_NEAR(*summary.belief_wrong_at, 10.0, 1e-9);
   EXPECT_FALSE(summary.corrected_after);
   EXPECT_NEAR(summary.error->rotation, kPi, 1e-9);
 }
@@ -106,7 +106,7 @@ TEST(Summary, CountsAMomentOfRightBeliefToTheTimeThatItWasWrong) {
   believe(history, kTruth, 13.0, 14.0);
   believe(history, reflect(kTruth), 14.0, 18.0);
   believe(history, kTruth, 18.0, 30.0);
-  EXPECT_NEAR(*summarize(history, std::nullopt).turned_round_at, 10.0, 1e-9);
+  EXPECT_NEAR(*summarize(history, std::nullopt).belief_wrong_at, 10.0, 1e-9);
 }
 
 TEST(Summary, TellsOfTheLastTimeThatTheBeliefWasWrong) {
@@ -115,7 +115,7 @@ TEST(Summary, TellsOfTheLastTimeThatTheBeliefWasWrong) {
   believe(history, kTruth, 3.0, 20.0);
   believe(history, reflect(kTruth), 20.0, 24.0);
   believe(history, kTruth, 24.0, 40.0);
-  EXPECT_NEAR(*summarize(history, std::nullopt).turned_round_at, 20.0, 1e-9);
+  EXPECT_NEAR(*summarize(history, std::nullopt).belief_wrong_at, 20.0, 1e-9);
 }
 
 TEST(Summary, DoesNotBlameTheBeliefWhileTheRobotIsCarried) {
@@ -123,7 +123,7 @@ TEST(Summary, DoesNotBlameTheBeliefWhileTheRobotIsCarried) {
   believe(history, kTruth, 0.0, 10.0);
   believe(history, reflect(kTruth), 10.0, 12.0, true);
   believe(history, kTruth, 12.0, 20.0);
-  EXPECT_FALSE(summarize(history, std::nullopt).turned_round_at);
+  EXPECT_FALSE(summarize(history, std::nullopt).belief_wrong_at);
 }
 
 TEST(Summary, WithoutGroundTruthClaimsNothing) {
@@ -132,7 +132,7 @@ TEST(Summary, WithoutGroundTruthClaimsNothing) {
   sample.time = 1.0;
   history.add(sample);
   const RunSummary summary = summarize(history, std::nullopt);
-  EXPECT_FALSE(summary.right);
+  EXPECT_FALSE(summary.correct);
   EXPECT_FALSE(summary.error);
   EXPECT_EQ(summary.frames, 1);
 }

@@ -21,8 +21,8 @@ struct Slip {
 
 std::ostream& operator<<(std::ostream& out, const Slip& slip) { return out << slip.name; }
 
-KnownNames known() {
-  KnownNames names = known_names(ScriptRole::behavior);
+SymbolTable known() {
+  SymbolTable names = symbol_table(ScriptRole::behavior);
   names.modules["lib.walk"] = {{"walk_to", "turn"}, {}, false};
   names.states["other"] = {"", "waiting", "going", "going/slowly"};
   return names;
@@ -219,7 +219,7 @@ TEST_F(ScriptCheckTest, PointsASyntaxErrorOutWithItsColumn) {
 TEST_F(ScriptCheckTest, TellsAScriptThatIsTooLargeToBeLoadedBetweenTwoFrames) {
   folder.write("behaviors/large.lua", "behavior \"large\" {}" + std::string(kLargestScript, ' '));
   EXPECT_EQ(findings(),
-            "behaviors/large.lua: error: this is no plain file below the scripts' root of at most 64 KiB\n");
+            "behaviors/large.lua: error: this is not a plain file below the scripts' root of at most 64 KiB\n");
 }
 
 TEST_F(ScriptCheckTest, TellsABrokenLibraryOnce) {

@@ -50,11 +50,11 @@ TEST(GeneratedFiles, EveryFieldAndFunctionIsDocumentedOnce) {
   std::set<std::string> names;
   for (const WorldField& field : world_fields()) {
     EXPECT_TRUE(names.insert(field.full_name()).second) << field.full_name();
-    EXPECT_FALSE(field.sentence.empty()) << field.full_name();
+    EXPECT_FALSE(field.description.empty()) << field.full_name();
   }
   for (const ScriptFunction& function : script_functions()) {
     EXPECT_TRUE(names.insert(function.table + "." + function.name).second) << function.name;
-    EXPECT_FALSE(function.sentence.empty()) << function.name;
+    EXPECT_FALSE(function.description.empty()) << function.name;
     for (const ArgumentDoc& argument : function.arguments) EXPECT_FALSE(argument.type.empty()) << function.name;
   }
 }

@@ -54,7 +54,7 @@ class ScriptedTests : public ::testing::Test {
 
 TEST_F(ScriptedTests, TellEachFailureWithItsLineAndBothSides) {
   run(R"(test("is wrong twice", function()
-  load "lamp"
+  load_behavior "lamp"
   advance(0.1)
   expect.state("lamp", "on")
   expect.no_command()
@@ -94,7 +94,7 @@ TEST_F(ScriptedTests, EndOnTablesThatHoldThemselves) {
 }
 
 TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyTook) {
-  run(R"(test("t", function() load "lamp" set { robot = { fallen = true } } advance(0.5) end))");
+  run(R"(test("t", function() load_behavior "lamp" set_world { robot = { fallen = true } } advance(0.5) end))");
   EXPECT_EQ(coverage(),
             "lamp: 3 of 4 states, 1 of 3 transitions\n"
             "  behaviors/lamp.lua:8:11: never entered: on/bright\n"
@@ -109,12 +109,12 @@ TEST_F(ScriptedTests, CountBehaviorsThatNoTestLoads) {
 
 TEST_F(ScriptedTests, CountWhatWasTakenAfterAnEditToo) {
   run(R"(test("t", function()
-  load "lamp"
+  load_behavior "lamp"
   advance(0.1)
   reload { from = "initial = \"off\"", to = "priority = 3, initial = \"off\"" }
-  set { robot = { fallen = true } }
+  set_world { robot = { fallen = true } }
   advance(1.5)
-  set { robot = { fallen = false } }
+  set_world { robot = { fallen = false } }
   advance(0.1)
 end))");
   EXPECT_EQ(coverage(), "lamp: 4 of 4 states, 3 of 3 transitions\n") << out.str();
@@ -145,9 +145,9 @@ TEST_F(ScriptedTests, AreSkippedVisiblyWhereTheyWantASimulatorAndThereIsNone) {
 TEST_F(ScriptedTests, ExpectOfASimulationWhatHappenedInAllOfIt) {
   SimulationRequest asked;
   run(R"(test("t", function()
-  local is_right = simulate { scenario = "s", with = { "a", "b" }, seed = 7, width = 320, seconds = 12.5, room_awareness = false,
+  local is_correct = simulate { scenario = "s", with = { "a", "b" }, seed = 7, width = 320, seconds = 12.5, room_awareness = false,
     params = { ["lamp.on"] = true, ["lamp.level"] = 0.5 } }
-  expect.equal(is_right, true)
+  expect.equal(is_correct, true)
   expect.verdict(true, "fine")
   expect.state("lamp", "on/dim")
   expect.command("flip_pose", "granted")
@@ -158,7 +158,7 @@ end))",
         asked = request;
         SimulationOutcome outcome;
         outcome.verdict = ScenarioVerdict{true, "all fine", 3.0};
-        outcome.is_right = true;
+        outcome.is_correct = true;
         outcome.machines.resize(1);
         outcome.machines[0].name = "lamp";
         outcome.machines[0].state = "on/dim";

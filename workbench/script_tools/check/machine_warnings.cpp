@@ -31,7 +31,7 @@ bool has_way_out(const MachineDefinition& machine, int state) {
 
 }  // namespace
 
-std::vector<DeclarationError> doubts(const MachineDefinition& machine) {
+std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine) {
   const std::vector<bool> reached = reached_states(machine);
   std::vector<DeclarationError> found;
   for (std::size_t i = 1; i < machine.states.size(); ++i) {

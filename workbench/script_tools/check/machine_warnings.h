@@ -9,6 +9,6 @@ namespace reorient {
 
 /// The states that no path of transitions reaches, and the innermost states of behaviours without a way out (in a
 /// scenario such a state is the end, which gives the verdict). In the order of the text.
-std::vector<DeclarationError> doubts(const MachineDefinition& machine);
+std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine);
 
 }  // namespace reorient

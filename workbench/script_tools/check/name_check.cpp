@@ -19,7 +19,7 @@ bool is_condition_key(const std::string& key) { return key == "when" || key == "
 /// Reads a script as Lua's own parser does, by recursive descent, and keeps of it only what names mean.
 class NameCheck {
  public:
-  NameCheck(std::string_view text, const KnownNames& known) : tokens_(lua_tokens(text)), names_(known) {}
+  NameCheck(std::string_view text, const SymbolTable& known) : tokens_(lua_tokens(text)), names_(known) {}
 
   std::vector<DeclarationError> run() {
     names_.open_scope();
@@ -348,7 +348,7 @@ class NameCheck {
   }
 
   std::vector<LuaToken> tokens_;
-  NameMeanings names_;
+  NameResolution names_;
   std::size_t at_ = 0;
   bool in_condition_ = false;
   int depth_ = 0;
@@ -357,7 +357,7 @@ class NameCheck {
 
 }  // namespace
 
-std::vector<DeclarationError> check_names(std::string_view text, const KnownNames& known) {
+std::vector<DeclarationError> check_names(std::string_view text, const SymbolTable& known) {
   return NameCheck(text, known).run();
 }
 

@@ -12,6 +12,6 @@ namespace reorient {
 
 /// `text` must be valid Lua. In the order of the text. Follows `local` names as far as they stand for one thing: a
 /// table of the world, a `param` table, a module; what it cannot follow it believes.
-std::vector<DeclarationError> check_names(std::string_view text, const KnownNames& known);
+std::vector<DeclarationError> check_names(std::string_view text, const SymbolTable& known);
 
 }  // namespace reorient

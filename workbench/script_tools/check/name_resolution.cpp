@@ -30,12 +30,12 @@ std::string count_text(std::size_t count) {
 }  // namespace
 
 /// To look for similar names takes long, and who has many mistakes reads the first ones.
-std::string NameMeanings::hint(const std::string& wanted, const std::vector<std::string>& names) {
+std::string NameResolution::hint(const std::string& wanted, const std::vector<std::string>& names) {
   constexpr int kMost = 20;
   return ++hints_ <= kMost ? did_you_mean(wanted, names) : std::string();
 }
 
-Meaning* NameMeanings::find_local(const std::string& name) {
+Meaning* NameResolution::find_local(const std::string& name) {
   for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
     for (auto local = scope->rbegin(); local != scope->rend(); ++local) {
       if (local->first == name) return &local->second;
@@ -44,7 +44,7 @@ Meaning* NameMeanings::find_local(const std::string& name) {
   return nullptr;
 }
 
-void NameMeanings::assign(const LuaToken& name) {
+void NameResolution::assign(const LuaToken& name) {
   if (Meaning* local = find_local(name.text)) {
     *local = Meaning{};
   } else if (known_.globals.contains(name.text)) {
@@ -55,7 +55,7 @@ void NameMeanings::assign(const LuaToken& name) {
   }
 }
 
-void NameMeanings::check_compared_state(const Expression& state, const Expression& text) {
+void NameResolution::check_compared_state(const Expression& state, const Expression& text) {
   if (state.meaning.kind != Meaning::Kind::machine_state || text.literal == nullptr) return;
   if (text.literal->kind != Kind::text) return;
   const std::set<std::string>& states = known_.states.at(state.meaning.name);
@@ -64,13 +64,13 @@ void NameMeanings::check_compared_state(const Expression& state, const Expressio
        state.meaning.name + " has no state '" + text.literal->text + "'" + hint(text.literal->text, listed(states)));
 }
 
-void NameMeanings::compare(const Expression& left, const Expression& right) {
+void NameResolution::compare(const Expression& left, const Expression& right) {
   check_compared_state(left, right);
   check_compared_state(right, left);
 }
 
-Meaning NameMeanings::call(const Meaning& function, const LuaToken& place, std::vector<Expression> arguments,
-                           bool in_condition) {
+Meaning NameResolution::call(const Meaning& function, const LuaToken& place, std::vector<Expression> arguments,
+                             bool in_condition) {
   if (function.kind != Meaning::Kind::function) return {};
   if (function.function != nullptr) check_call(function, place, arguments, in_condition);
   if (function.name == "param" && arguments.size() == 1) {
@@ -84,9 +84,9 @@ Meaning NameMeanings::call(const Meaning& function, const LuaToken& place, std::
   return {};
 }
 
-void NameMeanings::check_call(const Meaning& called, const LuaToken& place, const std::vector<Expression>& arguments,
-                              bool in_condition) {
-  const KnownFunction& function = *called.function;
+void NameResolution::check_call(const Meaning& called, const LuaToken& place, const std::vector<Expression>& arguments,
+                                bool in_condition) {
+  const FunctionSymbol& function = *called.function;
   if (function.acts && in_condition)
     note(place, called.name + " acts, and a condition only looks: call it in enter, update or exit");
   const std::vector<std::string>& types = function.argument_types;
@@ -108,7 +108,7 @@ void NameMeanings::check_call(const Meaning& called, const LuaToken& place, cons
     note(place, called.name + " needs " + count_text(needed) + ", not " + std::to_string(arguments.size()));
 }
 
-Meaning NameMeanings::of(const LuaToken& name) {
+Meaning NameResolution::of(const LuaToken& name) {
   if (const Meaning* local = find_local(name.text)) return *local;
   if (!known_.globals.contains(name.text)) {
     std::vector<std::string> candidates = listed(known_.globals);
@@ -122,11 +122,11 @@ Meaning NameMeanings::of(const LuaToken& name) {
   if (const auto table = known_.tables.find(name.text); table != known_.tables.end())
     return {Meaning::Kind::table, name.text, &table->second, nullptr, {}};
   const auto function = known_.functions.find(name.text);
-  const KnownFunction* signature = function == known_.functions.end() ? nullptr : &function->second;
+  const FunctionSymbol* signature = function == known_.functions.end() ? nullptr : &function->second;
   return {Meaning::Kind::function, name.text, nullptr, signature, {}};
 }
 
-Meaning NameMeanings::of_field(const Meaning& owner, const LuaToken& field) {
+Meaning NameResolution::of_field(const Meaning& owner, const LuaToken& field) {
   const std::string full_name = owner.name + "." + field.text;
   switch (owner.kind) {
     case Meaning::Kind::table: {
@@ -162,14 +162,14 @@ Meaning NameMeanings::of_field(const Meaning& owner, const LuaToken& field) {
   }
 }
 
-void NameMeanings::assign_field(const Meaning& owner, const LuaToken& field) {
+void NameResolution::assign_field(const Meaning& owner, const LuaToken& field) {
   const bool is_read_only = (owner.kind == Meaning::Kind::table && owner.table->is_read_only) ||
                             owner.kind == Meaning::Kind::params || owner.kind == Meaning::Kind::machines ||
                             owner.kind == Meaning::Kind::machine;
   if (is_read_only) note(field, owner.name + "." + field.text + " is read-only");
 }
 
-std::vector<DeclarationError> NameMeanings::take_errors() {
+std::vector<DeclarationError> NameResolution::take_errors() {
   std::stable_sort(errors_.begin(), errors_.end(),
                    [](const auto& left, const auto& right) { return is_before(left.position, right.position); });
   return std::move(errors_);

@@ -17,10 +17,10 @@ struct Meaning {
   enum class Kind { anything, table, function, params, machines, machine, machine_state };
 
   Kind kind = Kind::anything;
-  std::string name;                         ///< as it is called in messages; of a machine: its name
-  const KnownTable* table = nullptr;        ///< of a table
-  const KnownFunction* function = nullptr;  ///< of a function
-  std::set<std::string> keys;               ///< of params
+  std::string name;                          ///< as it is called in messages; of a machine: its name
+  const TableSymbol* table = nullptr;        ///< of a table
+  const FunctionSymbol* function = nullptr;  ///< of a function
+  std::set<std::string> keys;                ///< of params
 };
 
 struct Expression {
@@ -31,9 +31,9 @@ struct Expression {
 };
 
 /// The scopes of a script while it is read from top to bottom. Each mistake is noted once, where it stands.
-class NameMeanings {
+class NameResolution {
  public:
-  explicit NameMeanings(const KnownNames& known) : known_(known) {}
+  explicit NameResolution(const SymbolTable& known) : known_(known) {}
 
   void open_scope() { scopes_.emplace_back(); }
   void close_scope() { scopes_.pop_back(); }
@@ -63,7 +63,7 @@ class NameMeanings {
   std::string hint(const std::string& wanted, const std::vector<std::string>& names);
   void note(const LuaToken& token, const std::string& message) { errors_.push_back({token.position, message}); }
 
-  const KnownNames& known_;
+  const SymbolTable& known_;
   std::vector<Scope> scopes_;
   int hints_ = 0;  ///< given so far
   std::vector<DeclarationError> errors_;

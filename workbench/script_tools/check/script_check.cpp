@@ -76,8 +76,8 @@ class ScriptCheck {
 
   void take_in(const ScriptHost& host) {
     for (const MachineDefinition* machine : host.definitions()) {
-      for (DeclarationError& doubt : doubts(*machine))
-        result_.findings.push_back({Severity::warning, machine->file, doubt.position, std::move(doubt.message)});
+      for (DeclarationError& warning : machine_warnings(*machine))
+        result_.findings.push_back({Severity::warning, machine->file, warning.position, std::move(warning.message)});
     }
     for (auto& [module, fields] : host.module_fields()) modules_[module] = {fields, {}, false};
   }
@@ -94,11 +94,11 @@ class ScriptCheck {
     Sandbox sandbox{ScriptLimits{}};
     if (std::optional<ScriptFault> fault = sandbox.compile(*text, file)) {
       // As the loader tells it, which may have met the file as well: then it is told once.
-      const int column = DeclarationPlaces(*text).column_of_syntax_error(fault->message, fault->line);
+      const int column = SourceLocations(*text).column_of_syntax_error(fault->message, fault->line);
       result_.findings.push_back({Severity::error, file, {fault->line, column}, fault->message});
       return;
     }
-    KnownNames known = known_names(role);
+    SymbolTable known = symbol_table(role);
     known.modules = modules_;
     if (knows_all_machines_) known.states = states_;
     for (DeclarationError& slip : check_names(*text, known))
@@ -109,7 +109,7 @@ class ScriptCheck {
   ParameterRegistry& registry_;
   std::map<std::string, std::set<std::string>> states_;
   bool knows_all_machines_ = true;
-  std::map<std::string, KnownTable> modules_;
+  std::map<std::string, TableSymbol> modules_;
   CheckResult result_;
 };
 

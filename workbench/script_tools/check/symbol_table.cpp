@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-void add_library(KnownNames& known) {
+void add_library(SymbolTable& known) {
   for (const LibraryRow& row : library_rows()) {
     std::istringstream names{std::string(row.names)};
     for (std::string name; names >> name;) {
@@ -23,7 +23,7 @@ void add_library(KnownNames& known) {
   }
 }
 
-void add_words(std::span<const ScriptWord> words, KnownNames& known) {
+void add_words(std::span<const ScriptWord> words, SymbolTable& known) {
   for (const ScriptWord& word : words) {
     const std::string name(word.name);
     const std::size_t dot = name.find('.');
@@ -32,7 +32,7 @@ void add_words(std::span<const ScriptWord> words, KnownNames& known) {
   }
 }
 
-void add_world(bool for_scenarios, KnownNames& known) {
+void add_world(bool for_scenarios, SymbolTable& known) {
   for (const WorldField& field : world_fields()) {
     if (field.for_scenarios && !for_scenarios) continue;
     known.globals.insert(std::string(field.table));
@@ -40,10 +40,10 @@ void add_world(bool for_scenarios, KnownNames& known) {
   }
 }
 
-void add_functions(bool for_scenarios, KnownNames& known) {
+void add_functions(bool for_scenarios, SymbolTable& known) {
   for (const ScriptFunction& function : script_functions()) {
     if (function.for_scenarios && !for_scenarios) continue;
-    KnownFunction signature{{}, function.result.empty()};  // what gives nothing back is called for its effect
+    FunctionSymbol signature{{}, function.result.empty()};  // what gives nothing back is called for its effect
     for (const ArgumentDoc& argument : function.arguments) signature.argument_types.push_back(argument.type);
     if (function.table.empty()) {
       known.globals.insert(function.name);
@@ -58,8 +58,8 @@ void add_functions(bool for_scenarios, KnownNames& known) {
 
 }  // namespace
 
-KnownNames known_names(ScriptRole role) {
-  KnownNames known;
+SymbolTable symbol_table(ScriptRole role) {
+  SymbolTable known;
   add_library(known);
   if (role == ScriptRole::test) {
     add_words(test_words(), known);

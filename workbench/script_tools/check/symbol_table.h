@@ -9,28 +9,28 @@
 namespace reorient {
 
 /// A function that scripts may call.
-struct KnownFunction {
+struct FunctionSymbol {
   std::vector<std::string> argument_types;  ///< "number", "boolean", "string"; with a "?" where it may be left out
   bool acts = false;                        ///< so that conditions must not call it
 };
 
 /// A global table, or what a module returns.
-struct KnownTable {
+struct TableSymbol {
   std::set<std::string> fields;
-  std::map<std::string, KnownFunction> functions;  ///< of those fields whose arguments are known
+  std::map<std::string, FunctionSymbol> functions;  ///< of those fields whose arguments are known
   bool is_read_only = true;
 };
 
-struct KnownNames {
+struct SymbolTable {
   std::set<std::string> globals;  ///< all of them: tables, functions, the words of the language
-  std::map<std::string, KnownFunction> functions;
-  std::map<std::string, KnownTable> tables;
-  std::map<std::string, KnownTable> modules;            ///< by what `require` takes
+  std::map<std::string, FunctionSymbol> functions;
+  std::map<std::string, TableSymbol> tables;
+  std::map<std::string, TableSymbol> modules;           ///< by what `require` takes
   std::map<std::string, std::set<std::string>> states;  ///< paths of each machine that there is
 };
 
 /// The bindings' and the library's part of it; scenarios may name more than behaviours, tests their own words.
 enum class ScriptRole { behavior, scenario, library, test };
-KnownNames known_names(ScriptRole role);
+SymbolTable symbol_table(ScriptRole role);
 
 }  // namespace reorient

@@ -130,7 +130,7 @@ std::string to_dot(const MachineDefinition& machine) {
   for (const TransitionDefinition& transition : machine.transitions) {
     const int from = transition.from == 0 ? 0 : writer.innermost(transition.from);
     out += "  " + writer.id[from] + " -> " + writer.id[writer.innermost(transition.to)] +
-           " [label=" + dot_text(label(transition)) + (transition.always ? ", style=dashed" : "") +
+           " [label=" + dot_text(label(transition)) + (transition.common ? ", style=dashed" : "") +
            writer.ends(transition.from, transition.to) + "];\n";
   }
   return out + "}\n";

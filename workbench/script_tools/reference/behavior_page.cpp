@@ -19,8 +19,8 @@ std::string table(std::span<const ParameterDeclaration> parameters) {
   if (parameters.empty()) return "None.\n";
   std::string text = "| parameter | default | range | what it is |\n|---|---|---|---|\n";
   for (const ParameterDeclaration& parameter : parameters) {
-    text += "| `" + parameter.name + "` | " + to_text(parameter.standard) + " | " + range_text(parameter) + " | " +
-            parameter.sentence + " |\n";
+    text += "| `" + parameter.name + "` | " + to_text(parameter.default_value) + " | " + range_text(parameter) + " | " +
+            parameter.description + " |\n";
   }
   return text;
 }

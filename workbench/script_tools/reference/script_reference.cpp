@@ -30,7 +30,7 @@ bool is_for_scenarios(std::string_view table) {
 
 void write_words(std::ostream& out, std::span<const ScriptWord> words) {
   for (const ScriptWord& word : words) {
-    out << "### `" << word.name << "`\n```lua\n" << word.usage << "\n```\n" << word.sentence << "\n\n";
+    out << "### `" << word.name << "`\n```lua\n" << word.usage << "\n```\n" << word.description << "\n\n";
   }
 }
 
@@ -38,11 +38,11 @@ void write_world(std::ostream& out) {
   out << "## The world\nRead-only tables, refreshed before each frame. A name that does not exist is an error.\n\n";
   for (const WorldTable& table : world_tables()) {
     out << "### `" << table.name << "`" << (is_for_scenarios(table.name) ? " (scenarios only)" : "") << "\n"
-        << table.sentence << "\n\n| field | type | unit | what it is |\n|---|---|---|---|\n";
+        << table.description << "\n\n| field | type | unit | what it is |\n|---|---|---|---|\n";
     for (const WorldField& field : world_fields()) {
       if (field.table != table.name) continue;
       out << "| `" << field.full_name() << "` | " << (field.is_boolean() ? "boolean" : "number") << " | " << field.unit
-          << " | " << field.sentence << " |\n";
+          << " | " << field.description << " |\n";
     }
     out << "\n";
   }
@@ -53,7 +53,7 @@ void write_functions(std::ostream& out, bool for_scenarios) {
   for (const ScriptFunction& function : script_functions()) {
     if (function.for_scenarios != for_scenarios) continue;
     out << "| `" << signature(function) << "`" << (function.result.empty() ? "" : ": " + function.result) << " | "
-        << function.sentence << " |\n";
+        << function.description << " |\n";
   }
   out << "\n";
 }
@@ -92,7 +92,7 @@ std::string script_reference() {
          "`after`\nago at least. Both times are seconds, the name of a param, or a function that gives seconds. "
          "`because` goes into the "
          "record. In one\nframe a machine takes one transition at most: those of outer states come first, there "
-         "`always` before the "
+         "`common` before the "
          "others.\n\n";
   write_world(out);
   out << "## Functions\nThey act, so they stand in `enter`, `update` and `exit`, not in conditions.\n\n";
@@ -120,21 +120,21 @@ std::string script_annotations() {
          "make the\n"
          "-- bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.\n\n";
   out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? boolean\n"
-         "---@field always? table[]\n---@field behaviors? string[]\n---@field enter? fun()\n---@field update? fun()\n"
+         "---@field common? table[]\n---@field behaviors? string[]\n---@field enter? fun()\n---@field update? fun()\n"
          "---@field exit? fun()\n---@field [integer] table\n\n";
   for (const WorldTable& table : world_tables()) {
-    out << "---" << table.sentence << "\n---@class reorient." << table.name << "\n";
+    out << "---" << table.description << "\n---@class reorient." << table.name << "\n";
     for (const WorldField& field : world_fields()) {
       if (field.table != table.name) continue;
       out << "---@field " << field.name << " " << (field.is_boolean() ? "boolean" : "number") << " "
-          << (field.unit.empty() ? "" : std::string(field.unit) + ", ") << field.sentence << "\n";
+          << (field.unit.empty() ? "" : std::string(field.unit) + ", ") << field.description << "\n";
     }
     out << table.name << " = {}\n\n";
   }
   std::set<std::string> tables;
   for (const ScriptFunction& function : script_functions()) {
     if (!function.table.empty() && tables.insert(function.table).second) out << function.table << " = {}\n\n";
-    out << "---" << function.sentence << "\n";
+    out << "---" << function.description << "\n";
     std::string arguments;
     for (const ArgumentDoc& argument : function.arguments) {
       const bool optional = argument.type.ends_with('?');
@@ -146,9 +146,9 @@ std::string script_annotations() {
     out << "function " << (function.table.empty() ? "" : function.table + ".") << function.name << "(" << arguments
         << ") end\n\n";
   }
-  for (const ScriptWord& word : language_words()) out << "---" << word.sentence << "\n" << word.annotation << "\n\n";
+  for (const ScriptWord& word : language_words()) out << "---" << word.description << "\n" << word.annotation << "\n\n";
   out << "expect = {}\n\n";
-  for (const ScriptWord& word : test_words()) out << "---" << word.sentence << "\n" << word.annotation << "\n\n";
+  for (const ScriptWord& word : test_words()) out << "---" << word.description << "\n" << word.annotation << "\n\n";
   std::string text = out.str();
   text.pop_back();
   return text;

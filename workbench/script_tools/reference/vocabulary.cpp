@@ -6,7 +6,8 @@ namespace {
 constexpr ScriptWord kLanguage[] = {
     {"param", "local p = param { lead = { 0.5, range = { 0, 1 }, unit = \"\", doc = \"what it is\" } }",
      "Declares numbers that can be tuned: default, range, unit, sentence. `{ true, doc = ... }` is a switch, "
-     "`{ \"slow\", choices = { \"slow\", \"fast\" }, doc = ... }` a choice, `whole = true` asks for whole numbers. The "
+     "`{ \"slow\", choices = { \"slow\", \"fast\" }, doc = ... }` a choice, `integer = true` asks for whole numbers. "
+     "The "
      "result is a "
      "read-only table of the present values. Their full name is the file's name, a dot, and the name.",
      "---@param declarations table<string, table>\n---@return table<string, any> values\nfunction param(declarations) "
@@ -15,15 +16,15 @@ constexpr ScriptWord kLanguage[] = {
      "A table of plain values that survives a reload. Local variables do not.",
      "---@generic T: table\n---@param defaults T\n---@return T memory\nfunction keep(defaults) end"},
     {"behavior",
-     "behavior \"name\" { priority = 50, initial = \"watching\", always = { ... }, state \"watching\" { ... } }",
+     "behavior \"name\" { priority = 50, initial = \"watching\", common = { ... }, state \"watching\" { ... } }",
      "Declares a state machine. `priority`: the greater wins where two want the same. `initial`: the first state. "
-     "`always`: "
+     "`common`: "
      "transitions out of whichever state, not taken while their target is active.",
      "---@param name string\n---@return fun(body: reorient.State)\nfunction behavior(name) end"},
     {"state", "state \"watching\" { enter = f, update = f, exit = f, { \"target\", when = f, lasting = 0.5 } }",
      "Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within "
      "it, then also "
-     "`initial`, `always`, and `history = true` to resume the inner state that was active last.",
+     "`initial`, `common`, and `history = true` to resume the inner state that was active last.",
      "---@param name string\n---@return fun(body: reorient.State): table\nfunction state(name) end"},
     {"scenario",
      "scenario \"name\" { behaviors = { \"orientation\" }, initial = \"placing\", state \"placing\" { ... } }",
@@ -46,15 +47,16 @@ constexpr ScriptWord kTest[] = {
     {"test", "test(\"flips when the opposite pose wins\", function() ... end)",
      "Declares a test, with a world, a clock and scripts of its own.",
      "---@param name string\n---@param run fun()\nfunction test(name, run) end"},
-    {"load", "load \"orientation\"", "Loads a behaviour.", "---@param behavior string\nfunction load(behavior) end"},
+    {"load_behavior", "load_behavior \"orientation\"", "Loads a behaviour.",
+     "---@param behavior string\nfunction load_behavior(behavior) end"},
     {"load_scenario", "load_scenario \"turned_round\"", "Loads a scenario and its behaviours.",
      "---@param scenario string\nfunction load_scenario(scenario) end"},
-    {"set", "set { confidence = { opposite = 0.9 }, robot = { fallen = true } }",
+    {"set_world", "set_world { confidence = { opposite = 0.9 }, robot = { fallen = true } }",
      "Changes the fake world, from the next frame on.",
-     "---@param world table<string, table<string, number|boolean>>\nfunction set(world) end"},
+     "---@param world table<string, table<string, number|boolean>>\nfunction set_world(world) end"},
     {"set_param", "set_param(\"orientation.lead\", \"0.3\")", "Changes a parameter as a user does live.",
      "---@param name string\n---@param value string\nfunction set_param(name, value) end"},
-    {"advance", "advance(1.0)", "Lets so many seconds pass, 30 frames each; one frame at least.",
+    {"advance", "advance(1.0)", "Lets this many seconds pass, 30 frames each; at least one frame.",
      "---@param seconds number\nfunction advance(seconds) end"},
     {"reload", "reload { from = \"0.5\", to = \"0.3\", file = \"lib/walk.lua\" }",
      "Edits a text of a script (the one that was loaded last, where no file is named) and reloads it.",
@@ -65,18 +67,18 @@ constexpr ScriptWord kTest[] = {
      "320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.",
      "---@param run { scenario: string, with: string[]?, seed: integer?, width: integer?, seconds: number?, "
      "room_awareness: boolean?, "
-     "params: table<string, any>? }\n---@return boolean is_right\nfunction simulate(run) end"},
+     "params: table<string, any>? }\n---@return boolean is_correct\nfunction simulate(run) end"},
     {"expect.state", "expect.state(\"orientation\", \"watching\")", "The machine is in this state (path).",
      "---@param machine string\n---@param path string\nfunction expect.state(machine, path) end"},
     {"expect.reason", "expect.reason(\"orientation\", \"the robot fell\")",
      "The machine's last transition had this reason.",
      "---@param machine string\n---@param text string\nfunction expect.reason(machine, text) end"},
     {"expect.command", "expect.command(\"flip_pose\", \"granted\")",
-     "The command was uttered during the last `advance`, with this verdict if one is named (granted, outranked, "
+     "The command was issued during the last `advance`, with this verdict if one is named (granted, outranked, "
      "too_soon, not_allowed).",
      "---@param name string\n---@param verdict? string\nfunction expect.command(name, verdict) end"},
     {"expect.no_command", "expect.no_command()",
-     "The command, or any reorientation, was not uttered during the last `advance`.",
+     "The command, or any reorientation, was not issued during the last `advance`.",
      "---@param name? string\nfunction expect.no_command(name) end"},
     {"expect.lease", "expect.lease(\"pause_training\")", "Some state holds this pause now.",
      "---@param name string\nfunction expect.lease(name) end"},

@@ -9,7 +9,7 @@ namespace reorient {
 struct ScriptWord {
   std::string_view name;   ///< "param", "expect.state"
   std::string_view usage;  ///< an example
-  std::string_view sentence;
+  std::string_view description;
   std::string_view annotation;  ///< parameters and result, as the Lua language server reads them
 };
 

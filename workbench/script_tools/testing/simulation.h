@@ -29,7 +29,7 @@ struct SimulationRequest {
 /// What was seen from the beginning to the end.
 struct SimulationOutcome {
   std::optional<ScenarioVerdict> verdict;
-  bool is_right = false;                ///< the belief fits the truth at the end
+  bool is_correct = false;              ///< the belief fits the truth at the end
   std::vector<MachineStatus> machines;  ///< at the end
   std::vector<CommandRecord> commands;
   std::vector<TransitionRecord> transitions;

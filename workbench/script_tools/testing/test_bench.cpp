@@ -55,9 +55,9 @@ void TestBench::add_function(lua_State* L, const char* name) {
 void TestBench::add_to(lua_State* L) {
   lua_ = L;
   lua_pushglobaltable(L);
-  add_function<&TestBench::load>(L, "load");
+  add_function<&TestBench::load_behavior>(L, "load_behavior");
   add_function<&TestBench::load_scenario>(L, "load_scenario");
-  add_function<&TestBench::set>(L, "set");
+  add_function<&TestBench::set_world>(L, "set_world");
   add_function<&TestBench::set_param>(L, "set_param");
   add_function<&TestBench::advance>(L, "advance");
   add_function<&TestBench::reload>(L, "reload");
@@ -122,7 +122,7 @@ std::vector<TestFailure> TestBench::finish() {
 
 // ---- what a test does
 
-int TestBench::load(lua_State* L) {
+int TestBench::load_behavior(lua_State* L) {
   last_script_ = luaL_checkstring(L, 1);
   host().load_behavior(last_script_);
   return 0;
@@ -134,19 +134,20 @@ int TestBench::load_scenario(lua_State* L) {
   return 0;
 }
 
-/// set { confidence = { opposite = 0.9 }, robot = { fallen = true } }
-int TestBench::set(lua_State* L) {
+/// set_world { confidence = { opposite = 0.9 }, robot = { fallen = true } }
+int TestBench::set_world(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING || lua_type(L, -1) != LUA_TTABLE) {
-      throw std::runtime_error("set takes tables of world fields: set { robot = { fallen = true } }");
+      throw std::runtime_error("set_world takes tables of world fields: set_world { robot = { fallen = true } }");
     }
     const std::string table = lua_tostring(L, -2);
     const int fields = lua_gettop(L);
     for (lua_pushnil(L); lua_next(L, fields) != 0; lua_pop(L, 1)) {
-      if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("set: a field of " + table + " has a name");
+      if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("set_world: a field of " + table + " has a name");
       const bool is_boolean = lua_type(L, -1) == LUA_TBOOLEAN;
-      if (!is_boolean && lua_type(L, -1) != LUA_TNUMBER) throw std::runtime_error("set takes numbers, true and false");
+      if (!is_boolean && lua_type(L, -1) != LUA_TNUMBER)
+        throw std::runtime_error("set_world takes numbers, true and false");
       const double value = is_boolean ? lua_toboolean(L, -1) : lua_tonumber(L, -1);
       write_world(world_, table, lua_tostring(L, -2), value, is_boolean);
     }
@@ -226,7 +227,7 @@ int TestBench::simulate(lua_State* L) {
   logs_ = std::move(outcome.logs);
   verdict_ = std::move(outcome.verdict);
   faults_.insert(faults_.end(), outcome.faults.begin(), outcome.faults.end());
-  lua_pushboolean(L, outcome.is_right ? 1 : 0);
+  lua_pushboolean(L, outcome.is_correct ? 1 : 0);
   return 1;
 }
 

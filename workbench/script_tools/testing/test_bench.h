@@ -23,7 +23,7 @@ struct TestFailure {
   std::string text;  ///< may have several lines
 };
 
-/// One test's bench: what `load`, `set`, `advance`, `reload` and `expect` of a test act on.
+/// One test's bench: what `load_behavior`, `set_world`, `advance`, `reload` and `expect` of a test act on.
 class TestBench {
  public:
   /// `simulate` may be empty: then simulate() ends the test, and needs_simulator() says why.
@@ -38,9 +38,9 @@ class TestBench {
 
  private:
   // What a test does.
-  int load(lua_State* L);
+  int load_behavior(lua_State* L);
   int load_scenario(lua_State* L);
-  int set(lua_State* L);
+  int set_world(lua_State* L);
   int advance(lua_State* L);
   int reload(lua_State* L);
   int simulate(lua_State* L);

@@ -21,10 +21,10 @@ std::string_view to_string(ExperimenterAction::Kind kind) {
       return "push_over";
     case ExperimenterAction::Kind::penalize:
       return "penalize";
-    case ExperimenterAction::Kind::set_exposure:
-      return "set_exposure";
-    case ExperimenterAction::Kind::start_at:
-      return "start_at";
+    case ExperimenterAction::Kind::set_exposure_compensation:
+      return "set_exposure_compensation";
+    case ExperimenterAction::Kind::set_initial_pose:
+      return "set_initial_pose";
   }
   return "";
 }

@@ -16,7 +16,7 @@ namespace {
 /// Tests are trusted more than behaviours, but an endless loop in one shall not hang the run either.
 ScriptLimits test_limits() {
   ScriptLimits limits;
-  limits.memory = 64 * 1024;
+  limits.max_memory = 64 * 1024;
   limits.string_length = 1024 * 1024;
   return limits;
 }

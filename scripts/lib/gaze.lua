@@ -10,20 +10,20 @@ local p = param {
   near  = { 0.15, range = { 0.02, 1 },   unit = "rad",   doc = "how near to the middle of the view counts as looked at" },
 }
 
-local look = {}
+local gaze = {}
 
 --- How far (rad) the head has to turn from where it is until a point of the field is straight ahead of it.
-function look.turn_to(x, y)
-  local _, bearing = walking.to_point(x, y)
+function gaze.angle_to(x, y)
+  local _, bearing = walking.distance_and_bearing(x, y)
   return math.abs(bearing - robot.head_yaw)
 end
 
 --- Whether the robot looks at a point of the field, by the pose that it believes in.
-function look.is_at(x, y) return look.turn_to(x, y) < p.near end
+function gaze.is_at(x, y) return gaze.angle_to(x, y) < p.near end
 
 --- One frame's look at a point of the field; the body turns while the neck alone does not reach it, else it stands.
-function look.at(x, y)
-  local _, bearing = walking.to_point(x, y)
+function gaze.at(x, y)
+  local _, bearing = walking.distance_and_bearing(x, y)
   head.look(math.max(-p.reach, math.min(p.reach, bearing)), p.pitch, p.speed)
   if math.abs(bearing) > p.reach then
     walking.turn(bearing > 0 and p.turn or -p.turn)
@@ -32,4 +32,4 @@ function look.at(x, y)
   end
 end
 
-return look
+return gaze
