@@ -13,18 +13,17 @@ void field_features(benchmark::State& state) {
   parameters.image = static_cast<ImageSize>(state.range(0));
   const Room room = procedural_hall(1, {});
   Simulator simulator(parameters, field, room, {1.0, 0.5, 0.0}, 1);
-  Request request;
-  request.head = HeadRequest{{0.0, 0.15}, 10.0};
-  simulator.request(request);
+  Answer answer;
+  answer.request.head = HeadRequest{{0.0, 0.15}, 10.0};
+  simulator.answer(answer);
   Observation observation;
   for (int i = 0; i < 10; ++i) simulator.observe(observation);
-  const auto attitude =
-      robot_from_camera(simulator.dimensions(), observation.head, observation.torso, observation.hip_height);
+  const CameraFrame& camera = observation.upper.value();
   FieldFeatures features({}, field);
-  std::size_t points = 0;
-  for (auto _ : state) points = features.find(observation.image, observation.camera, attitude).line_points.size();
-  state.counters["line_points"] = static_cast<double>(points);
-  state.SetLabel(std::to_string(observation.image.width) + "x" + std::to_string(observation.image.height));
+  FieldPercept percept;
+  for (auto _ : state) features.find(camera.image, camera.camera, camera.robot_from_camera, percept);
+  state.counters["line_points"] = static_cast<double>(percept.line_points.size());
+  state.SetLabel(std::to_string(camera.image.width) + "x" + std::to_string(camera.image.height));
 }
 BENCHMARK(field_features)
     ->Arg(static_cast<int>(ImageSize::vga_640x480))

@@ -1,5 +1,5 @@
-// What one frame costs on one core, from the camera image to the request, with the shipped scenario and without
-// rendering. The bar is 5 ms at 640x480.
+// What one frame costs on one core, from the camera image to the answer, with the shipped scenario's behaviours and
+// without rendering. The bar is 5 ms at 640x480.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,9 +10,10 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/frame.h"
-#include "engine/parameters/parameter_registry.h"
 #include "robots/simulator/simulator.h"
 #include "workbench/files/field_file.h"
+#include "workbench/files/script_files.h"
+#include "workbench/scenario/scenario_host.h"
 
 namespace reorient {
 namespace {
@@ -20,55 +21,51 @@ namespace {
 const std::filesystem::path kProject = REORIENT_SOURCE_DIR;
 const Pose2 kStart(-3.2, -3.5, 0.5 * kPi);  // where the scenario says that the robot stands
 
-/// The loop with the shipped scenario around some robot.
-struct Loop {
-  Loop(Robot& robot, const FieldDimensions& field) : scripts(kProject / "scripts", registry) {
-    declare(parameters, registry);
-    scripts.load_scenario("turned_round");
-    frame = std::make_unique<FrameLoop>(robot, scripts, parameters, field, FrameOptions{});
-  }
-
-  CoreParameters parameters;
-  ParameterRegistry registry;
-  ScriptHost scripts;
-  std::unique_ptr<FrameLoop> frame;
-};
+FrameSetup shipped(const FieldDimensions& field) {
+  FrameSetup setup;
+  setup.field = field;
+  setup.scripts = read_scripts(kProject / "scripts");
+  RecordedBehaviors none;
+  setup.behaviors = ScenarioHost(setup.scripts, "turned_round", {}, none).wanted_behaviors();
+  return setup;
+}
 
 /// A short recording, replayed to and fro so that head and odometry never jump.
-class ReplayedRobot : public Robot {
+class Replay {
  public:
   /// Records every second frame of `seconds` on the simulator.
-  ReplayedRobot(ImageSize size, const FieldDimensions& field, double seconds) {
+  Replay(ImageSize size, const FieldDimensions& field, double seconds) {
     SimulatorParameters parameters;
     parameters.image = size;
     Simulator simulator(parameters, field, procedural_hall(1, RoomShape{}), kStart, 1);
-    Loop loop(simulator, field);
-    for (bool kept = true; loop.frame->world().time < seconds; kept = !kept) {
-      loop.frame->step();
-      if (kept) keep(loop.frame->observation());
+    FrameLoop engine(shipped(field));
+    FrameInputs inputs;
+    inputs.told.initial_pose = InitialPose{kStart};
+    for (bool kept = true; engine.record().world.time < seconds; kept = !kept) {
+      simulator.observe(inputs.observation);
+      simulator.answer(engine.step(inputs).answer);
+      inputs.told = {};
+      if (kept) keep(inputs.observation);
     }
   }
 
-  const RobotDimensions& dimensions() const override { return dimensions_; }
-  bool observe(Observation& observation) override {
+  void observe(Observation& observation) {
     const std::size_t place = frame_ % (2 * observations_.size() - 2);
     const std::size_t index = place < observations_.size() ? place : 2 * observations_.size() - 2 - place;
     observation = observations_[index];
-    observation.image.data = images_[index].data();
-    observation.time = static_cast<double>(frame_++) / 15.0;
-    return true;
+    observation.upper->image.data = images_[index].data();
+    observation.time = observation.upper->time = static_cast<double>(frame_++) / 15.0;
   }
-  void request(const Request&) override {}
 
  private:
   void keep(const Observation& observation) {
     observations_.push_back(observation);
-    const std::uint8_t* first = observation.image.data;
-    images_.emplace_back(first,
-                         first + static_cast<std::ptrdiff_t>(observation.image.height) * observation.image.stride);
+    observations_.back().lower.reset();
+    observations_.back().body_samples = {};
+    const ImageView& image = observation.upper->image;
+    images_.emplace_back(image.data, image.data + static_cast<std::ptrdiff_t>(image.height) * image.stride);
   }
 
-  RobotDimensions dimensions_;
   std::vector<Observation> observations_;
   std::vector<std::vector<std::uint8_t>> images_;
   std::size_t frame_ = 0;
@@ -77,28 +74,38 @@ class ReplayedRobot : public Robot {
 /// With the room learned: its view is trained and evaluated in every frame.
 struct Session {
   explicit Session(ImageSize size)
-      : field(load_field(kProject / "assets" / "fields" / "spl.toml")), robot(size, field, 4.0), loop(robot, field) {
+      : field(load_field(kProject / "assets" / "fields" / "spl.toml")),
+        replay(size, field, 4.0),
+        engine(shipped(field)) {
     constexpr double kLearned = 40.0;  // s, beyond which background_training evaluates whatever it has seen
-    while (loop.frame->world().time < kLearned) loop.frame->step();
+    inputs.told.initial_pose = InitialPose{kStart};
+    while (engine.record().world.time < kLearned) step();
+  }
+
+  const FrameRecord& step() {
+    replay.observe(inputs.observation);
+    const FrameRecord& record = engine.step(inputs);
+    inputs.told = {};
+    return record;
   }
 
   FieldDimensions field;
-  ReplayedRobot robot;
-  Loop loop;
+  Replay replay;
+  FrameLoop engine;
+  FrameInputs inputs;
 };
 
 void frame(benchmark::State& state) {
   static std::array<std::unique_ptr<Session>, 3> sessions;
   auto& session = sessions.at(static_cast<std::size_t>(state.range(0)));
   if (!session) session = std::make_unique<Session>(static_cast<ImageSize>(state.range(0)));
-  FrameLoop& loop = *session->loop.frame;
   double evaluated = 0.0, trained = 0.0, line_points = 0.0, tiles = 0.0;
   for (auto _ : state) {
-    loop.step();
-    evaluated += loop.world().evaluating;
-    trained += loop.world().training;
-    line_points += loop.world().line_points;
-    tiles += loop.world().confidence.visible_tiles;
+    const World& world = session->step().world;
+    evaluated += world.evaluating;
+    trained += world.training;
+    line_points += world.line_points;
+    tiles += world.confidence.visible_tiles;
   }
   using benchmark::Counter;
   state.counters["evaluated"] = Counter(evaluated, Counter::kAvgIterations);

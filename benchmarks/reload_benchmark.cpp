@@ -21,7 +21,9 @@
 
 #include <unistd.h>
 
-#include "engine/script/script_host.h"
+#include "engine/parameters/parameter_registry.h"
+#include "engine/script/behaviors.h"
+#include "workbench/files/script_files.h"
 
 namespace reorient {
 namespace {
@@ -73,8 +75,8 @@ void save(const std::filesystem::path& file, const std::string& text, Save kind)
 /// Frames as `reorient run --realtime` runs them: look for edits, tick, wait for the next frame's time.
 class Engine {
  public:
-  explicit Engine(const std::filesystem::path& root) : host_(root, parameters_) {
-    for (const char* name : kBehaviors) host_.load_behavior(name);
+  explicit Engine(const std::filesystem::path& root) : files_(root), behaviors_(files_.texts(), parameters_) {
+    for (const char* name : kBehaviors) behaviors_.host().load(name);
   }
 
   void run(const std::stop_token& stop) {
@@ -82,11 +84,13 @@ class Engine {
     World world;
     world.pose_known = true;
     while (!stop.stop_requested()) {
-      host_.poll_files(Seconds(Clock::now() - start).count());
+      const std::vector<ScriptEdit> edits = files_.poll(Seconds(Clock::now() - start).count());
+      if (!edits.empty()) behaviors_.host().apply(edits);
       world.time += kFrame;
       ++world.frame;
-      for (const LogRecord& record : host_.tick(world).logs) {
-        if (record.issuer == "probe") note(std::atoi(record.text.c_str() + 5));
+      behaviors_.tick(world);
+      for (const LogRecord& record : behaviors_.said().logs) {
+        if (behaviors_.host().names()[record.machine] == "probe") note(std::atoi(record.text.c_str() + 5));
       }
       std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(Seconds(world.time)));
     }
@@ -110,7 +114,8 @@ class Engine {
   }
 
   ParameterRegistry parameters_;
-  ScriptHost host_;
+  ScriptFiles files_;
+  Behaviors behaviors_;
   std::atomic<int> running_edit_ = -1;
   Clock::time_point since_;  // written before running_edit_
 };
@@ -165,20 +170,24 @@ long resident() {
 
 void measure_memory(int reloads) {
   ParameterRegistry parameters;
-  ScriptHost host(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts", parameters);
-  for (const char* name : kBehaviors) host.load_behavior(name);
-  const std::string text = host.read_file(kFile).value();
+  Behaviors behaviors(read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts"), parameters);
+  for (const char* name : kBehaviors) behaviors.host().load(name);
+  const std::string text = behaviors.host().texts().find(kFile)->text;
   World world;
+  std::vector<ScriptEdit> edits(1);
+  std::vector<MachineCost> costs;
   std::printf("\n| reloads | resident memory | the script's Lua memory |\n|---|---|---|\n");
   for (int edit = 1; edit <= reloads; ++edit) {
-    host.replace_file(kFile, edited(text, edit));
-    const std::vector<ReloadReport> reports = host.reload_changed(world.time);
-    if (reports.size() != 1 || !reports[0].accepted) throw std::runtime_error("an edit was refused");
+    edits[0] = {kFile, ScriptText{edited(text, edit), ""}};
+    const std::vector<ReloadRecord> records = behaviors.host().apply(edits);
+    if (records.size() != 1 || !records[0].accepted) throw std::runtime_error("an edit was rejected");
     world.time += kFrame;
     ++world.frame;
-    host.tick(world);
+    behaviors.tick(world);
     if (edit % std::max(1, reloads / 10) != 0) continue;
-    std::printf("| %d | %ld KiB | %zu KiB |\n", edit, resident(), host.machines().front().memory / 1024);
+    behaviors.host().read_costs(costs);
+    std::printf("| %d | %ld KiB | %llu KiB |\n", edit, resident(),
+                static_cast<unsigned long long>(costs.front().memory / 1024));
   }
 }
 

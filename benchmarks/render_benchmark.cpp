@@ -17,13 +17,13 @@ void simulate(benchmark::State& state, bool labels) {
   Observation observation;
   int frame = 0;
   for (auto _ : state) {
-    Request request;  // looks to and fro over the field, as a scanning robot does
-    request.head = HeadRequest{{1.2 * std::sin(0.03 * frame++), 0.1}, 3.0};
-    simulator.request(request);
+    Answer answer;  // looks to and fro over the field, as a scanning robot does
+    answer.request.head = HeadRequest{{1.2 * std::sin(0.03 * frame++), 0.1}, 3.0};
+    simulator.answer(answer);
     simulator.observe(observation);
-    benchmark::DoNotOptimize(observation.image.data);
+    benchmark::DoNotOptimize(observation.upper->image.data);
   }
-  state.SetItemsProcessed(state.iterations() * observation.image.width * observation.image.height);
+  state.SetItemsProcessed(state.iterations() * observation.upper->image.width * observation.upper->image.height);
 }
 
 void simulated_frame(benchmark::State& state) { simulate(state, false); }

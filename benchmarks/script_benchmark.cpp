@@ -4,7 +4,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "engine/script/script_host.h"
+#include "engine/parameters/parameter_registry.h"
+#include "engine/script/behaviors.h"
+#include "engine/script/sandbox/sandbox.h"
+#include "workbench/files/script_files.h"
 
 namespace reorient {
 namespace {
@@ -31,13 +34,14 @@ void step(World& world) {
 
 void BM_FrameOfAllShippedBehaviours(benchmark::State& state) {
   ParameterRegistry parameters;
-  ScriptHost host(kScripts, parameters);
-  for (const std::string& file : scripts_in(kScripts, "behaviors")) host.load_behavior((kScripts / file).string());
+  Behaviors behaviors(read_scripts(kScripts), parameters);
+  for (const std::string& file : behaviors.host().texts().in_folder("behaviors")) behaviors.host().load(file);
   World world;
   world.pose_known = true;
   for (auto _ : state) {
     step(world);
-    benchmark::DoNotOptimize(host.tick(world));
+    behaviors.tick(world);
+    benchmark::DoNotOptimize(behaviors.wanted());
   }
 }
 BENCHMARK(BM_FrameOfAllShippedBehaviours);
@@ -56,19 +60,21 @@ void BM_CallOfAnEmptyFunction(benchmark::State& state) {
 }
 BENCHMARK(BM_CallOfAnEmptyFunction);
 
-/// Read, hash, compile, declare, validate, swap and run one frame.
+/// Hash, compile, declare, validate, swap and run one frame.
 void BM_Reload(benchmark::State& state) {
   ParameterRegistry parameters;
-  ScriptHost host(kScripts, parameters);
-  host.load_behavior("orientation");
-  const std::string text = host.read_file("behaviors/orientation.lua").value();
+  Behaviors behaviors(read_scripts(kScripts), parameters);
+  behaviors.host().load("orientation");
+  const std::string text = behaviors.host().texts().find("behaviors/orientation.lua")->text;
   World world;
-  int edits = 0;
+  std::vector<ScriptEdit> edits(1);
+  int count = 0;
   for (auto _ : state) {
-    host.replace_file("behaviors/orientation.lua", text + "-- " + std::to_string(++edits));
-    if (!host.reload_changed(world.time).at(0).accepted) state.SkipWithError("the edit was refused");
+    edits[0] = {"behaviors/orientation.lua", ScriptText{text + "-- " + std::to_string(++count), ""}};
+    if (!behaviors.host().apply(edits).at(0).accepted) state.SkipWithError("the edit was rejected");
     step(world);
-    benchmark::DoNotOptimize(host.tick(world));
+    behaviors.tick(world);
+    benchmark::DoNotOptimize(behaviors.wanted());
   }
 }
 BENCHMARK(BM_Reload)->Unit(benchmark::kMicrosecond);

@@ -1,98 +1,93 @@
-// One frame, from the camera to the robot's next request: the order in which everything happens.
+// One frame, from the inputs to the answer: the order in which everything happens.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/core_parameters.h"
-#include "engine/digest.h"
-#include "engine/script/script_host.h"
+#include "engine/frame_inputs.h"
+#include "engine/parameters/parameter_registry.h"
+#include "engine/record/frame_record.h"
+#include "engine/script/behaviors.h"
 #include "engine/world/arbiter.h"
-#include "engine/world/command.h"
 #include "engine/world/robot_state.h"
 #include "engine/world/world.h"
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
-#include "robots/robot.h"
 
 namespace reorient {
 
-/// The pose particles around one granted reorientation: the paper's Fig. 6.
-struct Rearrangement {
-  double time = 0.0;  ///< s
-  Command command = Command::flip_pose;
-  std::vector<Pose2> particles_before;
-  std::vector<Pose2> particles_after;
-  std::optional<GroundTruth> truth;
-  PoseBelief belief_before;
-  PoseBelief belief_after;
-};
-
-struct FrameOptions {
+/// What a run begins with.
+struct FrameSetup {
+  FieldDimensions field;
   std::uint64_t seed = 1;
   bool room_awareness = true;  ///< false: no view of the room, confidences stay at zero
+  ScriptTexts scripts{"the scripts"};
+  std::vector<std::string> behaviors;       ///< to be loaded: "orientation", or a file below the scripts' root
+  std::vector<ParameterChange> parameters;  ///< overrides of defaults; names that nobody declares are kept
 };
 
+/// The engine. Everything that it does follows from its setup and the inputs: the same ones give the same records.
 class FrameLoop {
  public:
-  /// All references must outlive the loop; `parameters` may change between two frames.
-  FrameLoop(Robot& robot, ScriptHost& scripts, const CoreParameters& parameters, const FieldDimensions& field,
-            const FrameOptions& options);
+  /// Throws std::runtime_error (of a script: ScriptError) with one line.
+  explicit FrameLoop(FrameSetup setup);
+  FrameLoop(const FrameLoop&) = delete;
+  FrameLoop& operator=(const FrameLoop&) = delete;
 
-  /// Runs one frame. False: the robot has no further frame.
-  bool step();
+  /// One frame. `wanted`: topics that somebody reads beyond those that are always filled. The record is valid until the
+  /// next call.
+  const FrameRecord& step(const FrameInputs& inputs, Topics wanted = {});
 
-  // What the last frame saw, believed and did.
-  const Observation& observation() const { return observation_; }
-  const Eigen::Isometry3d& robot_from_camera() const { return robot_from_camera_; }
-  const FieldPercept& percept() const { return *percept_; }
-  const PoseFilter& pose_filter() const { return pose_filter_; }
-  const RoomAwareness* room() const { return room_ ? &*room_ : nullptr; }
-  const World& world() const { return world_; }
-  const ScriptOutput& script_output() const { return *script_output_; }
-  const std::vector<CommandRecord>& commands() const { return arbitration_->records; }
-  const std::optional<Rearrangement>& rearrangement() const { return rearrangement_; }
-  /// Over all observations, beliefs and commands so far.
-  const Digest& digest() const { return digest_; }
+  /// Of the last frame, or of none.
+  const FrameRecord& record() const { return record_; }
+
+  // Between frames, for those who list, save and check.
+  std::vector<Parameter> parameters() const { return registry_.list(); }
+  std::vector<const MachineDefinition*> machines() const { return behaviors_.host().definitions(); }
 
  private:
-  void take_parameters();
+  void take_inputs(const FrameInputs& inputs);
   void measure_state();
   void see_field();
   void localize();
   void look_at_room();
   void describe_world();
   void decide();
-  void set_initial_pose(const Pose2& told);
-  void rearrange(Command command);
-  void fingerprint();
+  void rearrange(const CommandRecord& granted);
+  void answer();
+  void complete_record();
 
-  Robot& robot_;
-  ScriptHost& scripts_;
-  const CoreParameters& parameters_;
+  std::uint64_t declare_parameters(const std::vector<ParameterChange>& overrides);
+  void take_parameters(const std::vector<ParameterChange>& changes);
+  void take_told(const Told& told);
+  void fill_room();
+  Pose2 moved_since(const CameraFrame& frame) const;
 
-  FieldFeatures field_features_;
+  ParameterRegistry registry_;
+  CoreParameters parameters_;
+  ScriptLimits limits_;
+  std::uint64_t revision_;  ///< of the registry, that the modules have
+
+  std::array<FieldFeatures, 2> field_features_;  ///< of the upper and the lower camera
   PoseFilter pose_filter_;
   std::optional<RoomAwareness> room_;
   Arbiter arbiter_;
   RobotState state_;
+  Behaviors behaviors_;
 
-  Observation observation_;
-  Eigen::Isometry3d robot_from_camera_ = Eigen::Isometry3d::Identity();
+  const Observation* observation_ = nullptr;  ///< while a frame runs
   std::optional<Pose2> last_odometry_;
   Pose2 odometry_step_;
-  const FieldPercept* percept_;
-  FieldPercept nothing_seen_;
   std::vector<CoveredArea> covered_;
   World world_;
-  ScriptOutput nothing_said_;
-  const ScriptOutput* script_output_;
   Arbitration nothing_asked_;
-  const Arbitration* arbitration_;
-  std::optional<Rearrangement> rearrangement_;
-  Digest digest_;
+  const Arbitration* arbitration_ = &nothing_asked_;
+  FrameRecord record_;
 };
 
 }  // namespace reorient

@@ -36,4 +36,9 @@ struct CameraModel {
   double horizontal_field_of_view() const;  ///< rad, along the row of the principal point
 };
 
+template <typename Visit>
+void fields(Visit&& visit, CameraModel& camera) {
+  visit(camera.width, camera.height, camera.focal, camera.center, camera.k1, camera.k2);
+}
+
 }  // namespace reorient

@@ -23,4 +23,12 @@ struct FieldDimensions {
   bool yellow_goals = false;  ///< 2013: both goals yellow; today: both white
 };
 
+template <typename Visit>
+void fields(Visit&& visit, FieldDimensions& field) {
+  visit(field.length, field.width, field.border, field.line_width, field.penalty_area_depth, field.penalty_area_width,
+        field.goal_area_depth, field.goal_area_width, field.penalty_mark_x, field.penalty_mark_size,
+        field.center_circle_radius, field.goal_post_y, field.goal_height, field.goal_depth, field.goal_post_diameter,
+        field.yellow_goals);
+}
+
 }  // namespace reorient

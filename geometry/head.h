@@ -14,11 +14,21 @@ struct HeadAngles {
   double pitch = 0.0;
 };
 
+template <typename Visit>
+void fields(Visit&& visit, HeadAngles& head) {
+  visit(head.yaw, head.pitch);
+}
+
 /// Attitude of the torso against gravity: roll about x (left side up), then pitch about y (downwards), rad.
 struct TorsoAttitude {
   double roll = 0.0;
   double pitch = 0.0;
 };
+
+template <typename Visit>
+void fields(Visit&& visit, TorsoAttitude& torso) {
+  visit(torso.roll, torso.pitch);
+}
 
 /// Lengths in metres, angles in radians. The torso's origin is midway between the hip joints.
 struct RobotDimensions {
@@ -27,6 +37,11 @@ struct RobotDimensions {
   Eigen::Vector3d camera_in_head{0.05871, 0.0, 0.06364};
   double camera_tilt = 0.0209;  ///< downwards, 1.2 degrees
 };
+
+template <typename Visit>
+void fields(Visit&& visit, RobotDimensions& dimensions) {
+  visit(dimensions.hip_height, dimensions.neck_height, dimensions.camera_in_head, dimensions.camera_tilt);
+}
 
 /// What the neck can reach, rad: |yaw| at most 119.5 degrees, the range of the pitch shrinks with |yaw|.
 struct PitchRange {

@@ -24,6 +24,11 @@ struct Pose2 {
   Pose2 inverse() const { return {Eigen::Rotation2Dd(-rotation) * -position, -rotation}; }
 };
 
+template <typename Visit>
+void fields(Visit&& visit, Pose2& pose) {
+  visit(pose.position, pose.rotation);
+}
+
 /// The pose that looks the same on a field that is symmetric through its centre: (x, y, a) -> (-x, -y, a + pi).
 inline Pose2 reflect(const Pose2& pose) { return {-pose.position, pose.rotation + kPi}; }
 

@@ -1,6 +1,7 @@
 // Random numbers that are the same on every machine and in every run of one seed.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -54,6 +55,11 @@ class Random {
     return radius * std::cos(angle);
   }
 
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(state_, spare_, has_spare_);
+  }
+
  private:
   static std::uint64_t rotate(std::uint64_t value, int bits) { return (value << bits) | (value >> (64 - bits)); }
   static std::uint64_t splitmix(std::uint64_t& state) {
@@ -64,7 +70,7 @@ class Random {
     return mixed ^ (mixed >> 31);
   }
 
-  std::uint64_t state_[4] = {};
+  std::array<std::uint64_t, 4> state_{};
   double spare_ = 0.0;
   bool has_spare_ = false;
 };

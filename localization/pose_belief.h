@@ -14,6 +14,11 @@ struct PoseBelief {
   double reflected_weight = 0.0;                         ///< of all particles, near the reflection of `pose`
 };
 
+template <typename Visit>
+void fields(Visit&& visit, PoseBelief& belief) {
+  visit(belief.pose, belief.covariance, belief.cluster_weight, belief.reflected_weight);
+}
+
 /// Which of the two goals is in view, where that is known (the paper's goal views).
 enum class SeenGoal { unknown, opponent, own };
 

@@ -1,8 +1,12 @@
 #include "program/options.h"
 
+#include <algorithm>
 #include <charconv>
+#include <stdexcept>
 
+#include "engine/parameters/nearest_name.h"
 #include "workbench/files/home.h"
+#include "workbench/files/parameter_file.h"
 
 namespace reorient {
 
@@ -10,6 +14,32 @@ void add_parameter_options(CLI::App& parser, ParameterOptions& options) {
   parser.add_option("--set", options.assignments, "NAME=VALUE: override a parameter; may be given again")
       ->allow_extra_args(false);
   parser.add_option("--params", options.files, "TOML file with overrides; may be given again")->allow_extra_args(false);
+}
+
+std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
+  std::vector<ParameterChange> changes;
+  for (const std::filesystem::path& file : options.files) {
+    for (ParameterChange& change : read_parameters(file)) changes.push_back(std::move(change));
+  }
+  for (const std::string& assignment : options.assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw std::runtime_error("--set '" + assignment + "': write NAME=VALUE, as in --set orientation.lead=0.3");
+    }
+    changes.push_back({assignment.substr(0, equals), assignment.substr(equals + 1), ParameterOrigin::command_line, ""});
+  }
+  return changes;
+}
+
+void require_known(const std::vector<ParameterChange>& overrides, const std::vector<Parameter>& parameters) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+  for (const ParameterChange& change : overrides) {
+    if (std::find(names.begin(), names.end(), change.name) != names.end()) continue;
+    throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "there is no parameter '" +
+                             change.name + "' (set by the " + std::string(to_string(change.origin)) + ")" +
+                             did_you_mean(change.name, names));
+  }
 }
 
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts) {

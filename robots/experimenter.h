@@ -1,5 +1,8 @@
-// The person beside the field, who can do to a robot what it cannot do itself. Scenarios play that person.
+// The person beside the field, who can do to a robot what it cannot do itself, and who sees where it really is.
+// Scenarios play that person; only a simulator, or a hall with tracking cameras, can serve them.
 #pragma once
+
+#include <optional>
 
 #include "geometry/pose2.h"
 
@@ -11,9 +14,26 @@ class Experimenter {
   virtual void pick_up() = 0;                     ///< the robot hangs in the air until it is put down
   virtual void put_down(const Pose2& where) = 0;  ///< upright, standing
   virtual void push_over() = 0;                   ///< the robot falls
-  virtual void penalize(bool penalized) = 0;
-  virtual void set_exposure_compensation(
-      double stops) = 0;  ///< the hall's light against the camera's exposure, in powers of two
+  virtual void penalize(bool penalized) = 0;      ///< while it is penalized it neither walks nor gets up
+  /// The hall's light against the camera's exposure, in powers of two.
+  virtual void set_exposure_compensation(double stops) = 0;
+};
+
+/// Where a robot really is.
+struct GroundTruth {
+  Pose2 pose;
+  bool fallen = false;
+  bool carried = false;
+};
+template <typename Visit>
+void fields(Visit&& visit, GroundTruth& truth) {
+  visit(truth.pose, truth.fallen, truth.carried);
+}
+
+class GroundTruthSource {
+ public:
+  virtual ~GroundTruthSource() = default;
+  virtual GroundTruth ground_truth() const = 0;
 };
 
 }  // namespace reorient

@@ -1,67 +1,140 @@
-// What a robot is: observations in, requests out. Behind it stand the simulator, a real NAO and recordings.
+// What a robot is: observations in, answers out. Behind it stand the simulator, a real robot, a recording, or a team's
+// own program that brings its own localization. Plain values of geometry only.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "geometry/camera.h"
 #include "geometry/head.h"
 #include "geometry/image.h"
 #include "geometry/pose2.h"
+#include "robots/answer.h"
 
 namespace reorient {
 
-/// One frame's measurements. Everything in it was measured at `time`, or is the latest value before it.
-struct Observation {
-  double time = 0.0;            ///< s since the robot was switched on
-  ImageView image;              ///< upper camera; valid until the next call of observe()
-  CameraModel camera;           ///< as calibrated, at the image's resolution
-  HeadAngles head;              ///< measured joint angles, rad
-  TorsoAttitude torso;          ///< from the inertial unit, rad; beyond a quarter turn: the robot lies
-  double hip_height = 0.24809;  ///< m above the ground, from the legs' kinematics
-  Pose2 odometry;               ///< dead reckoning since the start: m, rad; only its change from frame to frame counts
-  double foot_load = 5.3;       ///< kg on both feet's pressure sensors; near 0 while somebody carries the robot
-  bool penalized = false;       ///< as told by the referee
+/// One camera's image, with all that was true when it was exposed.
+struct CameraFrame {
+  double time = 0.0;   ///< s since the robot was switched on, at the middle of the exposure
+  ImageView image;     ///< valid until the next call of observe()
+  CameraModel camera;  ///< as calibrated, at the image's resolution
+  Pose2 odometry;      ///< dead reckoning at `time`: m, rad
+  Eigen::Isometry3d robot_from_camera =
+      Eigen::Isometry3d::Identity();  ///< at `time`, as the joints and the attitude say
 };
 
-/// Torso velocity: m/s forward and to the left, rad/s to the left.
-struct WalkVelocity {
-  double forward = 0.0;
-  double left = 0.0;
-  double turn = 0.0;
+/// What the body felt at one instant.
+struct BodySample {
+  double time = 0.0;    ///< s since the robot was switched on
+  HeadAngles head;      ///< measured joint angles, rad
+  TorsoAttitude torso;  ///< from the inertial unit, rad; beyond a quarter turn: the robot lies
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< of the torso, in its own frame, rad/s
+  Eigen::Vector3d acceleration{0.0, 0.0, 9.81};  ///< of the torso against free fall, in its own frame, m/s^2
+  double foot_load = 5.3;                        ///< kg on both feet's pressure sensors; of no meaning without them
+};
+template <typename Visit>
+void fields(Visit&& visit, BodySample& body) {
+  visit(body.time, body.head, body.torso, body.angular_velocity, body.acceleration, body.foot_load);
+}
+
+/// What the robot's own software says of its posture, where it does.
+enum class ReportedPosture { unknown, upright, fallen, getting_up };
+constexpr int enum_count(ReportedPosture) { return 4; }
+
+/// Which robot it is, as far as the engine has to know. Sent with the first observation and whenever it changes.
+struct RobotBody {
+  std::string name = "NAO v6";
+  bool has_foot_sensors = true;
+  double standing_load = 5.3;  ///< kg on both feet of a standing robot
+};
+template <typename Visit>
+void fields(Visit&& visit, RobotBody& body) {
+  visit(body.name, body.has_foot_sensors, body.standing_load);
+}
+
+/// The belief of a localization that is not ours: then ours rests, and reorientations go out as answers.
+struct ExternalBelief {
+  struct Particle {
+    Pose2 pose;
+    double weight = 1.0;  ///< not negative, on any scale
+  };
+
+  Pose2 pose;                                            ///< field_from_robot
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y, rotation; m^2, m rad, rad^2
+  std::span<const Particle> particles;                   ///< may be empty; valid until the next call of observe()
 };
 
-struct HeadRequest {
-  HeadAngles angles;                   ///< wanted joint angles, rad; clamped to what the neck reaches
-  double speed = from_degrees(120.0);  ///< rad/s, at most the motors' own limit
+/// What the referee says.
+struct RefereeState {
+  bool penalized = false;
 };
+template <typename Visit>
+void fields(Visit&& visit, RefereeState& referee) {
+  visit(referee.penalized);
+}
 
-/// What the robot shall do until the next request. Without a head request the head stays where it is.
-struct Request {
-  std::optional<HeadRequest> head;
-  WalkVelocity walk;    ///< zero: stand
-  bool get_up = false;  ///< after a fall
+/// A word from a team mate.
+struct Message {
+  int sender = 0;
+  std::string text;  ///< at most kLongestMessage bytes; the rest is cut off
 };
+template <typename Visit>
+void fields(Visit&& visit, Message& message) {
+  visit(message.sender, message.text);
+}
+inline constexpr std::size_t kLongestMessage = 240;  // bytes
+inline constexpr std::size_t kMostMessages = 32;     // taken in one frame
 
-/// Where a robot really is; only a simulator or a tracking camera knows.
-struct GroundTruth {
+/// Somebody says where the robot stands.
+struct InitialPose {
   Pose2 pose;
-  bool fallen = false;
-  bool carried = false;
+  double position_deviation = 0.1;                ///< m, along each axis: of somebody who places a robot by eye
+  double rotation_deviation = from_degrees(5.0);  ///< rad
+};
+template <typename Visit>
+void fields(Visit&& visit, InitialPose& initial) {
+  visit(initial.pose, initial.position_deviation, initial.rotation_deviation);
+}
+
+/// What was told, by whoever.
+struct Told {
+  std::optional<InitialPose> initial_pose;
+  std::optional<RefereeState> referee;  ///< holds until something else is told
+  std::vector<Message> messages;
+};
+template <typename Visit>
+void fields(Visit&& visit, Told& told) {
+  visit(told.initial_pose, told.referee, told.messages);
+}
+
+/// What goes into one frame of the engine: an image of the upper camera with the newest of the lower one since the
+/// frame before, or, where no upper one comes, one of the lower camera alone (robots/camera_pairing.h).
+struct Observation {
+  double time = 0.0;  ///< s since the robot was switched on; that of the newest image
+  std::optional<CameraFrame> upper;
+  std::optional<CameraFrame> lower;
+  BodySample body;  ///< the latest at `time`
+  std::span<const BodySample>
+      body_samples;  ///< all since the frame before, the oldest first, where they come more often than images
+  Pose2 odometry;    ///< dead reckoning since the start: m, rad; only its change from frame to frame counts
+  ReportedPosture reported_posture = ReportedPosture::unknown;
+  std::optional<ExternalBelief> belief;
+  std::optional<RobotBody> robot;  ///< where it changed
+  Told told;                       ///< what the robot's own software heard
 };
 
 class Robot {
  public:
   virtual ~Robot() = default;
 
-  virtual const RobotDimensions& dimensions() const = 0;
-
   /// Waits for the next frame and fills it in. False: there is none any more (end of a recording, robot gone).
   virtual bool observe(Observation& observation) = 0;
 
-  virtual void request(const Request& request) = 0;
-
-  /// Nothing on a real robot.
-  virtual std::optional<GroundTruth> ground_truth() const { return std::nullopt; }
+  /// What came out of the frame that began with the last observation.
+  virtual void answer(const Answer& answer) = 0;
 };
 
 }  // namespace reorient

@@ -9,12 +9,14 @@
 namespace reorient {
 
 enum class ParameterKind { real, integer, boolean, choice };
+constexpr int enum_count(ParameterKind) { return 4; }
 
 /// In the order of ParameterKind; a choice is its name.
 using ParameterValue = std::variant<double, int, bool, std::string>;
 
 /// Who set a value. A later one outranks an earlier one: a file never undoes what the command line says.
 enum class ParameterOrigin { default_value, file, command_line, live };
+constexpr int enum_count(ParameterOrigin) { return 4; }
 
 std::string_view to_string(ParameterOrigin origin);
 
@@ -29,10 +31,44 @@ struct ParameterDeclaration {
   std::vector<std::string> choices;  ///< of a choice
 };
 
+template <typename Visit>
+void fields(Visit&& visit, ParameterDeclaration& declaration) {
+  visit(declaration.name, declaration.kind, declaration.default_value, declaration.minimum, declaration.maximum,
+        declaration.unit, declaration.description, declaration.choices);
+}
+
 struct Parameter : ParameterDeclaration {
   ParameterValue value = 0.0;
   ParameterOrigin origin = ParameterOrigin::default_value;
 };
+template <typename Visit>
+void fields(Visit&& visit, Parameter& parameter) {
+  fields(visit, static_cast<ParameterDeclaration&>(parameter));
+  visit(parameter.value, parameter.origin);
+}
+
+/// Somebody wants a value.
+struct ParameterChange {
+  std::string name;
+  std::string value;  ///< as a person writes it
+  ParameterOrigin origin = ParameterOrigin::live;
+  std::string source;  ///< where it was written, for messages: "team.toml:12"; may be empty
+};
+template <typename Visit>
+void fields(Visit&& visit, ParameterChange& change) {
+  visit(change.name, change.value, change.origin, change.source);
+}
+
+/// What became of such a change.
+struct ParameterOutcome {
+  std::string name;
+  std::string value;    ///< as it is now; empty where there is no such parameter
+  std::string refusal;  ///< empty: it was taken
+};
+template <typename Visit>
+void fields(Visit&& visit, ParameterOutcome& outcome) {
+  visit(outcome.name, outcome.value, outcome.refusal);
+}
 
 /// As a person writes it, and as parse_parameter() reads it back without loss.
 std::string to_text(const ParameterValue& value);

@@ -7,6 +7,18 @@
 #include "engine/parameters/nearest_name.h"
 
 namespace reorient {
+namespace {
+
+/// Throws std::runtime_error, with where the value was written.
+ParameterValue parse_change(const ParameterDeclaration& declaration, const ParameterChange& change) {
+  try {
+    return parse_parameter(declaration, change.value);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + error.what());
+  }
+}
+
+}  // namespace
 
 void ParameterRegistry::assign(Entry& entry, ParameterValue value, ParameterOrigin origin) {
   entry.parameter.value = std::move(value);
@@ -21,7 +33,7 @@ void ParameterRegistry::declare(ParameterDeclaration declaration, Apply apply) {
   ParameterValue value = declaration.default_value;
   ParameterOrigin origin = ParameterOrigin::default_value;
   if (const auto found = overrides_.find(name); found != overrides_.end()) {
-    value = parse_parameter(declaration, found->second.text);
+    value = parse_change(declaration, found->second);
     origin = found->second.origin;
   }
   Entry& entry = entries_[name];
@@ -55,12 +67,12 @@ std::vector<std::string> ParameterRegistry::declare_for(const std::string& owner
     const auto found = overrides_.find(declaration.name);
     const bool overridden = found != overrides_.end();
     ParameterValue value = preview(declaration);
-    if (overridden && to_text(value) != found->second.text) {
+    if (overridden && to_text(value) != found->second.value) {
       try {
-        parse_parameter(declaration, found->second.text);
+        parse_change(declaration, found->second);
       } catch (const std::runtime_error& error) {
         warnings.push_back(std::string(error.what()) + "; it is now " + to_text(value));
-        found->second.text = to_text(value);
+        found->second.value = to_text(value);
       }
     }
     assign(entry, std::move(value), overridden ? found->second.origin : ParameterOrigin::default_value);
@@ -70,12 +82,12 @@ std::vector<std::string> ParameterRegistry::declare_for(const std::string& owner
 
 ParameterValue ParameterRegistry::preview(const ParameterDeclaration& declaration) const {
   const auto found = overrides_.find(declaration.name);
-  return found == overrides_.end() ? declaration.default_value : clamp_parameter(declaration, found->second.text);
+  return found == overrides_.end() ? declaration.default_value : clamp_parameter(declaration, found->second.value);
 }
 
 void ParameterRegistry::check_override(const ParameterDeclaration& declaration) const {
   const auto found = overrides_.find(declaration.name);
-  if (found != overrides_.end()) parse_parameter(declaration, found->second.text);
+  if (found != overrides_.end()) parse_change(declaration, found->second);
 }
 
 bool ParameterRegistry::belongs_to_program(std::string_view name) const {
@@ -91,14 +103,32 @@ void ParameterRegistry::set(std::string_view name, std::string_view text, Parame
   Entry& entry = found->second;
   ParameterValue value = parse_parameter(entry.parameter, text);
   if (origin < entry.parameter.origin) return;
-  overrides_[entry.parameter.name] = {std::string(text), origin};
+  overrides_[entry.parameter.name] = {entry.parameter.name, std::string(text), origin, {}};
   assign(entry, std::move(value), origin);
 }
 
-void ParameterRegistry::set_early(const std::string& name, std::string_view text, ParameterOrigin origin) {
-  if (entries_.contains(name)) return set(name, text, origin);
-  Override& kept = overrides_[name];
-  if (origin >= kept.origin) kept = {std::string(text), origin};
+ParameterOutcome ParameterRegistry::change(const ParameterChange& change) {
+  ParameterOutcome outcome{change.name, {}, {}};
+  try {
+    set(change.name, change.value, change.origin);
+  } catch (const std::runtime_error& error) {
+    outcome.refusal = error.what();
+  }
+  if (const Parameter* const parameter = find(change.name)) outcome.value = to_text(parameter->value);
+  return outcome;
+}
+
+void ParameterRegistry::set_early(const ParameterChange& change) {
+  if (!entries_.contains(change.name)) {
+    const auto [kept, is_new] = overrides_.try_emplace(change.name, change);
+    if (!is_new && change.origin >= kept->second.origin) kept->second = change;
+    return;
+  }
+  try {
+    set(change.name, change.value, change.origin);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(change.source.empty() ? error.what() : change.source + ": " + error.what());
+  }
 }
 
 const Parameter* ParameterRegistry::find(std::string_view name) const {
@@ -116,16 +146,6 @@ std::vector<Parameter> ParameterRegistry::list() const {
   std::vector<Parameter> all;
   for (const auto& [name, entry] : entries_) all.push_back(entry.parameter);
   return all;
-}
-
-std::vector<std::string> ParameterRegistry::unclaimed() const {
-  std::vector<std::string> lines;
-  for (const auto& [name, kept] : overrides_) {
-    if (entries_.contains(name)) continue;
-    lines.push_back("there is no parameter '" + name + "' (set by the " + std::string(to_string(kept.origin)) + ")" +
-                    did_you_mean(name, names()));
-  }
-  return lines;
 }
 
 std::vector<std::string> ParameterRegistry::names() const {

@@ -34,15 +34,15 @@ class ParameterRegistry {
   /// Throws std::runtime_error with one line: the name is unknown, the text is of a wrong type or out of range.
   void set(std::string_view name, std::string_view text, ParameterOrigin origin);
 
-  /// As set(), but a name that nobody has declared yet is kept until somebody does.
-  void set_early(const std::string& name, std::string_view text, ParameterOrigin origin);
+  /// The same as a value: what became of it, with nothing thrown.
+  ParameterOutcome change(const ParameterChange& change);
+
+  /// As set(), but a name that nobody has declared yet is kept until somebody does. The message begins with the source.
+  void set_early(const ParameterChange& change);
 
   const Parameter* find(std::string_view name) const;
   const ParameterValue& value(std::string_view name) const;  ///< throws on an unknown name
   std::vector<Parameter> list() const;                       ///< by name
-
-  /// An override whose name was never declared, as a line for the user.
-  std::vector<std::string> unclaimed() const;
 
   /// What `declaration` would get if it were declared now: an override, clamped into its range, or the default.
   ParameterValue preview(const ParameterDeclaration& declaration) const;
@@ -56,10 +56,6 @@ class ParameterRegistry {
   std::uint64_t revision() const { return revision_; }
 
  private:
-  struct Override {
-    std::string text;
-    ParameterOrigin origin = ParameterOrigin::default_value;
-  };
   struct Entry {
     Parameter parameter;
     Apply apply;
@@ -72,7 +68,7 @@ class ParameterRegistry {
   void forget(const std::string& owner, const std::vector<ParameterDeclaration>& kept);
 
   std::map<std::string, Entry, std::less<>> entries_;
-  std::map<std::string, Override, std::less<>> overrides_;
+  std::map<std::string, ParameterChange, std::less<>> overrides_;
   std::uint64_t revision_ = 1;
 };
 

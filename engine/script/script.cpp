@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/parameters/nearest_name.h"
-#include "engine/script/language/world_fields.h"
 #include "engine/script/sandbox/binding.h"
 #include "engine/script/script_error.h"
 
@@ -34,11 +33,11 @@ int refuse_new_global(lua_State* L) {
 
 }  // namespace
 
-Script::Script(const ScriptFolder& folder, const std::string& file, ScriptKind kind, const ScriptLimits& limits,
+Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
                const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes)
-    : folder_(folder), limits_(limits), registry_(parameters), hashes_(&hashes), sandbox_(limits) {
+    : texts_(texts), language_(language), limits_(limits), registry_(parameters), hashes_(&hashes), sandbox_(limits) {
   sandbox_.grant(limits.instructions_per_load);
-  add_globals(directory, kind);
+  add_globals(directory);
   try {
     load_module(file);
   } catch (ScriptError& error) {
@@ -50,26 +49,26 @@ Script::Script(const ScriptFolder& folder, const std::string& file, ScriptKind k
   }
   lua_pop(sandbox_.state(), 1);
   declarations_->close();
-  texts_.clear();
   places_.clear();
   is_loaded_ = true;
   hashes_ = nullptr;
   if (!declarations_->machines.empty()) return;
-  const char* what = kind == ScriptKind::behavior ? "behavior \"name\" { ... }" : "scenario \"name\" { ... }";
-  throw ScriptError({file, 1, std::string("the script declares nothing: it needs ") + what, {}});
+  const std::string word(to_string(language.kind()));
+  throw ScriptError({file, 1, "the script declares nothing: it needs " + word + " \"name\" { ... }", {}});
 }
 
-void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
+void Script::add_globals(const MachineDirectory& directory) {
   lua_State* const L = sandbox_.state();
-  const bool for_scenario = kind == ScriptKind::scenario;
-  world_ = std::make_unique<WorldTables>(L, for_scenario);
-  add_script_functions(L, actions_, for_scenario);
+  world_ = std::make_unique<WorldTables>(L, language_);
+  add_script_functions(L, language_);
   add_behavior_view(L, directory);
   declarations_ = std::make_unique<Declarations>(
-      L, for_scenario,
+      L, language_.kind() == ScriptKind::scenario,
       [this](const std::string& name) -> const SourceLocations& {
         constexpr std::size_t kLettersPerInstruction = 32;
-        sandbox_.charge(static_cast<std::int64_t>(texts_[name].size() / kLettersPerInstruction));
+        const ScriptText* const text = texts_.find(name);
+        const std::size_t letters = text == nullptr ? 0 : text->text.size();
+        sandbox_.charge(static_cast<std::int64_t>(letters / kLettersPerInstruction));
         return places_of(name);
       },
       [this](const ParameterDeclaration& declaration) { return registry_.preview(declaration); });
@@ -78,7 +77,7 @@ void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
   lua_pushlightuserdata(L, this);
   lua_pushcclosure(L, &Script::require, 1);
   lua_setglobal(L, "require");
-  lua_pushlightuserdata(L, &actions_);
+  lua_pushlightuserdata(L, &language_.actions());
   lua_pushcclosure(L, &Script::print, 1);
   lua_setglobal(L, "print");
   lua_pushglobaltable(L);
@@ -94,24 +93,24 @@ void Script::add_globals(const MachineDirectory& directory, ScriptKind kind) {
 }
 
 std::string_view Script::read(const std::string& file) {
-  std::optional<std::string> text = folder_.read(file);
-  (*hashes_)[file] = text ? std::optional<std::uint64_t>(content_hash(*text)) : std::nullopt;
-  if (!text) {
-    std::error_code error;
-    if (std::filesystem::exists(folder_.root() / file, error)) {
-      const std::string most = std::to_string(kLargestScript / 1024);
-      throw ScriptError({file, 0, "this is not a plain file below the scripts' root of at most " + most + " KiB", {}});
-    }
-    const std::string folder = std::filesystem::path(file).parent_path().generic_string();
-    const std::string hint = did_you_mean(file, scripts_in(folder_.root(), folder));
-    throw ScriptError({file, 0, "there is no such script below " + folder_.root().string() + hint, {}});
+  const ScriptText* const found = texts_.find(file);
+  (*hashes_)[file] =
+      found != nullptr ? std::optional<std::uint64_t>(content_hash(found->text + found->problem)) : std::nullopt;
+  if (found == nullptr) {
+    const std::size_t slash = file.rfind('/');
+    const std::string folder = file.substr(0, slash == std::string::npos ? 0 : slash);
+    const std::string hint = did_you_mean(file, texts_.in_folder(folder));
+    throw ScriptError({file, 0, "there is no such script below " + texts_.root() + hint, {}});
   }
-  return texts_[file] = std::move(*text);
+  if (!found->problem.empty()) throw ScriptError({file, 0, found->problem, {}});
+  return found->text;
 }
 
 const SourceLocations& Script::places_of(const std::string& file) {
   const auto known = places_.find(file);
-  return known != places_.end() ? known->second : places_.emplace(file, SourceLocations(texts_[file])).first->second;
+  if (known != places_.end()) return known->second;
+  const ScriptText* const text = texts_.find(file);
+  return places_.emplace(file, SourceLocations(text == nullptr ? std::string_view() : text->text)).first->second;
 }
 
 void Script::load_module(const std::string& file) {
@@ -208,8 +207,11 @@ std::map<std::string, std::set<std::string>> Script::module_fields() const {
   return all;
 }
 
-void Script::begin_frame(const std::vector<double>& world, FrameDraft& draft) {
-  draft_ = &draft;
+void Script::intern(Names& names) {
+  for (MachineDefinition& machine : declarations_->machines) intern_names(machine, names);
+}
+
+void Script::begin_frame(std::span<const double> world) {
   exit_faults_.clear();
   world_->refresh(world);
   if (parameter_revision_ != registry_.revision()) {
@@ -225,7 +227,7 @@ void Script::begin_frame(const std::vector<double>& world, FrameDraft& draft) {
 void Script::push_function(int function) { lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function); }
 
 bool Script::holds(Machine& machine, int state, int function) {
-  actions_.speak(draft_, &machine, state, ScriptActions::Phase::looking);
+  language_.actions().speak(&machine, state, ScriptActions::Phase::looking);
   push_function(function);
   if (std::optional<ScriptFault> fault = sandbox_.call(0, 1)) throw ScriptError(std::move(*fault));
   const bool result = lua_toboolean(sandbox_.state(), -1) != 0;
@@ -237,7 +239,7 @@ double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
   if (dwell.kind == Dwell::Kind::seconds) return dwell.seconds;
   if (dwell.kind == Dwell::Kind::parameter)
     return declarations_->parameters[static_cast<std::size_t>(dwell.index)].number;
-  actions_.speak(draft_, &machine, state, ScriptActions::Phase::looking);
+  language_.actions().speak(&machine, state, ScriptActions::Phase::looking);
   push_function(dwell.index);
   if (std::optional<ScriptFault> fault = sandbox_.call(0, 1)) throw ScriptError(std::move(*fault));
   const bool is_number = lua_type(sandbox_.state(), -1) == LUA_TNUMBER;
@@ -253,7 +255,7 @@ double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
 
 void Script::run(Machine& machine, int state, int function) {
   if (function == LUA_NOREF) return;
-  actions_.speak(draft_, &machine, state, ScriptActions::Phase::acting);
+  language_.actions().speak(&machine, state, ScriptActions::Phase::acting);
   push_function(function);
   if (std::optional<ScriptFault> fault = sandbox_.call(0, 0)) throw ScriptError(std::move(*fault));
 }

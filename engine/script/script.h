@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,37 +14,37 @@
 #include "engine/script/language/behavior_view.h"
 #include "engine/script/language/declarations.h"
 #include "engine/script/language/kept_value.h"
-#include "engine/script/language/script_actions.h"
+#include "engine/script/language/script_language.h"
 #include "engine/script/language/world_tables.h"
 #include "engine/script/machine/machine.h"
 #include "engine/script/sandbox/sandbox.h"
-#include "engine/script/script_folder.h"
+#include "engine/script/script_texts.h"
 
 namespace reorient {
 
-enum class ScriptKind { behavior, scenario };
-
-/// The files of a script as they were read, by name; no hash: the file could not be read.
+/// The files of a script as they were read, by name; no hash: there was no such file.
 using BundleHashes = std::map<std::string, std::optional<std::uint64_t>>;
 
 class Script : public MachineCallbacks {
  public:
   /// Reads, compiles, runs the declarations and validates them. Throws ScriptError. `hashes` gets every file that was
-  /// looked at, also on failure. `parameters` and `directory` must outlive the script.
-  Script(const ScriptFolder& folder, const std::string& file, ScriptKind kind, const ScriptLimits& limits,
+  /// looked at, also on failure. All references but `hashes` must outlive the script.
+  Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
          const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes);
   Script(const Script&) = delete;
   Script& operator=(const Script&) = delete;
 
   const std::deque<MachineDefinition>& machines() const { return declarations_->machines; }
+  /// Gives all names of the machines their numbers.
+  void intern(Names& names);
   std::vector<ParameterDeclaration> parameters() const;
   const Sandbox& sandbox() const { return sandbox_; }
   /// The fields of each module that it requires and that is a table.
   std::map<std::string, std::set<std::string>> module_fields() const;
 
   /// Before the machines tick: the frame's world, changed parameters, a new budget.
-  void begin_frame(const std::vector<double>& world, FrameDraft& draft);
-  void end_frame() { actions_.fall_silent(); }
+  void begin_frame(std::span<const double> world);
+  void end_frame() { language_.actions().fall_silent(); }
   /// Errors in `exit` since the frame began.
   std::vector<ScriptFault>& exit_faults() { return exit_faults_; }
 
@@ -63,21 +64,19 @@ class Script : public MachineCallbacks {
   void load_module(const std::string& file);
   std::string_view read(const std::string& file);
   const SourceLocations& places_of(const std::string& file);
-  void add_globals(const MachineDirectory& directory, ScriptKind kind);
+  void add_globals(const MachineDirectory& directory);
   void push_function(int function);
 
-  const ScriptFolder& folder_;
+  const ScriptTexts& texts_;
+  ScriptLanguage& language_;
   ScriptLimits limits_;
   const ParameterRegistry& registry_;
-  BundleHashes* hashes_;                      ///< while it is loaded
-  std::map<std::string, std::string> texts_;  ///< while it is loaded; so are the next
-  std::map<std::string, SourceLocations> places_;
-  std::vector<std::string> loading_;  ///< files whose `require` has not returned yet
+  BundleHashes* hashes_;                           ///< while it is loaded
+  std::map<std::string, SourceLocations> places_;  ///< while it is loaded
+  std::vector<std::string> loading_;               ///< files whose `require` has not returned yet
   Sandbox sandbox_;
-  ScriptActions actions_;
   std::unique_ptr<WorldTables> world_;
   std::unique_ptr<Declarations> declarations_;
-  FrameDraft* draft_ = nullptr;
   std::uint64_t parameter_revision_ = 0;
   std::vector<ScriptFault> exit_faults_;
   int loaded_ = LUA_NOREF;  ///< table of what was required so far

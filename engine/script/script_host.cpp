@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
+#include <cmath>
 
 #include "engine/parameters/nearest_name.h"
-#include "engine/script/language/world_fields.h"
 #include "engine/script/script_error.h"
 
 namespace reorient {
@@ -19,7 +18,6 @@ struct ScriptHost::Slot {
   };
 
   std::string file;
-  ScriptKind kind = ScriptKind::behavior;
   std::unique_ptr<Script> script;
   std::unique_ptr<Script> last_good;  ///< while the present version is on trial_time
   BundleHashes read;                  ///< the files as they were last read, accepted or not
@@ -35,44 +33,21 @@ struct ScriptHost::Slot {
   double microseconds = 0.0;
 };
 
-ScriptHost::ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters, const ScriptLimits& limits)
-    : folder_(std::move(scripts_root)), parameters_(parameters), limits_(limits), watcher_(folder_.root()) {
-  std::error_code error;
-  if (!std::filesystem::is_directory(folder_.root(), error)) {
-    throw std::runtime_error(folder_.root().string() + ": there is no such folder of scripts");
-  }
-  draft_.output = &output_;
-}
+ScriptHost::ScriptHost(ScriptTexts texts, ScriptLanguage& language, ParameterRegistry& parameters,
+                       const ScriptLimits& limits, const MachineDirectory* directory)
+    : texts_(std::move(texts)),
+      language_(language),
+      parameters_(parameters),
+      limits_(limits),
+      directory_(directory != nullptr ? *directory : *this) {}
 
 ScriptHost::~ScriptHost() = default;
 
-void ScriptHost::load_behavior(const std::string& name) { load(name, ScriptKind::behavior); }
-
-void ScriptHost::load_scenario(const std::string& name) {
-  // The scenario is read first, for its list, and takes its place behind the behaviours.
-  const Slot& scenario = load(name, ScriptKind::scenario);
-  const std::string file = scenario.file;
-  for (const MachineDefinition& machine : scenario.script->machines()) {
-    for (const std::string& behavior : machine.behaviors) load_behavior(behavior);
-  }
-  std::stable_partition(slots_.begin(), slots_.end(), [&](const auto& slot) { return slot->file != file; });
-}
-
-/// A name as people give it, as a file below the root.
-std::string ScriptHost::file_of(const std::string& name, ScriptKind kind) const {
-  std::error_code error;
-  std::filesystem::path path = name;
-  if (path.extension() != ".lua") return (kind == ScriptKind::behavior ? "behaviors/" : "scenarios/") + name + ".lua";
-  const std::optional<std::string> from_root = path_below(folder_.root(), path);
-  return from_root && std::filesystem::exists(path, error) ? *from_root : path.generic_string();
-}
-
-ScriptHost::Slot& ScriptHost::load(const std::string& name, ScriptKind kind) {
+void ScriptHost::load(const std::string& name) {
   auto slot = std::make_unique<Slot>();
-  slot->file = file_of(name, kind);
-  slot->kind = kind;
+  slot->file = script_file(language_.folder(), name);
   for (const auto& other : slots_) {
-    if (other->file == slot->file) return *other;
+    if (other->file == slot->file) return;
   }
   std::unique_ptr<Script> script = compile(*slot, slot->read);
   for (const ParameterDeclaration& declaration : script->parameters()) {
@@ -85,11 +60,10 @@ ScriptHost::Slot& ScriptHost::load(const std::string& name, ScriptKind kind) {
   }
   swap_in(*slot, script);
   slots_.push_back(std::move(slot));
-  return *slots_.back();
 }
 
 std::unique_ptr<Script> ScriptHost::compile(const Slot& slot, BundleHashes& hashes) const {
-  auto script = std::make_unique<Script>(folder_, slot.file, slot.kind, limits_, parameters_, *this, hashes);
+  auto script = std::make_unique<Script>(texts_, slot.file, language_, limits_, parameters_, directory_, hashes);
   refuse_taken_names(slot, *script);
   return script;
 }
@@ -123,6 +97,7 @@ std::vector<std::string> ScriptHost::swap_in(Slot& slot, std::unique_ptr<Script>
     script->restore(slot.script->memory(left_out));
     for (const std::string& name : left_out) warnings.push_back("keep: '" + name + "' cannot be kept over a reload");
   }
+  script->intern(names_);
   std::vector<Slot::Running> machines;
   for (const MachineDefinition& definition : script->machines()) {
     machines.push_back({Machine(definition), {}, 0.0});
@@ -142,8 +117,8 @@ std::vector<std::string> ScriptHost::swap_in(Slot& slot, std::unique_ptr<Script>
   return warnings;
 }
 
-ReloadReport ScriptHost::reload(Slot& slot, double time) {
-  ReloadReport report{time, slot.file, false, {}, {}};
+ReloadRecord ScriptHost::reload(Slot& slot) {
+  ReloadRecord report{slot.file, false, {}, {}};
   BundleHashes hashes;
   try {
     std::unique_ptr<Script> script = compile(slot, hashes);
@@ -159,52 +134,57 @@ ReloadReport ScriptHost::reload(Slot& slot, double time) {
   return report;
 }
 
-std::vector<ReloadReport> ScriptHost::poll_files(double time) {
-  if (!watcher_.poll(time)) return {};
-  return reload_changed(time);
-}
-
-std::vector<ReloadReport> ScriptHost::reload_changed(double time) {
-  std::vector<ReloadReport> reports;
+std::vector<ReloadRecord> ScriptHost::apply(std::span<const ScriptEdit> edits) {
+  for (const ScriptEdit& edit : edits) texts_.apply(edit);
+  std::vector<ReloadRecord> reports;
   for (const auto& slot : slots_) {
     const bool changed = std::any_of(slot->read.begin(), slot->read.end(), [this](const auto& file) {
-      const std::optional<std::string> text = folder_.read(file.first);
-      return file.second != (text ? std::optional<std::uint64_t>(content_hash(*text)) : std::nullopt);
+      const ScriptText* const text = texts_.find(file.first);
+      return file.second !=
+             (text != nullptr ? std::optional<std::uint64_t>(content_hash(text->text + text->problem)) : std::nullopt);
     });
-    if (changed) reports.push_back(reload(*slot, time));
+    if (changed) reports.push_back(reload(*slot));
   }
+  if (names_.size() > Names::kMany) renew_names();
   return reports;
 }
 
-const ScriptOutput& ScriptHost::tick(const World& world) {
-  time_ = world.time;
-  output_.commands.clear();
-  output_.leases.clear();
-  output_.transitions.clear();
-  output_.logs.clear();
-  output_.faults.clear();
-  output_.actions.clear();
-  output_.request = {};
-  draft_ = {&output_, world.time};
-  read_world(world, world_);
+/// Only those that are in use now.
+void ScriptHost::renew_names() {
+  const std::shared_ptr<const NameTable> before = names_.table();
+  names_.clear();
+  for (const auto& slot : slots_) {
+    slot->script->intern(names_);
+    if (slot->last_good) slot->last_good->intern(names_);
+    for (Slot::Running& running : slot->machines) running.machine.rename(*before, names_);
+  }
+}
+
+const ScriptOutput& ScriptHost::tick(double time, std::span<const double> world) {
+  time_ = time;
+  output_.clear();
+  language_.actions().begin_frame(output_, time);
   for (const auto& slot : slots_) {
     for (Slot::Running& running : slot->machines) {
       running.seen_state = running.machine.state();
       running.seen_entered_at = running.machine.entered_at();
     }
   }
-  for (const auto& slot : slots_) tick(*slot);
-  for (const auto& slot : slots_) {
-    for (const Slot::Running& running : slot->machines) running.machine.append_leases(output_.leases);
-  }
+  for (const auto& slot : slots_) tick(*slot, world);
   return output_;
 }
 
-void ScriptHost::tick(Slot& slot) {
+void ScriptHost::append_leases(std::vector<Lease>& leases) const {
+  for (const auto& slot : slots_) {
+    for (const Slot::Running& running : slot->machines) running.machine.append_leases(leases);
+  }
+}
+
+void ScriptHost::tick(Slot& slot, std::span<const double> world) {
   if (slot.stopped) return;
   const auto begin = std::chrono::steady_clock::now();
   ++slot.frames;
-  slot.script->begin_frame(world_, draft_);
+  slot.script->begin_frame(world);
   std::optional<ScriptFault> failure;
   try {
     for (Slot::Running& running : slot.machines) running.machine.tick(*slot.script, time_, output_.transitions);
@@ -227,7 +207,7 @@ void ScriptHost::note_fault(Slot& slot, ScriptFault fault) {
   ++slot.recent_errors;
   slot.last_error_at = time_;
   slot.last_error = fault.text();
-  FaultRecord record{time_, slot.file, std::move(fault), FaultRecord::Consequence::none};
+  FaultRecord record{slot.file, std::move(fault), FaultRecord::Consequence::none};
   if (slot.recent_errors >= limits_.max_errors && !slot.stopped) {
     if (slot.last_good) {
       record.consequence = FaultRecord::Consequence::rolled_back;
@@ -273,25 +253,34 @@ std::map<std::string, std::set<std::string>> ScriptHost::module_fields() const {
   return all;
 }
 
-std::vector<MachineStatus> ScriptHost::machines() const {
-  std::vector<MachineStatus> all;
+void ScriptHost::read_status(std::vector<MachineStatus>& all) const {
+  all.clear();
   for (const auto& slot : slots_) {
-    const Sandbox& sandbox = slot->script->sandbox();
     for (const Slot::Running& running : slot->machines) {
-      const MachineDefinition& definition = running.machine.definition();
-      MachineStatus status{definition.name,         slot->file,
-                           running.machine.state(), time_ - running.machine.entered_at(),
-                           definition.priority,     definition.is_scenario,
-                           slot->stopped,           slot->errors,
-                           slot->last_error};
-      const std::int64_t spent = sandbox.instructions() - slot->instructions_before;
-      status.instructions = slot->frames > 0 ? spent / slot->frames : 0;
-      status.microseconds = slot->microseconds;
-      status.memory = sandbox.memory();
-      all.push_back(std::move(status));
+      const Machine& machine = running.machine;
+      all.push_back(
+          {machine.definition().name_id, machine.state_id(), machine.entered_at(), slot->stopped, slot->errors});
     }
   }
-  return all;
+}
+
+void ScriptHost::read_costs(std::vector<MachineCost>& all) const {
+  all.clear();
+  for (const auto& slot : slots_) {
+    const Sandbox& sandbox = slot->script->sandbox();
+    const std::int64_t spent = sandbox.instructions() - slot->instructions_before;
+    for (const Slot::Running& running : slot->machines) {
+      all.push_back({running.machine.definition().name_id, slot->microseconds,
+                     slot->frames > 0 ? spent / slot->frames : 0, sandbox.memory()});
+    }
+  }
+}
+
+void ScriptHost::read_conditions(std::vector<OpenCondition>& all) const {
+  all.clear();
+  for (const auto& slot : slots_) {
+    for (const Slot::Running& running : slot->machines) running.machine.append_conditions(time_, all);
+  }
 }
 
 }  // namespace reorient

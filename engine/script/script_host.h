@@ -1,106 +1,105 @@
-// The scripts of a robot: loaded, ticked once a frame, reloaded while they run. What survives a reload is kept here.
+// The scripts of one kind: loaded, ticked once a frame, reloaded while they run. What survives a reload is kept here.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/parameters/parameter_registry.h"
-#include "engine/script/file_watcher.h"
 #include "engine/script/script.h"
 #include "engine/script/script_output.h"
-#include "engine/world/world.h"
 
 namespace reorient {
 
-/// What became of an edit.
-struct ReloadReport {
-  double time = 0.0;
-  std::string script;                 ///< file, from the scripts' root
-  bool accepted = false;              ///< false: the previous version keeps running
-  ScriptFault fault;                  ///< where it was not accepted
-  std::vector<std::string> warnings;  ///< states that are gone, parameters that were clamped, memory left out
-};
-
-/// How a machine and its script are doing.
+/// How a machine stands after a tick.
 struct MachineStatus {
-  std::string name;
-  std::string script;          ///< file, from the scripts' root
-  std::string state;           ///< path
-  double time_in_state = 0.0;  ///< s
-  double priority = 0.0;
-  bool is_scenario = false;
-  bool stopped = false;  ///< after too many errors
-  int errors = 0;        ///< of the script, since it was loaded
-  std::string last_error;
-  std::int64_t instructions = 0;  ///< of the script, per frame on average
-  double microseconds = 0.0;      ///< of the script, in the frame before
-  std::size_t memory = 0;         ///< of the script, bytes
+  NameId machine = kNoName;
+  NameId state = kNoName;   ///< path
+  double entered_at = 0.0;  ///< s
+  bool stopped = false;     ///< after too many errors
+  int errors = 0;           ///< of its script, since it was loaded
 };
+template <typename Visit>
+void fields(Visit&& visit, MachineStatus& status) {
+  visit(status.machine, status.state, status.entered_at, status.stopped, status.errors);
+}
+
+/// What a machine's script costs: of this computer, so never part of a decision or of a digest.
+struct MachineCost {
+  NameId machine = kNoName;
+  double microseconds = 0.0;      ///< in the frame before
+  std::int64_t instructions = 0;  ///< per frame on average
+  std::uint64_t memory = 0;       ///< bytes
+};
+template <typename Visit>
+void fields(Visit&& visit, MachineCost& cost) {
+  visit(cost.machine, cost.microseconds, cost.instructions, cost.memory);
+}
 
 class ScriptHost : public MachineDirectory {
  public:
-  /// `parameters` and `limits` must outlive the host; changed limits hold for what is loaded from then on. Throws
-  /// std::runtime_error with one line when there is no such folder.
-  ScriptHost(std::filesystem::path scripts_root, ParameterRegistry& parameters,
-             const ScriptLimits& limits = kDefaultLimits);
+  /// All references must outlive the host; changed limits hold for what is loaded from then on. `directory`: whose
+  /// machines scripts see as `behaviors`; nullptr: this host's own.
+  ScriptHost(ScriptTexts texts, ScriptLanguage& language, ParameterRegistry& parameters,
+             const ScriptLimits& limits = kDefaultLimits, const MachineDirectory* directory = nullptr);
   ~ScriptHost() override;
   ScriptHost(const ScriptHost&) = delete;
   ScriptHost& operator=(const ScriptHost&) = delete;
 
-  /// "orientation", "behaviors/orientation.lua" or a path that leads there. Throws ScriptError; a script that is loaded
-  /// already is left as it is.
-  void load_behavior(const std::string& name);
-  /// The same for scripts/scenarios; first loads the behaviours that the scenario lists.
-  void load_scenario(const std::string& name);
+  /// "orientation" or "behaviors/orientation.lua". Throws ScriptError; a script that is loaded already is left as it
+  /// is.
+  void load(const std::string& name);
 
-  /// One frame: every machine ticks, in the order of loading. The output is valid until the next tick.
-  const ScriptOutput& tick(const World& world);
+  /// One frame: every machine ticks, in the order of loading. `world`: values in the order of the language's fields.
+  /// The output is valid until the next tick.
+  const ScriptOutput& tick(double time, std::span<const double> world);
 
-  /// Looks for changed files, without blocking, and swaps in what was changed and is right. `time`: s, from any steady
-  /// clock. Call it between frames.
-  std::vector<ReloadReport> poll_files(double time);
-  /// The same at once, without watching: every script whose files differ from what was last read of them.
-  std::vector<ReloadReport> reload_changed(double time);
+  /// All leases that are held now, appended.
+  void append_leases(std::vector<Lease>& leases) const;
 
-  /// Puts a text in place of a file below the root, for tests; reload_changed() then takes it up.
-  void replace_file(const std::string& relative, std::string text) { folder_.replace(relative, std::move(text)); }
-  std::optional<std::string> read_file(const std::string& relative) const { return folder_.read(relative); }
+  /// Takes edits over and swaps in every script that they concern and that is right. One report for each such script.
+  std::vector<ReloadRecord> apply(std::span<const ScriptEdit> edits);
 
-  std::vector<MachineStatus> machines() const;
+  const ScriptTexts& texts() const { return texts_; }
+  const Names& names() const { return names_; }
+
+  // Into lists that keep their memory.
+  void read_status(std::vector<MachineStatus>& all) const;
+  void read_costs(std::vector<MachineCost>& all) const;
+  void read_conditions(std::vector<OpenCondition>& all) const;
+
   /// The declared machines, for graphs, checks and coverage.
   std::vector<const MachineDefinition*> definitions() const;
   /// What each module that was required offers, by its name ("lib.walk").
   std::map<std::string, std::set<std::string>> module_fields() const;
 
- private:
-  struct Slot;
-
   bool look_up(std::string_view name, MachineSight& sight) const override;
   std::vector<std::string> machine_names() const override;
 
-  Slot& load(const std::string& name, ScriptKind kind);
-  std::string file_of(const std::string& name, ScriptKind kind) const;
+ private:
+  struct Slot;
+
   std::unique_ptr<Script> compile(const Slot& slot, BundleHashes& hashes) const;
   void refuse_taken_names(const Slot& slot, const Script& script) const;
   std::vector<std::string> swap_in(Slot& slot, std::unique_ptr<Script>& script);
-  ReloadReport reload(Slot& slot, double time);
-  void tick(Slot& slot);
+  ReloadRecord reload(Slot& slot);
+  void tick(Slot& slot, std::span<const double> world);
   void note_fault(Slot& slot, ScriptFault fault);
+  void renew_names();
 
-  ScriptFolder folder_;
+  ScriptTexts texts_;
+  ScriptLanguage& language_;
   ParameterRegistry& parameters_;
   const ScriptLimits& limits_;
-  FileWatcher watcher_;
+  const MachineDirectory& directory_;
+  Names names_;
   std::vector<std::unique_ptr<Slot>> slots_;
   ScriptOutput output_;
-  FrameDraft draft_;
-  std::vector<double> world_;
   double time_ = 0.0;
 };
 

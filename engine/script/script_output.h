@@ -1,68 +1,72 @@
-// What the scripts said in one frame.
+// What scripts of any kind said in one frame. The names stand in the host's table.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/script/sandbox/sandbox.h"
-#include "engine/world/command.h"
-#include "geometry/pose2.h"
-#include "robots/robot.h"
+#include "engine/world/names.h"
 
 namespace reorient {
 
 struct TransitionRecord {
-  double time = 0.0;
-  std::string machine;
-  std::string from;  ///< path; empty at the start
-  std::string to;
-  std::string reason;   ///< the transition's `because`
+  NameId machine = 0;
+  NameId from = 0;  ///< path; the empty name at the start
+  NameId to = 0;
+  NameId reason = 0;    ///< the transition's `because`
   int transition = -1;  ///< of the machine's definition; -1: the start, or after a reload
 };
+template <typename Visit>
+void fields(Visit&& visit, TransitionRecord& record) {
+  visit(record.machine, record.from, record.to, record.reason, record.transition);
+}
 
 struct LogRecord {
-  double time = 0.0;
-  std::string issuer;
-  std::string state;
+  NameId machine = 0;
+  NameId state = 0;
   std::string text;
 };
+template <typename Visit>
+void fields(Visit&& visit, LogRecord& record) {
+  visit(record.machine, record.state, record.text);
+}
 
 /// A run-time error, and what the host did about it.
 struct FaultRecord {
   enum class Consequence { none, rolled_back, stopped };
+  friend constexpr int enum_count(Consequence) { return 3; }
 
-  double time = 0.0;
   std::string script;  ///< file, from the scripts' root
   ScriptFault fault;
   Consequence consequence = Consequence::none;
 };
+template <typename Visit>
+void fields(Visit&& visit, FaultRecord& record) {
+  visit(record.script, record.fault, record.consequence);
+}
 
-/// What a scenario wants done from outside: to robots/experimenter.h, and telling the robot where it stands.
-struct ExperimenterAction {
-  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose };
-
-  Kind kind = Kind::pick_up;
-  Pose2 pose;              ///< of put_down, set_initial_pose
-  double stops = 0.0;      ///< of set_exposure_compensation
-  bool penalized = false;  ///< of penalize
+/// What became of an edit.
+struct ReloadRecord {
+  std::string script;                 ///< file, from the scripts' root
+  bool accepted = false;              ///< false: the previous version keeps running
+  ScriptFault fault;                  ///< where it was not accepted
+  std::vector<std::string> warnings;  ///< states that are gone, parameters that were clamped, memory left out
 };
-
-struct ScenarioVerdict {
-  bool succeeded = false;
-  std::string text;
-  double time = 0.0;
-};
+template <typename Visit>
+void fields(Visit&& visit, ReloadRecord& record) {
+  visit(record.script, record.accepted, record.fault, record.warnings);
+}
 
 struct ScriptOutput {
-  std::vector<CommandRequest> commands;  ///< reorientations, issued in this frame
-  std::vector<Lease> leases;             ///< all that are held now
-  Request request;                       ///< to the robot
   std::vector<TransitionRecord> transitions;
   std::vector<LogRecord> logs;
   std::vector<FaultRecord> faults;
-  std::vector<ExperimenterAction> actions;
-  std::optional<ScenarioVerdict> verdict;  ///< stays once it was given
+
+  void clear() {
+    transitions.clear();
+    logs.clear();
+    faults.clear();
+  }
 };
 
 }  // namespace reorient

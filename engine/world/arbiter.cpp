@@ -9,76 +9,67 @@ namespace {
 constexpr double kTimeTolerance = 1e-6;
 
 bool is_same(const Lease& left, const Lease& right) {
-  return left.command == right.command && left.issuer == right.issuer && left.state == right.state;
+  return left.pause == right.pause && left.issuer.machine == right.issuer.machine &&
+         left.issuer.state == right.issuer.state;
 }
+
+std::size_t index_of(Reorientation reorientation) { return static_cast<std::size_t>(reorientation); }
 
 }  // namespace
 
-double Arbiter::cooldown(Command command) const {
-  switch (command) {
-    case Command::flip_pose:
+double Arbiter::cooldown(Reorientation reorientation) const {
+  switch (reorientation) {
+    case Reorientation::flip_pose:
       return parameters_.flip_cooldown;
-    case Command::purge_reflection:
+    case Reorientation::purge_reflection:
       return parameters_.purge_cooldown;
-    case Command::reset_orientation:
+    case Reorientation::reset_orientation:
       return parameters_.reset_cooldown;
-    default:
-      return 0.0;
   }
+  return 0.0;
 }
 
 /// As if there were no other request.
-Verdict Arbiter::judge(const CommandRequest& request, const World& world) const {
-  if (request.command == Command::pause_training || request.command == Command::pause_evaluation)
-    return Verdict::not_allowed;
+Verdict Arbiter::judge(const ReorientationRequest& request, const World& world) const {
   if (world.carried) return Verdict::not_allowed;
-  if (world.fallen && request.command != Command::reset_orientation) return Verdict::not_allowed;
-  const std::optional<double>& before = granted_at_[static_cast<int>(request.command)];
-  if (before && world.time - *before + kTimeTolerance < cooldown(request.command)) return Verdict::too_soon;
+  if (world.fallen && request.reorientation != Reorientation::reset_orientation) return Verdict::not_allowed;
+  const std::optional<double>& before = granted_at_[index_of(request.reorientation)];
+  if (before && world.time - *before + kTimeTolerance < cooldown(request.reorientation)) return Verdict::too_soon;
   return Verdict::granted;
 }
 
-/// A lease that was not held in the frame before is one line of the timeline.
-void Arbiter::note_leases(std::span<const Lease> leases, double time) {
+void Arbiter::note_leases(std::span<const Lease> leases) {
   result_.train = true;
   result_.evaluate = true;
+  result_.begun.clear();
   for (const Lease& lease : leases) {
-    (lease.command == Command::pause_training ? result_.train : result_.evaluate) = false;
-    const bool is_new =
-        std::none_of(held_.begin(), held_.end(), [&](const Lease& held) { return is_same(held, lease); });
-    if (!is_new) continue;
-    result_.records.push_back(
-        {time, {lease.command, lease.issuer, lease.state, lease.reason, lease.priority}, Verdict::granted});
+    (lease.pause == Pause::training ? result_.train : result_.evaluate) = false;
+    const auto same = [&](const Lease& held) { return is_same(held, lease); };
+    if (std::none_of(held_.begin(), held_.end(), same)) result_.begun.push_back(lease);
   }
-  const auto in_both = [&](const Lease& left, const Lease& right) { return is_same(left, right); };
-  if (!std::equal(held_.begin(), held_.end(), leases.begin(), leases.end(), in_both))
-    held_.assign(leases.begin(), leases.end());
+  held_.assign(leases.begin(), leases.end());
 }
 
-const Arbitration& Arbiter::arbitrate(std::span<const CommandRequest> requests, std::span<const Lease> leases,
+const Arbitration& Arbiter::arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                       const World& world) {
-  result_.records.clear();
-  result_.reorientation.reset();
-  note_leases(leases, world.time);
-  const std::size_t first = result_.records.size();
-  std::size_t winner = result_.records.size() + requests.size();
-  for (const CommandRequest& request : requests) {
-    const Verdict verdict = judge(request, world);
-    result_.records.push_back({world.time, request, verdict});
-    if (verdict != Verdict::granted) continue;
-    const std::size_t index = result_.records.size() - 1;
-    const bool leads = winner >= first + requests.size() || request.priority > result_.records[winner].request.priority;
-    if (leads) winner = index;
-  }
-  for (std::size_t i = first; i < result_.records.size(); ++i) {
-    CommandRecord& record = result_.records[i];
+  note_leases(leases);
+  result_.granted.reset();
+  result_.commands.clear();
+  CommandRecord* winner = nullptr;
+  result_.commands.reserve(requests.size());  // so that the winner stays where it is
+  for (const ReorientationRequest& request : requests) {
+    CommandRecord& record = result_.commands.emplace_back(CommandRecord{request, judge(request, world)});
     if (record.verdict != Verdict::granted) continue;
-    if (i == winner) {
-      result_.reorientation = record.request.command;
-      granted_at_[static_cast<int>(record.request.command)] = world.time;
+    if (winner == nullptr || request.priority > winner->request.priority) {
+      if (winner != nullptr) winner->verdict = Verdict::outranked;
+      winner = &record;
     } else {
       record.verdict = Verdict::outranked;
     }
+  }
+  if (winner != nullptr) {
+    result_.granted = *winner;
+    granted_at_[index_of(winner->request.reorientation)] = world.time;
   }
   return result_;
 }

@@ -1,16 +1,17 @@
 // Who may rearrange the belief in this frame? Behaviours ask; the arbiter grants or refuses, each with a verdict.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "engine/world/command.h"
+#include "engine/world/commands.h"
 #include "engine/world/world.h"
 
 namespace reorient {
 
-/// After a command was granted, the same command is refused for so long: its effect must show first.
+/// After a reorientation was granted, the same one is refused for some time: its effect must show first.
 struct ArbiterParameters {
   double flip_cooldown = 3.0;   // s
   double purge_cooldown = 3.0;  // s
@@ -26,32 +27,38 @@ void describe(ArbiterParameters& p, Visit&& visit) {
 
 /// What holds in this frame.
 struct Arbitration {
-  std::optional<Command> reorientation;  ///< flip_pose, purge_reflection or reset_orientation: one at most
+  std::optional<CommandRecord> granted;  ///< one reorientation at most
   bool train = true;                     ///< false: somebody holds a lease on pausing the training
   bool evaluate = true;
-  std::vector<CommandRecord> records;  ///< one per request, and one for each lease that began in this frame
+  std::vector<CommandRecord> commands;  ///< one for each request, in their order
+  std::vector<Lease> begun;             ///< leases that were not held in the frame before
 };
 
 class Arbiter {
  public:
   explicit Arbiter(const ArbiterParameters& parameters = {}) : parameters_(parameters) {}
 
+  void set_parameters(const ArbiterParameters& parameters) { parameters_ = parameters; }
+
   /// Among the requests that are allowed and not too soon the greatest priority wins, at a tie the first.
   /// Not allowed: everything while the robot is carried, since nothing is known of its camera then; a flip and a purge
   /// also while it lies. Pausing is always granted. The result is valid until the next call.
-  const Arbitration& arbitrate(std::span<const CommandRequest> requests, std::span<const Lease> leases,
+  const Arbitration& arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                const World& world);
 
-  ArbiterParameters& parameters() { return parameters_; }
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(granted_at_, held_, result_.train, result_.evaluate);
+  }
 
  private:
-  double cooldown(Command command) const;
-  Verdict judge(const CommandRequest& request, const World& world) const;
-  void note_leases(std::span<const Lease> leases, double time);
+  double cooldown(Reorientation reorientation) const;
+  Verdict judge(const ReorientationRequest& request, const World& world) const;
+  void note_leases(std::span<const Lease> leases);
 
   ArbiterParameters parameters_;
-  std::optional<double> granted_at_[3];  ///< s, per reorientation
-  std::vector<Lease> held_;              ///< in the frame before
+  std::array<std::optional<double>, 3> granted_at_;  ///< s, per reorientation
+  std::vector<Lease> held_;                          ///< in the frame before
   Arbitration result_;
 };
 

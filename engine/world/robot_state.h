@@ -24,10 +24,10 @@ void describe(RobotStateParameters& p, Visit&& visit) {
 /// A lying robot has no load on its feet either: fallen wins over carried.
 class RobotState {
  public:
-  void update(const Observation& observation, double time_step, const RobotStateParameters& parameters) {
-    const double tilt = std::max(std::abs(observation.torso.roll), std::abs(observation.torso.pitch));
+  void update(const BodySample& body, double time_step, const RobotStateParameters& parameters) {
+    const double tilt = std::max(std::abs(body.torso.roll), std::abs(body.torso.pitch));
     fallen_ = tilt > parameters.fallen_angle;
-    const bool unloaded = !fallen_ && observation.foot_load < parameters.carried_load;
+    const bool unloaded = !fallen_ && body.foot_load < parameters.carried_load;
     changing_for_ = unloaded == carried_ ? 0.0 : changing_for_ + time_step;
     if (changing_for_ > parameters.settle_time) {
       carried_ = unloaded;

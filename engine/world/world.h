@@ -2,15 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <vector>
 
 #include "geometry/field_dimensions.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
 #include "localization/pose_belief.h"
 #include "perception/room/room_awareness.h"
-#include "robots/robot.h"
 
 namespace reorient {
 
@@ -34,9 +31,12 @@ struct World {
   int goal_posts = 0;  ///< seen in this frame
   int line_points = 0;
   FieldDimensions field;
-
-  /// Only where it is known (simulator), and only for scenarios.
-  std::optional<GroundTruth> truth;
 };
+template <typename Visit>
+void fields(Visit&& visit, World& world) {
+  visit(world.time, world.time_step, world.frame, world.fallen, world.carried, world.penalized, world.head, world.pose,
+        world.recovery_probability, world.pose_known, world.confidence, world.trained_seconds, world.training,
+        world.evaluating, world.goal_posts, world.line_points, world.field);
+}
 
 }  // namespace reorient

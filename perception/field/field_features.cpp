@@ -17,30 +17,25 @@ FieldFeatures::FieldFeatures(const FieldFeatureParameters& parameters, const Fie
     : carpet_color_(parameters),
       goal_posts_(parameters, field),
       obstacles_(parameters),
-      line_points_(parameters, field) {
-  percept_.line_points.reserve(600);
-  percept_.goal_posts.reserve(8);
-  percept_.obstacles.reserve(20);
-  see_nothing(0);
-}
+      line_points_(parameters, field) {}
 
-const FieldPercept& FieldFeatures::find(const ImageView& image, const CameraModel& camera,
-                                        const Eigen::Isometry3d& robot_from_camera) {
-  see_nothing(std::max(image.height, 0));
-  if (image.empty() || image.width < 2) return percept_;
+void FieldFeatures::find(const ImageView& image, const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera,
+                         FieldPercept& percept) {
+  percept.clear();
+  percept.boundary.assign(CarpetMap::kColumns, static_cast<float>(std::max(image.height, 0)));
+  if (image.empty() || image.width < 2) return;
   const bool same_size = camera.width == image.width && camera.height == image.height;
   const auto view =
       GroundProjection::look(same_size ? camera : camera.scaled_to(image.width, image.height), robot_from_camera);
-  if (!view) return percept_;
+  if (!view) return;
 
   carpet_color_.observe(image, *view);
-  if (!carpet_color_.known()) return percept_;
+  if (!carpet_color_.known()) return;
   carpet_map_.fill(image, carpet_color_, highest_row_of_ground(*view));
-  boundary_.find(carpet_map_, image.height, percept_.boundary);
-  goal_posts_.find(image, *view, carpet_color_, percept_);
-  obstacles_.find(carpet_map_, *view, percept_);
-  line_points_.find(image, *view, carpet_color_, percept_);
-  return percept_;
+  boundary_.find(carpet_map_, image.height, percept.boundary);
+  goal_posts_.find(image, *view, carpet_color_, percept);
+  obstacles_.find(carpet_map_, *view, percept);
+  line_points_.find(image, *view, carpet_color_, percept);
 }
 
 void FieldFeatures::set_parameters(const FieldFeatureParameters& parameters) {
@@ -48,13 +43,6 @@ void FieldFeatures::set_parameters(const FieldFeatureParameters& parameters) {
   goal_posts_.set_parameters(parameters);
   obstacles_.set_parameters(parameters);
   line_points_.set_parameters(parameters);
-}
-
-void FieldFeatures::see_nothing(int image_height) {
-  percept_.line_points.clear();
-  percept_.goal_posts.clear();
-  percept_.obstacles.clear();
-  percept_.boundary.assign(CarpetMap::kColumns, static_cast<float>(image_height));
 }
 
 }  // namespace reorient

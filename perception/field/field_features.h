@@ -22,10 +22,11 @@ class FieldFeatures {
  public:
   FieldFeatures(const FieldFeatureParameters& parameters, const FieldDimensions& field);
 
-  /// Valid until the next call. Empty, with a boundary at the image's bottom, where there is nothing to be seen: no
-  /// carpet known yet, a camera that lies, hangs head down or has no finite place, an empty image.
-  const FieldPercept& find(const ImageView& image, const CameraModel& camera,
-                           const Eigen::Isometry3d& robot_from_camera);
+  /// Writes into `percept`, which keeps its memory. Empty, with a boundary at the image's bottom, where there is
+  /// nothing to be seen: no carpet known yet, a camera that lies, hangs head down or has no finite place, an empty
+  /// image.
+  void find(const ImageView& image, const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera,
+            FieldPercept& percept);
 
   /// From the next image on.
   void set_parameters(const FieldFeatureParameters& parameters);
@@ -33,15 +34,12 @@ class FieldFeatures {
   const CarpetColor& carpet_color() const { return carpet_color_; }
 
  private:
-  void see_nothing(int image_height);
-
   CarpetColor carpet_color_;
   CarpetMap carpet_map_;
   Boundary boundary_;
   GoalPosts goal_posts_;
   Obstacles obstacles_;
   LinePoints line_points_;
-  FieldPercept percept_;
 };
 
 }  // namespace reorient

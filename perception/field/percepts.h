@@ -14,6 +14,11 @@ struct LinePoint {
   Eigen::Vector2f pixel;
 };
 
+template <typename Visit>
+void fields(Visit&& visit, LinePoint& point) {
+  visit(point.position, point.normal, point.pixel);
+}
+
 struct GoalPost {
   Eigen::Vector2d
       position;  ///< m, where the post stands; from the base, or from the height where the base is not in view
@@ -21,6 +26,11 @@ struct GoalPost {
   Eigen::Vector2f base;      ///< pixel
   Eigen::Vector2f top;       ///< pixel, the highest one found
 };
+
+template <typename Visit>
+void fields(Visit&& visit, GoalPost& post) {
+  visit(post.position, post.base_visible, post.base, post.top);
+}
 
 /// Something that stands on the field and hides what is behind it: a robot, a person, a post's neighbour.
 struct Obstacle {
@@ -31,6 +41,11 @@ struct Obstacle {
   int bottom = 0;
 };
 
+template <typename Visit>
+void fields(Visit&& visit, Obstacle& obstacle) {
+  visit(obstacle.position, obstacle.left, obstacle.right, obstacle.top, obstacle.bottom);
+}
+
 struct FieldPercept {
   std::vector<LinePoint> line_points;
   std::vector<GoalPost> goal_posts;
@@ -38,6 +53,17 @@ struct FieldPercept {
   /// Row of the field's upper border in evenly spaced columns (column i is at (i + 0.5) * width / size());
   /// the image's height where no field is in view in that column.
   std::vector<float> boundary;
+
+  void clear() {
+    line_points.clear();
+    goal_posts.clear();
+    obstacles.clear();
+    boundary.clear();
+  }
 };
+template <typename Visit>
+void fields(Visit&& visit, FieldPercept& percept) {
+  visit(percept.line_points, percept.goal_posts, percept.obstacles, percept.boundary);
+}
 
 }  // namespace reorient

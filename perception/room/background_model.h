@@ -46,6 +46,10 @@ struct TileModel {
   int visits = 0;        ///< 0: never seen
   double trained = 0.0;  ///< s
 };
+template <typename Visit>
+void fields(Visit&& visit, TileModel& tile) {
+  visit(tile.mean, tile.variance, tile.visits, tile.trained);
+}
 
 class BackgroundModel {
  public:

@@ -2,9 +2,9 @@
 #include <memory>
 #include <ostream>
 
+#include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"
-#include "program/tuning.h"
 #include "workbench/script_tools/check/script_check.h"
 
 namespace reorient {
@@ -21,8 +21,7 @@ std::string count_text(int count, const char* what) {
 }
 
 int check(const CheckOptions& options, std::ostream& out) {
-  Tuning tuning;
-  const CheckResult result = check_scripts(scripts_root(options.scripts), options.paths, tuning.registry);
+  const CheckResult result = check_scripts(scripts_root(options.scripts), options.paths);
   for (const Finding& finding : result.findings) out << finding.text() << "\n";
   const int errors = result.count(Finding::Severity::error);
   const int warnings = result.count(Finding::Severity::warning);

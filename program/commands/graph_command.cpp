@@ -1,14 +1,18 @@
 // `reorient graph`: state machines as pictures for Mermaid or Graphviz.
+#include <initializer_list>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/script/language/behavior_language.h"
 #include "engine/script/script_host.h"
+#include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"
-#include "program/tuning.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/script_files.h"
+#include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/graph/machine_graph.h"
 
 namespace reorient {
@@ -21,36 +25,35 @@ struct GraphOptions {
   std::filesystem::path out;
 };
 
-/// "orientation" or "turned_round": whichever of a behaviour and a scenario there is; the behaviour first.
-void load(ScriptHost& host, const std::filesystem::path& root, const std::string& name) {
-  std::vector<std::string> known;
-  for (const char* folder : {"behaviors", "scenarios"}) {
-    for (const std::string& file : scripts_in(root, folder)) {
-      const std::string stem = std::filesystem::path(file).stem().string();
-      known.push_back(stem);
-      const std::filesystem::path full = root / file;
-      std::error_code error;
-      if (stem != name && !std::filesystem::equivalent(full, name, error)) continue;
-      if (folder == std::string("behaviors")) return host.load_behavior(full.string());
-      return host.load_scenario(full.string());
-    }
-  }
-  throw std::runtime_error("there is no behavior or scenario '" + name + "' below " + root.string() +
-                           did_you_mean(name, known));
+std::string draw(const MachineDefinition& machine, const std::string& format) {
+  return format == "dot" ? to_dot(machine) : to_mermaid(machine);
 }
 
-int draw(const GraphOptions& options, std::ostream& out) {
-  const std::filesystem::path root = scripts_root(options.scripts);
-  Tuning tuning;
-  ScriptHost host(root, tuning.registry);
-  load(host, root, options.script);
-  std::string text;
-  // A scenario comes with its behaviours; wanted is the script that was named.
-  const std::vector<const MachineDefinition*> machines = host.definitions();
-  for (const MachineDefinition* machine : machines) {
-    if (std::filesystem::path(machine->file).stem() != std::filesystem::path(options.script).stem()) continue;
-    text += options.format == "dot" ? to_dot(*machine) : to_mermaid(*machine);
+/// "orientation" or "turned_round": whichever of a behaviour and a scenario there is; the behaviour first.
+std::string draw_script(const std::filesystem::path& root, const GraphOptions& options) {
+  const ScriptTexts texts = read_scripts(root);
+  const std::string wanted = script_named(root, options.script);
+  std::vector<std::string> known;
+  BehaviorLanguage behaviors;
+  ScenarioLanguage scenarios;
+  for (ScriptLanguage* language : std::initializer_list<ScriptLanguage*>{&behaviors, &scenarios}) {
+    for (const std::string& file : texts.in_folder(language->folder())) {
+      known.push_back(std::filesystem::path(file).stem().string());
+      if (known.back() != wanted && file != wanted) continue;
+      ParameterRegistry parameters;
+      ScriptHost host(texts, *language, parameters);
+      host.load(file);
+      std::string text;
+      for (const MachineDefinition* machine : host.definitions()) text += draw(*machine, options.format);
+      return text;
+    }
   }
+  throw std::runtime_error("there is no behavior or scenario '" + options.script + "' below " + root.string() +
+                           did_you_mean(options.script, known));
+}
+
+int graph(const GraphOptions& options, std::ostream& out) {
+  const std::string text = draw_script(scripts_root(options.scripts), options);
   if (options.out.empty()) {
     out << text;
   } else {
@@ -71,7 +74,7 @@ Subcommand add_graph(CLI::App& program) {
       ->capture_default_str();
   parser->add_option("--out", options->out, "write into this file, not to the terminal");
   add_scripts_option(*parser, options->scripts);
-  return {parser, [options](std::ostream& out, std::ostream&) { return draw(*options, out); }};
+  return {parser, [options](std::ostream& out, std::ostream&) { return graph(*options, out); }};
 }
 
 }  // namespace reorient

@@ -122,7 +122,7 @@ scenario "NAME" {
   state "placing" {
     enter = function()
       experimenter.put_down(-1.0, 0.5, 0)
-      belief.set_initial_pose(-1.0, 0.5, 0)
+      experimenter.set_initial_pose(-1.0, 0.5, 0)
     end,
     { "waiting", after = 0.1, because = "the robot was told where it stands" },
   },

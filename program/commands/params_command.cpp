@@ -5,17 +5,21 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/script/script_host.h"
+#include "engine/frame.h"
+#include "program/options.h"
 #include "program/program.h"
+#include "program/robots.h"
+#include "program/run/simulation.h"
 #include "program/subcommand.h"
-#include "program/tuning.h"
 #include "workbench/files/parameter_file.h"
+#include "workbench/files/script_files.h"
+#include "workbench/scenario/scenario_host.h"
 
 namespace reorient {
 namespace {
 
 struct ParamsOptions {
-  std::string part;
+  std::string filter;
   std::filesystem::path scripts;
   ParameterOptions overrides;
   bool changed = false;
@@ -34,23 +38,37 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
   }
 }
 
+/// Of the engine with all behaviours, of all scenarios, and of every robot.
+std::vector<Parameter> all_parameters(const std::filesystem::path& root,
+                                      const std::vector<ParameterChange>& overrides) {
+  const ScriptTexts texts = read_scripts(root);
+  FrameSetup setup;
+  setup.scripts = texts;
+  setup.behaviors = texts.in_folder("behaviors");
+  setup.parameters = overrides;
+  std::vector<std::vector<Parameter>> lists{FrameLoop(std::move(setup)).parameters()};
+  const RecordedBehaviors no_behaviors;
+  for (const std::string& file : texts.in_folder("scenarios"))
+    lists.push_back(ScenarioHost(texts, file, overrides, no_behaviors).parameters().list());
+  RobotOptions robot;
+  robot.parameters = overrides;
+  for (const std::string& name : robot_names()) lists.push_back(robot_parameters(name, robot));
+  return merged(std::move(lists));
+}
+
 int params(const ParamsOptions& options, std::ostream& out) {
-  const std::filesystem::path root = scripts_root(options.scripts);
-  Tuning tuning;
-  tuning.override_by(options.overrides);
-  ScriptHost host(root, tuning.registry);
-  for (const std::string& file : scripts_in(root, "behaviors")) host.load_behavior((root / file).string());
-  for (const std::string& file : scripts_in(root, "scenarios")) host.load_scenario((root / file).string());
-  tuning.require_all_claimed();
-  std::vector<Parameter> wanted = tuning.registry.list();
+  const std::vector<ParameterChange> overrides = overrides_of(options.overrides);
+  const std::vector<Parameter> all = all_parameters(scripts_root(options.scripts), overrides);
+  require_known(overrides, all);
+  std::vector<Parameter> wanted = all;
   std::erase_if(wanted, [&](const Parameter& parameter) {
-    return parameter.name.find(options.part) == std::string::npos ||
+    return parameter.name.find(options.filter) == std::string::npos ||
            (options.changed && parameter.origin == ParameterOrigin::default_value);
   });
   if (wanted.empty() && !options.changed)
-    throw std::runtime_error("no parameter has '" + options.part + "' in its name; reorient params lists all");
+    throw std::runtime_error("no parameter has '" + options.filter + "' in its name; reorient params lists all");
   list(wanted, out);
-  if (!options.save.empty()) save_parameters(tuning.registry, options.save);
+  if (!options.save.empty()) save_parameters(all, options.save);
   return kSuccess;
 }
 
@@ -60,7 +78,7 @@ Subcommand add_params(CLI::App& program) {
   const auto options = std::make_shared<ParamsOptions>();
   CLI::App* const parser =
       program.add_subcommand("params", "list all parameters: value, origin, range, meaning")->fallthrough();
-  parser->add_option("part", options->part, "only those with this in their names, as in: orientation.");
+  parser->add_option("filter", options->filter, "only those with this in their names, as in: orientation.");
   parser->add_flag("--changed", options->changed, "only those that differ from their defaults");
   add_parameter_options(*parser, options->overrides);
   parser->add_option("--save-params", options->save, "write the overrides into this file, for --params");

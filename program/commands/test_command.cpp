@@ -4,10 +4,11 @@
 #include <sstream>
 
 #include "program/program.h"
-#include "program/run/simulated_run.h"
+#include "program/run/simulation.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
-#include "workbench/run/run_history.h"
+#include "workbench/run/run_loop.h"
+#include "workbench/run/run_summary.h"
 #include "workbench/script_tools/testing/junit_report.h"
 #include "workbench/script_tools/testing/test_runner.h"
 
@@ -22,6 +23,23 @@ struct TestOptions {
   std::filesystem::path junit;
 };
 
+/// Which states and transitions a run took.
+class CoverageObserver : public Observer {
+ public:
+  CoverageObserver(Simulation& simulation, CoverageTrace& trace) : simulation_(simulation), trace_(trace) {}
+
+  void observe(const FrameRecord& frame, const StageRecord& stage) override {
+    if (!frame.transitions.empty()) trace_.note(simulation_.engine().machines(), *frame.names, frame.transitions);
+    const ScenarioRecord& scenario = stage.scenario;
+    if (!scenario.transitions.empty())
+      trace_.note(simulation_.scenario().machines(), *scenario.names, scenario.transitions);
+  }
+
+ private:
+  Simulation& simulation_;
+  CoverageTrace& trace_;
+};
+
 SimulationOutcome simulate(const std::filesystem::path& scripts, const SimulationRequest& request,
                            CoverageTrace& trace) {
   SimulationOptions options;
@@ -34,22 +52,14 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   options.room_awareness = request.room_awareness;
   for (const auto& [name, value] : request.parameters)
     options.parameters.assignments.emplace_back(name).append("=").append(value);
-  SimulatedRun run(options);
-  RunHistory history;
-  SimulationOutcome outcome;
-  while (run.step()) {
-    const ScriptOutput& output = run.frame().script_output();
-    history.add(run.frame());
-    trace.note(run.scripts(), output);
-    outcome.logs.insert(outcome.logs.end(), output.logs.begin(), output.logs.end());
-    outcome.faults.insert(outcome.faults.end(), output.faults.begin(), output.faults.end());
-  }
-  outcome.verdict = run.verdict();
-  outcome.is_correct = summarize(history, outcome.verdict).correct;
-  outcome.machines = run.scripts().machines();
-  outcome.commands = history.commands();
-  outcome.transitions = history.transitions();
-  return outcome;
+  Simulation simulation(options);
+  SummaryObserver summary;
+  SeenObserver seen;
+  CoverageObserver coverage(simulation, trace);
+  RunParts parts = simulation.parts();
+  parts.observers = {&summary, &seen, &coverage};
+  RunLoop(std::move(parts)).run();
+  return {summary.summary().correct, std::move(seen.seen)};
 }
 
 int test(const TestOptions& options, std::ostream& out) {

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <ostream>
 #include <sstream>
-#include <vector>
 
 #include <poll.h>
 #include <spdlog/fmt/fmt.h>
@@ -21,7 +20,7 @@ constexpr std::size_t kLongestLine = 1000;
 
 constexpr const char* kHelp =
     "  set NAME VALUE   change a parameter, as in: set orientation.lead 0.3\n"
-    "  params [PART]    parameters whose name contains PART, with value, range and origin\n"
+    "  params [FILTER]  parameters whose name contains FILTER, with value, range and origin\n"
     "  states           every behaviour with its state and what it costs\n"
     "  save FILE        write what differs from the defaults, to be loaded with --params FILE\n"
     "  quit             end the run\n"
@@ -34,54 +33,45 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-std::string parameters_text(const ParameterRegistry& parameters, const std::string& part) {
+std::string parameters_text(const std::vector<Parameter>& parameters, const std::string& filter) {
   std::string text;
-  for (const Parameter& parameter : parameters.list()) {
-    if (parameter.name.find(part) == std::string::npos) continue;
+  for (const Parameter& parameter : parameters) {
+    if (parameter.name.find(filter) == std::string::npos) continue;
     text += fmt::format("  {} = {}  ({}; {}) {}\n", parameter.name, to_text(parameter.value), range_text(parameter),
                         to_string(parameter.origin), parameter.description);
   }
-  return text.empty() ? "  no parameter has '" + part + "' in its name\n" : text;
+  return text.empty() ? "  no parameter has '" + filter + "' in its name\n" : text;
 }
 
-std::string states_text(const ScriptHost& scripts) {
+std::string state_text(const std::string& name, const std::string& state, double since, bool stopped) {
+  return fmt::format("  {:<22} {:<24} for {:6.1f} s{}", name, state, since, stopped ? "  stopped after errors" : "");
+}
+
+std::string states_text(const FrameRecord& frame, const StageRecord& stage) {
   std::string text;
-  for (const MachineStatus& machine : scripts.machines()) {
-    text += fmt::format("  {:<22} {:<24} for {:6.1f} s  {:5.1f} us, {:4} KiB{}\n", machine.name, machine.state,
-                        machine.time_in_state, machine.microseconds, machine.memory / 1024,
-                        machine.stopped ? "  stopped: " + machine.last_error : "");
+  const double now = frame.world.time;
+  for (std::size_t i = 0; i < frame.machines.size(); ++i) {
+    const MachineStatus& status = frame.machines[i];
+    text += state_text(frame.name(status.machine), frame.name(status.state), now - status.entered_at, status.stopped);
+    if (i < frame.costs.machines.size()) {
+      const MachineCost& cost = frame.costs.machines[i];
+      text += fmt::format("  {:5.1f} us, {:4} KiB", cost.microseconds, cost.memory / 1024);
+    }
+    text += "\n";
+  }
+  for (const MachineStatus& status : stage.scenario.machines) {
+    text += state_text(stage.scenario.name(status.machine), stage.scenario.name(status.state), now - status.entered_at,
+                       status.stopped) +
+            "\n";
   }
   return text;
 }
 
 }  // namespace
 
-std::string obey_line(std::string_view line, ParameterRegistry& parameters, const ScriptHost& scripts) {
-  const std::vector<std::string> words = words_of(line);
-  if (words.empty()) return {};
-  try {
-    if (words[0] == "set" && words.size() == 3) {
-      parameters.set(words[1], words[2], ParameterOrigin::live);
-      return "  " + words[1] + " = " + to_text(parameters.value(words[1])) + "\n";
-    }
-    if (words[0] == "set") return "  write: set NAME VALUE\n";
-    if (words[0] == "params" && words.size() <= 2)
-      return parameters_text(parameters, words.size() == 2 ? words[1] : "");
-    if (words[0] == "states" && words.size() == 1) return states_text(scripts);
-    if (words[0] == "save" && words.size() == 2) {
-      save_parameters(parameters, words[1]);
-      return "  written; --params " + words[1] + " loads it\n";
-    }
-    if (words[0] == "save") return "  write: save FILE\n";
-    if (words[0] == "help") return kHelp;
-  } catch (const std::exception& error) {
-    return std::string("  ") + error.what() + "\n";
-  }
-  const std::vector<std::string> known{"set", "params", "states", "save", "quit", "help"};
-  return "  there is no command '" + std::string(line) + "'" + did_you_mean(words[0], known) + "; help lists them\n";
-}
-
-LiveConsole::LiveConsole(int descriptor) : descriptor_(descriptor) {}
+LiveConsole::LiveConsole(int descriptor, std::ostream& out, ScenarioHost* scenario,
+                         std::function<std::vector<Parameter>()> parameters)
+    : descriptor_(descriptor), out_(out), scenario_(scenario), parameters_(std::move(parameters)) {}
 
 /// Reading the terminal of another process group would stop this one: a run in the background must not.
 bool LiveConsole::has_input() const {
@@ -90,7 +80,7 @@ bool LiveConsole::has_input() const {
   return ::poll(&waiting, 1, 0) == 1 && (waiting.revents & (POLLIN | POLLHUP)) != 0;
 }
 
-void LiveConsole::poll(ParameterRegistry& parameters, const ScriptHost& scripts, std::ostream& out) {
+void LiveConsole::add_to(FrameInputs& inputs) {
   // One read a frame: whatever pours in, the robot goes on.
   if (ended_ || quit_ || !has_input()) return;
   std::array<char, 4096> buffer;
@@ -109,30 +99,96 @@ void LiveConsole::poll(ParameterRegistry& parameters, const ScriptHost& scripts,
       continue;
     }
     if (too_long_) {
-      out << "  that line is too long\n";
+      out_ << "  that line is too long\n";
     } else {
-      take_line(typed_, parameters, scripts, out);
+      take_line(typed_, inputs);
     }
     typed_.clear();
     too_long_ = false;
   }
-  out.flush();
+  out_.flush();
 }
 
-void LiveConsole::take_line(std::string_view line, ParameterRegistry& parameters, const ScriptHost& scripts,
-                            std::ostream& out) {
+void LiveConsole::take_line(std::string_view line, FrameInputs& inputs) {
   const std::vector<std::string> words = words_of(line);
   if (words.empty()) {
     open_ = !open_;
-    out << (open_ ? "> " : "\n");
+    out_ << (open_ ? "> " : "\n");
     return;
   }
   if (words.front() == "quit") {
     quit_ = true;
     return;
   }
-  out << obey_line(line, parameters, scripts);
-  if (open_) out << "> ";
+  out_ << obey(line, words, inputs);
+  const bool answer_follows = wants_states_ || !asked_.empty();
+  if (open_ && !answer_follows) out_ << "> ";
+}
+
+std::string LiveConsole::obey(std::string_view line, const std::vector<std::string>& words, FrameInputs& inputs) {
+  try {
+    if (words[0] == "set" && words.size() == 3) {
+      set(words[1], words[2], inputs);
+      return {};
+    }
+    if (words[0] == "set") return "  write: set NAME VALUE\n";
+    if (words[0] == "params" && words.size() <= 2)
+      return parameters_text(parameters_(), words.size() == 2 ? words[1] : "");
+    if (words[0] == "states" && words.size() == 1) {
+      wants_states_ = true;
+      return {};
+    }
+    if (words[0] == "save" && words.size() == 2) {
+      save_parameters(parameters_(), words[1]);
+      return "  written; --params " + words[1] + " loads it\n";
+    }
+    if (words[0] == "save") return "  write: save FILE\n";
+    if (words[0] == "help") return kHelp;
+  } catch (const std::exception& error) {
+    return std::string("  ") + error.what() + "\n";
+  }
+  const std::vector<std::string> known{"set", "params", "states", "save", "quit", "help"};
+  return "  there is no command '" + std::string(line) + "'" + did_you_mean(words[0], known) + "; help lists them\n";
+}
+
+/// A library's parameter may belong to behaviours and to the scenario: both get it.
+void LiveConsole::set(const std::string& name, const std::string& value, FrameInputs& inputs) {
+  const ParameterChange change{name, value, ParameterOrigin::live, ""};
+  std::vector<std::string> names;
+  for (const Parameter& parameter : parameters_()) names.push_back(parameter.name);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw std::runtime_error("there is no parameter '" + name + "'" + did_you_mean(name, names));
+  }
+  if (scenario_ != nullptr) {
+    if (const std::optional<ParameterOutcome> outcome = scenario_->change(change)) {
+      out_ << "  " << (outcome->refusal.empty() ? name + " = " + outcome->value : outcome->refusal) << "\n";
+      inputs.parameter_changes.push_back(change);  // told once; the engine may not even have it
+      return;
+    }
+  }
+  asked_.push_back(name);
+  inputs.parameter_changes.push_back(change);
+}
+
+void LiveConsole::observe(const FrameRecord& frame, const StageRecord& stage) {
+  if (asked_.empty() && !wants_states_) return;
+  for (const std::string& name : asked_) {
+    for (const ParameterOutcome& outcome : frame.parameter_changes) {
+      if (outcome.name != name) continue;
+      const bool is_fixed = outcome.value.empty();
+      out_ << "  "
+           << (is_fixed                  ? name + " is fixed while the robot runs; give it with --set"
+               : outcome.refusal.empty() ? name + " = " + outcome.value
+                                         : outcome.refusal)
+           << "\n";
+      break;
+    }
+  }
+  asked_.clear();
+  if (wants_states_) out_ << states_text(frame, stage);
+  wants_states_ = false;
+  if (open_) out_ << "> ";
+  out_.flush();
 }
 
 }  // namespace reorient

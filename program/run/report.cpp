@@ -1,9 +1,8 @@
 #include "program/run/report.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <map>
 #include <ostream>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -13,37 +12,17 @@
 namespace reorient {
 namespace {
 
-constexpr int kBusy = 20;  // transitions in a run beyond which a behaviour's are left out of the timeline
+constexpr std::uint64_t kBusy = 20;  // transitions in a run beyond which a behaviour's are left out of the timeline
 
-struct TimelineRow {
-  double time;
-  std::string behavior;
-  std::string state;
-  std::string command;
-  std::string reason;
-  std::string verdict;
-};
-
-std::map<std::string, int> count_transitions(const RunHistory& history) {
-  std::map<std::string, int> counts;
-  for (const TransitionRecord& transition : history.transitions()) ++counts[transition.machine];
-  return counts;
-}
-
-std::vector<TimelineRow> collect_rows(const RunHistory& history, const std::map<std::string, int>& counts,
-                                      bool every_transition) {
-  std::vector<TimelineRow> rows;
-  for (const TransitionRecord& transition : history.transitions()) {
-    if (!every_transition && counts.at(transition.machine) > kBusy) continue;
-    rows.push_back(
-        {transition.time, transition.machine, transition.from + " > " + transition.to, "", transition.reason, ""});
+/// What is shown of the timeline.
+std::vector<TimelineEvent> shown_events(const Timeline& timeline, bool every_transition) {
+  std::vector<TimelineEvent> rows = timeline.commands();
+  for (const auto& [name, machine] : timeline.machines()) {
+    if (!every_transition && machine.transition_count > kBusy) continue;
+    rows.insert(rows.end(), machine.transitions.begin(), machine.transitions.end());
   }
-  for (const CommandRecord& record : history.commands()) {
-    const CommandRequest& request = record.request;
-    rows.push_back({record.time, request.issuer, request.state, std::string(to_string(request.command)), request.reason,
-                    std::string(to_string(record.verdict))});
-  }
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  // Within a frame the changes of state come before the commands that they led to.
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.order < b.order; });
   return rows;
 }
 
@@ -65,27 +44,34 @@ nlohmann::json or_null(const std::optional<Value>& value) {
 
 }  // namespace
 
-void print_timeline(const RunHistory& history, bool every_transition, std::ostream& out) {
-  const std::map<std::string, int> counts = count_transitions(history);
-  const std::vector<TimelineRow> rows = collect_rows(history, counts, every_transition);
+void print_timeline(const Timeline& timeline, bool every_transition, std::ostream& out) {
+  const std::vector<TimelineEvent> rows = shown_events(timeline, every_transition);
   std::size_t behavior = 9, state = 5, command = 7, reason = 6;
-  for (const TimelineRow& row : rows) {
-    behavior = std::max(behavior, row.behavior.size());
+  for (const TimelineEvent& row : rows) {
+    behavior = std::max(behavior, row.machine.size());
     state = std::max(state, row.state.size());
     command = std::max(command, row.command.size());
     reason = std::max(reason, row.reason.size());
   }
   out << fmt::format("{:>8}  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", "time", "behaviour", behavior, "state", state,
                      "command", command, "reason", reason, "verdict");
-  for (const TimelineRow& row : rows) {
-    std::string line = fmt::format("{:>6.2f} s  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}", row.time, row.behavior, behavior,
+  for (const TimelineEvent& row : rows) {
+    std::string line = fmt::format("{:>6.2f} s  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}", row.time, row.machine, behavior,
                                    row.state, state, row.command, command, row.reason, reason, row.verdict);
     line.erase(line.find_last_not_of(' ') + 1);
     out << line << '\n';
   }
-  for (const auto& [machine, count] : counts) {
-    if (!every_transition && count > kBusy) {
-      out << fmt::format("          {}: {} changes of state, shown with --every-transition\n", machine, count);
+  for (const auto& [name, machine] : timeline.machines()) {
+    if (!every_transition && machine.transition_count > kBusy) {
+      out << fmt::format("          {}: {} changes of state, shown with --every-transition\n", name,
+                         machine.transition_count);
+    } else if (machine.transition_count > machine.transitions.size()) {
+      out << fmt::format("          {}: {} older changes of state are not kept\n", name,
+                         machine.transition_count - machine.transitions.size());
+    }
+    if (machine.command_count > machine.commands.size()) {
+      out << fmt::format("          {}: {} older commands are not kept\n", name,
+                         machine.command_count - machine.commands.size());
     }
   }
 }
@@ -104,12 +90,12 @@ void print_summary(const RunSummary& summary, const RunCircumstances& circumstan
   }
   out << fmt::format("  {} flips, {} purges, {} resets\n", summary.flips, summary.purges, summary.resets);
   out << fmt::format("  {:.1f} s in {} frames, {:.0f} frames per second ({:.1f} times real time)\n", summary.seconds,
-                     summary.frames, summary.frames / circumstances.wall_seconds,
+                     summary.frames, static_cast<double>(summary.frames) / circumstances.wall_seconds,
                      summary.seconds / circumstances.wall_seconds);
   out << "digest: " << circumstances.digest << '\n';
 }
 
-void write_summary(const RunSummary& summary, const RunHistory& history, const RunCircumstances& circumstances,
+void write_summary(const RunSummary& summary, const Timeline& timeline, const RunCircumstances& circumstances,
                    const std::filesystem::path& file) {
   nlohmann::json json{
       {"scenario", circumstances.scenario},
@@ -126,31 +112,37 @@ void write_summary(const RunSummary& summary, const RunHistory& history, const R
       {"flips", summary.flips},
       {"purges", summary.purges},
       {"resets", summary.resets},
+      {"wrong_seconds", summary.wrong_seconds},
       {"seconds", summary.seconds},
       {"frames", summary.frames},
-      {"frames_per_second", summary.frames / circumstances.wall_seconds},
+      {"frames_per_second", static_cast<double>(summary.frames) / circumstances.wall_seconds},
       {"digest", circumstances.digest},
       {"frame_time_milliseconds", to_json(circumstances.frame_time)},
       {"frame_time_without_rendering_milliseconds", to_json(circumstances.frame_time_without_rendering)},
       {"reloads_accepted", circumstances.reloads_accepted},
-      {"reloads_refused", circumstances.reloads_refused},
+      {"reloads_rejected", circumstances.reloads_rejected},
   };
   if (summary.error) {
     json["position_error_metres"] = summary.error->position;
     json["rotation_error_degrees"] = to_degrees(summary.error->rotation);
   }
-  if (!history.samples().empty()) {
-    json["belief"] = to_json(history.samples().back().belief.pose);
-    if (const auto& truth = history.samples().back().truth) json["truth"] = to_json(truth->pose);
-  }
+  if (summary.frames > 0) json["belief"] = to_json(summary.belief.pose);
+  if (summary.truth) json["truth"] = to_json(summary.truth->pose);
   json["commands"] = nlohmann::json::array();
-  for (const CommandRecord& record : history.commands()) {
-    json["commands"].push_back({{"time", record.time},
-                                {"issuer", record.request.issuer},
-                                {"state", record.request.state},
-                                {"command", to_string(record.request.command)},
-                                {"reason", record.request.reason},
-                                {"verdict", to_string(record.verdict)}});
+  for (const TimelineEvent& event : timeline.commands()) {
+    json["commands"].push_back({{"time", event.time},
+                                {"issuer", event.machine},
+                                {"state", event.state},
+                                {"command", event.command},
+                                {"reason", event.reason},
+                                {"verdict", event.verdict}});
+  }
+  json["reorientations"] = nlohmann::json::array();
+  for (const JudgedReorientation& judged : summary.reorientations) {
+    json["reorientations"].push_back({{"time", judged.time},
+                                      {"command", to_string(judged.reorientation)},
+                                      {"correct_before", or_null(judged.correct_before)},
+                                      {"correct_after", or_null(judged.correct_after)}});
   }
   write_whole_file(file, json.dump(2) + '\n');
 }

@@ -6,7 +6,8 @@
 #include <string>
 
 #include "workbench/run/frame_times.h"
-#include "workbench/run/run_history.h"
+#include "workbench/run/run_summary.h"
+#include "workbench/run/timeline.h"
 
 namespace reorient {
 
@@ -21,17 +22,17 @@ struct RunCircumstances {
   TimeQuantiles frame_time;                    ///< s in wall-clock time, reloads included
   TimeQuantiles frame_time_without_rendering;  ///< the part of it that is not the simulator's
   int reloads_accepted = 0;
-  int reloads_refused = 0;
+  int reloads_rejected = 0;
 };
 
 /// Commands and changes of state in the order of time. Behaviours that change their state all the time are named in
-/// one line at the end, unless `every_transition`.
-void print_timeline(const RunHistory& history, bool every_transition, std::ostream& out);
+/// one line at the end, unless `every_transition`; so is what was too long ago to be kept.
+void print_timeline(const Timeline& timeline, bool every_transition, std::ostream& out);
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out);
 
 /// Writes beside the file first, then renames. Throws std::runtime_error where that fails.
-void write_summary(const RunSummary& summary, const RunHistory& history, const RunCircumstances& circumstances,
+void write_summary(const RunSummary& summary, const Timeline& timeline, const RunCircumstances& circumstances,
                    const std::filesystem::path& file);
 
 }  // namespace reorient

@@ -12,6 +12,7 @@ namespace reorient {
 
 /// A scenario and its circumstances: the same ones give the same run, byte for byte.
 struct SimulationOptions {
+  std::string robot = "simulator";        ///< program/robots.h
   std::string scenario = "turned_round";  ///< scripts/scenarios/NAME.lua, or a path to a file
   std::vector<std::string> with;          ///< behaviours beside those that the scenario lists
   std::filesystem::path scripts;          ///< root of the scripts

@@ -1,6 +1,7 @@
 #include "robots/simulator/simulator.h"
 
 #include <cmath>
+#include <utility>
 
 namespace reorient {
 namespace {
@@ -100,8 +101,10 @@ void Simulator::move() {
 }
 
 void Simulator::look(Observation& observation) {
+  observation = {};
   observation.time = static_cast<double>(frame_) / parameters_.frame_rate;
-  observation.camera = camera_;
+  if (frame_ == 0) observation.robot = RobotBody{};
+  observation.told.referee = std::exchange(whistle_, std::nullopt);
   body_.measure(observation);
 
   scene_.capsules.resize(standing_capsules_);
@@ -116,7 +119,17 @@ void Simulator::look(Observation& observation) {
   field_from_camera_ = body_.field_from_camera();
   const Frame& frame = renderer_.render(field_from_camera_, scene_);
   sensor_.expose(frame, frame_, 1.0 / parameters_.frame_rate, image_);
-  observation.image = image_.view();
+  CameraFrame& upper = observation.upper.emplace();
+  upper.time = observation.time;
+  upper.image = image_.view();
+  upper.camera = camera_;
+  upper.odometry = observation.odometry;
+  upper.robot_from_camera = body_.measured_camera(dimensions_, observation.body);
+}
+
+void Simulator::penalize(bool penalized) {
+  body_.penalize(penalized);
+  whistle_ = RefereeState{penalized};
 }
 
 std::span<const Label> Simulator::labels() const { return renderer_.frame().labels; }

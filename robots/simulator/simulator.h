@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,21 +55,20 @@ void describe(SimulatorParameters& p, Visit&& visit) {
   visit("ball", p.ball, "whether a ball lies on the field");
 }
 
-class Simulator : public Robot, public Experimenter {
+class Simulator : public Robot, public Experimenter, public GroundTruthSource {
  public:
   Simulator(const SimulatorParameters& parameters, const FieldDimensions& field, const Room& room, const Pose2& start,
             std::uint64_t seed);
 
-  const RobotDimensions& dimensions() const override { return dimensions_; }
   /// Moves the world on by one frame and looks at it. Never ends, never waits.
   bool observe(Observation& observation) override;
-  void request(const Request& request) override { request_ = request; }
-  std::optional<GroundTruth> ground_truth() const override { return body_.ground_truth(); }
+  void answer(const Answer& answer) override { request_ = answer.request; }
+  GroundTruth ground_truth() const override { return body_.ground_truth(); }
 
   void pick_up() override { body_.pick_up(); }
   void put_down(const Pose2& where) override { body_.put_down(where); }
   void push_over() override { body_.push_over(); }
-  void penalize(bool penalized) override { body_.penalize(penalized); }
+  void penalize(bool penalized) override;
   void set_exposure_compensation(double stops) override { sensor_.set_stops(stops); }
 
   /// What each pixel of the latest image shows, and how far away along the optical axis it is (m), row by row.
@@ -109,6 +109,7 @@ class Simulator : public Robot, public Experimenter {
   Eigen::Isometry3d field_from_camera_ = Eigen::Isometry3d::Identity();
   Image image_;
   std::uint64_t frame_ = 0;
+  std::optional<RefereeState> whistle_;  // what the referee has said since the frame before
 };
 
 }  // namespace reorient

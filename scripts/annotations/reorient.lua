@@ -164,13 +164,11 @@ function experimenter.penalize(penalized) end
 ---@param stops number
 function experimenter.set_exposure_compensation(stops) end
 
-belief = {}
-
 ---Tells the robot where it stands (m, m, rad).
 ---@param x number
 ---@param y number
 ---@param rotation number
-function belief.set_initial_pose(x, y, rotation) end
+function experimenter.set_initial_pose(x, y, rotation) end
 
 verdict = {}
 
@@ -203,7 +201,7 @@ function behavior(name) end
 ---@return fun(body: reorient.State): table
 function state(name) end
 
----Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the field. `behaviors`: which to load. It alone has `truth`, `experimenter`, `belief` and `verdict`.
+---Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the field. `behaviors`: which to load. It alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It runs after each frame.
 ---@param name string
 ---@return fun(body: reorient.State)
 function scenario(name) end
@@ -241,7 +239,7 @@ function load_behavior(behavior) end
 function load_scenario(scenario) end
 
 ---Changes the fake world, from the next frame on.
----@param world table<string, table<string, number|boolean>>
+---@param world table<string, table<string, number|boolean|string>>
 function set_world(world) end
 
 ---Changes a parameter as a user does live.

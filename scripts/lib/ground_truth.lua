@@ -16,7 +16,7 @@ ground_truth.START = { x = -3.2, y = -3.5, rotation = math.pi / 2 }
 function ground_truth.start()
   local start = ground_truth.START
   experimenter.put_down(start.x, start.y, start.rotation)
-  belief.set_initial_pose(start.x, start.y, start.rotation)
+  experimenter.set_initial_pose(start.x, start.y, start.rotation)
 end
 
 --- How far the believed pose is from the true one: m, rad.

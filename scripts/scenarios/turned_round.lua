@@ -30,7 +30,7 @@ scenario "turned_round" {
   state "placing" {
     enter = function()
       experimenter.put_down(START.x, START.y, START.rotation)
-      belief.set_initial_pose(START.x, START.y, START.rotation)
+      experimenter.set_initial_pose(START.x, START.y, START.rotation)
     end,
     { "learning", after = 0.1, because = "the robot was told where it stands" },
   },

@@ -5,16 +5,15 @@
 namespace reorient {
 namespace {
 
-CommandRequest request(Command command, double priority, const std::string& issuer = "a") {
-  return {command, issuer, "state", "reason", priority};
-}
+ReorientationRequest request(Reorientation reorientation, double priority) { return {reorientation, {}, priority}; }
 
 class ArbiterTest : public ::testing::Test {
  protected:
-  std::vector<Verdict> verdicts(const std::vector<CommandRequest>& requests, const std::vector<Lease>& leases = {}) {
+  std::vector<Verdict> verdicts(const std::vector<ReorientationRequest>& requests,
+                                const std::vector<Lease>& leases = {}) {
     last = arbiter.arbitrate(requests, leases, world);
     std::vector<Verdict> all;
-    for (const CommandRecord& record : last.records) all.push_back(record.verdict);
+    for (const CommandRecord& record : last.commands) all.push_back(record.verdict);
     return all;
   }
 
@@ -26,57 +25,63 @@ class ArbiterTest : public ::testing::Test {
 using Verdicts = std::vector<Verdict>;
 
 TEST_F(ArbiterTest, GrantsOneReorientationAFrameToTheGreatestPriority) {
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10), request(Command::purge_reflection, 50),
-                      request(Command::reset_orientation, 20)}),
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 50),
+                      request(Reorientation::reset_orientation, 20)}),
             (Verdicts{Verdict::outranked, Verdict::granted, Verdict::outranked}));
-  EXPECT_EQ(last.reorientation, Command::purge_reflection);
+  ASSERT_TRUE(last.granted);
+  EXPECT_EQ(last.granted->request.reorientation, Reorientation::purge_reflection);
 }
 
 TEST_F(ArbiterTest, AtATieTheFirstOneWins) {
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10), request(Command::purge_reflection, 10)}),
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 10)}),
             (Verdicts{Verdict::granted, Verdict::outranked}));
 }
 
 TEST_F(ArbiterTest, RefusesTheSameCommandDuringItsCoolDown) {
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10)}), Verdicts{Verdict::granted});
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::granted});
   world.time = 2.9;
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10), request(Command::purge_reflection, 5)}),
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 5)}),
             (Verdicts{Verdict::too_soon, Verdict::granted}));
   world.time = 3.0;
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10)}), Verdicts{Verdict::granted});
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::granted});
 }
 
 TEST_F(ArbiterTest, ARefusedCommandStartsNoCoolDown) {
   world.carried = true;
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10)}), Verdicts{Verdict::not_allowed});
-  EXPECT_EQ(last.reorientation, std::nullopt);
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::not_allowed});
+  EXPECT_FALSE(last.granted);
   world.carried = false;
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10)}), Verdicts{Verdict::granted});
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::granted});
 }
 
 TEST_F(ArbiterTest, AFallenRobotMayOnlyResetItsOrientation) {
   world.fallen = true;
-  EXPECT_EQ(verdicts({request(Command::flip_pose, 10), request(Command::purge_reflection, 10),
-                      request(Command::reset_orientation, 1)}),
+  EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 10),
+                      request(Reorientation::reset_orientation, 1)}),
             (Verdicts{Verdict::not_allowed, Verdict::not_allowed, Verdict::granted}));
 }
 
 TEST_F(ArbiterTest, ALeasePausesUntilItIsGoneAndIsRecordedOnce) {
-  const std::vector<Lease> leases{{Command::pause_training, "a", "s", "why", 1.0}};
-  EXPECT_EQ(verdicts({}, leases), Verdicts{Verdict::granted});
+  const std::vector<Lease> leases{{Pause::training, {3, 4, 5}}};
+  verdicts({}, leases);
+  ASSERT_EQ(last.begun.size(), 1u);
+  EXPECT_EQ(last.begun[0].issuer.reason, 5);
   EXPECT_FALSE(last.train);
   EXPECT_TRUE(last.evaluate);
-  EXPECT_EQ(last.records[0].request.reason, "why");
-  EXPECT_TRUE(verdicts({}, leases).empty());
+  verdicts({}, leases);
+  EXPECT_TRUE(last.begun.empty());
   EXPECT_FALSE(last.train);
-  EXPECT_TRUE(verdicts({}).empty());
+  verdicts({});
   EXPECT_TRUE(last.train);
-  EXPECT_EQ(verdicts({}, leases), Verdicts{Verdict::granted});
+  verdicts({}, leases);
+  EXPECT_EQ(last.begun.size(), 1u);
 }
 
-TEST_F(ArbiterTest, APauseIsNoReorientation) {
-  EXPECT_EQ(verdicts({request(Command::pause_training, 10)}), Verdicts{Verdict::not_allowed});
-  EXPECT_EQ(last.reorientation, std::nullopt);
+TEST_F(ArbiterTest, ALeaseOfAnotherStateIsAnotherLease) {
+  verdicts({}, {{Pause::training, {3, 4, 5}}});
+  verdicts({}, {{Pause::training, {3, 6, 5}}});
+  EXPECT_EQ(last.begun.size(), 1u);
+  EXPECT_FALSE(last.train);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "engine/digest.h"
+#include "engine/record/digest.h"
 
 #include <vector>
 

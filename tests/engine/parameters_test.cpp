@@ -1,12 +1,8 @@
-#include <fstream>
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/parameter_registry.h"
-#include "tests/engine/script/script_fixture.h"
-#include "workbench/files/parameter_file.h"
 
 namespace reorient {
 namespace {
@@ -40,17 +36,11 @@ class Parameters : public ::testing::Test {
     }
     return "accepted";
   }
-  std::string file_refusal(const std::string& text) {
-    folder.write("p.toml", text);
-    try {
-      load_parameters(registry, folder.path() / "p.toml");
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "accepted";
+  /// As a file or the command line sets it before it is declared, perhaps.
+  void set_early(const std::string& name, const std::string& value, ParameterOrigin origin) {
+    registry.set_early({name, value, origin, ""});
   }
 
-  TemporaryFolder folder;
   FilterParameters filter;
   ParameterRegistry registry;
 };
@@ -94,20 +84,32 @@ TEST_F(Parameters, MistakesAreToldInOneLineWithARemedy) {
 }
 
 TEST_F(Parameters, ASettingMayComeBeforeItsDeclaration) {
-  registry.set_early("late.x", "0.25", ParameterOrigin::command_line);
-  ASSERT_EQ(registry.unclaimed().size(), 1u);
+  set_early("late.x", "0.25", ParameterOrigin::command_line);
   double x = 0.0;
   registry.declare({"late.x", ParameterKind::real, 0.5, 0.0, 1.0, "", "x", {}},
                    [&](const ParameterValue& value) { x = std::get<double>(value); });
   EXPECT_EQ(x, 0.25);
-  EXPECT_TRUE(registry.unclaimed().empty());
 }
 
-TEST_F(Parameters, ASettingThatNobodyClaimsIsNamed) {
-  registry.set_early("view.noize", "0.25", ParameterOrigin::file);
-  EXPECT_EQ(
-      registry.unclaimed(),
-      std::vector<std::string>{"there is no parameter 'view.noize' (set by the file) (did you mean 'view.noise'?)"});
+TEST_F(Parameters, AChangeTellsWhatBecameOfIt) {
+  const ParameterOutcome taken = registry.change({"view.noise", "0.25", ParameterOrigin::live, ""});
+  EXPECT_EQ(taken.value, "0.25");
+  EXPECT_EQ(taken.refusal, "");
+  const ParameterOutcome refused = registry.change({"view.noise", "25", ParameterOrigin::live, ""});
+  EXPECT_EQ(refused.value, "0.25");
+  EXPECT_NE(refused.refusal.find("its range is 0 to 1 rad"), std::string::npos);
+  const ParameterOutcome unknown = registry.change({"view.noize", "0.25", ParameterOrigin::live, ""});
+  EXPECT_EQ(unknown.value, "");
+  EXPECT_NE(unknown.refusal.find("did you mean 'view.noise'"), std::string::npos);
+}
+
+TEST_F(Parameters, ARefusalNamesWhereTheValueWasWritten) {
+  try {
+    registry.set_early({"view.noise", "25", ParameterOrigin::file, "team.toml:3"});
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("team.toml:3: parameter view.noise cannot be '25'"));
+  }
 }
 
 TEST_F(Parameters, AFileDoesNotUndoTheCommandLine) {
@@ -116,39 +118,6 @@ TEST_F(Parameters, AFileDoesNotUndoTheCommandLine) {
   EXPECT_EQ(filter.noise, 0.9);
   registry.set("view.noise", "0.2", ParameterOrigin::live);
   EXPECT_EQ(filter.noise, 0.2);
-}
-
-TEST_F(Parameters, AFilesTablesArePrefixes) {
-  EXPECT_EQ(file_refusal("[view]\nparticles = 50\npaper = true\ndistance = \"ssd3\"\n[orientation]\nlead = 0.4\n"),
-            "accepted");
-  EXPECT_EQ(filter.particles, 50);
-  EXPECT_EQ(filter.distance, Distance::ssd3);
-  EXPECT_EQ(registry.unclaimed().size(), 1u);
-}
-
-TEST_F(Parameters, AFilesMistakesAreToldWithFileAndLine) {
-  EXPECT_NE(file_refusal("[view]\nnoise = 7\n").find("p.toml:2: parameter view.noise cannot be '7'"),
-            std::string::npos);
-  EXPECT_NE(file_refusal("[view]\nnoise = [1]\n").find("p.toml:2: a parameter is a number"), std::string::npos);
-  EXPECT_NE(file_refusal("[view\n").find("p.toml:1"), std::string::npos);
-  EXPECT_NE(file_refusal(std::string("\0\xff\x01", 3)).find("p.toml"), std::string::npos);
-  EXPECT_EQ(file_refusal(""), "accepted");
-  EXPECT_THROW(load_parameters(registry, folder.path() / "gone.toml"), std::runtime_error);
-  EXPECT_THROW(load_parameters(registry, folder.path()), std::runtime_error);
-}
-
-TEST_F(Parameters, WhatIsSavedIsReadBack) {
-  registry.set("view.noise", "0.123456789012345", ParameterOrigin::live);
-  registry.set("view.distance", "ssd3", ParameterOrigin::live);
-  save_parameters(registry, folder.path() / "saved.toml");
-  FilterParameters other;
-  ParameterRegistry second;
-  second.bind("view", other);
-  load_parameters(second, folder.path() / "saved.toml");
-  EXPECT_EQ(other.noise, filter.noise);
-  EXPECT_EQ(other.distance, Distance::ssd3);
-  EXPECT_EQ(second.find("view.particles")->origin, ParameterOrigin::default_value);
-  EXPECT_THROW(save_parameters(registry, folder.path() / "gone" / "saved.toml"), std::runtime_error);
 }
 
 TEST_F(Parameters, ANameIsDeclaredOnce) { EXPECT_THROW(registry.bind("view", filter), std::runtime_error); }

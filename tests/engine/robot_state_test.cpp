@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kStep = 1.0 / 30.0;
 
-Observation felt(double load, double roll = 0.0, double pitch = 0.0) {
-  Observation observation;
+BodySample felt(double load, double roll = 0.0, double pitch = 0.0) {
+  BodySample observation;
   observation.foot_load = load;
   observation.torso = {roll, pitch};
   return observation;
@@ -17,7 +17,7 @@ Observation felt(double load, double roll = 0.0, double pitch = 0.0) {
 
 class BodyState : public ::testing::Test {
  protected:
-  void feel(const Observation& observation, double seconds = kStep) {
+  void feel(const BodySample& observation, double seconds = kStep) {
     for (double time = 0.0; time < seconds - 1e-9; time += kStep) state.update(observation, kStep, parameters);
   }
 

@@ -9,7 +9,9 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <string>
@@ -17,25 +19,20 @@
 #include <utility>
 #include <vector>
 
-#include <sys/inotify.h>
-
+#include "engine/parameters/parameter_registry.h"
+#include "engine/script/behaviors.h"
 #include "engine/script/machine/machine_definition.h"
 #include "engine/script/script_error.h"
-#include "engine/script/script_folder.h"
-#include "engine/script/script_host.h"
+#include "workbench/scenario/scenario_host.h"
+#include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
 #include "workbench/script_tools/check/name_check.h"
 #include "workbench/script_tools/graph/machine_graph.h"
 
-/// A host is made for every input, and a kernel's watch for each would be most of the work: there is none here.
-extern "C" int inotify_init1(int) { return -1; }
-
 namespace reorient {
 namespace {
 
-constexpr const char* kFile = "behaviors/fuzzed.lua";
-constexpr const char* kScenarioFile = "scenarios/fuzzed.lua";
-constexpr const char* kHonest = R"(behavior "honest_one" { update = function() log.info("alive") end })";
+constexpr const char* kHonest = R"(KIND "honest_one" { update = function() log.info("alive") end })";
 constexpr int kFrames = 12;                 // between two edits
 constexpr std::size_t kMostPerFrame = 100;  // script_actions.cpp
 constexpr std::size_t kMemorySlack = 64 * 1024;
@@ -65,20 +62,6 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// An empty folder that all inputs share; the files are in memory.
-const std::filesystem::path& empty_folder() {
-  static const std::filesystem::path folder = [] {
-    std::string pattern = (std::filesystem::temp_directory_path() / "reorient-fuzz-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) std::abort();
-    std::atexit([] {
-      std::error_code ignored;
-      std::filesystem::remove(empty_folder(), ignored);
-    });
-    return std::filesystem::path(pattern);
-  }();
-  return folder;
-}
-
 /// Worlds that differ in all that behaviours ask about, the same ones for the same input.
 class Worlds {
  public:
@@ -101,10 +84,11 @@ class Worlds {
     world_.confidence.coverage = fraction();
     world_.confidence.distinctiveness = fraction();
     world_.trained_seconds = 60.0 * fraction();
-    world_.truth.reset();
-    if (draw(2) == 0) world_.truth = GroundTruth{world_.pose.pose, world_.fallen, world_.carried};
+    truth_.reset();
+    if (draw(2) == 0) truth_ = GroundTruth{world_.pose.pose, world_.fallen, world_.carried};
     return world_;
   }
+  const std::optional<GroundTruth>& truth() const { return truth_; }
   double time() const { return world_.time; }
 
  private:
@@ -117,31 +101,27 @@ class Worlds {
   double fraction() { return static_cast<double>(draw(1'001)) / 1'000.0; }
 
   World world_;
+  std::optional<GroundTruth> truth_;
   std::uint64_t bits_;
 };
 
-/// One engine with an honest behaviour beside the fuzzed one.
+/// The scripts of one kind, with an honest one beside the fuzzed one.
 class Trial {
  public:
-  explicit Trial(std::uint64_t seed, std::string_view library) : worlds_(seed | 1) {
-    host_.replace_file("behaviors/honest_one.lua", kHonest);
-    host_.replace_file("lib/walk.lua", std::string(library));
-    host_.load_behavior("honest_one");
+  Trial(std::uint64_t seed, ScriptLanguage& language, const std::string& folder, ScriptTexts texts)
+      : file_(folder + "/fuzzed.lua"), host_(std::move(texts), language, parameters_, limits_), worlds_(seed | 1) {
+    host_.load("honest_one");
   }
+  virtual ~Trial() = default;
 
   /// False: the text is no script.
   bool load(const std::string& text) {
-    const bool is_scenario = text.find("scenario") != std::string::npos && text.find("behavior ") == std::string::npos;
-    file_ = is_scenario ? kScenarioFile : kFile;
-    host_.replace_file(file_, text);
+    const std::vector<ScriptEdit> edits{{file_, ScriptText{text, ""}}};
+    host_.apply(edits);
     const double start = processor_seconds();
     bool loaded = true;
     try {
-      if (is_scenario) {
-        host_.load_scenario("fuzzed");
-      } else {
-        host_.load_behavior("fuzzed");
-      }
+      host_.load("fuzzed");
     } catch (const ScriptError& error) {
       require(!error.fault.message.empty(), "a refusal says why");
       loaded = false;
@@ -152,14 +132,14 @@ class Trial {
   }
 
   void edit(const std::string& text) {
-    host_.replace_file(file_, text);
+    const std::vector<ScriptEdit> edits{{file_, ScriptText{text, ""}}};
     const double start = processor_seconds();
-    const std::vector<ReloadReport> reports = host_.reload_changed(worlds_.time());
+    const std::vector<ReloadRecord> records = host_.apply(edits);
     require(processor_seconds() - start < kLongestLoad, "reloading takes a bounded time");
-    require(reports.size() <= 1, "one edit, one report");
-    for (const ReloadReport& report : reports) {
-      require(report.script == file_, "the report names the file");
-      require(report.accepted || !report.fault.message.empty(), "a refusal says why");
+    require(records.size() <= 1, "one edit, one report");
+    for (const ReloadRecord& record : records) {
+      require(record.script == file_, "the report names the file");
+      require(record.accepted || !record.fault.message.empty(), "a refusal says why");
     }
     look_at_definitions();
   }
@@ -167,59 +147,60 @@ class Trial {
   void run() {
     for (int frame = 0; frame < kFrames; ++frame) {
       const World& world = worlds_.next();
+      values_.clear();
+      append_values(world, worlds_.truth(), values_);
       const double start = processor_seconds();
-      const ScriptOutput& output = host_.tick(world);
+      const ScriptOutput& output = host_.tick(world.time, values_);
       require(processor_seconds() - start < kLongestTick, "a tick takes a bounded time");
       look_at(output);
+      look_at_actions();
       look_at_machines();
     }
   }
 
+ protected:
+  virtual void append_values(const World& world, const std::optional<GroundTruth>& truth,
+                             std::vector<double>& values) const = 0;
+  virtual void look_at_actions() const = 0;
+
+  void require_state(NameId machine, NameId path) const {
+    for (const MachineDefinition* definition : host_.definitions()) {
+      if (definition->name == host_.names()[machine] && definition->find(host_.names()[path]) >= 0) return;
+    }
+    require(false, "a state is one of the definition's");
+  }
+
+  const ScriptHost& host() const { return host_; }
+  bool rolled_back() const { return rolled_back_; }
+
  private:
-  void look_at(const ScriptOutput& output) const {
-    require(!output.logs.empty() && output.logs.front().text == "alive", "the honest behaviour goes on");
-    require(output.commands.size() <= kMostPerFrame, "commands are bounded");
+  void look_at(const ScriptOutput& output) {
+    require(!output.logs.empty() && output.logs.front().text == "alive", "the honest script goes on");
     require(output.logs.size() <= kMostPerFrame, "log lines are bounded");
-    require(output.actions.size() <= kMostPerFrame, "actions are bounded");
-    std::map<std::string, int> transitions;
+    std::map<NameId, int> transitions;
     for (const TransitionRecord& record : output.transitions) {
       require(++transitions[record.machine] == 1, "at most one transition for a machine in a frame");
-      require(!record.reason.empty(), "a transition has a reason");
+      require(record.reason != kNoName, "a transition has a reason");
     }
-    bool rolled_back = false;
+    rolled_back_ = false;
     for (const FaultRecord& fault : output.faults) {
       require(fault.script == file_, "only the fuzzed script fails");
       require(!fault.fault.message.empty(), "a fault says what");
-      rolled_back |= fault.consequence == FaultRecord::Consequence::rolled_back;
+      rolled_back_ |= fault.consequence == FaultRecord::Consequence::rolled_back;
     }
-    // What a version issued before it was rolled back is from its own states, which are gone.
-    for (const CommandRequest& command : output.commands) {
-      if (!rolled_back) require_state(command.issuer, command.state);
-    }
-    for (const Lease& lease : output.leases) require_state(lease.issuer, lease.state);
-    const Request& request = output.request;
-    require(std::isfinite(request.walk.forward) && std::isfinite(request.walk.left) && std::isfinite(request.walk.turn),
-            "a walk request is finite");
-    require(!request.head || (std::isfinite(request.head->angles.yaw) && std::isfinite(request.head->angles.pitch) &&
-                              request.head->speed > 0.0),
-            "a head request is finite");
   }
 
-  void look_at_machines() const {
+  void look_at_machines() {
     const std::size_t most_memory = static_cast<std::size_t>(limits_.max_memory) * 1024 + kMemorySlack;
-    for (const MachineStatus& machine : host_.machines()) {
-      require_state(machine.name, machine.state);
+    host_.read_status(statuses_);
+    host_.read_costs(costs_);
+    require(statuses_.size() == costs_.size(), "every machine has its costs");
+    for (const MachineStatus& machine : statuses_) require_state(machine.machine, machine.state);
+    for (const MachineCost& machine : costs_) {
       require(machine.memory <= most_memory, "memory stays below its cap");
       require(machine.instructions <= limits_.instructions_per_frame + kInstructionSlack,
               "instructions stay within the budget");
     }
-  }
-
-  void require_state(const std::string& machine, const std::string& path) const {
-    for (const MachineDefinition* definition : host_.definitions()) {
-      if (definition->name == machine && definition->find(path) >= 0) return;
-    }
-    require(false, "a state is one of the definition's");
   }
 
   void look_at_definitions() const {
@@ -235,9 +216,72 @@ class Trial {
 
   ScriptLimits limits_ = low_limits();
   ParameterRegistry parameters_;
-  ScriptHost host_{empty_folder(), parameters_, limits_};
-  Worlds worlds_;
   std::string file_;
+  ScriptHost host_;
+  Worlds worlds_;
+  std::vector<double> values_;
+  std::vector<MachineStatus> statuses_;
+  std::vector<MachineCost> costs_;
+  bool rolled_back_ = false;
+};
+
+struct BehaviorLanguageFirst {
+  BehaviorLanguage language_of_behaviors;
+};
+
+class BehaviorTrial : private BehaviorLanguageFirst, public Trial {
+ public:
+  BehaviorTrial(std::uint64_t seed, ScriptTexts texts)
+      : Trial(seed, language_of_behaviors, "behaviors", std::move(texts)) {}
+
+ private:
+  void append_values(const World& world, const std::optional<GroundTruth>&,
+                     std::vector<double>& values) const override {
+    append_world(world, values);
+  }
+
+  void look_at_actions() const override {
+    const BehaviorOutput& wanted = language_of_behaviors.output();
+    require(wanted.commands.size() <= kMostPerFrame, "commands are bounded");
+    // What a version issued before it was rolled back is from its own states, which are gone.
+    for (const ReorientationRequest& request : wanted.commands) {
+      if (!rolled_back()) require_state(request.issuer.machine, request.issuer.state);
+    }
+    std::vector<Lease> leases;
+    host().append_leases(leases);
+    for (const Lease& lease : leases) require_state(lease.issuer.machine, lease.issuer.state);
+    const Request& request = wanted.request;
+    require(std::isfinite(request.walk.forward) && std::isfinite(request.walk.left) && std::isfinite(request.walk.turn),
+            "a walk request is finite");
+    require(!request.head || (std::isfinite(request.head->angles.yaw) && std::isfinite(request.head->angles.pitch) &&
+                              request.head->speed > 0.0),
+            "a head request is finite");
+  }
+};
+
+struct ScenarioLanguageFirst {
+  ScenarioLanguage language_of_scenarios;
+};
+
+class ScenarioTrial : private ScenarioLanguageFirst, public Trial {
+ public:
+  ScenarioTrial(std::uint64_t seed, ScriptTexts texts)
+      : Trial(seed, language_of_scenarios, "scenarios", std::move(texts)) {}
+
+ private:
+  void append_values(const World& world, const std::optional<GroundTruth>& truth,
+                     std::vector<double>& values) const override {
+    append_scenario_world(world, truth, values);
+  }
+
+  void look_at_actions() const override {
+    const ScenarioActions& actions = language_of_scenarios.actions();
+    require(actions.actions().size() <= kMostPerFrame, "actions are bounded");
+    for (const ExperimenterAction& action : actions.actions()) {
+      require(action.pose.position.allFinite() && std::isfinite(action.pose.rotation) && std::isfinite(action.stops),
+              "an action is finite");
+    }
+  }
 };
 
 std::string with_another_number(std::string text) {
@@ -248,9 +292,23 @@ std::string with_another_number(std::string text) {
 }
 
 const std::string& library() {
-  static const std::string text =
-      ScriptFolder(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts").read("lib/walk.lua").value();
+  static const std::string text = [] {
+    std::ifstream in(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts" / "lib" / "walk.lua");
+    std::ostringstream all;
+    all << in.rdbuf();
+    if (!in) std::abort();
+    return std::move(all).str();
+  }();
   return text;
+}
+
+ScriptTexts texts_with_honest_one(const std::string& folder, const std::string& kind) {
+  std::string honest = kHonest;
+  honest.replace(honest.find("KIND"), 4, kind);
+  ScriptTexts texts;
+  texts.apply({folder + "/honest_one.lua", ScriptText{honest, ""}});
+  texts.apply({"lib/walk.lua", ScriptText{library(), ""}});
+  return texts;
 }
 
 /// What `reorient check` does: it takes any text, and points into it.
@@ -272,13 +330,20 @@ void try_script(std::string_view input) {
   const std::string second =
       separator == std::string_view::npos ? with_another_number(first) : std::string(input.substr(separator + 1));
   check_without_running(first);
-  Trial trial(content_hash(input), library());
-  if (!trial.load(first) && !trial.load(second)) return;
-  trial.run();
-  trial.edit(second);
-  trial.run();
-  trial.edit(first);
-  trial.run();
+  const bool is_scenario = first.find("scenario") != std::string::npos && first.find("behavior ") == std::string::npos;
+  const std::uint64_t seed = content_hash(input);
+  std::unique_ptr<Trial> trial;
+  if (is_scenario) {
+    trial = std::make_unique<ScenarioTrial>(seed, texts_with_honest_one("scenarios", "scenario"));
+  } else {
+    trial = std::make_unique<BehaviorTrial>(seed, texts_with_honest_one("behaviors", "behavior"));
+  }
+  if (!trial->load(first) && !trial->load(second)) return;
+  trial->run();
+  trial->edit(second);
+  trial->run();
+  trial->edit(first);
+  trial->run();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "workbench/files/parameter_file.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -11,30 +12,29 @@ namespace reorient {
 namespace {
 
 std::string place(const std::filesystem::path& file, const toml::source_region& where) {
-  return file.string() + ":" + std::to_string(where.begin.line) + ": ";
+  return file.string() + ":" + std::to_string(where.begin.line);
 }
 
-std::string text_of(const toml::node& node) {
+std::optional<std::string> text_of(const toml::node& node) {
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
   if (const auto* real = node.as_floating_point()) return to_text(real->get());
   if (const auto* yes = node.as_boolean()) return yes->get() ? "true" : "false";
   if (const auto* string = node.as_string()) return string->get();
-  throw std::runtime_error("a parameter is a number, true, false or a name in quotes");
+  return std::nullopt;
 }
 
-void read_table(ParameterRegistry& registry, const std::filesystem::path& file, const toml::table& table,
-                const std::string& prefix) {
+void read_table(const std::filesystem::path& file, const toml::table& table, const std::string& prefix,
+                std::vector<ParameterChange>& changes) {
   for (const auto& [key, node] : table) {
     const std::string name = prefix + std::string(key.str());
+    const std::string source = place(file, node.source());
     if (const toml::table* inner = node.as_table()) {
-      read_table(registry, file, *inner, name + ".");
+      read_table(file, *inner, name + ".", changes);
       continue;
     }
-    try {
-      registry.set_early(name, text_of(node), ParameterOrigin::file);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(place(file, node.source()) + error.what());
-    }
+    const std::optional<std::string> text = text_of(node);
+    if (!text) throw std::runtime_error(source + ": a parameter is a number, true, false or a name in quotes");
+    changes.push_back({name, *text, ParameterOrigin::file, source});
   }
 }
 
@@ -62,7 +62,7 @@ std::string as_key(std::string_view name) {
 
 }  // namespace
 
-void load_parameters(ParameterRegistry& registry, const std::filesystem::path& file) {
+std::vector<ParameterChange> read_parameters(const std::filesystem::path& file) {
   std::error_code missing;
   if (!std::filesystem::is_regular_file(file, missing)) {
     throw std::runtime_error(file.string() + ": there is no such parameter file");
@@ -71,14 +71,16 @@ void load_parameters(ParameterRegistry& registry, const std::filesystem::path& f
   try {
     table = toml::parse_file(file.string());
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error(place(file, error.source()) + std::string(error.description()));
+    throw std::runtime_error(place(file, error.source()) + ": " + std::string(error.description()));
   }
-  read_table(registry, file, table, "");
+  std::vector<ParameterChange> changes;
+  read_table(file, table, "", changes);
+  return changes;
 }
 
-void save_parameters(const ParameterRegistry& registry, const std::filesystem::path& file) {
+void save_parameters(const std::vector<Parameter>& parameters, const std::filesystem::path& file) {
   std::string text;
-  for (const Parameter& parameter : registry.list()) {
+  for (const Parameter& parameter : parameters) {
     if (parameter.origin == ParameterOrigin::default_value) continue;
     const char* const quote = parameter.kind == ParameterKind::choice ? "\"" : "";
     text += as_key(parameter.name) + " = " + quote + to_text(parameter.value) + quote + "  # " + range_text(parameter) +

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
-#include "engine/parameters/parameter_registry.h"
+#include "engine/parameters/parameter.h"
 
 namespace reorient {
 
-/// Names may be declared later. Throws std::runtime_error with one line: file, line, why.
-void load_parameters(ParameterRegistry& registry, const std::filesystem::path& file);
+/// In the order of the file, each with its line as its source. Throws std::runtime_error with one line: file, line,
+/// why.
+std::vector<ParameterChange> read_parameters(const std::filesystem::path& file);
 
-/// Writes what differs from the defaults (beside the file first, then renamed). Throws std::runtime_error when it
-/// cannot.
-void save_parameters(const ParameterRegistry& registry, const std::filesystem::path& file);
+/// Writes those that differ from their defaults (beside the file first, then renamed). Throws std::runtime_error when
+/// it cannot.
+void save_parameters(const std::vector<Parameter>& parameters, const std::filesystem::path& file);
 
 }  // namespace reorient

@@ -1,10 +1,11 @@
-// How long frames take in wall-clock time. Nothing of it enters a decision, a record or the digest.
+// How long frames take in wall-clock time. Nothing of it enters a decision or the digest.
 #pragma once
 
-#include <chrono>
-#include <vector>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
-#include "robots/robot.h"
+#include "workbench/run/observer.h"
 
 namespace reorient {
 
@@ -14,48 +15,39 @@ struct TimeQuantiles {
   double percentile_99 = 0.0;  ///< 99 of 100 frames were no longer
   double longest = 0.0;
 };
-TimeQuantiles quantiles(std::vector<double> seconds);
 
-/// A robot that measures how long it takes to observe: for a simulated one, to render.
-class TimedRobot : public Robot {
+/// Times counted in classes that are 1 % wide, so that a run of any length takes the same memory.
+class TimeHistogram {
  public:
-  /// `robot` must outlive it.
-  explicit TimedRobot(Robot& robot) : robot_(robot) {}
-
-  const RobotDimensions& dimensions() const override { return robot_.dimensions(); }
-  bool observe(Observation& observation) override {
-    const auto start = std::chrono::steady_clock::now();
-    const bool more = robot_.observe(observation);
-    observing_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return more;
-  }
-  void request(const Request& request) override { robot_.request(request); }
-  std::optional<GroundTruth> ground_truth() const override { return robot_.ground_truth(); }
-
-  /// s that the last observe() took
-  double observing() const { return observing_; }
+  void add(double seconds);
+  /// Median and percentile are right within 1 %, the longest exactly.
+  TimeQuantiles quantiles() const;
 
  private:
-  Robot& robot_;
-  double observing_ = 0.0;
+  static constexpr double kShortest = 1e-6;  // s
+  static constexpr std::size_t kClasses = 2000;
+
+  double rank(double share) const;
+
+  std::array<std::uint64_t, kClasses> counts_{};
+  std::uint64_t count_ = 0;
+  double longest_ = 0.0;
 };
 
-/// What a run's frames took.
-class FrameTimes {
+/// What a run's frames took: with the robot's part of it (a simulated one renders), and without.
+class FrameTimes : public Observer {
  public:
-  /// s of one whole frame, from before the robot observes until after its scripts were reloaded, and the part of it in
-  /// which the robot observed.
-  void add(double whole, double observing) {
-    whole_.push_back(whole);
-    own_.push_back(whole - observing);
+  void observe(const FrameRecord& /*frame*/, const StageRecord& stage) override {
+    whole_.add(stage.observing + stage.stepping);
+    own_.add(stage.stepping);
   }
 
-  TimeQuantiles whole() const { return quantiles(whole_); }
-  TimeQuantiles without_observing() const { return quantiles(own_); }
+  TimeQuantiles whole() const { return whole_.quantiles(); }
+  TimeQuantiles without_observing() const { return own_.quantiles(); }
 
  private:
-  std::vector<double> whole_;
-  std::vector<double> own_;
+  TimeHistogram whole_;
+  TimeHistogram own_;
 };
 
 }  // namespace reorient

@@ -2,62 +2,84 @@
 
 #include <algorithm>
 
+#include "workbench/run/run_summary.h"
+
 namespace reorient {
 
-PoseError pose_error(const Pose2& belief, const Pose2& truth) {
-  return {(belief.position - truth.position).norm(), std::abs(angle_difference(belief.rotation, truth.rotation))};
-}
-
-bool is_correct(const Pose2& belief, const Pose2& truth) {
-  constexpr double kNear = 1.0;          // m
-  constexpr double kTurned = kPi / 4.0;  // rad
-  const PoseError error = pose_error(belief, truth);
-  return error.position < kNear && error.rotation < kTurned;
-}
-
-void RunHistory::add(const FrameLoop& frame) {
-  const World& world = frame.world();
-  add(FrameSample{world.time, world.confidence, world.pose, world.truth, world.training, world.evaluating,
-                  world.carried, world.fallen});
-  const ScriptOutput& output = frame.script_output();
-  transitions_.insert(transitions_.end(), output.transitions.begin(), output.transitions.end());
-  commands_.insert(commands_.end(), frame.commands().begin(), frame.commands().end());
-  if (frame.rearrangement()) add(*frame.rearrangement());
-}
-
-RunSummary summarize(const RunHistory& history, const std::optional<ScenarioVerdict>& verdict) {
-  RunSummary summary;
-  summary.succeeded = verdict && verdict->succeeded;
-  summary.verdict = verdict ? verdict->text : "the scenario did not end in time";
-  for (const Rearrangement& rearrangement : history.rearrangements()) {
-    summary.flips += rearrangement.command == Command::flip_pose;
-    summary.purges += rearrangement.command == Command::purge_reflection;
-    summary.resets += rearrangement.command == Command::reset_orientation;
+void RunHistory::observe(const FrameRecord& frame, const StageRecord& stage) {
+  const World& world = frame.world;
+  if (frames_++ % stride_ == 0) {
+    const Confidences& c = world.confidence;
+    points_.push_back({world.time, c.current, c.opposite, c.raw_current, c.raw_opposite});
   }
-  if (history.samples().empty()) return summary;
-  const FrameSample& last = history.samples().back();
-  summary.seconds = last.time;
-  summary.frames = static_cast<int>(history.samples().size());
-  if (!last.truth) return summary;
-
-  const auto wrong = [](const FrameSample& sample) {
-    return sample.truth && !sample.carried && !sample.truth->carried &&
-           !is_correct(sample.belief.pose, sample.truth->pose);
-  };
-  summary.error = pose_error(last.belief.pose, last.truth->pose);
-  summary.correct = is_correct(last.belief.pose, last.truth->pose);
-  // The last stretch of wrong belief, interrupted at most by moments in which the belief was right for a short while.
-  constexpr double kStaysRight = 5.0;  // s
-  const auto& samples = history.samples();
-  const auto last_wrong = std::find_if(samples.rbegin(), samples.rend(), wrong);
-  if (last_wrong == samples.rend()) return summary;
-  double begin = last_wrong->time;
-  for (auto sample = last_wrong; sample != samples.rend() && begin - sample->time < kStaysRight; ++sample) {
-    if (wrong(*sample)) begin = sample->time;
+  if (points_.size() >= kMostPoints) {
+    for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
+    points_.resize((points_.size() + 1) / 2);
+    stride_ *= 2;
   }
-  summary.belief_wrong_at = begin;
-  if (summary.correct) summary.corrected_after = last_wrong->time - begin;
-  return summary;
+  note_condition(RunCondition::training, world.training, world.time);
+  note_condition(RunCondition::evaluation_paused, !world.evaluating, world.time);
+  note_condition(RunCondition::belief_reflected, stage.truth && is_correct(reflect(world.pose.pose), stage.truth->pose),
+                 world.time);
+  note_condition(RunCondition::carried, world.carried, world.time);
+  note_condition(RunCondition::fallen, world.fallen, world.time);
+  for (const CommandRecord& command : frame.commands) {
+    if (commands_.size() >= kMostCommands) {
+      commands_.erase(commands_.begin(), commands_.begin() + kMostCommands / 2);
+      commands_left_out_ += kMostCommands / 2;
+    }
+    commands_.push_back({world.time, command.request.reorientation, command.verdict == Verdict::granted});
+  }
+  if (frame.reorientation) keep_snapshot(frame, stage);
+}
+
+void RunHistory::note_condition(RunCondition condition, bool holds, double time) {
+  std::size_t& open = open_[static_cast<std::size_t>(condition)];
+  if (!holds) {
+    open = kClosed;
+    return;
+  }
+  if (open == kClosed) {
+    if (intervals_.size() >= kMostIntervals) join_intervals();
+    open = intervals_.size();
+    intervals_.push_back({condition, time, time});
+  }
+  intervals_[open].to = time;
+}
+
+/// Until half of them are left: a gap that no picture shows is none.
+void RunHistory::join_intervals() {
+  const double duration = intervals_.back().to - intervals_.front().from;
+  gap_ = std::max(2.0 * gap_, duration / 4000.0);
+  while (true) {
+    std::vector<ConditionInterval> joined;
+    std::vector<std::size_t> last(kRunConditions, kClosed);
+    for (const ConditionInterval& interval : intervals_) {
+      std::size_t& before = last[static_cast<std::size_t>(interval.condition)];
+      if (before != kClosed && interval.from - joined[before].to <= gap_) {
+        joined[before].to = interval.to;
+        continue;
+      }
+      before = joined.size();
+      joined.push_back(interval);
+    }
+    for (std::size_t i = 0; i < open_.size(); ++i) open_[i] = open_[i] == kClosed ? kClosed : last[i];
+    intervals_ = std::move(joined);
+    if (intervals_.size() <= kMostIntervals / 2) return;
+    gap_ *= 2.0;
+  }
+}
+
+void RunHistory::keep_snapshot(const FrameRecord& frame, const StageRecord& stage) {
+  if (reorientations_.size() >= kMostReorientations) {
+    ++reorientations_left_out_;
+    return;
+  }
+  const ReorientationRecord& record = *frame.reorientation;
+  reorientations_.push_back({frame.world.time, record.reorientation,
+                             stage.truth ? std::optional<Pose2>(stage.truth->pose) : std::nullopt,
+                             record.belief_before.pose, record.belief_after.pose, frame.pose_particles.before,
+                             frame.pose_particles.particles});
 }
 
 }  // namespace reorient

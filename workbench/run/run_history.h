@@ -1,69 +1,89 @@
-// What happened in a run, kept for the timeline, the summary and the pictures.
+// What happened in a run, for the pictures: curves, the intervals in which something held, the first reorientations. It
+// takes a bounded memory: curves are thinned as they grow old, intervals that are near each other become one.
 #pragma once
 
-#include <optional>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "engine/frame.h"
+#include "workbench/run/observer.h"
 
 namespace reorient {
 
-struct FrameSample {
+/// One point of the curves.
+struct ConfidencePoint {
   double time = 0.0;  ///< s
-  Confidences confidence;
-  PoseBelief belief;
-  std::optional<GroundTruth> truth;
-  bool training = false;
-  bool evaluating = false;
-  bool carried = false;
-  bool fallen = false;
+  double current = 0.0;
+  double opposite = 0.0;
+  double raw_current = 0.0;
+  double raw_opposite = 0.0;
 };
 
-/// How far a belief is from the truth.
-struct PoseError {
-  double position = 0.0;  ///< m
-  double rotation = 0.0;  ///< rad, not negative
+/// What may hold for a while.
+enum class RunCondition { training, evaluation_paused, belief_reflected, carried, fallen };
+inline constexpr int kRunConditions = 5;
+
+struct ConditionInterval {
+  RunCondition condition = RunCondition::training;
+  double from = 0.0;  ///< s
+  double to = 0.0;
 };
-PoseError pose_error(const Pose2& belief, const Pose2& truth);
 
-/// Nearer to the truth than to its reflection, by what tells the two apart: the direction, and close enough to count.
-bool is_correct(const Pose2& belief, const Pose2& truth);
+struct CommandMark {
+  double time = 0.0;  ///< s
+  Reorientation reorientation = Reorientation::flip_pose;
+  bool granted = true;
+};
 
-class RunHistory {
+/// The pose particles around one granted reorientation: the paper's Fig. 6.
+struct ReorientationSnapshot {
+  double time = 0.0;  ///< s
+  Reorientation reorientation = Reorientation::flip_pose;
+  std::optional<Pose2> truth;
+  Pose2 belief_before;
+  Pose2 belief_after;
+  std::vector<Pose2> particles_before;
+  std::vector<Pose2> particles_after;
+};
+
+class RunHistory : public Observer {
  public:
-  void add(const FrameLoop& frame);
-  void add(const FrameSample& sample) { samples_.push_back(sample); }
-  void add(const Rearrangement& rearrangement) { rearrangements_.push_back(rearrangement); }
+  Topics wanted() const override { return {Topic::pose_particles}; }
+  void observe(const FrameRecord& frame, const StageRecord& stage) override;
 
-  const std::vector<FrameSample>& samples() const { return samples_; }
-  const std::vector<TransitionRecord>& transitions() const { return transitions_; }
-  const std::vector<CommandRecord>& commands() const { return commands_; }
-  const std::vector<Rearrangement>& rearrangements() const { return rearrangements_; }
+  const std::vector<ConfidencePoint>& points() const { return points_; }
+  const std::vector<ConditionInterval>& intervals() const { return intervals_; }
+  const std::vector<CommandMark>& commands() const { return commands_; }
+  const std::vector<ReorientationSnapshot>& reorientations() const { return reorientations_; }
+
+  /// One point of the curves stands for this many frames by now.
+  std::uint64_t stride() const { return stride_; }
+  std::uint64_t commands_left_out() const { return commands_left_out_; }              ///< the oldest
+  std::uint64_t reorientations_left_out() const { return reorientations_left_out_; }  ///< the latest
+
+  static constexpr std::size_t kMostPoints = 6000;
+  static constexpr std::size_t kMostIntervals = 2000;
+  static constexpr std::size_t kMostCommands = 2000;
+  static constexpr std::size_t kMostReorientations = 10;
 
  private:
-  std::vector<FrameSample> samples_;
-  std::vector<TransitionRecord> transitions_;
-  std::vector<CommandRecord> commands_;
-  std::vector<Rearrangement> rearrangements_;
-};
+  void note_condition(RunCondition condition, bool holds, double time);
+  void join_intervals();
+  void keep_snapshot(const FrameRecord& frame, const StageRecord& stage);
 
-/// The result of a run against the truth; empty optionals where there is nothing to tell.
-struct RunSummary {
-  bool succeeded = false;                 ///< the scenario said so
-  std::string verdict;                    ///< the scenario's words
-  bool correct = false;                   ///< the belief is right at the end
-  std::optional<double> belief_wrong_at;  ///< s, start of the last time that the belief was wrong
-  std::optional<double> corrected_after;  ///< s from then until it was right and stayed so
-  std::optional<PoseError> error;         ///< at the end
-  int flips = 0;
-  int purges = 0;
-  int resets = 0;
-  double seconds = 0.0;  ///< of the robot's time
-  int frames = 0;
-};
+  std::vector<ConfidencePoint> points_;
+  std::uint64_t frames_ = 0;
+  std::uint64_t stride_ = 1;
+  std::vector<ConditionInterval> intervals_;
+  std::vector<std::size_t> open_ = std::vector<std::size_t>(kRunConditions, kClosed);  ///< index of the interval
+  double gap_ = 0.0;  ///< s; intervals that are nearer to each other are one
+  std::vector<CommandMark> commands_;
+  std::uint64_t commands_left_out_ = 0;
+  std::vector<ReorientationSnapshot> reorientations_;
+  std::uint64_t reorientations_left_out_ = 0;
 
-/// Without a verdict the scenario did not end in time.
-RunSummary summarize(const RunHistory& history, const std::optional<ScenarioVerdict>& verdict);
+  static constexpr std::size_t kClosed = static_cast<std::size_t>(-1);
+};
 
 }  // namespace reorient

@@ -1,19 +1,28 @@
 #include "engine/script/language/world_fields.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <variant>
 
 #include "engine/parameters/nearest_name.h"
 
 namespace reorient {
 namespace {
 
-double* truth_x(World& world) { return world.truth ? &world.truth->pose.position.x() : nullptr; }
-double* truth_y(World& world) { return world.truth ? &world.truth->pose.position.y() : nullptr; }
-double* truth_rotation(World& world) { return world.truth ? &world.truth->pose.rotation : nullptr; }
-bool* truth_fallen(World& world) { return world.truth ? &world.truth->fallen : nullptr; }
-bool* truth_carried(World& world) { return world.truth ? &world.truth->carried : nullptr; }
+using Type = WorldField::Type;
+
+/// Where a field lives in a world. Only tests write through it.
+using Access = std::variant<double* (*)(World&), bool* (*)(World&), int* (*)(World&), std::uint64_t* (*)(World&)>;
+
+struct BoundField {
+  std::string_view table;
+  std::string_view name;
+  std::string_view unit;
+  std::string_view description;
+  Access access;
+};
 
 constexpr WorldTable kTables[] = {
     {"clock", "Time."},
@@ -24,10 +33,9 @@ constexpr WorldTable kTables[] = {
     {"evaluation", "The comparison of what is seen with the background model."},
     {"seen", "What was seen of the field in this frame."},
     {"field", "The field as drawn, to the centres of its lines; the origin is its centre."},
-    {"truth", "Where the robot really is; only where a simulator or a tracking camera knows."},
 };
 
-const WorldField kFields[] = {
+const BoundField kFields[] = {
     {"clock", "time", "s", "since the robot was switched on", [](World& w) { return &w.time; }},
     {"clock", "step", "s", "since the frame before", [](World& w) { return &w.time_step; }},
     {"clock", "frame", "", "number of this frame", [](World& w) { return &w.frame; }},
@@ -84,54 +92,66 @@ const WorldField kFields[] = {
      [](World& w) { return &w.field.goal_post_y; }},
     {"field", "center_circle_radius", "m", "radius of the centre circle",
      [](World& w) { return &w.field.center_circle_radius; }},
-    {"truth", "x", "m", "towards the opponent goal", truth_x, true},
-    {"truth", "y", "m", "to the left", truth_y, true},
-    {"truth", "rotation", "rad", "0 looks towards the opponent goal, positive turns left", truth_rotation, true},
-    {"truth", "fallen", "", "the robot really lies", truth_fallen, true},
-    {"truth", "carried", "", "the robot really hangs in the air", truth_carried, true},
 };
 
-double as_number(const WorldField& field, World& world) {
-  return std::visit(
-      [&](auto access) {
-        const auto* value = access(world);
-        return value == nullptr ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(*value);
-      },
-      field.access);
+Type type_of(const BoundField& field) {
+  return std::holds_alternative<bool* (*)(World&)>(field.access) ? Type::boolean : Type::number;
+}
+
+std::vector<WorldField> make_fields() {
+  std::vector<WorldField> fields;
+  for (const BoundField& field : kFields)
+    fields.push_back({field.table, field.name, field.unit, field.description, type_of(field), {}});
+  return fields;
 }
 
 }  // namespace
 
-std::span<const WorldField> world_fields() { return kFields; }
+std::span<const WorldField> world_fields() {
+  static const std::vector<WorldField> fields = make_fields();
+  return fields;
+}
 
 std::span<const WorldTable> world_tables() { return kTables; }
 
-void read_world(const World& world, std::vector<double>& values) {
-  values.resize(std::size(kFields));
+void append_world(const World& world, std::vector<double>& values) {
   // The accessors only hand out addresses; nothing is written through them here.
   auto& readable = const_cast<World&>(world);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = as_number(kFields[i], readable);
+  for (const BoundField& field : kFields) {
+    values.push_back(std::visit([&](auto access) { return static_cast<double>(*access(readable)); }, field.access));
+  }
 }
 
-void write_world(World& world, std::string_view table, std::string_view name, double value, bool is_boolean) {
-  std::vector<std::string> known;
-  for (const WorldField& field : kFields) {
-    if (field.table != table || field.name != name) {
-      known.push_back(field.full_name());
-      continue;
-    }
-    if (field.is_boolean() != is_boolean) {
-      throw std::runtime_error(field.full_name() + (is_boolean ? " is a number" : " is true or false"));
-    }
-    if (table == "truth" && !world.truth) world.truth.emplace();
+double checked_value(const WorldField& field, const WorldValue& value) {
+  if (field.type != value.type) {
+    const char* const wanted = field.type == Type::boolean  ? " is true or false"
+                               : field.type == Type::number ? " is a number"
+                                                            : " is a string";
+    throw std::runtime_error(field.full_name() + wanted);
+  }
+  if (field.type != Type::name) return value.number;
+  const auto found = std::find(field.names.begin(), field.names.end(), value.name);
+  if (found != field.names.end()) return static_cast<double>(found - field.names.begin());
+  const std::vector<std::string> known(field.names.begin(), field.names.end());
+  throw std::runtime_error(field.full_name() + " cannot be '" + std::string(value.name) + "'" +
+                           did_you_mean(value.name, known));
+}
+
+void write_world(World& world, std::string_view table, std::string_view name, const WorldValue& value) {
+  const std::span<const WorldField> all = world_fields();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].table != table || all[i].name != name) continue;
+    const double number = checked_value(all[i], value);
     std::visit(
         [&](auto access) {
           auto* place = access(world);
-          *place = static_cast<std::remove_pointer_t<decltype(place)>>(value);
+          *place = static_cast<std::remove_pointer_t<decltype(place)>>(number);
         },
-        field.access);
+        kFields[i].access);
     return;
   }
+  std::vector<std::string> known;
+  for (const WorldField& field : all) known.push_back(field.full_name());
   const std::string wanted = std::string(table) + "." + std::string(name);
   throw std::runtime_error("the world has no " + wanted + did_you_mean(wanted, known));
 }

@@ -1,47 +1,34 @@
-// What scripts see of the world, declared once: the Lua tables, the reference page and the editor annotations are all
-// made from this list.
+// What behaviours see of the world, declared once: the Lua tables, the reference page and the editor annotations are
+// all made from this list.
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "engine/script/language/script_language.h"
 #include "engine/world/world.h"
 
 namespace reorient {
 
-/// Where a field lives in a world; nullptr where it is not known at the moment. Only tests write through it.
-using WorldAccess = std::variant<double* (*)(World&), bool* (*)(World&), int* (*)(World&), std::uint64_t* (*)(World&)>;
-
-struct WorldField {
-  std::string_view table;  ///< "robot"
-  std::string_view name;   ///< "fallen"
-  std::string_view unit;   ///< "m", or empty
-  std::string_view description;
-  WorldAccess access;
-  bool for_scenarios = false;  ///< behaviours do not get it
-
-  bool is_boolean() const { return std::holds_alternative<bool* (*)(World&)>(access); }
-  std::string full_name() const { return std::string(table) + "." + std::string(name); }
-};
-
 std::span<const WorldField> world_fields();
-
-struct WorldTable {
-  std::string_view name;
-  std::string_view description;
-};
 
 /// The tables of world_fields(), in the order in which they are documented.
 std::span<const WorldTable> world_tables();
 
-/// One frame's values of all fields, in the order of world_fields(); a boolean is 0 or 1, NaN: not known.
-void read_world(const World& world, std::vector<double>& values);
+/// Appends one frame's values of all fields, in the order of world_fields(); a boolean is 0 or 1, a name its index.
+void append_world(const World& world, std::vector<double>& values);
 
-/// Throws std::runtime_error with one line when there is no such field or it takes no such value.
-void write_world(World& world, std::string_view table, std::string_view name, double value, bool is_boolean);
+/// For tests: what `set_world { table = { name = value } }` means. Throws std::runtime_error with one line when there
+/// is no such field or it takes no such value.
+struct WorldValue {
+  WorldField::Type type = WorldField::Type::number;
+  double number = 0.0;  ///< of a boolean: 0 or 1
+  std::string_view name;
+};
+void write_world(World& world, std::string_view table, std::string_view name, const WorldValue& value);
+
+/// The number that a value stands for in this field. Throws as write_world().
+double checked_value(const WorldField& field, const WorldValue& value);
 
 }  // namespace reorient

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 
 #include "engine/parameters/nearest_name.h"
-#include "engine/script/language/world_fields.h"
 
 namespace reorient {
 namespace {
@@ -21,18 +21,21 @@ std::vector<std::string> keys_of(lua_State* L, int index) {
   return keys;
 }
 
-/// Upvalue: what the table is called. Arguments: the table of values, a key that it does not have.
+/// Upvalues: what the table is called; the language, where it is one of the world's. Arguments: the table of values, a
+/// key that it does not have.
 int refuse_unknown(lua_State* L) {
   const std::string table = lua_tostring(L, lua_upvalueindex(1));
   if (lua_type(L, 2) != LUA_TSTRING) {
     return luaL_error(L, "%s has no field of type %s", table.c_str(), luaL_typename(L, 2));
   }
   const std::string key = lua_tostring(L, 2);
-  for (const WorldField& field : world_fields()) {
-    if (field.table != table || field.name != key) continue;
-    return luaL_error(L,
-                      "%s.%s is not known here: on this robot nothing measures it, or a script is still being loaded",
-                      table.c_str(), key.c_str());
+  if (const auto* language = static_cast<const ScriptLanguage*>(lua_touserdata(L, lua_upvalueindex(2)))) {
+    for (const WorldField& field : language->world()) {
+      if (field.table != table || field.name != key) continue;
+      return luaL_error(L,
+                        "%s.%s is not known here: on this robot nothing measures it, or a script is still being loaded",
+                        table.c_str(), key.c_str());
+    }
   }
   const std::string hint = did_you_mean(key, keys_of(L, 1));
   return luaL_error(L, "%s has no field '%s'%s", table.c_str(), key.c_str(), hint.c_str());
@@ -53,19 +56,20 @@ int length_of_values(lua_State* L) {
   return 1;
 }
 
-/// Tables are declared by name while fields are many; the values' metatable names the wanted field in the world list.
-void add_unknown_name_error(lua_State* L, const std::string& what) {
+void add_unknown_name_error(lua_State* L, const std::string& what, const ScriptLanguage* language) {
   lua_createtable(L, 0, 1);
   lua_pushlstring(L, what.data(), what.size());
-  lua_pushcclosure(L, refuse_unknown, 1);
+  // Lua has no pointer to const; the language is only ever read through it.
+  lua_pushlightuserdata(L, const_cast<ScriptLanguage*>(language));
+  lua_pushcclosure(L, refuse_unknown, 2);
   lua_setfield(L, -2, "__index");
   lua_setmetatable(L, -2);
 }
 
 }  // namespace
 
-void make_read_only(lua_State* L, const std::string& what) {
-  add_unknown_name_error(L, what);
+void make_read_only(lua_State* L, const std::string& what, const ScriptLanguage* language) {
+  add_unknown_name_error(L, what, language);
   lua_newtable(L);           // what the script sees
   lua_createtable(L, 0, 5);  // its metatable
   lua_pushvalue(L, -3);
@@ -85,32 +89,24 @@ void make_read_only(lua_State* L, const std::string& what) {
   lua_remove(L, -2);
 }
 
-WorldTables::WorldTables(lua_State* L, bool for_scenario) : lua_(L) {
-  for (const WorldTable& table : world_tables()) {
+WorldTables::WorldTables(lua_State* L, const ScriptLanguage& language) : lua_(L) {
+  std::map<std::string_view, int> tables;
+  for (const WorldTable& table : language.tables()) {
     lua_newtable(L);
     lua_pushvalue(L, -1);
-    const int values = luaL_ref(L, LUA_REGISTRYINDEX);
-    bool any = false;
-    for (std::size_t i = 0; i < world_fields().size(); ++i) {
-      const WorldField& field = world_fields()[i];
-      if (field.table != table.name || (field.for_scenarios && !for_scenario)) continue;
-      any = true;
-      shown_.push_back({i, values, field.name.data(), field.is_boolean(), std::numeric_limits<double>::quiet_NaN()});
-    }
-    if (any) {
-      make_read_only(L, std::string(table.name));
-      lua_setglobal(L, table.name.data());
-    } else {
-      luaL_unref(L, LUA_REGISTRYINDEX, values);
-      lua_pop(L, 1);
-    }
+    tables[table.name] = luaL_ref(L, LUA_REGISTRYINDEX);
+    make_read_only(L, std::string(table.name), &language);
+    lua_setglobal(L, table.name.data());
   }
+  for (const WorldField& field : language.world())
+    shown_.push_back({&field, tables.at(field.table), std::numeric_limits<double>::quiet_NaN()});
 }
 
-void WorldTables::refresh(const std::vector<double>& values) {
+void WorldTables::refresh(std::span<const double> values) {
   int table = LUA_NOREF;
-  for (Shown& shown : shown_) {
-    const double value = values[shown.field];
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    Shown& shown = shown_[i];
+    const double value = values[i];
     const bool unknown = std::isnan(value);
     if (value == shown.value || (unknown && std::isnan(shown.value))) continue;
     shown.value = value;
@@ -119,15 +115,17 @@ void WorldTables::refresh(const std::vector<double>& values) {
       table = shown.table;
       lua_rawgeti(lua_, LUA_REGISTRYINDEX, table);
     }
+    lua_pushlstring(lua_, shown.field->name.data(), shown.field->name.size());
     if (unknown) {
       lua_pushnil(lua_);
-    } else if (shown.is_boolean) {
+    } else if (shown.field->type == WorldField::Type::boolean) {
       lua_pushboolean(lua_, value != 0.0 ? 1 : 0);
+    } else if (shown.field->type == WorldField::Type::name) {
+      const std::string_view name = shown.field->names[static_cast<std::size_t>(value)];
+      lua_pushlstring(lua_, name.data(), name.size());
     } else {
       lua_pushnumber(lua_, value);
     }
-    lua_pushstring(lua_, shown.name);
-    lua_insert(lua_, -2);
     lua_rawset(lua_, -3);
   }
   if (table != LUA_NOREF) lua_pop(lua_, 1);

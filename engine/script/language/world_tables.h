@@ -1,28 +1,28 @@
 // The world in one script's Lua: read-only tables that are refreshed each frame and refuse names that do not exist.
 #pragma once
 
-#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <lua.hpp>
 
+#include "engine/script/language/script_language.h"
+
 namespace reorient {
 
 class WorldTables {
  public:
-  /// Makes the tables as globals of `L`; scenarios also get `truth`.
-  WorldTables(lua_State* L, bool for_scenario);
+  /// Makes the tables of a language as globals of `L`. The fields must outlive them.
+  WorldTables(lua_State* L, const ScriptLanguage& language);
 
-  /// Writes what changed since the last call; `values` as read_world() gives them.
-  void refresh(const std::vector<double>& values);
+  /// Writes what changed since the last call; `values` in the order of the language's fields, NaN: not known.
+  void refresh(std::span<const double> values);
 
  private:
   struct Shown {
-    std::size_t field = 0;  ///< index into world_fields()
-    int table = 0;          ///< of the values, in the registry
-    const char* name = "";
-    bool is_boolean = false;
+    const WorldField* field = nullptr;
+    int table = 0;  ///< of the values, in the registry
     double value = 0.0;
   };
 
@@ -32,6 +32,7 @@ class WorldTables {
 
 /// Makes the table on top of the stack read-only: it is replaced by an empty table through which its fields are seen.
 /// `what` names it in errors ("robot"). A field that is not there is an error, with "did you mean".
-void make_read_only(lua_State* L, const std::string& what);
+/// `language`: where the table is one of its world, which must outlive it.
+void make_read_only(lua_State* L, const std::string& what, const ScriptLanguage* language = nullptr);
 
 }  // namespace reorient

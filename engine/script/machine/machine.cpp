@@ -22,6 +22,8 @@ Machine::Machine(const MachineDefinition& definition)
 
 const std::string& Machine::state() const { return definition_->states[active_.empty() ? 0 : active_.back()].path; }
 
+NameId Machine::state_id() const { return definition_->states[active_.empty() ? 0 : active_.back()].path_id; }
+
 double Machine::entered_at() const { return entered_[active_.empty() ? 0 : active_.back()]; }
 
 bool Machine::is_active(int state) const { return std::find(active_.begin(), active_.end(), state) != active_.end(); }
@@ -39,15 +41,15 @@ void Machine::start(MachineCallbacks& script, double time, std::vector<Transitio
   std::size_t kept = 0;
   if (active_.empty()) {
     descend(0);
-    reason_ = "start";
+    reason_ = kStartName;
   } else {
     kept = active_.size() - not_entered_;
-    reason_ = "the script was reloaded";
+    reason_ = kReloadedName;
   }
   not_entered_ = 0;
   for (std::size_t i = kept; i < active_.size(); ++i) entered_[active_[i]] = time;
-  transitions.push_back({time, definition_->name, lost_state_, state(), reason_, -1});
-  lost_state_.clear();
+  transitions.push_back({definition_->name_id, lost_state_, state_id(), reason_, -1});
+  lost_state_ = kNoName;
   for (std::size_t i = kept; i < active_.size(); ++i)
     script.run(*this, active_[i], definition_->states[active_[i]].enter);
 }
@@ -99,7 +101,7 @@ bool Machine::is_ready(MachineCallbacks& script, int index, double time) {
 
 void Machine::take(MachineCallbacks& script, int index, double time, std::vector<TransitionRecord>& transitions) {
   const TransitionDefinition& transition = definition_->transitions[index];
-  const std::string from = state();
+  const NameId from = state_id();
   // The states that stay: common ancestors of the target, not the target itself.
   std::size_t kept = 0;
   while (kept < active_.size() && active_[kept] != transition.to &&
@@ -123,21 +125,32 @@ void Machine::take(MachineCallbacks& script, int index, double time, std::vector
   }
   descend(transition.to);
   for (std::size_t i = kept; i < active_.size(); ++i) entered_[active_[i]] = time;
-  reason_ = transition.because;
-  transitions.push_back({time, definition_->name, from, state(), reason_, index});
+  reason_ = transition.because_id;
+  transitions.push_back({definition_->name_id, from, state_id(), reason_, index});
   for (std::size_t i = kept; i < active_.size(); ++i)
     script.run(*this, active_[i], definition_->states[active_[i]].enter);
 }
 
-void Machine::lease(Command command, int state) {
-  const auto same = [&](const Held& held) { return held.command == command && held.state == state; };
-  if (std::none_of(leases_.begin(), leases_.end(), same)) leases_.push_back({command, state, reason_});
+void Machine::lease(Pause pause, int state) {
+  const auto same = [&](const Held& held) { return held.pause == pause && held.state == state; };
+  if (std::none_of(leases_.begin(), leases_.end(), same)) leases_.push_back({pause, state, reason_});
 }
 
 void Machine::append_leases(std::vector<Lease>& all) const {
   for (const Held& held : leases_) {
-    all.push_back(
-        {held.command, definition_->name, definition_->states[held.state].path, held.reason, definition_->priority});
+    all.push_back({held.pause, {definition_->name_id, definition_->states[held.state].path_id, held.reason}});
+  }
+}
+
+void Machine::append_conditions(double time, std::vector<OpenCondition>& all) const {
+  for (const int state : active_) {
+    for (const int index : definition_->states[state].transitions) {
+      const TransitionDefinition& transition = definition_->transitions[index];
+      const bool holds = !std::isnan(holding_since_[index]);
+      if (transition.when != LUA_NOREF ? !holds : is_active(transition.to)) continue;
+      all.push_back({definition_->name_id, definition_->states[transition.to].path_id, transition.because_id,
+                     holds ? time - holding_since_[index] : 0.0, time - entered_[state]});
+    }
   }
 }
 
@@ -167,15 +180,32 @@ std::string Machine::adopt(const Machine& old) {
   }
   for (const Held& held : old.leases_) {
     const int state = definition_->find(before.states[held.state].path);
-    if (state >= 0 && is_active(state)) leases_.push_back({held.command, state, held.reason});
+    if (state >= 0 && is_active(state)) leases_.push_back({held.pause, state, held.reason});
   }
   if (survived == old.active_.size()) {
-    if (not_entered_ > 0 && lost_state_.empty()) lost_state_ = old.state();
+    if (not_entered_ > 0 && lost_state_ == kNoName) lost_state_ = old.state_id();
     return {};
   }
-  lost_state_ = old.state();
-  if (not_entered_ == 0) lost_state_.clear();
+  lost_state_ = not_entered_ == 0 ? kNoName : old.state_id();
   return definition_->name + ": the state '" + old.state() + "' is gone; it goes on in '" + state() + "'";
+}
+
+void Machine::rename(const NameTable& before, Names& names) {
+  reason_ = names.intern(before[reason_]);
+  lost_state_ = names.intern(before[lost_state_]);
+  for (Held& held : leases_) held.reason = names.intern(before[held.reason]);
+}
+
+void Machine::check() const {
+  const auto states = static_cast<int>(definition_->states.size());
+  const auto is_state = [&](int state) { return state >= 0 && state < states; };
+  bool fits = entered_.size() == definition_->states.size() && last_child_.size() == definition_->states.size() &&
+              holding_since_.size() == definition_->transitions.size() && not_entered_ <= active_.size();
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    fits = fits && is_state(active_[i]) && definition_->states[active_[i]].parent == (i == 0 ? -1 : active_[i - 1]);
+  for (const int child : last_child_) fits = fits && (child == -1 || is_state(child));
+  for (const Held& held : leases_) fits = fits && is_state(held.state);
+  if (!fits) throw BadBytes("the state of the machine '" + definition_->name + "' does not fit its script");
 }
 
 }  // namespace reorient

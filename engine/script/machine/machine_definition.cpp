@@ -116,6 +116,12 @@ bool MachineDefinition::is_within(int state, int ancestor) const {
   return state == ancestor;
 }
 
+void intern_names(MachineDefinition& machine, Names& names) {
+  machine.name_id = names.intern(machine.name);
+  for (StateDefinition& state : machine.states) state.path_id = names.intern(state.path);
+  for (TransitionDefinition& transition : machine.transitions) transition.because_id = names.intern(transition.because);
+}
+
 std::vector<DeclarationError> resolve(MachineDefinition& machine) {
   std::vector<DeclarationError> errors;
   for (StateDefinition& state : machine.states) {

@@ -7,6 +7,7 @@
 #include <lua.hpp>
 
 #include "engine/script/source/lua_tokens.h"
+#include "engine/world/names.h"
 
 namespace reorient {
 
@@ -28,14 +29,16 @@ struct TransitionDefinition {
   Dwell lasting;         ///< how long `when` must have held without a break
   Dwell after;           ///< how long since `from` was entered
   std::string because;   ///< the reason, never empty once validated
-  bool common = false;   ///< checked before the others, and not while the target is active already
-  std::string key;       ///< names it across reloads
+  NameId because_id = kNoName;
+  bool common = false;  ///< checked before the others, and not while the target is active already
+  std::string key;      ///< names it across reloads
   TextPosition position;
 };
 
 struct StateDefinition {
   std::string name;
   std::string path;  ///< "outer/inner"; empty for the machine itself
+  NameId path_id = kNoName;
   int parent = -1;
   std::vector<int> children;
   std::string initial_name;
@@ -50,6 +53,7 @@ struct StateDefinition {
 
 struct MachineDefinition {
   std::string name;
+  NameId name_id = kNoName;
   std::string file;
   TextPosition position;
   double priority = 0.0;
@@ -68,6 +72,9 @@ struct DeclarationError {
   TextPosition position;
   std::string message;
 };
+
+/// Gives every name in it its number.
+void intern_names(MachineDefinition& machine, Names& names);
 
 /// Resolves targets and initial states and fills in what is derived. All errors that were found, in file order.
 std::vector<DeclarationError> resolve(MachineDefinition& machine);

@@ -29,6 +29,11 @@ struct ScriptFault {
   std::string text() const;
 };
 
+template <typename Visit>
+void fields(Visit&& visit, ScriptFault& fault) {
+  visit(fault.file, fault.line, fault.message, fault.traceback, fault.column);
+}
+
 class Sandbox {
  public:
   explicit Sandbox(const ScriptLimits& limits);

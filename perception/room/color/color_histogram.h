@@ -37,6 +37,10 @@ struct Light {
   double cb = 128.0;
   double cr = 128.0;
 };
+template <typename Visit>
+void fields(Visit&& visit, Light& light) {
+  visit(light.luma, light.cb, light.cr);
+}
 
 /// The 14 regions for the bytes of an image. Thresholds move with the light so that pixels need not.
 struct ColorThresholds {

@@ -24,6 +24,12 @@ struct Confidences {
   int visible_tiles = 0;         ///< tiles that counted in this frame
 };
 
+template <typename Visit>
+void fields(Visit&& visit, Confidences& c) {
+  visit(c.current, c.opposite, c.raw_current, c.raw_opposite, c.goal_opponent, c.goal_own, c.coverage,
+        c.distinctiveness, c.evidence, c.visible_tiles);
+}
+
 struct ConfidenceParameters {
   double half_width = from_degrees(30.0);
   double goal_half_width = from_degrees(12.5);

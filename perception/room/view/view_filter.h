@@ -36,6 +36,10 @@ struct ViewParticle {
   double azimuth = 0.0;
   double weight = 0.0;  ///< of this frame, before resampling; the weights sum up to 1
 };
+template <typename Visit>
+void fields(Visit&& visit, ViewParticle& particle) {
+  visit(particle.azimuth, particle.weight);
+}
 
 /// Particles that lie together.
 struct ViewCluster {
@@ -43,6 +47,10 @@ struct ViewCluster {
   double spread = 0.0;   ///< standard deviation, rad
   double share = 0.0;    ///< of all particles
 };
+template <typename Visit>
+void fields(Visit&& visit, ViewCluster& cluster) {
+  visit(cluster.azimuth, cluster.spread, cluster.share);
+}
 
 /// The numbers of the mode that is on.
 struct ViewCorrection {

@@ -43,6 +43,12 @@ struct PerceivedTile {
   double coverage() const { return expected_area > 0.0 ? area / expected_area : 0.0; }
 };
 
+template <typename Visit>
+void fields(Visit&& visit, PerceivedTile& tile) {
+  visit(tile.tile, tile.samples, tile.area, tile.expected_area, tile.distance, tile.incidence, tile.counts,
+        tile.histogram);
+}
+
 /// A rectangle of pixels that shows one tile.
 struct TileBlock {
   int tile = 0;

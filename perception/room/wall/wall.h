@@ -19,6 +19,10 @@ struct WallParameters {
   int columns = 48;
 };
 template <typename Visit>
+void fields(Visit&& visit, WallParameters& p) {
+  visit(p.radius, p.bottom, p.top, p.rows, p.columns);
+}
+template <typename Visit>
 void describe(WallParameters& p, Visit&& visit) {
   visit("radius", p.radius, 1.0, 100.0, "m", "distance of the virtual wall from the field's centre");
   visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the lowest row of tiles begins");

@@ -191,15 +191,20 @@ void Body::collide(std::span<const Barrier> barriers, const Eigen::Vector2d& bou
 void Body::measure(Observation& observation) {
   const double joint = parameters_.head_noise;
   const double attitude = parameters_.attitude_noise;
-  observation.head = {head_.yaw + joint * random_.normal(), head_.pitch + joint * random_.normal()};
-  observation.torso = {torso_.roll + attitude_bias_.roll + attitude * random_.normal(),
-                       torso_.pitch + attitude_bias_.pitch + attitude * random_.normal()};
-  // The legs' kinematics know nothing of a fall or of hands that hold the robot.
-  observation.hip_height = posture_ == Posture::upright ? hip_height_ : dimensions_.hip_height;
+  BodySample& body = observation.body;
+  body.time = observation.time;
+  body.head = {head_.yaw + joint * random_.normal(), head_.pitch + joint * random_.normal()};
+  body.torso = {torso_.roll + attitude_bias_.roll + attitude * random_.normal(),
+                torso_.pitch + attitude_bias_.pitch + attitude * random_.normal()};
   observation.odometry = odometry_;
   const double load = posture_ == Posture::carried ? 0.03 : (posture_ == Posture::upright ? kStandingLoad : 0.5);
-  observation.foot_load = std::max(0.0, load + 0.02 * kStandingLoad * random_.normal());
-  observation.penalized = penalized_;
+  body.foot_load = std::max(0.0, load + 0.02 * kStandingLoad * random_.normal());
+}
+
+Eigen::Isometry3d Body::measured_camera(const RobotDimensions& dimensions, const BodySample& body) const {
+  // The legs' kinematics know nothing of a fall or of hands that hold the robot.
+  const double hip_height = posture_ == Posture::upright ? hip_height_ : dimensions_.hip_height;
+  return robot_from_camera(dimensions, body.head, body.torso, hip_height);
 }
 
 GroundTruth Body::ground_truth() const {

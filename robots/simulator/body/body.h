@@ -8,6 +8,7 @@
 #include "geometry/head.h"
 #include "geometry/pose2.h"
 #include "geometry/random.h"
+#include "robots/experimenter.h"
 #include "robots/robot.h"
 #include "robots/simulator/body/barrier.h"
 
@@ -80,8 +81,10 @@ class Body {
   void push_over();
   void penalize(bool penalized) { penalized_ = penalized; }
 
-  /// The measurements; image, camera and time are left as they are.
+  /// What the robot feels at observation.time: body and odometry.
   void measure(Observation& observation);
+  /// Where the robot believes its camera to be, in its own frame; `dimensions` as it believes them.
+  Eigen::Isometry3d measured_camera(const RobotDimensions& dimensions, const BodySample& body) const;
 
   GroundTruth ground_truth() const;
   Posture posture() const { return posture_; }

@@ -122,7 +122,7 @@ TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
   load("b", text);
   tick();
   ASSERT_TRUE(faults.empty()) << faults[0].fault.text();
-  const ReloadReport report = edit("b", text + " ");
+  const ReloadRecord report = edit("b", text + " ");
   EXPECT_TRUE(report.accepted);
   EXPECT_FALSE(report.warnings.empty());
   EXPECT_LE(report.warnings.size(), 20u);

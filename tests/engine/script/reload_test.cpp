@@ -22,7 +22,7 @@ std::string edited(std::string text, const std::string& from, const std::string&
 TEST_F(ScriptReload, StateTimersMemoryAndLeasesSurvive) {
   load("b", kTwoStates);
   ticks(25);
-  ReloadReport report = edit("b", kTwoStates + "-- edited\n");
+  ReloadRecord report = edit("b", kTwoStates + "-- edited\n");
   EXPECT_TRUE(report.accepted) << report.fault.text();
   EXPECT_TRUE(report.warnings.empty());
   ticks(5);
@@ -30,7 +30,7 @@ TEST_F(ScriptReload, StateTimersMemoryAndLeasesSurvive) {
   ticks(1);
   EXPECT_EQ(state("b"), "two");
   edit("b", kTwoStates + "-- edited again\n");
-  const ScriptOutput& output = tick();
+  const SeenTick& output = tick();
   EXPECT_EQ(output.leases.size(), 1u);
   EXPECT_EQ(logs.back(), "1three");
   EXPECT_EQ(transitions.size(), 2u) << "a reload is no transition";
@@ -52,7 +52,7 @@ TEST_F(ScriptReload, AStateThatIsGoneFallsBackToItsNearestAncestor) {
       R"(behavior "b" { initial = "outer", state "outer" { initial = "x", state "x" { { "y", after = 0.1 } }, state "y" {} }, state "z" {} })");
   ticks(10);
   EXPECT_EQ(state("b"), "outer/y");
-  const ReloadReport report = edit("b", R"(behavior "b" { initial = "z", state "outer" { initial = "x",
+  const ReloadRecord report = edit("b", R"(behavior "b" { initial = "z", state "outer" { initial = "x",
     state "x" { enter = function() log.info("+x") end } }, state "z" {} })");
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_EQ(report.warnings[0], "b: the state 'outer/y' is gone; it goes on in 'outer/x'");
@@ -68,7 +68,7 @@ TEST_F(ScriptReload, ABrokenEditKeepsTheVersionBeforeAndSaysWhere) {
   ticks(5);
   for (const char* broken : {"behavior \"b\" { initial = ", "error(\"at load\")", "local t = nil\nlocal x = t.y", "",
                              "behavior \"other\" { state \"a\" { { \"q\", after = 1 } } }"}) {
-    const ReloadReport report = edit("b", broken);
+    const ReloadRecord report = edit("b", broken);
     EXPECT_FALSE(report.accepted);
     EXPECT_EQ(report.script, "behaviors/b.lua");
     EXPECT_EQ(report.fault.file, "behaviors/b.lua");
@@ -83,7 +83,7 @@ TEST_F(ScriptReload, ABrokenEditKeepsTheVersionBeforeAndSaysWhere) {
 
 TEST_F(ScriptReload, AFaultAtLoadHasATraceback) {
   load("b", kTwoStates);
-  const ReloadReport report = edit("b", "local function f() error(\"deep\") end\nlocal function g() f() end\ng()");
+  const ReloadRecord report = edit("b", "local function f() error(\"deep\") end\nlocal function g() f() end\ng()");
   EXPECT_EQ(report.fault.line, 1);
   EXPECT_NE(report.fault.traceback.find("behaviors/b.lua:2"), std::string::npos) << report.fault.traceback;
 }
@@ -91,10 +91,10 @@ TEST_F(ScriptReload, AFaultAtLoadHasATraceback) {
 TEST_F(ScriptReload, AnUnchangedFileIsNotReloaded) {
   load("b", kTwoStates);
   folder.write("behaviors/b.lua", kTwoStates);
-  EXPECT_TRUE(host().reload_changed(0.0).empty());
+  EXPECT_TRUE(reload().empty());
   folder.write("behaviors/b.lua", "broken(");
-  EXPECT_EQ(host().reload_changed(0.0).size(), 1u);
-  EXPECT_TRUE(host().reload_changed(0.0).empty()) << "one report for one edit";
+  EXPECT_EQ(reload().size(), 1u);
+  EXPECT_TRUE(reload().empty()) << "one report for one edit";
 }
 
 TEST_F(ScriptReload, AnEditOfALibraryReloadsAllThatRequireIt) {
@@ -105,7 +105,7 @@ TEST_F(ScriptReload, AnEditOfALibraryReloadsAllThatRequireIt) {
   }
   load("c", "behavior \"c\" {}");
   folder.write("lib/words.lua", "return { text = \"new\" }");
-  EXPECT_EQ(host().reload_changed(0.0).size(), 2u);
+  EXPECT_EQ(reload().size(), 2u);
   tick();
   EXPECT_EQ(logs, (std::vector<std::string>{"new", "new"}));
 }
@@ -114,15 +114,15 @@ TEST_F(ScriptReload, AFileThatComesLaterIsTakenUp) {
   load("b", kTwoStates);
   EXPECT_FALSE(edit("b", "require \"lib.later\"\n" + kTwoStates).accepted);
   folder.write("lib/later.lua", "return 1");
-  const auto reports = host().reload_changed(0.0);
+  const auto reports = reload();
   ASSERT_EQ(reports.size(), 1u);
   EXPECT_TRUE(reports[0].accepted) << reports[0].fault.text();
 }
 
 TEST_F(ScriptReload, AFileThatVanishesKeepsTheVersionBefore) {
   load("b", kTwoStates);
-  std::filesystem::remove(folder.path() / "behaviors/b.lua");
-  const auto reports = host().reload_changed(0.0);
+  folder.remove("behaviors/b.lua");
+  const auto reports = reload();
   ASSERT_EQ(reports.size(), 1u);
   EXPECT_FALSE(reports[0].accepted);
   ticks(40);
@@ -159,7 +159,7 @@ TEST_F(ScriptReload, AnOverrideSurvivesAndIsClampedWhereItNoLongerFits) {
   parameters.set("b.wait", "4", ParameterOrigin::live);
   EXPECT_TRUE(edit("b", kTwoStates + " ").warnings.empty());
   EXPECT_EQ(std::get<double>(parameters.value("b.wait")), 4.0);
-  const ReloadReport report = edit("b", edited(kTwoStates, "range = { 0, 5 }", "range = { 0, 2 }"));
+  const ReloadRecord report = edit("b", edited(kTwoStates, "range = { 0, 5 }", "range = { 0, 2 }"));
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_NE(report.warnings[0].find("b.wait"), std::string::npos);
   EXPECT_EQ(std::get<double>(parameters.value("b.wait")), 2.0);
@@ -177,7 +177,7 @@ TEST_F(ScriptReload, WhatCannotBeKeptIsNamed) {
       "local memory = keep {} behavior \"b\" { enter = function() memory.f = print memory.n = 1 end }";
   load("b", text);
   tick();
-  const ReloadReport report = edit("b", text + " ");
+  const ReloadRecord report = edit("b", text + " ");
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_EQ(report.warnings[0], "keep: 'f' cannot be kept over a reload");
 }
@@ -196,7 +196,7 @@ TEST_F(ScriptReload, AKeptValueOfAnotherTypeGivesWayToTheNewDefault) {
 TEST_F(ScriptReload, TwoScriptsCannotDeclareOneMachine) {
   load("b", kTwoStates);
   load("c", "behavior \"c\" {}");
-  const ReloadReport report = edit("c", "behavior \"b\" {}");
+  const ReloadRecord report = edit("c", "behavior \"b\" {}");
   EXPECT_FALSE(report.accepted);
   EXPECT_NE(report.fault.message.find("declared in behaviors/b.lua too"), std::string::npos);
 }

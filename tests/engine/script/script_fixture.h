@@ -1,4 +1,4 @@
-// A host that runs scripts of a temporary folder frame by frame.
+// Behaviours that run frame by frame, from texts in memory, with what they did in words.
 #pragma once
 
 #include <memory>
@@ -7,83 +7,166 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/script/behaviors.h"
 #include "engine/script/script_error.h"
-#include "engine/script/script_host.h"
-#include "tests/temporary_folder.h"
 
 namespace reorient {
+
+struct TickedTransition {
+  double time = 0.0;
+  std::string machine;
+  std::string from;
+  std::string to;
+  std::string reason;
+  int transition = -1;
+};
+struct TickedLease {
+  Pause pause = Pause::training;
+  std::string machine;
+  std::string state;
+  std::string reason;
+};
+struct TickedCommand {
+  Reorientation reorientation = Reorientation::flip_pose;
+  std::string machine;
+  std::string state;
+  std::string reason;
+  double priority = 0.0;
+};
+struct TickedStatus {
+  std::string state;
+  bool stopped = false;
+  int errors = 0;
+  double time_in_state = 0.0;
+  double microseconds = 0.0;
+  std::int64_t instructions = 0;
+  std::size_t memory = 0;
+};
+/// What one frame asked for.
+struct SeenTick {
+  Request request;
+  std::vector<TickedLease> leases;
+  std::vector<TickedCommand> commands;
+  std::vector<TickedTransition> transitions;
+  std::vector<FaultRecord> faults;
+};
+
+/// Files that are saved, to be handed to the scripts.
+class SavedFiles {
+ public:
+  void write(const std::string& file, std::string text) { edits_.push_back({file, ScriptText{std::move(text), ""}}); }
+  void remove(const std::string& file) { edits_.push_back({file, std::nullopt}); }
+  std::vector<ScriptEdit> take() { return std::exchange(edits_, {}); }
+
+ private:
+  std::vector<ScriptEdit> edits_;
+};
 
 class ScriptTest : public ::testing::Test {
  protected:
   static constexpr double kStep = 1.0 / 30.0;
 
-  ScriptHost& host() {
-    if (!host_) host_ = std::make_unique<ScriptHost>(folder.path(), parameters, limits);
-    return *host_;
+  Behaviors& behaviors() {
+    if (!behaviors_) behaviors_ = std::make_unique<Behaviors>(ScriptTexts(), parameters, limits);
+    return *behaviors_;
   }
+  ScriptHost& host() { return behaviors().host(); }
 
-  /// Writes behaviors/NAME.lua and loads it.
+  /// Saves behaviors/NAME.lua and loads it.
   void load(const std::string& name, const std::string& text) {
     folder.write("behaviors/" + name + ".lua", text);
-    host().load_behavior(name);
+    reload();
+    host().load(name);
   }
 
   /// What loading this behaviour is refused with.
   ScriptFault refusal(const std::string& text) {
     folder.write("behaviors/refused.lua", text);
+    reload();
     try {
-      host().load_behavior("refused");
+      host().load("refused");
     } catch (const ScriptError& error) {
       return error.fault;
     }
     return {"", 0, "it was accepted", ""};
   }
 
-  const ScriptOutput& tick() {
+  const SeenTick& tick() {
     world.time_step = kStep;
-    const ScriptOutput& output = host().tick(world);
-    for (const TransitionRecord& record : output.transitions) transitions.push_back(record);
-    for (const LogRecord& record : output.logs) logs.push_back(record.text);
-    for (const FaultRecord& record : output.faults) faults.push_back(record);
-    for (const CommandRequest& request : output.commands) commands.push_back(request);
+    behaviors().tick(world);
+    const Names& names = host().names();
+    seen_ = {};
+    seen_.request = behaviors().wanted().request;
+    for (const Lease& lease : behaviors().leases()) {
+      const Issuer& who = lease.issuer;
+      seen_.leases.push_back({lease.pause, names[who.machine], names[who.state], names[who.reason]});
+    }
+    for (const ReorientationRequest& request : behaviors().wanted().commands) {
+      const Issuer& who = request.issuer;
+      seen_.commands.push_back(
+          {request.reorientation, names[who.machine], names[who.state], names[who.reason], request.priority});
+    }
+    const ScriptOutput& said = behaviors().said();
+    for (const TransitionRecord& t : said.transitions) {
+      seen_.transitions.push_back(
+          {world.time, names[t.machine], names[t.from], names[t.to], names[t.reason], t.transition});
+    }
+    seen_.faults = said.faults;
+    transitions.insert(transitions.end(), seen_.transitions.begin(), seen_.transitions.end());
+    for (const LogRecord& record : said.logs) logs.push_back(record.text);
+    faults.insert(faults.end(), said.faults.begin(), said.faults.end());
+    commands.insert(commands.end(), seen_.commands.begin(), seen_.commands.end());
     world.time += kStep;
     ++world.frame;
-    return output;
+    return seen_;
   }
-  /// So many frames.
+  /// This many frames.
   void ticks(int count) {
     for (int i = 0; i < count; ++i) tick();
   }
 
-  MachineStatus status(const std::string& machine) {
-    for (const MachineStatus& one : host().machines()) {
-      if (one.name == machine) return one;
+  TickedStatus status(const std::string& machine) {
+    const Names& names = host().names();
+    std::vector<MachineStatus> all;
+    std::vector<MachineCost> costs;
+    host().read_status(all);
+    host().read_costs(costs);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (names[all[i].machine] != machine) continue;
+      return {names[all[i].state],   all[i].stopped,        all[i].errors,  world.time - kStep - all[i].entered_at,
+              costs[i].microseconds, costs[i].instructions, costs[i].memory};
     }
     ADD_FAILURE() << "there is no machine " << machine;
     return {};
   }
   std::string state(const std::string& machine) { return status(machine).state; }
 
+  /// Takes over what was saved.
+  std::vector<ReloadRecord> reload() {
+    const std::vector<ScriptEdit> edits = folder.take();
+    return host().apply(edits);
+  }
   /// Saves another version of behaviors/NAME.lua and swaps it in.
-  ReloadReport edit(const std::string& name, const std::string& text) {
+  ReloadRecord edit(const std::string& name, const std::string& text) {
     folder.write("behaviors/" + name + ".lua", text);
-    const std::vector<ReloadReport> reports = host().reload_changed(world.time);
+    const std::vector<ReloadRecord> reports = reload();
     if (reports.size() == 1) return reports.front();
     ADD_FAILURE() << "expected one reload, saw " << reports.size();
     return {};
   }
 
-  TemporaryFolder folder;
+  SavedFiles folder;
   ParameterRegistry parameters;
   ScriptLimits limits;
   World world;
-  std::vector<TransitionRecord> transitions;
+  std::vector<TickedTransition> transitions;
   std::vector<std::string> logs;
   std::vector<FaultRecord> faults;
-  std::vector<CommandRequest> commands;
+  std::vector<TickedCommand> commands;
 
  private:
-  std::unique_ptr<ScriptHost> host_;
+  std::unique_ptr<Behaviors> behaviors_;
+  SeenTick seen_;
 };
 
 }  // namespace reorient

@@ -9,7 +9,7 @@ class ScriptTransitions : public ScriptTest {
   /// "from -> to" of all transitions so far.
   std::vector<std::string> steps() const {
     std::vector<std::string> all;
-    for (const TransitionRecord& record : transitions) all.push_back(record.from + " -> " + record.to);
+    for (const TickedTransition& record : transitions) all.push_back(record.from + " -> " + record.to);
     return all;
   }
 };
@@ -25,8 +25,8 @@ TEST_F(ScriptTransitions, ACommandCarriesItsIssuerStateReasonAndPriority) {
   world.fallen = true;
   tick();
   ASSERT_EQ(commands.size(), 1u);
-  EXPECT_EQ(commands[0].command, Command::flip_pose);
-  EXPECT_EQ(commands[0].issuer, "b");
+  EXPECT_EQ(commands[0].reorientation, Reorientation::flip_pose);
+  EXPECT_EQ(commands[0].machine, "b");
   EXPECT_EQ(commands[0].state, "two");
   EXPECT_EQ(commands[0].reason, "it fell");
   EXPECT_EQ(commands[0].priority, 50.0);
@@ -140,15 +140,15 @@ TEST_F(ScriptTransitions, APauseLastsAsLongAsItsState) {
     state "one" { enter = command.pause_training, { "two", after = 0.1, because = "enough" } },
     state "two" { enter = command.pause_evaluation } })");
   for (int i = 0; i < 3; ++i) {
-    const ScriptOutput& output = tick();
+    const SeenTick& output = tick();
     ASSERT_EQ(output.leases.size(), 1u);
-    EXPECT_EQ(output.leases[0].command, Command::pause_training);
+    EXPECT_EQ(output.leases[0].pause, Pause::training);
     EXPECT_EQ(output.leases[0].state, "one");
     EXPECT_EQ(output.leases[0].reason, "start");
   }
-  const ScriptOutput& output = tick();
+  const SeenTick& output = tick();
   ASSERT_EQ(output.leases.size(), 1u);
-  EXPECT_EQ(output.leases[0].command, Command::pause_evaluation);
+  EXPECT_EQ(output.leases[0].pause, Pause::evaluation);
   EXPECT_EQ(output.leases[0].reason, "enough");
 }
 

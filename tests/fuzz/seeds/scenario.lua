@@ -5,7 +5,7 @@ scenario "s" {
   state "a" {
     enter = function()
       experimenter.put_down(0, 0, 0)
-      belief.set_initial_pose(0, 0, 0)
+      experimenter.set_initial_pose(0, 0, 0)
     end,
     update = function() experimenter.set_exposure_compensation(p.wait) end,
     { "b", after = "wait" },

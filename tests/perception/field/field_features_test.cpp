@@ -6,6 +6,7 @@
 
 #include "geometry/head.h"
 #include "tests/perception/field/flat_field.h"
+#include "tests/perception/field/percept_in.h"
 
 namespace reorient {
 namespace {
@@ -29,7 +30,7 @@ struct Stand {
 FieldPercept percept_of(const FlatField& scene, const Stand& stand) {
   FieldFeatures features({}, scene.field);
   const Image image = stand.see(scene);
-  return features.find(image.view(), stand.camera, stand.robot_from_camera);
+  return percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
 }
 
 bool is_empty(const FieldPercept& percept) {
@@ -156,9 +157,9 @@ TEST_P(FieldFeaturesAtEveryResolution, GuessWhereAPostStandsWhoseFootIsBelowTheI
   const Stand close = stand({3.6, 0.8, 0.0}, {0.0, -0.05});
   FieldFeatures features({}, scene.field);
   const Image carpet = down.see(scene);
-  features.find(carpet.view(), down.camera, down.robot_from_camera);
+  percept_in(features, carpet.view(), down.camera, down.robot_from_camera);
   const Image image = close.see(scene);
-  const FieldPercept& percept = features.find(image.view(), close.camera, close.robot_from_camera);
+  const FieldPercept percept = percept_in(features, image.view(), close.camera, close.robot_from_camera);
   ASSERT_EQ(percept.goal_posts.size(), 1u);
   EXPECT_FALSE(percept.goal_posts[0].base_visible);
   EXPECT_NEAR(percept.goal_posts[0].position.x(), 0.9, 0.2);
@@ -183,7 +184,7 @@ TEST(FieldFeatures, SeeNothingFromTheGround) {
   FieldFeatures features({}, {});
   for (const TorsoAttitude& torso : {TorsoAttitude{0.5 * kPi, 0.0}, TorsoAttitude{-0.5 * kPi, 0.0},
                                      TorsoAttitude{0.0, 0.5 * kPi}, TorsoAttitude{0.0, -0.5 * kPi}}) {
-    EXPECT_TRUE(is_empty(features.find(image.view(), upright.camera, robot_from_camera({}, {}, torso, 0.1))));
+    EXPECT_TRUE(is_empty(percept_in(features, image.view(), upright.camera, robot_from_camera({}, {}, torso, 0.1))));
   }
 }
 
@@ -192,8 +193,8 @@ TEST(FieldFeatures, AreTheSameForTheSameImages) {
   const Image image = here.see(FlatField::with_goals());
   FieldFeatures one({}, {});
   FieldFeatures other({}, {});
-  const FieldPercept& a = one.find(image.view(), here.camera, here.robot_from_camera);
-  const FieldPercept& b = other.find(image.view(), here.camera, here.robot_from_camera);
+  const FieldPercept a = percept_in(one, image.view(), here.camera, here.robot_from_camera);
+  const FieldPercept b = percept_in(other, image.view(), here.camera, here.robot_from_camera);
   ASSERT_EQ(a.line_points.size(), b.line_points.size());
   ASSERT_FALSE(a.line_points.empty());
   for (std::size_t i = 0; i < a.line_points.size(); ++i)
@@ -207,8 +208,8 @@ TEST(FieldFeatures, KeepTheCarpetsColourWhenTheyLookAway) {
   FieldFeatures features({}, scene.field);
   const Image carpet = down.see(scene);
   const Image room = up.see(scene);
-  features.find(carpet.view(), down.camera, down.robot_from_camera);
-  features.find(room.view(), up.camera, up.robot_from_camera);
+  percept_in(features, carpet.view(), down.camera, down.robot_from_camera);
+  percept_in(features, room.view(), up.camera, up.robot_from_camera);
   EXPECT_EQ(features.carpet_color().surface(75, 105, 108), Surface::carpet);
   EXPECT_EQ(features.carpet_color().surface(190, 126, 130), Surface::other);
 }
@@ -220,8 +221,8 @@ TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
   FieldFeatures features({}, scene.field);
   const Image carpet = down.see(scene);
   const Image hall = close.see(scene);
-  features.find(carpet.view(), down.camera, down.robot_from_camera);
-  for (int i = 0; i < 20; ++i) features.find(hall.view(), close.camera, close.robot_from_camera);
+  percept_in(features, carpet.view(), down.camera, down.robot_from_camera);
+  for (int i = 0; i < 20; ++i) percept_in(features, hall.view(), close.camera, close.robot_from_camera);
   EXPECT_NEAR(features.carpet_color().luma(), 75.0, 15.0);
   EXPECT_EQ(features.carpet_color().surface(95, 132, 134), Surface::other);
 }

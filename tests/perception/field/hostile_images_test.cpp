@@ -7,6 +7,7 @@
 #include "geometry/head.h"
 #include "geometry/random.h"
 #include "perception/field/field_features.h"
+#include "tests/perception/field/percept_in.h"
 
 namespace reorient {
 namespace {
@@ -60,7 +61,7 @@ void expect_sane(const FieldPercept& percept, int width, int height) {
 
 TEST(HostileImages, WithoutPixelsShowNothing) {
   FieldFeatures features({}, {});
-  const FieldPercept& percept = features.find({}, camera_of(640, 480), kUpright);
+  const FieldPercept percept = percept_in(features, {}, camera_of(640, 480), kUpright);
   EXPECT_TRUE(percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty());
   expect_sane(percept, 0, 0);
 }
@@ -69,7 +70,7 @@ TEST(HostileImages, OfOneColourShowNothing) {
   for (const Ycbcr& color : {Ycbcr{0, 128, 128}, Ycbcr{255, 128, 128}, Ycbcr{255, 255, 255}, Ycbcr{0, 0, 0}}) {
     FieldFeatures features({}, {});
     const Image image = filled(640, 480, color);
-    const FieldPercept& percept = features.find(image.view(), camera_of(640, 480), kUpright);
+    const FieldPercept percept = percept_in(features, image.view(), camera_of(640, 480), kUpright);
     EXPECT_TRUE(percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty());
   }
 }
@@ -77,7 +78,7 @@ TEST(HostileImages, OfOneColourShowNothing) {
 TEST(HostileImages, OfPlainCarpetShowOnlyCarpet) {
   FieldFeatures features({}, {});
   const Image image = filled(320, 240, {75, 105, 108});
-  const FieldPercept& percept = features.find(image.view(), camera_of(320, 240), kUpright);
+  const FieldPercept percept = percept_in(features, image.view(), camera_of(320, 240), kUpright);
   EXPECT_TRUE(percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty());
   EXPECT_LT(percept.boundary.front(), 120.0f);
 }
@@ -88,10 +89,10 @@ TEST(HostileImages, OfAnySizeAreSurvived) {
        {std::pair{2, 2}, {2, 480}, {640, 1}, {4, 3}, {16, 16}, {18, 17}, {98, 31}, {1280, 960}, {1024, 7}, {6, 1000}}) {
     SCOPED_TRACE(testing::Message() << width << " x " << height);
     const Image green = filled(width, height, {75, 105, 108});
-    expect_sane(features.find(green.view(), camera_of(width, height), kUpright), width, height);
+    expect_sane(percept_in(features, green.view(), camera_of(width, height), kUpright), width, height);
     const Image random = noise(width, height, 5);
-    expect_sane(features.find(random.view(), camera_of(width, height), kUpright), width, height);
-    expect_sane(features.find(random.view(), camera_of(640, 480), kUpright), width, height);
+    expect_sane(percept_in(features, random.view(), camera_of(width, height), kUpright), width, height);
+    expect_sane(percept_in(features, random.view(), camera_of(640, 480), kUpright), width, height);
   }
 }
 
@@ -103,8 +104,8 @@ RC_GTEST_PROP(HostileImages, OfNoiseAreSurvivedInEveryAttitude, ()) {
   const TorsoAttitude torso{angle(), angle()};
   const double height = *rc::gen::inRange(-100, 300) * 0.01;
   FieldFeatures features({}, {});
-  features.find(green.view(), camera_of(160, 120), kUpright);
-  expect_sane(features.find(image.view(), camera_of(160, 120), robot_from_camera({}, head, torso, height)), 160, 120);
+  percept_in(features, green.view(), camera_of(160, 120), kUpright);
+  expect_sane(percept_in(features, image.view(), camera_of(160, 120), robot_from_camera({}, head, torso, height)), 160, 120);
   RC_ASSERT(!testing::Test::HasFailure());
 }
 
@@ -113,9 +114,9 @@ TEST(HostileImages, OfNoiseShowNoPostsAndHardlyAnyLines) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     FieldFeatures features({}, {});
     const Image green = filled(320, 240, {75, 105, 108});
-    features.find(green.view(), camera_of(320, 240), kUpright);
+    percept_in(features, green.view(), camera_of(320, 240), kUpright);
     const Image image = noise(320, 240, seed);
-    const FieldPercept& percept = features.find(image.view(), camera_of(320, 240), kUpright);
+    const FieldPercept percept = percept_in(features, image.view(), camera_of(320, 240), kUpright);
     EXPECT_TRUE(percept.goal_posts.empty());
     points += percept.line_points.size();
   }
@@ -131,17 +132,17 @@ TEST(HostileImages, WithACameraThatIsNowhereShowNothing) {
     for (int i = 0; i < 16; ++i) {
       Eigen::Isometry3d broken = kUpright;
       broken.matrix()(i / 4, i % 4) = bad;
-      const FieldPercept& percept = features.find(image.view(), camera_of(320, 240), broken);
+      const FieldPercept percept = percept_in(features, image.view(), camera_of(320, 240), broken);
       EXPECT_TRUE(percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty());
       EXPECT_EQ(percept.boundary.front(), 240.0f);
     }
     CameraModel camera = camera_of(320, 240);
     camera.focal.x() = bad;
-    EXPECT_EQ(features.find(image.view(), camera, kUpright).boundary.front(), 240.0f);
+    EXPECT_EQ(percept_in(features, image.view(), camera, kUpright).boundary.front(), 240.0f);
   }
   CameraModel none;
   none.width = none.height = 0;
-  EXPECT_EQ(features.find(image.view(), none, kUpright).boundary.front(), 240.0f);
+  EXPECT_EQ(percept_in(features, image.view(), none, kUpright).boundary.front(), 240.0f);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "geometry/head.h"
 #include "perception/field/field_features.h"
 #include "tests/perception/field/picture_file.h"
+#include "tests/perception/field/percept_in.h"
 
 namespace reorient {
 namespace {
@@ -49,7 +50,7 @@ class RealImages : public testing::Test {
 TEST_F(RealImages, ShowTheCentreCircleInADimHall) {
   const RealImage real = old_robot(shared_images() / "nao-v4-top-640x480-a.png", 20.7);
   FieldFeatures features({}, {});
-  const FieldPercept& percept = features.find(real.image.view(), real.camera, real.robot_from_camera);
+  const FieldPercept percept = percept_in(features, real.image.view(), real.camera, real.robot_from_camera);
   EXPECT_GE(points_along(percept, 0, 103, 150, 95, 4), 5);  // halfway line
   EXPECT_GE(points_along(percept, 0, 127, 90, 124, 4), 6);  // the circle's near arc
   for (const LinePoint& point : percept.line_points) {      // and nothing on the plain carpet, the ball, the boards
@@ -64,7 +65,7 @@ TEST_F(RealImages, ShowTouchlineHalfwayLineAndTheGoalBehind) {
   FieldFeatureParameters parameters;
   parameters.post_range = 9.0;
   FieldFeatures features(parameters, {});
-  const FieldPercept& percept = features.find(real.image.view(), real.camera, real.robot_from_camera);
+  const FieldPercept percept = percept_in(features, real.image.view(), real.camera, real.robot_from_camera);
   EXPECT_GE(points_along(percept, 20, 266, 150, 196, 8), 15);   // touchline
   EXPECT_GE(points_along(percept, 150, 201, 480, 219, 5), 10);  // halfway line
   EXPECT_GE(points_along(percept, 490, 222, 640, 251, 8), 10);  // centre circle
@@ -84,7 +85,7 @@ TEST_F(RealImages, ShowACircleATouchlineAndARobotOnGrass) {
     const CameraModel camera =
         CameraModel::from_fields_of_view(image.width(), image.height(), from_degrees(56.3), from_degrees(43.7));
     FieldFeatures features({}, {});
-    const FieldPercept& percept = features.find(image.view(), camera, attitude);
+    const FieldPercept percept = percept_in(features, image.view(), camera, attitude);
     EXPECT_GE(points_along(percept, 0, 140 * scale, 270 * scale, 110 * scale, 5 * scale + 1), 6);         // touchline
     EXPECT_GE(points_along(percept, 180 * scale, 407 * scale, 460 * scale, 402 * scale, 12 * scale), 5);  // circle
     ASSERT_GE(percept.obstacles.size(), 1u);

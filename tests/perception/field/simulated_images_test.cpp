@@ -9,6 +9,7 @@
 #include "perception/field/field_features.h"
 #include "robots/simulator/simulator.h"
 #include "tests/perception/field/flat_field.h"
+#include "tests/perception/field/percept_in.h"
 
 namespace reorient {
 namespace {
@@ -24,21 +25,21 @@ struct Score {
 
 struct Snapshot {
   const Simulator& simulator;
-  const Observation& observation;
+  const CameraFrame& frame;
   const FieldPercept& percept;
   Eigen::Isometry3d robot_from_camera;
   Pose2 truth;
 
   Label label(const Eigen::Vector2d& pixel) const {
-    const auto index = std::lround(pixel.y()) * observation.image.width + std::lround(pixel.x());
+    const auto index = std::lround(pixel.y()) * frame.image.width + std::lround(pixel.x());
     return simulator.labels()[static_cast<std::size_t>(index)];
   }
   /// The pixel of a point given in the robot frame, unless it is at the image's rim or outside.
   std::optional<Eigen::Vector2d> pixel(const Eigen::Vector2d& point, double height) const {
-    auto seen = observation.camera.project(robot_from_camera.inverse() * Eigen::Vector3d(point.x(), point.y(), height));
-    const double rim = 0.03 * observation.image.width;
-    if (seen && (seen->x() < rim || seen->y() < rim || seen->x() > observation.image.width - 1 - rim ||
-                 seen->y() > observation.image.height - 1 - rim)) {
+    auto seen = frame.camera.project(robot_from_camera.inverse() * Eigen::Vector3d(point.x(), point.y(), height));
+    const double rim = 0.03 * frame.image.width;
+    if (seen && (seen->x() < rim || seen->y() < rim || seen->x() > frame.image.width - 1 - rim ||
+                 seen->y() > frame.image.height - 1 - rim)) {
       seen.reset();
     }
     return seen;
@@ -115,15 +116,16 @@ Score look_around(ImageSize size, int places) {
   Score score;
   for (int i = 0; i < places; ++i) {
     simulator.put_down({random.uniform(-4.2, 4.2), random.uniform(-2.8, 2.8), random.uniform(-kPi, kPi)});
-    Request request;
-    request.head = HeadRequest{{random.uniform(-1.0, 1.0), random.uniform(-0.05, 0.3)}, 10.0};
-    simulator.request(request);
+    Answer answer;
+    answer.request.head = HeadRequest{{random.uniform(-1.0, 1.0), random.uniform(-0.05, 0.3)}, 10.0};
+    simulator.answer(answer);
     Observation observation;
     for (int k = 0; k < 5; ++k) simulator.observe(observation);
-    const Pose2 truth = simulator.ground_truth()->pose;
+    const CameraFrame& frame = observation.upper.value();
+    const Pose2 truth = simulator.ground_truth().pose;
     const Eigen::Isometry3d robot_from_camera = to_isometry(truth).inverse() * simulator.field_from_camera();
-    const FieldPercept& percept = features.find(observation.image, observation.camera, robot_from_camera);
-    const Snapshot shot{simulator, observation, percept, robot_from_camera, truth};
+    const FieldPercept percept = percept_in(features, frame.image, frame.camera, robot_from_camera);
+    const Snapshot shot{simulator, frame, percept, robot_from_camera, truth};
     ++score.frames;
     score_lines(shot, field, score);
     score_posts(shot, field, score);

@@ -23,11 +23,11 @@ SimulatorParameters small() {
   return parameters;
 }
 
-Request walking_and_looking(int frame) {
-  Request request;
-  request.head = HeadRequest{{1.5 * std::sin(0.05 * frame), 0.1}, 2.0};
-  request.walk = {0.2, 0.0, 0.1};
-  return request;
+Answer walking_and_looking(int frame) {
+  Answer answer;
+  answer.request.head = HeadRequest{{1.5 * std::sin(0.05 * frame), 0.1}, 2.0};
+  answer.request.walk = {0.2, 0.0, 0.1};
+  return answer;
 }
 
 std::vector<std::uint8_t> bytes_of(const ImageView& image) {
@@ -48,15 +48,15 @@ TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {
   Observation a;
   Observation b;
   for (int frame = 0; frame < 60; ++frame) {
-    one.request(walking_and_looking(frame));
-    two.request(walking_and_looking(frame));
+    one.answer(walking_and_looking(frame));
+    two.answer(walking_and_looking(frame));
     if (frame == 20) one.push_over(), two.push_over();
     ASSERT_TRUE(one.observe(a) && two.observe(b));
-    ASSERT_EQ(bytes_of(a.image), bytes_of(b.image)) << "frame " << frame;
+    ASSERT_EQ(bytes_of(a.upper->image), bytes_of(b.upper->image)) << "frame " << frame;
     ASSERT_EQ(a.odometry.position, b.odometry.position);
-    ASSERT_EQ(a.head.yaw, b.head.yaw);
-    ASSERT_EQ(a.torso.roll, b.torso.roll);
-    ASSERT_EQ(a.foot_load, b.foot_load);
+    ASSERT_EQ(a.body.head.yaw, b.body.head.yaw);
+    ASSERT_EQ(a.body.torso.roll, b.body.torso.roll);
+    ASSERT_EQ(a.body.foot_load, b.body.foot_load);
   }
 }
 
@@ -67,7 +67,7 @@ TEST(Simulator, ShowsAnotherScenePerSeed) {
   Observation b;
   one.observe(a);
   two.observe(b);
-  EXPECT_NE(bytes_of(a.image), bytes_of(b.image));
+  EXPECT_NE(bytes_of(a.upper->image), bytes_of(b.upper->image));
 }
 
 TEST(Simulator, MovesOnByOneFramePerObservation) {
@@ -86,10 +86,10 @@ TEST(Simulator, DeliversEveryResolutionThroughTheSameWindow) {
     Simulator simulator(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
     Observation observation;
     simulator.observe(observation);
-    EXPECT_EQ(observation.image.width, width);
-    EXPECT_EQ(observation.image.height, width * 3 / 4);
-    EXPECT_EQ(observation.camera.width, width);
-    EXPECT_NEAR(observation.camera.project({1.0, 0.3, 0.2})->x() / width, 0.2158, 2e-3);
+    EXPECT_EQ(observation.upper->image.width, width);
+    EXPECT_EQ(observation.upper->image.height, width * 3 / 4);
+    EXPECT_EQ(observation.upper->camera.width, width);
+    EXPECT_NEAR(observation.upper->camera.project({1.0, 0.3, 0.2})->x() / width, 0.2158, 2e-3);
   }
 }
 
@@ -103,10 +103,9 @@ TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
   Observation observation;
   simulator.observe(observation);
   const Eigen::Isometry3d field_from_camera =
-      to_isometry(simulator.ground_truth()->pose) *
-      robot_from_camera(simulator.dimensions(), observation.head, observation.torso, observation.hip_height);
-  const auto pixel = observation.camera.project(field_from_camera.inverse() * Eigen::Vector3d(4.5, 0.8, 0.4));
-  ASSERT_TRUE(pixel && observation.camera.contains(*pixel));
+      to_isometry(simulator.ground_truth().pose) * observation.upper->robot_from_camera;
+  const auto pixel = observation.upper->camera.project(field_from_camera.inverse() * Eigen::Vector3d(4.5, 0.8, 0.4));
+  ASSERT_TRUE(pixel && observation.upper->camera.contains(*pixel));
   const auto index = static_cast<std::size_t>(std::lround(pixel->y()) * 160 + std::lround(pixel->x()));
   EXPECT_EQ(simulator.labels()[index], Label::goal);
   EXPECT_NEAR(simulator.depth()[index], 2.4, 0.05);
@@ -138,7 +137,7 @@ TEST(Simulator, LooksTheSameInLabelsButNotInColoursAfterHalfATurn) {
   for (std::size_t i = 0; i < here.labels().size(); ++i)
     different_labels += here.labels()[i] != there.labels()[i] ? 1 : 0;
   for (int y = 0; y < 50; ++y) {
-    for (int x = 0; x < 160; ++x) difference += std::abs(a.image.luma(x, y) - b.image.luma(x, y)) / (50.0 * 160.0);
+    for (int x = 0; x < 160; ++x) difference += std::abs(a.upper->image.luma(x, y) - b.upper->image.luma(x, y)) / (50.0 * 160.0);
   }
   EXPECT_LT(different_labels, 60) << "of 19200: rounding on edges";
   EXPECT_GT(difference, 8.0);
@@ -154,8 +153,8 @@ TEST(Simulator, SeesGroundOrCeilingAfterAFall) {
     simulator.observe(observation);
     simulator.push_over();
     for (int i = 0; i < 40; ++i) simulator.observe(observation);
-    EXPECT_TRUE(simulator.ground_truth()->fallen);
-    EXPECT_GT(std::hypot(observation.torso.roll, observation.torso.pitch), 1.3);
+    EXPECT_TRUE(simulator.ground_truth().fallen);
+    EXPECT_GT(std::hypot(observation.body.torso.roll, observation.body.torso.pitch), 1.3);
     seen.insert(simulator.labels()[60 * 160 + 80]);
   }
   EXPECT_TRUE(seen.count(Label::carpet) + seen.count(Label::ceiling) > 0);
@@ -168,12 +167,27 @@ TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
   const Pose2 odometry = observation.odometry;
   simulator.pick_up();
   for (int i = 0; i < 30; ++i) simulator.observe(observation);
-  EXPECT_LT(observation.foot_load, 0.6);
+  EXPECT_LT(observation.body.foot_load, 0.6);
   simulator.put_down(reflect(kBesideTheField));
   simulator.observe(observation);
-  EXPECT_GT(observation.foot_load, 4.0);
+  EXPECT_GT(observation.body.foot_load, 4.0);
   EXPECT_EQ(observation.odometry.position, odometry.position);
-  EXPECT_LT((simulator.ground_truth()->pose.position + kBesideTheField.position).norm(), 1e-9);
+  EXPECT_LT((simulator.ground_truth().pose.position + kBesideTheField.position).norm(), 1e-9);
+}
+
+TEST(Simulator, TellsOnceWhatTheRefereeSaid) {
+  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Observation observation;
+  simulator.observe(observation);
+  EXPECT_FALSE(observation.told.referee);
+  for (const bool penalized : {true, false}) {
+    simulator.penalize(penalized);
+    simulator.observe(observation);
+    ASSERT_TRUE(observation.told.referee);
+    EXPECT_EQ(observation.told.referee->penalized, penalized);
+    simulator.observe(observation);
+    EXPECT_FALSE(observation.told.referee);
+  }
 }
 
 TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
@@ -183,8 +197,8 @@ TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
   for (const double stops : {1.0, 0.0, -1.0, -2.0}) {
     simulator.set_exposure_compensation(stops);
     simulator.observe(observation);
-    EXPECT_LT(mean_luma(observation.image), before - 5.0);
-    before = mean_luma(observation.image);
+    EXPECT_LT(mean_luma(observation.upper->image), before - 5.0);
+    before = mean_luma(observation.upper->image);
   }
 }
 
@@ -193,11 +207,11 @@ TEST(Simulator, StopsTheRobotAtAGoalPost) {
   parameters.other_robots = 0;
   Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(4.0, 0.8, 0.0), 1);
   Observation observation;
-  Request request;
-  request.walk.forward = 0.25;
-  simulator.request(request);
+  Answer answer;
+  answer.request.walk.forward = 0.25;
+  simulator.answer(answer);
   for (int i = 0; i < 150; ++i) simulator.observe(observation);
-  EXPECT_LT(simulator.ground_truth()->pose.position.x(), 4.5 - 0.05 - Body::kRadius + 1e-6);
+  EXPECT_LT(simulator.ground_truth().pose.position.x(), 4.5 - 0.05 - Body::kRadius + 1e-6);
   EXPECT_GT(observation.odometry.position.x(), 0.5) << "its feet go on";
 }
 
@@ -207,11 +221,11 @@ TEST(Simulator, KeepsRobotsApart) {
   Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(0.0, 0.0, 0.0), 3);
   Observation observation;
   for (int i = 0; i < 600; ++i) {
-    Request request;
-    request.walk = {0.25, 0.0, 0.6 * std::sin(0.02 * i)};
-    simulator.request(request);
+    Answer answer;
+    answer.request.walk = {0.25, 0.0, 0.6 * std::sin(0.02 * i)};
+    simulator.answer(answer);
     simulator.observe(observation);
-    const Eigen::Vector2d robot = simulator.ground_truth()->pose.position;
+    const Eigen::Vector2d robot = simulator.ground_truth().pose.position;
     for (const Player& player : simulator.other_robots()) {
       ASSERT_GT((player.pose.position - robot).norm(), Body::kRadius + Players::kRadius - 0.02) << "frame " << i;
     }

@@ -14,7 +14,7 @@ namespace {
 constexpr int kTop = 170;
 constexpr int kMiddle = 750;
 
-Reorientation flip() {
+ReorientationPanels flip() {
   const Pose2 truth(3.0, 1.0, 0.0);
   return {"flip", 46.2, {{Pose2(-3.0, -1.0, 0.0)}, truth, reflect(truth)}, {{truth}, truth, truth}};
 }
@@ -40,7 +40,7 @@ TEST(ReorientationView, gives_each_command_a_line) {
 }
 
 TEST(ReorientationView, stays_of_a_size_that_can_be_looked_at) {
-  EXPECT_LT(draw_reorientation_view({}, std::vector<Reorientation>(500)).height, 8000);
+  EXPECT_LT(draw_reorientation_view({}, std::vector<ReorientationPanels>(500)).height, 8000);
 }
 
 TEST(ReorientationView, draws_a_run_without_commands) {
@@ -51,8 +51,8 @@ TEST(ReorientationView, draws_a_run_without_commands) {
 
 TEST(ReorientationView, leaves_out_poses_that_are_none) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Reorientation bad{"purge", nan, {}, {}};
-  const Reorientation empty = bad;
+  ReorientationPanels bad{"purge", nan, {}, {}};
+  const ReorientationPanels empty = bad;
   bad.before = {{Pose2(nan, nan, nan), Pose2(1e300, 0.0, 0.0)}, Pose2(0.0, nan, 0.0), Pose2(nan, 0.0, 0.0)};
   EXPECT_EQ(draw_reorientation_view({}, {bad}), draw_reorientation_view({}, {empty}));
 }

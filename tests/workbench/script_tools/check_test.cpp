@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/script/script_fixture.h"
+#include "engine/script/script_texts.h"
+#include "tests/temporary_folder.h"
 #include "workbench/script_tools/check/name_check.h"
 #include "workbench/script_tools/check/script_check.h"
 
@@ -122,8 +123,7 @@ TEST(NameCheck, EndsOnWhateverTextItIsGiven) {
 class ScriptCheckTest : public ::testing::Test {
  protected:
   CheckResult check() {
-    ParameterRegistry registry;
-    return check_scripts(folder.path(), {}, registry);
+    return check_scripts(folder.path(), {});
   }
   /// All findings, one a line.
   std::string findings() {
@@ -262,17 +262,15 @@ TEST_F(ScriptCheckTest, CanBeRestrictedToAFile) {
   folder.write("behaviors/a.lua", "behavior \"a\" { update = function() x() end }\n");
   folder.write("behaviors/b.lua", "behavior \"b\" { update = function() y() end }\n");
   const std::filesystem::path only[] = {folder.path() / "behaviors" / "b.lua"};
-  ParameterRegistry registry;
-  const CheckResult result = check_scripts(folder.path(), only, registry);
+  const CheckResult result = check_scripts(folder.path(), only);
   ASSERT_EQ(result.findings.size(), 1U);
   EXPECT_EQ(result.findings[0].file, "behaviors/b.lua");
   const std::filesystem::path elsewhere[] = {"/"};
-  EXPECT_THROW(check_scripts(folder.path(), elsewhere, registry), std::runtime_error);
+  EXPECT_THROW(check_scripts(folder.path(), elsewhere), std::runtime_error);
 }
 
 TEST(ShippedScripts, PassTheCheckWithoutAWarning) {
-  ParameterRegistry registry;
-  const CheckResult result = check_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts", {}, registry);
+  const CheckResult result = check_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts", {});
   EXPECT_GE(result.files, 13);
   for (const Finding& finding : result.findings) ADD_FAILURE() << finding.text();
 }

@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/script/language/script_actions.h"
-#include "engine/script/language/world_fields.h"
-#include "engine/script/script_host.h"
+#include "engine/parameters/parameter_registry.h"
+#include "engine/script/behaviors.h"
+#include "workbench/files/script_files.h"
+#include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/behavior_page.h"
 #include "workbench/script_tools/reference/script_reference.h"
 
@@ -46,25 +47,31 @@ TEST(GeneratedFiles, TheLuacheckConfigurationIsThatOfTheBindings) {
   expect_committed(kScripts / ".luacheckrc", script_luacheck());
 }
 
-TEST(GeneratedFiles, EveryFieldAndFunctionIsDocumentedOnce) {
+void expect_documented_once(const ScriptLanguage& language) {
   std::set<std::string> names;
-  for (const WorldField& field : world_fields()) {
+  for (const WorldField& field : language.world()) {
     EXPECT_TRUE(names.insert(field.full_name()).second) << field.full_name();
     EXPECT_FALSE(field.description.empty()) << field.full_name();
   }
-  for (const ScriptFunction& function : script_functions()) {
+  for (const ScriptFunction& function : language.functions()) {
     EXPECT_TRUE(names.insert(function.table + "." + function.name).second) << function.name;
     EXPECT_FALSE(function.description.empty()) << function.name;
     for (const ArgumentDoc& argument : function.arguments) EXPECT_FALSE(argument.type.empty()) << function.name;
   }
 }
 
+TEST(GeneratedFiles, EveryFieldAndFunctionIsDocumentedOnce) {
+  expect_documented_once(BehaviorLanguage());
+  expect_documented_once(ScenarioLanguage());
+}
+
 TEST(GeneratedFiles, ThePagesOfBehaviorsShowTheirStatesAndParameters) {
+  const ScriptTexts texts = read_scripts(kScripts);
   int pages = 0;
-  for (const std::string& file : scripts_in(kScripts, "behaviors")) {
+  for (const std::string& file : texts.in_folder("behaviors")) {
     ParameterRegistry registry;
-    ScriptHost host(kScripts, registry);
-    host.load_behavior((kScripts / file).string());
+    Behaviors behaviors(texts, registry);
+    behaviors.host().load(file);
     const std::string prefix = std::filesystem::path(file).stem().string() + ".";
     std::vector<ParameterDeclaration> own;
     for (const Parameter& parameter : registry.list()) {
@@ -72,7 +79,7 @@ TEST(GeneratedFiles, ThePagesOfBehaviorsShowTheirStatesAndParameters) {
     }
     const std::filesystem::path page = (kScripts / file).replace_extension(".md");
     ASSERT_TRUE(std::filesystem::exists(page)) << page << " is missing: every behaviour has a page beside it";
-    expect_committed(page, with_generated_parts(read(page), *host.definitions().front(), own));
+    expect_committed(page, with_generated_parts(read(page), *behaviors.host().definitions().front(), own));
     ++pages;
   }
   EXPECT_GE(pages, 8);
@@ -88,8 +95,9 @@ TEST(ShippedScripts, PassLuacheck) {
 TEST(ShippedScripts, BeginWithACommentThatSaysWhatTheyDo) {
   int files = 0;
   for (const char* folder : {"behaviors", "lib", "scenarios", "tests"}) {
-    for (const std::string& file : scripts_in(kScripts, folder)) {
-      EXPECT_TRUE(read(kScripts / file).starts_with("--- ")) << file;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kScripts / folder)) {
+      if (entry.path().extension() != ".lua") continue;
+      EXPECT_TRUE(read(entry.path()).starts_with("--- ")) << entry.path();
       ++files;
     }
   }

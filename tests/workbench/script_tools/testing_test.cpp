@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/script/script_fixture.h"
+#include "tests/temporary_folder.h"
 #include "workbench/script_tools/testing/junit_report.h"
 #include "workbench/script_tools/testing/test_runner.h"
 
@@ -157,14 +157,12 @@ end))",
       [&](const SimulationRequest& request, CoverageTrace&) {
         asked = request;
         SimulationOutcome outcome;
-        outcome.verdict = ScenarioVerdict{true, "all fine", 3.0};
         outcome.is_correct = true;
-        outcome.machines.resize(1);
-        outcome.machines[0].name = "lamp";
-        outcome.machines[0].state = "on/dim";
-        outcome.commands.push_back({1.0, {Command::flip_pose, "lamp", "on", "dark", 0.0}, Verdict::granted});
-        outcome.transitions.push_back({1.0, "lamp", "off", "on/dim", "dark", 0});
-        outcome.logs.push_back({1.0, "lamp", "on", "hello there"});
+        outcome.seen.verdict = ScenarioVerdict{true, "all fine", 3.0};
+        outcome.seen.machines.push_back({"lamp", "on/dim"});
+        outcome.seen.commands.push_back({"flip_pose", "granted"});
+        outcome.seen.transitions.push_back({"lamp", "dark"});
+        outcome.seen.logs.push_back("hello there");
         return outcome;
       });
   EXPECT_EQ(summary.failed, 0) << out.str();
@@ -182,7 +180,7 @@ end))",
 TEST_F(ScriptedTests, FailWhenASimulationsScriptDoes) {
   run(R"(test("t", function() simulate { scenario = "s" } end))", [](const SimulationRequest&, CoverageTrace&) {
     SimulationOutcome outcome;
-    outcome.faults.push_back({1.0, "behaviors/lamp.lua", {"behaviors/lamp.lua", 3, "it broke", {}}, {}});
+    outcome.seen.faults.push_back({"behaviors/lamp.lua", 3, "it broke", {}});
     return outcome;
   });
   EXPECT_EQ(summary.failed, 1);

@@ -4,10 +4,14 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "engine/core_parameters.h"
+#include "engine/script/language/behavior_language.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
 #include "engine/script/source/source_locations.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/script_files.h"
+#include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
 #include "workbench/script_tools/check/name_check.h"
 
@@ -20,19 +24,32 @@ auto order(const Finding& finding) {
   return std::tie(finding.file, finding.position.line, finding.position.column, finding.message);
 }
 
+/// The files *_test.lua below tests/, by name, from the root.
+std::vector<std::string> tests_in(const std::filesystem::path& root) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator entry(root / "tests", error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().filename().string().ends_with("_test.lua"))
+      files.push_back(entry->path().lexically_relative(root).generic_string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 class ScriptCheck {
  public:
-  ScriptCheck(const std::filesystem::path& root, ParameterRegistry& registry) : root_(root), registry_(registry) {}
+  explicit ScriptCheck(const std::filesystem::path& root) : root_(root), texts_(read_scripts(root)) {
+    declare(core_, core_parameters_);
+  }
 
   CheckResult run() {
-    const std::vector<std::string> behaviors = scripts_in(root_, "behaviors");
-    const std::vector<std::string> scenarios = scripts_in(root_, "scenarios");
-    load_together(behaviors);
-    for (const std::string& scenario : scenarios) load_with_behaviors(scenario);
-    for (const std::string& file : behaviors) look_at_names(file, ScriptRole::behavior);
-    for (const std::string& file : scenarios) look_at_names(file, ScriptRole::scenario);
-    for (const std::string& file : scripts_in(root_, "lib")) look_at_names(file, ScriptRole::library);
-    for (const std::string& file : scripts_in(root_, "tests")) look_at_names(file, ScriptRole::test);
+    load_together(texts_.in_folder("behaviors"));
+    for (const std::string& scenario : texts_.in_folder("scenarios")) load_with_behaviors(scenario);
+    for (const std::string& file : texts_.in_folder("behaviors")) look_at_names(file, ScriptRole::behavior);
+    for (const std::string& file : texts_.in_folder("scenarios")) look_at_names(file, ScriptRole::scenario);
+    for (const std::string& file : texts_.in_folder("lib")) look_at_names(file, ScriptRole::library);
+    for (const std::string& file : tests_in(root_)) look_at_names(file, ScriptRole::test);
     std::vector<Finding>& all = result_.findings;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
     // A behaviour that several scenarios load is told once.
@@ -47,16 +64,19 @@ class ScriptCheck {
       result_.findings.push_back({Severity::error, fault.file, {fault.line, fault.column}, fault.message});
   }
 
-  void load_together(const std::vector<std::string>& behaviors) {
-    ScriptHost host(root_, registry_);
-    for (const std::string& file : behaviors) {
-      try {
-        host.load_behavior((root_ / file).string());
-      } catch (const ScriptError& error) {
-        note(error);
-        knows_all_machines_ = false;
-      }
+  void load(ScriptHost& host, const std::string& file) {
+    try {
+      host.load(file);
+    } catch (const ScriptError& error) {
+      note(error);
+      if (file.starts_with("behaviors/")) knows_all_machines_ = false;
     }
+  }
+
+  void load_together(const std::vector<std::string>& behaviors) {
+    BehaviorLanguage language;
+    ScriptHost host(texts_, language, core_parameters_);
+    for (const std::string& file : behaviors) load(host, file);
     take_in(host);
     for (const MachineDefinition* machine : host.definitions()) {
       std::set<std::string>& states = states_[machine->name];
@@ -65,13 +85,18 @@ class ScriptCheck {
   }
 
   void load_with_behaviors(const std::string& scenario) {
-    ScriptHost host(root_, registry_);
-    try {
-      host.load_scenario((root_ / scenario).string());
-    } catch (const ScriptError& error) {
-      note(error);
-    }
+    ScenarioLanguage scenario_language;
+    ParameterRegistry parameters;
+    ScriptHost host(texts_, scenario_language, parameters);
+    load(host, scenario);
     take_in(host);
+    BehaviorLanguage behavior_language;
+    ScriptHost behaviors(texts_, behavior_language, core_parameters_);
+    for (const MachineDefinition* machine : host.definitions()) {
+      for (const std::string& behavior : machine->behaviors)
+        load(behaviors, script_file(behavior_language.folder(), behavior));
+    }
+    take_in(behaviors);
   }
 
   void take_in(const ScriptHost& host) {
@@ -84,10 +109,10 @@ class ScriptCheck {
 
   void look_at_names(const std::string& file, ScriptRole role) {
     ++result_.files;
-    const std::optional<std::string> text = read_whole_file(root_ / file);
-    const bool is_loaded_before = role == ScriptRole::behavior || role == ScriptRole::scenario;
-    if (!text || (text->size() > kLargestScript && role != ScriptRole::test)) {
+    const std::optional<std::string> text = text_of(file, role);
+    if (!text) {
       // The loader has said so of what it met.
+      const bool is_loaded_before = role == ScriptRole::behavior || role == ScriptRole::scenario;
       if (!is_loaded_before) result_.findings.push_back({Severity::error, file, {}, "this script cannot be read"});
       return;
     }
@@ -105,8 +130,16 @@ class ScriptCheck {
       result_.findings.push_back({Severity::error, file, slip.position, std::move(slip.message)});
   }
 
+  std::optional<std::string> text_of(const std::string& file, ScriptRole role) const {
+    if (role == ScriptRole::test) return read_whole_file(root_ / file);  // of any length
+    const ScriptText* const text = texts_.find(file);
+    return text != nullptr && text->problem.empty() ? std::optional(text->text) : std::nullopt;
+  }
+
   std::filesystem::path root_;
-  ParameterRegistry& registry_;
+  ScriptTexts texts_;
+  CoreParameters core_;
+  ParameterRegistry core_parameters_;  ///< with the engine's own: scripts must not take their names
   std::map<std::string, std::set<std::string>> states_;
   bool knows_all_machines_ = true;
   std::map<std::string, TableSymbol> modules_;
@@ -136,11 +169,10 @@ int CheckResult::count(Finding::Severity severity) const {
                                         [severity](const Finding& finding) { return finding.severity == severity; }));
 }
 
-CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths,
-                          ParameterRegistry& registry) {
+CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths) {
   std::vector<std::string> wanted;
   for (const std::filesystem::path& path : paths) wanted.push_back(below(scripts_root, path));
-  CheckResult result = ScriptCheck(scripts_root, registry).run();
+  CheckResult result = ScriptCheck(scripts_root).run();
   if (wanted.empty()) return result;
   std::erase_if(result.findings, [&](const Finding& finding) {
     return std::none_of(wanted.begin(), wanted.end(), [&](const std::string& path) {

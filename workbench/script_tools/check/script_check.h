@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/parameters/parameter_registry.h"
 #include "engine/script/source/lua_tokens.h"
 
 namespace reorient {
@@ -32,9 +31,8 @@ struct CheckResult {
 
 /// Loads all behaviours, and each scenario with the behaviours that it wants; then looks at the states and, in these
 /// and in libraries and tests, at the names. `paths` restricts what is told (not what is loaded) to files and folders;
-/// none: everything below the root. `registry` has the program's own parameters. Throws std::runtime_error with one
-/// line when a path does not exist or lies elsewhere.
-CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths,
-                          ParameterRegistry& registry);
+/// none: everything below the root. Throws std::runtime_error with one line when a path does not exist or lies
+/// elsewhere.
+CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths);
 
 }  // namespace reorient

@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "engine/script/language/script_actions.h"
-#include "engine/script/language/world_fields.h"
+#include "engine/script/language/behavior_language.h"
+#include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/vocabulary.h"
 
 namespace reorient {
@@ -32,18 +32,15 @@ void add_words(std::span<const ScriptWord> words, SymbolTable& known) {
   }
 }
 
-void add_world(bool for_scenarios, SymbolTable& known) {
-  for (const WorldField& field : world_fields()) {
-    if (field.for_scenarios && !for_scenarios) continue;
+/// Which of the functions act, so that a condition must not call them: what gives nothing back is called for its
+/// effect.
+void add_language(const ScriptLanguage& language, SymbolTable& known) {
+  for (const WorldField& field : language.world()) {
     known.globals.insert(std::string(field.table));
     known.tables[std::string(field.table)].fields.insert(std::string(field.name));
   }
-}
-
-void add_functions(bool for_scenarios, SymbolTable& known) {
-  for (const ScriptFunction& function : script_functions()) {
-    if (function.for_scenarios && !for_scenarios) continue;
-    FunctionSymbol signature{{}, function.result.empty()};  // what gives nothing back is called for its effect
+  for (const ScriptFunction& function : language.functions()) {
+    FunctionSymbol signature{{}, function.result.empty()};
     for (const ArgumentDoc& argument : function.arguments) signature.argument_types.push_back(argument.type);
     if (function.table.empty()) {
       known.globals.insert(function.name);
@@ -68,10 +65,9 @@ SymbolTable symbol_table(ScriptRole role) {
   add_words(language_words(), known);
   if (role == ScriptRole::behavior) known.globals.erase("scenario");
   if (role == ScriptRole::scenario) known.globals.erase("behavior");
-  // A library serves both: what only scenarios have is known there too.
-  const bool for_scenarios = role != ScriptRole::behavior;
-  add_world(for_scenarios, known);
-  add_functions(for_scenarios, known);
+  // A library serves both: what only one of them has is known there too.
+  if (role != ScriptRole::scenario) add_language(BehaviorLanguage(), known);
+  if (role != ScriptRole::behavior) add_language(ScenarioLanguage(), known);
   return known;
 }
 

@@ -1,11 +1,13 @@
 #include "workbench/script_tools/reference/script_reference.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
+#include <vector>
 
-#include "engine/script/language/script_actions.h"
-#include "engine/script/language/world_fields.h"
+#include "engine/script/language/behavior_language.h"
+#include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/vocabulary.h"
 
 namespace reorient {
@@ -21,11 +23,30 @@ std::string signature(const ScriptFunction& function) {
   return text + ")";
 }
 
+const ScenarioLanguage& scenarios() {
+  static const ScenarioLanguage language;
+  return language;
+}
+
+const BehaviorLanguage& behaviors() {
+  static const BehaviorLanguage language;
+  return language;
+}
+
 bool is_for_scenarios(std::string_view table) {
-  for (const WorldField& field : world_fields()) {
-    if (field.table == table) return field.for_scenarios;
+  const std::span<const WorldTable> all = behaviors().tables();
+  return std::none_of(all.begin(), all.end(), [&](const WorldTable& row) { return row.name == table; });
+}
+
+/// Of both languages, each once: behaviours' first.
+std::vector<const ScriptFunction*> all_functions() {
+  std::vector<const ScriptFunction*> all;
+  for (const ScriptFunction& function : behaviors().functions()) all.push_back(&function);
+  for (const ScriptFunction& function : scenarios().functions()) {
+    const auto same = [&](const ScriptFunction* other) { return other->full_name() == function.full_name(); };
+    if (std::none_of(all.begin(), all.end(), same)) all.push_back(&function);
   }
-  return false;
+  return all;
 }
 
 void write_words(std::ostream& out, std::span<const ScriptWord> words) {
@@ -36,22 +57,21 @@ void write_words(std::ostream& out, std::span<const ScriptWord> words) {
 
 void write_world(std::ostream& out) {
   out << "## The world\nRead-only tables, refreshed before each frame. A name that does not exist is an error.\n\n";
-  for (const WorldTable& table : world_tables()) {
+  for (const WorldTable& table : scenarios().tables()) {
     out << "### `" << table.name << "`" << (is_for_scenarios(table.name) ? " (scenarios only)" : "") << "\n"
         << table.description << "\n\n| field | type | unit | what it is |\n|---|---|---|---|\n";
-    for (const WorldField& field : world_fields()) {
+    for (const WorldField& field : scenarios().world()) {
       if (field.table != table.name) continue;
-      out << "| `" << field.full_name() << "` | " << (field.is_boolean() ? "boolean" : "number") << " | " << field.unit
-          << " | " << field.description << " |\n";
+      out << "| `" << field.full_name() << "` | " << field.type_name() << " | " << field.unit << " | "
+          << field.description << " |\n";
     }
     out << "\n";
   }
 }
 
-void write_functions(std::ostream& out, bool for_scenarios) {
+void write_functions(std::ostream& out, const ScriptLanguage& language) {
   out << "| function | what it does |\n|---|---|\n";
-  for (const ScriptFunction& function : script_functions()) {
-    if (function.for_scenarios != for_scenarios) continue;
+  for (const ScriptFunction& function : language.functions()) {
     out << "| `" << signature(function) << "`" << (function.result.empty() ? "" : ": " + function.result) << " | "
         << function.description << " |\n";
   }
@@ -96,9 +116,10 @@ std::string script_reference() {
          "others.\n\n";
   write_world(out);
   out << "## Functions\nThey act, so they stand in `enter`, `update` and `exit`, not in conditions.\n\n";
-  write_functions(out, false);
-  out << "### In scenarios only\n";
-  write_functions(out, true);
+  out << "### In behaviours\n";
+  write_functions(out, behaviors());
+  out << "### In scenarios\n";
+  write_functions(out, scenarios());
   out << "## From Lua's own library\n";
   for (const LibraryRow& row : library_rows()) {
     out << "- `" << (row.table.empty() ? "base" : row.table) << "`: " << row.names << "\n";
@@ -122,17 +143,18 @@ std::string script_annotations() {
   out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? boolean\n"
          "---@field common? table[]\n---@field behaviors? string[]\n---@field enter? fun()\n---@field update? fun()\n"
          "---@field exit? fun()\n---@field [integer] table\n\n";
-  for (const WorldTable& table : world_tables()) {
+  for (const WorldTable& table : scenarios().tables()) {
     out << "---" << table.description << "\n---@class reorient." << table.name << "\n";
-    for (const WorldField& field : world_fields()) {
+    for (const WorldField& field : scenarios().world()) {
       if (field.table != table.name) continue;
-      out << "---@field " << field.name << " " << (field.is_boolean() ? "boolean" : "number") << " "
+      out << "---@field " << field.name << " " << field.type_name() << " "
           << (field.unit.empty() ? "" : std::string(field.unit) + ", ") << field.description << "\n";
     }
     out << table.name << " = {}\n\n";
   }
   std::set<std::string> tables;
-  for (const ScriptFunction& function : script_functions()) {
+  for (const ScriptFunction* one : all_functions()) {
+    const ScriptFunction& function = *one;
     if (!function.table.empty() && tables.insert(function.table).second) out << function.table << " = {}\n\n";
     out << "---" << function.description << "\n";
     std::string arguments;
@@ -161,8 +183,9 @@ std::string script_luacheck() {
     std::string& list = tables[std::string(table)];
     list.append(list.empty() ? "\"" : ", \"").append(name).append(1, '"');
   };
-  for (const WorldField& field : world_fields()) add(field.table, field.name);
-  for (const ScriptFunction& function : script_functions()) {
+  for (const WorldField& field : scenarios().world()) add(field.table, field.name);
+  for (const ScriptFunction* one : all_functions()) {
+    const ScriptFunction& function = *one;
     if (function.table.empty()) {
       globals.insert(function.name);
     } else {

@@ -30,7 +30,8 @@ constexpr ScriptWord kLanguage[] = {
      "scenario \"name\" { behaviors = { \"orientation\" }, initial = \"placing\", state \"placing\" { ... } }",
      "Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the "
      "field. "
-     "`behaviors`: which to load. It alone has `truth`, `experimenter`, `belief` and `verdict`.",
+     "`behaviors`: which to load. It alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It "
+     "runs after each frame.",
      "---@param name string\n---@return fun(body: reorient.State)\nfunction scenario(name) end"},
     {"require", "local walking = require \"lib.walk\"",
      "What the file lib/walk.lua below the scripts' root returns. Stands at the top of a script.",
@@ -53,7 +54,7 @@ constexpr ScriptWord kTest[] = {
      "---@param scenario string\nfunction load_scenario(scenario) end"},
     {"set_world", "set_world { confidence = { opposite = 0.9 }, robot = { fallen = true } }",
      "Changes the fake world, from the next frame on.",
-     "---@param world table<string, table<string, number|boolean>>\nfunction set_world(world) end"},
+     "---@param world table<string, table<string, number|boolean|string>>\nfunction set_world(world) end"},
     {"set_param", "set_param(\"orientation.lead\", \"0.3\")", "Changes a parameter as a user does live.",
      "---@param name string\n---@param value string\nfunction set_param(name, value) end"},
     {"advance", "advance(1.0)", "Lets this many seconds pass, 30 frames each; at least one frame.",

@@ -1,8 +1,12 @@
 #include "workbench/script_tools/testing/coverage.h"
 
+#include <initializer_list>
 #include <ostream>
 
-#include "engine/script/script_error.h"
+#include "engine/script/language/behavior_language.h"
+#include "engine/script/script_host.h"
+#include "workbench/files/script_files.h"
+#include "workbench/scenario/scenario_language.h"
 
 namespace reorient {
 namespace {
@@ -33,7 +37,7 @@ void report(const MachineDefinition& machine, const CoverageTrace& trace, std::o
       continue;
     }
     const std::string& from = machine.states[transition.from].path;
-    left_out += "  " + place(machine, transition.position) + ": never taken: " + (from.empty() ? "always" : from) +
+    left_out += "  " + place(machine, transition.position) + ": never taken: " + (from.empty() ? "any state" : from) +
                 " > " + machine.states[transition.to].path + " (" + transition.because + ")\n";
   }
   out << machine.name << ": " << entered << " of " << states << " states, " << taken << " of "
@@ -43,18 +47,17 @@ void report(const MachineDefinition& machine, const CoverageTrace& trace, std::o
 
 }  // namespace
 
-void CoverageTrace::note(const ScriptHost& host, const ScriptOutput& output) {
-  if (output.transitions.empty()) return;
-  const std::vector<const MachineDefinition*> definitions = host.definitions();
-  for (const TransitionRecord& record : output.transitions) {
-    for (std::string path = record.to; !path.empty();) {
-      states_.insert({record.machine, path});
+void CoverageTrace::note(std::span<const MachineDefinition* const> machines, const NameTable& names,
+                         std::span<const TransitionRecord> transitions) {
+  for (const TransitionRecord& record : transitions) {
+    for (std::string path = names[record.to]; !path.empty();) {
+      states_.insert({names[record.machine], path});
       const std::size_t slash = path.rfind('/');
       path.resize(slash == std::string::npos ? 0 : slash);
     }
-    for (const MachineDefinition* machine : definitions) {
+    for (const MachineDefinition* machine : machines) {
       const auto index = static_cast<std::size_t>(record.transition);
-      const bool is_its_own = machine->name == record.machine && record.transition >= 0;
+      const bool is_its_own = machine->name_id == record.machine && record.transition >= 0;
       if (is_its_own && index < machine->transitions.size())
         transitions_.insert({machine->name, machine->transitions[index].key});
     }
@@ -62,15 +65,15 @@ void CoverageTrace::note(const ScriptHost& host, const ScriptOutput& output) {
 }
 
 void report_coverage(const CoverageTrace& trace, const std::filesystem::path& scripts_root, std::ostream& out) {
-  ParameterRegistry parameters;
-  for (const char* folder : {"behaviors", "scenarios"}) {
-    for (const std::string& file : scripts_in(scripts_root, folder)) {
-      ScriptHost host(scripts_root, parameters);
-      const std::string full = (scripts_root / file).string();
-      folder == std::string("behaviors") ? host.load_behavior(full) : host.load_scenario(full);
-      for (const MachineDefinition* machine : host.definitions()) {
-        if (machine->file == file) report(*machine, trace, out);
-      }
+  const ScriptTexts texts = read_scripts(scripts_root);
+  BehaviorLanguage behavior_language;
+  ScenarioLanguage scenario_language;
+  for (ScriptLanguage* language : std::initializer_list<ScriptLanguage*>{&behavior_language, &scenario_language}) {
+    for (const std::string& file : texts.in_folder(language->folder())) {
+      ParameterRegistry parameters;
+      ScriptHost host(texts, *language, parameters);
+      host.load(file);
+      for (const MachineDefinition* machine : host.definitions()) report(*machine, trace, out);
     }
   }
 }

@@ -4,19 +4,21 @@
 #include <filesystem>
 #include <iosfwd>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 
-#include "engine/parameters/parameter_registry.h"
-#include "engine/script/script_host.h"
+#include "engine/script/machine/machine_definition.h"
+#include "engine/script/script_output.h"
 
 namespace reorient {
 
 /// What was seen to happen, by machine; filled while tests run.
 class CoverageTrace {
  public:
-  /// After each tick.
-  void note(const ScriptHost& host, const ScriptOutput& output);
+  /// After each frame.
+  void note(std::span<const MachineDefinition* const> machines, const NameTable& names,
+            std::span<const TransitionRecord> transitions);
 
   bool entered(const std::string& machine, const std::string& path) const { return states_.contains({machine, path}); }
   bool took(const std::string& machine, const std::string& key) const { return transitions_.contains({machine, key}); }

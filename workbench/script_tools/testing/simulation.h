@@ -1,17 +1,16 @@
-// How a scripted test asks for a whole scenario on the simulator. The script engine knows no simulator: who runs the
-// tests hands one in.
+// How a scripted test asks for a whole scenario on a robot. The script tools know no robot: who runs the tests hands
+// one in.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "engine/script/script_host.h"
-#include "engine/script/script_output.h"
-#include "engine/world/command.h"
+#include "workbench/run/observer.h"
 #include "workbench/script_tools/testing/coverage.h"
 
 namespace reorient {
@@ -26,15 +25,51 @@ struct SimulationRequest {
   std::vector<std::pair<std::string, std::string>> parameters;  ///< name, value
 };
 
-/// What was seen from the beginning to the end.
-struct SimulationOutcome {
+/// What tests may expect something of, in words.
+struct SeenCommand {
+  std::string name;  ///< "flip_pose", "pause_training"
+  std::string verdict;
+  bool is_reorientation = true;
+};
+struct SeenTransition {
+  std::string machine;
+  std::string reason;
+};
+struct SeenMachine {
+  std::string name;
+  std::string state;
+};
+
+/// What was seen of some frames.
+struct SeenFrames {
+  std::vector<SeenMachine> machines;  ///< at the end
+  std::vector<SeenCommand> commands;
+  std::vector<SeenTransition> transitions;
+  std::vector<std::string> logs;
+  std::vector<ScriptFault> faults;
+  std::vector<std::string> actions;  ///< of the scenario's experimenter
   std::optional<ScenarioVerdict> verdict;
-  bool is_correct = false;              ///< the belief fits the truth at the end
-  std::vector<MachineStatus> machines;  ///< at the end
-  std::vector<CommandRecord> commands;
-  std::vector<TransitionRecord> transitions;
-  std::vector<LogRecord> logs;
-  std::vector<FaultRecord> faults;
+
+  void note(const NameTable& names, std::span<const TransitionRecord> taken, std::span<const LogRecord> said,
+            std::span<const FaultRecord> failed);
+  void note_commands(std::span<const CommandRecord> given, std::span<const Lease> begun);
+  void note_scenario(const ScenarioRecord& scenario);
+  void note_machines(const NameTable& names, std::span<const MachineStatus> statuses);
+};
+
+/// Collects that from a run.
+class SeenObserver : public Observer {
+ public:
+  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void finish(const FrameRecord& last, const StageRecord& stage) override;
+
+  SeenFrames seen;
+};
+
+/// What became of a whole run.
+struct SimulationOutcome {
+  bool is_correct = false;  ///< the belief fits the truth at the end
+  SeenFrames seen;
 };
 
 /// Throws std::runtime_error with one line on a request that cannot be met.

@@ -9,6 +9,7 @@
 #include "engine/script/sandbox/binding.h"
 #include "engine/script/sandbox/safe_library.h"
 #include "engine/script/script_error.h"
+#include "workbench/files/script_files.h"
 #include "workbench/script_tools/testing/simulation_request.h"
 
 namespace reorient {
@@ -35,8 +36,9 @@ std::string text_field(lua_State* L, int table, const char* name) {
 
 }  // namespace
 
-TestBench::TestBench(std::filesystem::path scripts_root, const Simulate& simulate, CoverageTrace& trace)
-    : root_(std::move(scripts_root)), simulate_(simulate), trace_(trace) {
+TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
+                     CoverageTrace& trace)
+    : root_(std::move(scripts_root)), texts_(std::move(texts)), simulate_(simulate), trace_(trace) {
   parameters_.bind("arbiter", arbiter_parameters_);
   parameters_.bind("script", limits_);
 }
@@ -87,15 +89,13 @@ void TestBench::add_expectations(lua_State* L) {
   add_function<&TestBench::expect_near>(L, "near");
 }
 
-ScriptHost& TestBench::host() {
-  if (!host_) {
-    host_ = std::make_unique<ScriptHost>(root_, parameters_, limits_);
+Behaviors& TestBench::behaviors() {
+  if (!behaviors_) {
+    behaviors_ = std::make_unique<Behaviors>(texts_, parameters_, limits_);
     arbiter_ = Arbiter(arbiter_parameters_);
   }
-  return *host_;
+  return *behaviors_;
 }
-
-std::vector<MachineStatus> TestBench::machines() { return simulated_ ? *simulated_ : host().machines(); }
 
 void TestBench::fail(const std::string& text) {
   lua_Debug record;
@@ -112,11 +112,9 @@ void TestBench::fail(const std::string& expected, const std::string& actual) {
 }
 
 std::vector<TestFailure> TestBench::finish() {
-  for (const FaultRecord& record : faults_) {
-    failures_.push_back({record.fault.file, record.fault.line, record.fault.message + "\n" + record.fault.traceback});
-  }
-  if (refused_)
-    failures_.push_back({refused_->fault.file, refused_->fault.line, "refused: " + refused_->fault.message});
+  for (const ScriptFault& fault : faults_)
+    failures_.push_back({fault.file, fault.line, fault.message + "\n" + fault.traceback});
+  if (refused_) failures_.push_back({refused_->file, refused_->line, "refused: " + refused_->message});
   return failures_;
 }
 
@@ -124,13 +122,16 @@ std::vector<TestFailure> TestBench::finish() {
 
 int TestBench::load_behavior(lua_State* L) {
   last_script_ = luaL_checkstring(L, 1);
-  host().load_behavior(last_script_);
+  behaviors().host().load(script_named(root_, last_script_));
+  look_at_machines();
   return 0;
 }
 
 int TestBench::load_scenario(lua_State* L) {
   last_script_ = luaL_checkstring(L, 1);
-  host().load_scenario(last_script_);
+  scenario_ = std::make_unique<ScenarioHost>(texts_, script_named(root_, last_script_), changes_, recorded_);
+  for (const std::string& behavior : scenario_->wanted_behaviors()) behaviors().host().load(behavior);
+  look_at_machines();
   return 0;
 }
 
@@ -145,52 +146,92 @@ int TestBench::set_world(lua_State* L) {
     const int fields = lua_gettop(L);
     for (lua_pushnil(L); lua_next(L, fields) != 0; lua_pop(L, 1)) {
       if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("set_world: a field of " + table + " has a name");
-      const bool is_boolean = lua_type(L, -1) == LUA_TBOOLEAN;
-      if (!is_boolean && lua_type(L, -1) != LUA_TNUMBER)
-        throw std::runtime_error("set_world takes numbers, true and false");
-      const double value = is_boolean ? lua_toboolean(L, -1) : lua_tonumber(L, -1);
-      write_world(world_, table, lua_tostring(L, -2), value, is_boolean);
+      WorldValue value;
+      if (lua_type(L, -1) == LUA_TBOOLEAN) {
+        value.type = WorldField::Type::boolean;
+        value.number = lua_toboolean(L, -1);
+      } else if (lua_type(L, -1) == LUA_TSTRING) {
+        value.type = WorldField::Type::name;
+        value.name = lua_tostring(L, -1);
+      } else if (lua_type(L, -1) == LUA_TNUMBER) {
+        value.number = lua_tonumber(L, -1);
+      } else {
+        throw std::runtime_error("set_world takes numbers, strings, true and false");
+      }
+      if (table == "truth") {
+        if (!truth_) truth_.emplace();
+        write_truth(*truth_, lua_tostring(L, -2), value);
+      } else {
+        write_world(world_, table, lua_tostring(L, -2), value);
+      }
     }
   }
   return 0;
 }
 
 void TestBench::set_param(std::string_view name, std::string_view value) {
-  parameters_.set_early(std::string(name), value, ParameterOrigin::live);
+  const ParameterChange change{std::string(name), std::string(value), ParameterOrigin::live, ""};
+  changes_.push_back(change);
+  if (scenario_) {
+    if (const std::optional<ParameterOutcome> outcome = scenario_->change(change); outcome && !outcome->refusal.empty())
+      throw std::runtime_error(outcome->refusal);
+  }
+  parameters_.set_early(change);
 }
 
 /// Runs as many frames as fit into the time, one at least.
 int TestBench::advance(lua_State* L) {
   const double seconds = lua::Value<double>::read(L, 1);
   if (seconds < 0.0 || seconds > kLongest) throw std::runtime_error("advance takes seconds, from 0 to 3600");
-  commands_.clear();
-  logs_.clear();
-  actions_.clear();
+  std::vector<SeenTransition> before = std::move(seen_.transitions);
+  seen_ = {};
+  seen_.transitions = std::move(before);
   const long frames = std::max(1L, std::lround(seconds * kFramesPerSecond));
-  for (long i = 0; i < frames; ++i) {
-    world_.time_step = 1.0 / kFramesPerSecond;
-    const ScriptOutput& output = host().tick(world_);
-    trace_.note(host(), output);
-    const Arbitration& arbitration = arbiter_.arbitrate(output.commands, output.leases, world_);
-    commands_.insert(commands_.end(), arbitration.records.begin(), arbitration.records.end());
-    transitions_.insert(transitions_.end(), output.transitions.begin(), output.transitions.end());
-    logs_.insert(logs_.end(), output.logs.begin(), output.logs.end());
-    actions_.insert(actions_.end(), output.actions.begin(), output.actions.end());
-    faults_.insert(faults_.end(), output.faults.begin(), output.faults.end());
-    leases_ = output.leases;
-    request_ = output.request;
-    verdict_ = output.verdict;
-    ++frame_;
-    world_.frame = static_cast<std::uint64_t>(frame_);
-    world_.time = static_cast<double>(frame_) / kFramesPerSecond;
-  }
+  for (long i = 0; i < frames; ++i) step();
+  look_at_machines();
+  faults_.insert(faults_.end(), seen_.faults.begin(), seen_.faults.end());
   return 0;
+}
+
+/// One frame as the engine runs it, with a fake world; then the scenario's.
+void TestBench::step() {
+  world_.time_step = 1.0 / kFramesPerSecond;
+  Behaviors& scripts = behaviors();
+  scripts.tick(world_);
+  const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world_);
+  const NameTable& names = *scripts.host().names().table();
+  const ScriptOutput& said = scripts.said();
+  seen_.note(names, said.transitions, said.logs, said.faults);
+  seen_.note_commands(arbitration.commands, arbitration.begun);
+  trace_.note(scripts.host().definitions(), names, said.transitions);
+  leases_.assign(scripts.leases().begin(), scripts.leases().end());
+  request_ = scripts.wanted().request;
+  if (scenario_) {
+    scripts.host().read_status(statuses_);
+    recorded_.show(names, statuses_, world_.time);
+    const ScenarioRecord& record = scenario_->tick({world_, truth_});
+    seen_.note_scenario(record);
+    trace_.note(scenario_->machines(), *record.names, record.transitions);
+  }
+  ++frame_;
+  world_.frame = static_cast<std::uint64_t>(frame_);
+  world_.time = static_cast<double>(frame_) / kFramesPerSecond;
+}
+
+void TestBench::look_at_machines() {
+  seen_.machines.clear();
+  behaviors().host().read_status(statuses_);
+  seen_.note_machines(*behaviors().host().names().table(), statuses_);
+  if (!scenario_) return;
+  std::vector<MachineStatus> statuses;
+  scenario_->host().read_status(statuses);
+  seen_.note_machines(*scenario_->host().names().table(), statuses);
 }
 
 std::string TestBench::file_of(const std::string& script) const {
   for (const char* folder : {"behaviors/", "scenarios/", ""}) {
     const std::string file = folder + script + (script.ends_with(".lua") ? "" : ".lua");
-    if (host_ && host_->read_file(file)) return file;
+    if (texts_.find(file) != nullptr) return file;
   }
   throw std::runtime_error("there is no script '" + script + "'");
 }
@@ -202,14 +243,18 @@ int TestBench::reload(lua_State* L) {
   const std::string to = text_field(L, 1, "to");
   const std::string named = text_field(L, 1, "file");
   const std::string file = file_of(named.empty() ? last_script_ : named);
-  const std::string text = host().read_file(file).value_or("");
+  const std::string& text = texts_.find(file)->text;
   if (from.empty() || text.find(from) == std::string::npos)
     throw std::runtime_error(file + " does not contain " + in_quotes(from));
-  host().replace_file(file, replace_all(text, from, to));
+  const ScriptEdit edit{file, ScriptText{replace_all(text, from, to), ""}};
+  texts_.apply(edit);
   refused_.reset();
-  for (ReloadReport& report : host().reload_changed(world_.time)) {
-    if (!report.accepted) refused_ = std::move(report);
+  std::vector<ReloadRecord> reloads = behaviors().host().apply({&edit, 1});
+  if (scenario_) scenario_->apply({&edit, 1});
+  for (ReloadRecord& reload : reloads) {
+    if (!reload.accepted) refused_ = std::move(reload.fault);
   }
+  look_at_machines();
   return 0;
 }
 
@@ -221,12 +266,8 @@ int TestBench::simulate(lua_State* L) {
     throw std::runtime_error("there is no simulator here");
   }
   SimulationOutcome outcome = simulate_(request, trace_);
-  simulated_ = std::move(outcome.machines);
-  commands_ = std::move(outcome.commands);
-  transitions_ = std::move(outcome.transitions);
-  logs_ = std::move(outcome.logs);
-  verdict_ = std::move(outcome.verdict);
-  faults_.insert(faults_.end(), outcome.faults.begin(), outcome.faults.end());
+  seen_ = std::move(outcome.seen);
+  faults_.insert(faults_.end(), seen_.faults.begin(), seen_.faults.end());
   lua_pushboolean(L, outcome.is_correct ? 1 : 0);
   return 1;
 }

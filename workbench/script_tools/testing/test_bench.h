@@ -9,8 +9,10 @@
 
 #include <lua.hpp>
 
-#include "engine/script/script_host.h"
+#include "engine/parameters/parameter_registry.h"
+#include "engine/script/behaviors.h"
 #include "engine/world/arbiter.h"
+#include "workbench/scenario/scenario_host.h"
 #include "workbench/script_tools/testing/coverage.h"
 #include "workbench/script_tools/testing/simulation.h"
 
@@ -26,8 +28,9 @@ struct TestFailure {
 /// One test's bench: what `load_behavior`, `set_world`, `advance`, `reload` and `expect` of a test act on.
 class TestBench {
  public:
-  /// `simulate` may be empty: then simulate() ends the test, and needs_simulator() says why.
-  TestBench(std::filesystem::path scripts_root, const Simulate& simulate, CoverageTrace& trace);
+  /// `texts`: of the scripts below the root. `simulate` may be empty: then simulate() ends the test, and
+  /// needs_simulator() says why.
+  TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate, CoverageTrace& trace);
 
   /// Makes the functions as globals of `L`.
   void add_to(lua_State* L);
@@ -67,8 +70,9 @@ class TestBench {
   template <auto Method>
   void add_function(lua_State* L, const char* name);
   void add_expectations(lua_State* L);
-  ScriptHost& host();
-  std::vector<MachineStatus> machines();
+  Behaviors& behaviors();
+  void step();
+  void look_at_machines();
   void fail(const std::string& expected, const std::string& actual);
   void fail(const std::string& text);
   std::string file_of(const std::string& script) const;
@@ -76,29 +80,31 @@ class TestBench {
   std::string commands_seen() const;
 
   std::filesystem::path root_;
+  ScriptTexts texts_;
   const Simulate& simulate_;
   CoverageTrace& trace_;
   bool needs_simulator_ = false;
-  std::optional<std::vector<MachineStatus>> simulated_;  ///< machines at the end of a simulation
   lua_State* lua_ = nullptr;
+
   ParameterRegistry parameters_;
+  std::vector<ParameterChange> changes_;  ///< for a scenario that is loaded later
   ArbiterParameters arbiter_parameters_;
   ScriptLimits limits_;
   World world_;
+  std::optional<GroundTruth> truth_;
   long frame_ = 0;
-  std::unique_ptr<ScriptHost> host_;
+  std::unique_ptr<Behaviors> behaviors_;
+  RecordedBehaviors recorded_;  ///< what the scenario sees of the behaviours
+  std::unique_ptr<ScenarioHost> scenario_;
   Arbiter arbiter_;
   std::string last_script_;
+
   std::vector<TestFailure> failures_;
-  std::vector<FaultRecord> faults_;      ///< not yet expected
-  std::optional<ReloadReport> refused_;  ///< not yet expected
-  // Of the last advance():
-  std::vector<CommandRecord> commands_;
-  std::vector<TransitionRecord> transitions_;  ///< of the whole test
-  std::vector<LogRecord> logs_;
-  std::vector<ExperimenterAction> actions_;
-  std::vector<Lease> leases_;
-  std::optional<ScenarioVerdict> verdict_;
+  std::vector<ScriptFault> faults_;      ///< not yet expected
+  std::optional<ScriptFault> refused_;   ///< not yet expected
+  SeenFrames seen_;                      ///< in the last advance(); transitions: in the whole test
+  std::vector<Lease> leases_;            ///< held after it
+  std::vector<MachineStatus> statuses_;  ///< of the behaviours, after it
   Request request_;
 };
 

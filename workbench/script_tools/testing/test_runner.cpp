@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "engine/script/sandbox/sandbox.h"
-#include "engine/script/script_folder.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/script_files.h"
 
 namespace reorient {
 namespace {
@@ -26,7 +26,8 @@ constexpr std::int64_t kInstructionsPerTest = 50'000'000;
 /// One file of tests: its Lua, and the tests that it declares.
 class TestFile {
  public:
-  TestFile(std::string name, const TestRun& run) : name_(std::move(name)), run_(run), sandbox_(test_limits()) {}
+  TestFile(std::string name, const TestRun& run, const ScriptTexts& texts)
+      : name_(std::move(name)), run_(run), texts_(texts), sandbox_(test_limits()) {}
 
   void run(const std::string& text, CoverageTrace& trace, std::vector<TestCase>& cases) {
     lua_State* const L = sandbox_.state();
@@ -58,7 +59,7 @@ class TestFile {
   }
 
   TestCase run_test(const std::string& name, int function, CoverageTrace& trace) {
-    TestBench bench(run_.scripts_root, run_.simulate, trace);
+    TestBench bench(run_.scripts_root, texts_, run_.simulate, trace);
     bench.add_to(sandbox_.state());
     sandbox_.grant(kInstructionsPerTest);
     lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function);
@@ -71,6 +72,7 @@ class TestFile {
 
   std::string name_;
   const TestRun& run_;
+  const ScriptTexts& texts_;
   Sandbox sandbox_;
   std::vector<std::pair<std::string, int>> tests_;
 };
@@ -125,9 +127,11 @@ void report(const TestCase& test, std::ostream& out) {
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace) {
   const std::filesystem::path all[] = {run.scripts_root / "tests"};
   TestSummary summary;
+  const ScriptTexts texts = read_scripts(run.scripts_root);
   for (const std::filesystem::path& file : find_tests(run.paths.empty() ? all : std::span(run.paths))) {
     const std::size_t first = summary.cases.size();
-    TestFile(path_below(run.scripts_root, file).value_or(file.string()), run).run(read(file), trace, summary.cases);
+    TestFile(path_below(run.scripts_root, file).value_or(file.string()), run, texts)
+        .run(read(file), trace, summary.cases);
     for (std::size_t i = first; i < summary.cases.size(); ++i) {
       const TestCase& test = summary.cases[i];
       report(test, out);

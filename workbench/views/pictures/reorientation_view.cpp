@@ -46,7 +46,7 @@ void draw_panel(Canvas& canvas, const Box& box, const FieldDimensions& field, co
   });
 }
 
-void draw_row(Canvas& canvas, double top, const FieldDimensions& field, const Reorientation& reorientation) {
+void draw_row(Canvas& canvas, double top, const FieldDimensions& field, const ReorientationPanels& reorientation) {
   char time[48];
   std::snprintf(time, sizeof time, " at %.1f s", reorientation.time);
   const TextStyle title{.size = 24.0, .bold = true};
@@ -76,7 +76,7 @@ std::vector<LegendEntry> entries() {
 
 }  // namespace
 
-Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<Reorientation>& reorientations) {
+Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<ReorientationPanels>& reorientations) {
   const std::size_t rows = std::min(reorientations.size(), kMost);
   const double row_height = kTitle + panel_height(field);
   const double height = kHeader + std::max(row_height * static_cast<double>(rows) + kMargin, 80.0);

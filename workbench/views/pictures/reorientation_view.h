@@ -17,7 +17,7 @@ struct PoseSnapshot {
   std::optional<Pose2> belief;
 };
 
-struct Reorientation {
+struct ReorientationPanels {
   std::string command;  ///< e.g. "flip"
   double time = 0.0;    ///< s
   PoseSnapshot before;
@@ -25,6 +25,6 @@ struct Reorientation {
 };
 
 /// One line of two panels a command, the first ten of them.
-Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<Reorientation>& reorientations);
+Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<ReorientationPanels>& reorientations);
 
 }  // namespace reorient::pictures

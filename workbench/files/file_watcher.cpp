@@ -1,4 +1,4 @@
-#include "engine/script/file_watcher.h"
+#include "workbench/files/file_watcher.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
-#include "engine/script/script_folder.h"
+#include "engine/script/script_texts.h"
 
 namespace reorient {
 namespace {

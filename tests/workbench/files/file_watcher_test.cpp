@@ -1,6 +1,9 @@
 // Changed files are noticed, in place or by renaming, without sleeping.
-#include "engine/script/file_watcher.h"
-#include "tests/engine/script/script_fixture.h"
+#include "workbench/files/file_watcher.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/temporary_folder.h"
 
 namespace reorient {
 namespace {
@@ -78,30 +81,6 @@ INSTANTIATE_TEST_SUITE_P(Means, Watcher, ::testing::Values(FileWatcher::Means::a
                          [](const auto& means) {
                            return means.param == FileWatcher::Means::polling ? "Polling" : "Inotify";
                          });
-
-class WatchedScripts : public ScriptTest {};
-
-TEST_F(WatchedScripts, AnEditIsObeyedWithinTheDebounceTime) {
-  load("b", "behavior \"b\" { update = function() log.info(\"old\") end }");
-  tick();
-  folder.write_by_rename("behaviors/b.lua", "behavior \"b\" { update = function() log.info(\"new\") end }");
-  double waited = 0.0;
-  std::vector<ReloadReport> reports;
-  for (; reports.empty() && waited < 1.0; waited += 0.01) reports = host().poll_files(waited);
-  ASSERT_EQ(reports.size(), 1u);
-  EXPECT_LE(waited, 0.1 + 0.02);
-  tick();
-  EXPECT_EQ(logs.back(), "new");
-}
-
-TEST_F(WatchedScripts, AFolderThatIsNotThereIsSaidInOneLine) {
-  try {
-    ScriptHost missing(folder.path() / "gone", parameters);
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("there is no such folder"), std::string::npos);
-  }
-}
 
 }  // namespace
 }  // namespace reorient

@@ -1,22 +1,20 @@
-#include "engine/world/command.h"
+#include "engine/world/commands.h"
 
 namespace reorient {
 
-std::string_view to_string(Command command) {
-  switch (command) {
-    case Command::flip_pose:
+std::string_view to_string(Reorientation reorientation) {
+  switch (reorientation) {
+    case Reorientation::flip_pose:
       return "flip_pose";
-    case Command::purge_reflection:
+    case Reorientation::purge_reflection:
       return "purge_reflection";
-    case Command::reset_orientation:
+    case Reorientation::reset_orientation:
       return "reset_orientation";
-    case Command::pause_training:
-      return "pause_training";
-    case Command::pause_evaluation:
-      return "pause_evaluation";
   }
   return "";
 }
+
+std::string_view to_string(Pause pause) { return pause == Pause::training ? "pause_training" : "pause_evaluation"; }
 
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {

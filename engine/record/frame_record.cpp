@@ -1,0 +1,43 @@
+#include "engine/record/frame_record.h"
+
+#include <algorithm>
+
+namespace reorient {
+namespace {
+
+/// The same pixels in memory of our own, without gaps between the rows.
+void own(ImageView& view, std::vector<std::uint8_t>& bytes) {
+  if (view.empty() || view.data == bytes.data()) return;
+  const std::size_t row = 2 * static_cast<std::size_t>(view.width);
+  bytes.resize(row * static_cast<std::size_t>(view.height));
+  for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), row, bytes.data() + static_cast<std::size_t>(y) * row);
+  view.data = bytes.data();
+  view.stride = static_cast<int>(row);
+}
+
+}  // namespace
+
+std::string_view to_string(Stage stage) {
+  switch (stage) {
+    case Stage::inputs:
+      return "inputs";
+    case Stage::field:
+      return "field features";
+    case Stage::localization:
+      return "pose filter";
+    case Stage::room:
+      return "room awareness";
+    case Stage::behaviors:
+      return "behaviours";
+    case Stage::record:
+      return "record";
+  }
+  return "";
+}
+
+void FrameRecord::own_images() {
+  own(images.upper, images.own[0]);
+  own(images.lower, images.own[1]);
+}
+
+}  // namespace reorient

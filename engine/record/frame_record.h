@@ -1,0 +1,180 @@
+// What one frame saw, believed, decided, asked for, and what it took: plain data, that every observer reads and none
+// can change. Reused from frame to frame; what is expensive to copy is filled only where an observer wants it
+// (topics.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/parameters/parameter.h"
+#include "engine/record/topics.h"
+#include "engine/script/script_host.h"
+#include "engine/script/script_output.h"
+#include "engine/world/commands.h"
+#include "engine/world/names.h"
+#include "engine/world/world.h"
+#include "geometry/bytes.h"
+#include "perception/field/percepts.h"
+#include "perception/room/room_awareness.h"
+#include "robots/robot.h"
+
+namespace reorient {
+
+/// A camera's frame, without the pixels.
+struct CameraRecord {
+  double time = 0.0;  ///< s
+  CameraModel camera;
+  Eigen::Isometry3d robot_from_camera = Eigen::Isometry3d::Identity();  ///< in the robot's frame *now*, not at `time`
+  int width = 0;                                                        ///< of the image, pixels
+  int height = 0;
+};
+template <typename Visit>
+void fields(Visit&& visit, CameraRecord& camera) {
+  visit(camera.time, camera.camera, camera.robot_from_camera, camera.width, camera.height);
+}
+
+/// What went in.
+struct InputRecord {
+  std::optional<CameraRecord> upper;
+  std::optional<CameraRecord> lower;
+  BodySample body;
+  Pose2 odometry;
+  int body_samples = 0;  ///< how many more frequent samples of the body were used as well
+  ReportedPosture reported_posture = ReportedPosture::unknown;
+  bool external_belief = false;
+  std::optional<InitialPose> initial_pose;  ///< as it was told
+  int messages = 0;
+};
+template <typename Visit>
+void fields(Visit&& visit, InputRecord& in) {
+  visit(in.upper, in.lower, in.body, in.odometry, in.body_samples, in.reported_posture, in.external_belief,
+        in.initial_pose, in.messages);
+}
+
+/// A granted reorientation: the paper's Fig. 6.
+struct ReorientationRecord {
+  Reorientation reorientation = Reorientation::flip_pose;
+  Issuer issuer;
+  PoseBelief belief_before;
+  PoseBelief belief_after;
+};
+template <typename Visit>
+void fields(Visit&& visit, ReorientationRecord& record) {
+  visit(record.reorientation, record.issuer, record.belief_before, record.belief_after);
+}
+
+/// Topic::pose_particles.
+struct PoseParticlesRecord {
+  std::vector<Pose2> particles;  ///< at the end of the frame
+  std::vector<Pose2> before;     ///< before this frame's reorientation; empty where there was none
+};
+template <typename Visit>
+void fields(Visit&& visit, PoseParticlesRecord& record) {
+  visit(record.particles, record.before);
+}
+
+/// Topic::room. Empty where room awareness is off.
+struct RoomRecord {
+  WallParameters wall;
+  double half_width = 0.0;               ///< rad, of the virtual field of view
+  double goal_half_width = 0.0;          ///< rad
+  std::optional<double> center_of_view;  ///< rad, where on the wall the belief looks
+  Light light;
+  std::vector<TileModel> model;
+  std::vector<PerceivedTile> perceived;
+  std::vector<ViewParticle> particles;
+  std::vector<ViewCluster> clusters;
+};
+template <typename Visit>
+void fields(Visit&& visit, RoomRecord& room) {
+  visit(room.wall, room.half_width, room.goal_half_width, room.center_of_view, room.light, room.model, room.perceived,
+        room.particles, room.clusters);
+}
+
+/// Topic::images: views of somebody's pixels, valid as long as that robot's frame; or this record's own.
+struct ImagesRecord {
+  ImageView upper;
+  ImageView lower;
+  std::array<std::vector<std::uint8_t>, 2> own;
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive_image(archive, upper, own[0]);
+    archive_image(archive, lower, own[1]);
+  }
+
+ private:
+  template <typename Archive>
+  static void archive_image(Archive& archive, ImageView& view, std::vector<std::uint8_t>& bytes) {
+    std::uint16_t width = static_cast<std::uint16_t>(view.empty() ? 0 : view.width);
+    std::uint16_t height = static_cast<std::uint16_t>(view.empty() ? 0 : view.height);
+    archive(width, height);
+    const std::size_t row = 2 * std::size_t{width};
+    if constexpr (Archive::kReads) {
+      if (width % 2 != 0 || archive.left() < row * height) throw BadBytes("an image is larger than its bytes");
+      bytes.resize(row * height);
+      archive.raw(bytes.data(), bytes.size());
+      view = {bytes.data(), width, height, static_cast<int>(row)};
+    } else {
+      for (int y = 0; y < height; ++y) archive.raw(view.row(y), row);
+    }
+  }
+};
+
+/// The stages of a frame, in their order.
+enum class Stage { inputs, field, localization, room, behaviors, record };
+inline constexpr int kStageCount = 6;
+std::string_view to_string(Stage stage);
+
+/// Topic::costs: of this computer, so neither part of a decision nor of a digest.
+struct CostsRecord {
+  std::array<double, kStageCount> seconds{};  ///< by stage, in wall-clock time
+  std::vector<MachineCost> machines;
+};
+template <typename Visit>
+void fields(Visit&& visit, CostsRecord& costs) {
+  visit(costs.seconds, costs.machines);
+}
+
+struct FrameRecord {
+  Topics filled = Topics::always();
+  std::shared_ptr<const NameTable> names = std::make_shared<NameTable>();  ///< what all NameIds stand for
+
+  InputRecord inputs;
+  World world;
+  std::array<FieldPercept, 2> percepts;  ///< of the upper and of the lower camera
+
+  std::vector<MachineStatus> machines;  ///< in the order of loading
+  std::vector<TransitionRecord> transitions;
+
+  std::vector<CommandRecord> commands;
+  std::vector<Lease> leases;  ///< all that are held
+  std::vector<Lease> begun;   ///< those that were not held in the frame before
+  std::optional<ReorientationRecord> reorientation;
+
+  Answer answer;
+
+  std::vector<LogRecord> logs;
+  std::vector<FaultRecord> faults;
+  std::vector<ReloadRecord> reloads;
+  std::vector<ParameterOutcome> parameter_changes;
+
+  ImagesRecord images;
+  PoseParticlesRecord pose_particles;
+  RoomRecord room;
+  std::vector<OpenCondition> conditions;
+  std::vector<Parameter> parameters;
+  CostsRecord costs;
+
+  const std::string& name(NameId id) const { return (*names)[id]; }
+
+  /// Copies the images' pixels into the record, so that it outlives the robot's frame. A copy of a record has to be
+  /// told so itself, while the original is there.
+  void own_images();
+};
+
+}  // namespace reorient

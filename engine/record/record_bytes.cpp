@@ -1,0 +1,88 @@
+#include "engine/record/record_bytes.h"
+
+#include "geometry/bytes.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x31465252;  // "RRF1": another number with each change of what a topic holds
+
+/// One topic's content, the same for writing and reading.
+template <typename Archive>
+void visit_topic(Archive& archive, Topic topic, FrameRecord& record) {
+  switch (topic) {
+    case Topic::inputs:
+      return archive(record.inputs);
+    case Topic::world:
+      return archive(record.world);
+    case Topic::percepts:
+      return archive(record.percepts);
+    case Topic::machines:
+      return archive(record.machines, record.transitions);
+    case Topic::commands:
+      return archive(record.commands, record.leases, record.begun, record.reorientation);
+    case Topic::answer:
+      return archive(record.answer);
+    case Topic::events:
+      return archive(record.logs, record.faults, record.reloads, record.parameter_changes);
+    case Topic::images:
+      return archive(record.images);
+    case Topic::pose_particles:
+      return archive(record.pose_particles);
+    case Topic::room:
+      return archive(record.room);
+    case Topic::conditions:
+      return archive(record.conditions);
+    case Topic::parameters:
+      return archive(record.parameters);
+    case Topic::costs:
+      return archive(record.costs);
+  }
+}
+
+}  // namespace
+
+void write_topic(const FrameRecord& record, Topic topic, std::vector<std::byte>& bytes) {
+  ByteWriter writer(bytes);
+  visit_topic(writer, topic, const_cast<FrameRecord&>(record));  // a writer only looks
+}
+
+void write_record(const FrameRecord& record, std::vector<std::byte>& bytes) {
+  ByteWriter writer(bytes);
+  writer(kMagic, record.filled, *record.names);
+  for (const TopicInfo& row : kTopics) {
+    if (record.filled.has(row.topic)) write_topic(record, row.topic, bytes);
+  }
+}
+
+FrameRecord read_record(std::span<const std::byte> bytes) {
+  ByteReader reader(bytes);
+  std::uint32_t magic = 0;
+  reader(magic);
+  if (magic != kMagic) throw BadBytes("these bytes are not a frame's record of this version");
+  FrameRecord record;
+  NameTable names;
+  reader(record.filled, names);
+  if (names.names.empty()) throw BadBytes("the table of names is empty");
+  record.names = std::make_shared<NameTable>(std::move(names));
+  for (const TopicInfo& row : kTopics) {
+    if (record.filled.has(row.topic)) visit_topic(reader, row.topic, record);
+  }
+  reader.finish();
+  return record;
+}
+
+void RecordDigest::add(const FrameRecord& record) {
+  bytes_.clear();
+  for (const TopicInfo& row : kTopics) {
+    if (row.always && row.reproducible) write_topic(record, row.topic, bytes_);
+  }
+  digest_.add(bytes_);
+  for (const ImageView* const image : {&record.images.upper, &record.images.lower}) {
+    if (!record.filled.has(Topic::images) || image->empty()) continue;
+    for (int y = 0; y < image->height; ++y)
+      digest_.add(std::as_bytes(std::span(image->row(y), static_cast<std::size_t>(2 * image->width))));
+  }
+}
+
+}  // namespace reorient

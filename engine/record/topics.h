@@ -1,0 +1,94 @@
+// What a frame's record is made of, one row a topic: the one table that recordings, live views and docs name them by.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+namespace reorient {
+
+enum class Topic {
+  inputs,
+  world,
+  percepts,
+  machines,
+  commands,
+  answer,
+  events,
+  // From here on: filled only where somebody wants it.
+  images,
+  pose_particles,
+  room,
+  conditions,
+  parameters,
+  costs
+};
+inline constexpr int kTopicCount = 13;
+constexpr int enum_count(Topic) { return kTopicCount; }
+
+struct TopicInfo {
+  Topic topic;
+  std::string_view name;
+  std::string_view description;
+  bool always = true;        ///< filled in every frame; otherwise only where an observer wants it
+  bool reproducible = true;  ///< the same for the same inputs, on every computer
+};
+
+inline constexpr std::array<TopicInfo, kTopicCount> kTopics{{
+    {Topic::inputs, "inputs", "what went in: cameras, body, odometry, what was told"},
+    {Topic::world, "world", "what was believed: posture, pose, confidences; what behaviours could read"},
+    {Topic::percepts, "percepts", "what was seen of the field, camera by camera"},
+    {Topic::machines, "machines", "the state of every machine, and the changes of state"},
+    {Topic::commands, "commands", "what behaviours asked for, each with a verdict; pauses; the reorientation"},
+    {Topic::answer, "answer", "what the robot was asked for"},
+    {Topic::events, "events", "log lines, faults of scripts, reloads, changed parameters"},
+    {Topic::images, "images", "the cameras' pixels", false},
+    {Topic::pose_particles, "pose_particles", "the pose filter's particles, before a reorientation as well", false},
+    {Topic::room, "room", "wall, background model, perceived tiles, view particles and their clusters", false},
+    {Topic::conditions, "conditions", "transitions that are on their way, and for how long", false},
+    {Topic::parameters, "parameters", "every parameter with its value, range and origin", false},
+    {Topic::costs, "costs", "how long each stage took, and what each script costs", false, false},
+}};
+
+constexpr const TopicInfo& info(Topic topic) { return kTopics[static_cast<std::size_t>(topic)]; }
+
+/// Some of the topics.
+class Topics {
+ public:
+  constexpr Topics() = default;
+  constexpr Topics(std::initializer_list<Topic> topics) {
+    for (const Topic topic : topics) bits_ |= bit(topic);
+  }
+  static constexpr Topics all() {
+    Topics topics;
+    for (const TopicInfo& row : kTopics) topics.bits_ |= bit(row.topic);
+    return topics;
+  }
+  static constexpr Topics always() {
+    Topics topics;
+    for (const TopicInfo& row : kTopics) topics.bits_ |= row.always ? bit(row.topic) : 0u;
+    return topics;
+  }
+
+  constexpr bool has(Topic topic) const { return (bits_ & bit(topic)) != 0; }
+  constexpr Topics operator|(Topics other) const {
+    Topics both;
+    both.bits_ = bits_ | other.bits_;
+    return both;
+  }
+  constexpr bool operator==(const Topics&) const = default;
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(bits_);
+    bits_ &= (1u << kTopicCount) - 1u;
+  }
+
+ private:
+  static constexpr std::uint32_t bit(Topic topic) { return 1u << static_cast<unsigned>(topic); }
+
+  std::uint32_t bits_ = 0;
+};
+
+}  // namespace reorient

@@ -1,0 +1,47 @@
+// The behaviours of a robot in one frame: from the world to what they want.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/script/language/behavior_language.h"
+#include "engine/script/language/world_fields.h"
+#include "engine/script/script_host.h"
+#include "engine/world/world.h"
+
+namespace reorient {
+
+class Behaviors {
+ public:
+  /// References must outlive the behaviours.
+  Behaviors(ScriptTexts texts, ParameterRegistry& parameters, const ScriptLimits& limits = kDefaultLimits)
+      : host_(std::move(texts), language_, parameters, limits) {}
+
+  /// Each behaviour sees this world, and what the others were when the frame began.
+  void tick(const World& world) {
+    values_.clear();
+    append_world(world, values_);
+    said_ = &host_.tick(world.time, values_);
+    leases_.clear();
+    host_.append_leases(leases_);
+  }
+
+  // Of the last tick.
+  const ScriptOutput& said() const { return *said_; }
+  const BehaviorOutput& wanted() const { return language_.output(); }
+  std::span<const Lease> leases() const { return leases_; }  ///< all that are held now
+
+  ScriptHost& host() { return host_; }
+  const ScriptHost& host() const { return host_; }
+
+ private:
+  BehaviorLanguage language_;
+  ScriptHost host_;
+  std::vector<double> values_;
+  ScriptOutput nothing_;
+  const ScriptOutput* said_ = &nothing_;
+  std::vector<Lease> leases_;
+};
+
+}  // namespace reorient

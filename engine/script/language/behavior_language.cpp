@@ -1,0 +1,86 @@
+#include "engine/script/language/behavior_language.h"
+
+#include <stdexcept>
+
+#include "engine/script/language/world_fields.h"
+
+namespace reorient {
+
+std::span<const WorldTable> BehaviorLanguage::tables() const { return world_tables(); }
+std::span<const WorldField> BehaviorLanguage::world() const { return world_fields(); }
+
+std::span<const ScriptFunction> BehaviorLanguage::functions() const {
+  using A = BehaviorActions;
+  static const std::vector<ScriptFunction> functions{
+      script_function<&A::flip_pose>("command.flip_pose", {},
+                                     "Asks that the belief be turned into its reflection, in this frame."),
+      script_function<&A::purge_reflection>("command.purge_reflection", {},
+                                            "Asks that beliefs in the reflected pose be removed, in this frame."),
+      script_function<&A::reset_orientation>(
+          "command.reset_orientation", {},
+          "Asks that the orientation be forgotten and the position kept, in this frame."),
+      script_function<&A::pause_training>(
+          "command.pause_training", {},
+          "Stops the training of the background model until the state that says so is left."),
+      script_function<&A::pause_evaluation>("command.pause_evaluation", {},
+                                            "Stops the evaluation of the room until the state that says so is left."),
+      script_function<&A::look>(
+          "head.look", {"yaw", "pitch", "speed"},
+          "Turns the head to these angles (rad; to the left, downwards) at a speed (rad/s). Holds for one frame."),
+      script_function<&A::walk_with>("walk.velocity", {"forward", "left", "turn"},
+                                     "Walks with this velocity (m/s, m/s, rad/s to the left). Holds for one frame."),
+      script_function<&A::stand>("walk.stand", {}, "Stands still: a walk request like any other. Holds for one frame."),
+      script_function<&A::get_up>("motion.get_up", {}, "Gets up after a fall. Holds for one frame."),
+      script_function<&A::inform>("log.info", {"text"},
+                                  "Writes a line into the run's log, with the time and the state."),
+      script_function<&A::time_in_state>("time_in_state", {},
+                                         "Seconds since the state was entered whose function asks."),
+  };
+  return functions;
+}
+
+void BehaviorActions::begin_frame(ScriptOutput& output, double time) {
+  ScriptActions::begin_frame(output, time);
+  output_.commands.clear();
+  output_.request = {};
+  head_priority_ = -std::numeric_limits<double>::infinity();
+  walk_priority_ = -std::numeric_limits<double>::infinity();
+}
+
+void BehaviorActions::reorient_by(Reorientation reorientation) {
+  require_acting();
+  if (output_.commands.size() >= kMostPerFrame) throw std::runtime_error("too many commands in one frame");
+  output_.commands.push_back({reorientation, issuer(), machine().definition().priority});
+}
+
+void BehaviorActions::pause(Pause pause) {
+  require_acting();
+  machine().lease(pause, state());
+}
+
+void BehaviorActions::look(double yaw, double pitch, std::optional<double> speed) {
+  require_acting();
+  if (speed && *speed <= 0.0) throw std::runtime_error("the head's speed is more than 0 rad/s");
+  const double priority = machine().definition().priority;
+  if (!(priority > head_priority_)) return;
+  head_priority_ = priority;
+  HeadRequest request;
+  request.angles = {yaw, pitch};
+  if (speed) request.speed = *speed;
+  output_.request.head = request;
+}
+
+void BehaviorActions::walk_with(double forward, double left, double turn) {
+  require_acting();
+  const double priority = machine().definition().priority;
+  if (!(priority > walk_priority_)) return;
+  walk_priority_ = priority;
+  output_.request.walk = {forward, left, turn};
+}
+
+void BehaviorActions::get_up() {
+  require_acting();
+  output_.request.get_up = true;
+}
+
+}  // namespace reorient

@@ -1,0 +1,77 @@
+// The texts of all scripts, as values: whoever runs the engine reads the files, and hands edits in with a frame's
+// inputs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reorient {
+
+/// Bytes. Lua's parser takes a quadratic time for some texts (thousands of `goto`s), and a reload happens within a
+/// frame.
+inline constexpr std::size_t kLargestScript = 64 * 1024;
+
+/// What a file holds, or why it cannot be used.
+struct ScriptText {
+  std::string text;
+  std::string problem;  ///< empty: none; "this is not a plain file ..."
+  bool operator==(const ScriptText&) const = default;
+};
+template <typename Visit>
+void fields(Visit&& visit, ScriptText& text) {
+  visit(text.text, text.problem);
+}
+
+/// A file that was written, or removed.
+struct ScriptEdit {
+  std::string file;                ///< "behaviors/orientation.lua"
+  std::optional<ScriptText> text;  ///< nothing: the file is gone
+};
+template <typename Visit>
+void fields(Visit&& visit, ScriptEdit& edit) {
+  visit(edit.file, edit.text);
+}
+
+/// Files by their path below the scripts' root, with '/'.
+class ScriptTexts {
+ public:
+  /// `root`: how messages call the folder that the texts come from.
+  explicit ScriptTexts(std::string root = "the scripts") : root_(std::move(root)) {}
+
+  const std::string& root() const { return root_; }
+
+  /// nullptr: there is no such file.
+  const ScriptText* find(const std::string& file) const;
+  /// A text that is longer than kLargestScript is kept as a file that cannot be used.
+  void apply(const ScriptEdit& edit);
+
+  /// All files, by name.
+  std::vector<std::string> files() const;
+  /// The files *.lua in this folder and below, by name; of "tests" only *_test.lua.
+  std::vector<std::string> in_folder(std::string_view folder) const;
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(root_, files_);
+  }
+
+ private:
+  std::string root_;
+  std::map<std::string, ScriptText> files_;
+};
+
+/// FNV-1a, 64 bits.
+std::uint64_t content_hash(std::string_view text);
+
+/// "lib.walk" as "lib/walk.lua"; nothing when it is not a name of that kind.
+std::optional<std::string> module_file(std::string_view module);
+
+/// "behaviors/orientation.lua" from "orientation"; a name that ends in .lua stays as it is.
+std::string script_file(std::string_view folder, std::string_view name);
+
+}  // namespace reorient

@@ -1,0 +1,67 @@
+// Commands from behaviours to the core (the paper's Section 3.1), and what became of them.
+#pragma once
+
+#include <string_view>
+
+#include "engine/world/names.h"
+#include "robots/answer.h"
+
+namespace reorient {
+
+/// "flip_pose", "purge_reflection", "reset_orientation": as scripts call them.
+std::string_view to_string(Reorientation reorientation);
+
+/// What rests as long as the state that asked for it is active.
+enum class Pause { training, evaluation };
+constexpr int enum_count(Pause) { return 2; }
+
+/// "pause_training", "pause_evaluation".
+std::string_view to_string(Pause pause);
+
+/// Who asks, and why.
+struct Issuer {
+  NameId machine = 0;
+  NameId state = 0;   ///< path, e.g. "watching/doubtful"
+  NameId reason = 0;  ///< the `because` of the transition that led there
+};
+template <typename Visit>
+void fields(Visit&& visit, Issuer& issuer) {
+  visit(issuer.machine, issuer.state, issuer.reason);
+}
+
+struct ReorientationRequest {
+  Reorientation reorientation = Reorientation::flip_pose;
+  Issuer issuer;
+  double priority = 0.0;  ///< the behaviour's; the greater wins
+};
+template <typename Visit>
+void fields(Visit&& visit, ReorientationRequest& request) {
+  visit(request.reorientation, request.issuer, request.priority);
+}
+
+/// A pause that holds as long as the state in which it was issued.
+struct Lease {
+  Pause pause = Pause::training;
+  Issuer issuer;
+};
+template <typename Visit>
+void fields(Visit&& visit, Lease& lease) {
+  visit(lease.pause, lease.issuer);
+}
+
+enum class Verdict { granted, outranked, too_soon, not_allowed };
+constexpr int enum_count(Verdict) { return 4; }
+
+std::string_view to_string(Verdict verdict);
+
+/// A request, and what the arbiter said to it in the same frame.
+struct CommandRecord {
+  ReorientationRequest request;
+  Verdict verdict = Verdict::granted;
+};
+template <typename Visit>
+void fields(Visit&& visit, CommandRecord& record) {
+  visit(record.request, record.verdict);
+}
+
+}  // namespace reorient

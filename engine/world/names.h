@@ -1,0 +1,75 @@
+// Names as small numbers: what a frame records about scripts costs no text.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/bytes.h"
+
+namespace reorient {
+
+/// A name of a script's: a machine, the path of a state, a reason.
+using NameId = std::uint16_t;
+inline constexpr NameId kNoName = 0;
+inline constexpr NameId kStartName = 1;     ///< the reason of a machine's first state
+inline constexpr NameId kReloadedName = 2;  ///< the reason of a state that a reload led to
+
+/// What the numbers stand for. Never changed: a script that brings new names makes a new table, in which the old ones
+/// keep their numbers.
+struct NameTable {
+  std::vector<std::string> names{"", "start", "the script was reloaded"};
+
+  const std::string& operator[](NameId id) const {
+    static const std::string kUnknown;
+    return id < names.size() ? names[id] : kUnknown;
+  }
+};
+template <typename Visit>
+void fields(Visit&& visit, NameTable& table) {
+  visit(table.names);
+}
+
+/// The table while it grows.
+class Names {
+ public:
+  /// The number of a name, new or known. Where all numbers are taken: 0.
+  NameId intern(std::string_view name) {
+    const std::vector<std::string>& known = table_->names;
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found != known.end()) return static_cast<NameId>(found - known.begin());
+    if (known.size() > kMost) return 0;
+    auto more = std::make_shared<NameTable>(*table_);
+    more->names.emplace_back(name);
+    table_ = std::move(more);
+    return static_cast<NameId>(table_->names.size() - 1);
+  }
+
+  const std::string& operator[](NameId id) const { return (*table_)[id]; }
+  const std::shared_ptr<const NameTable>& table() const { return table_; }
+  std::size_t size() const { return table_->names.size(); }
+
+  /// For a script host that makes all names anew: after many edits most are of states that are gone.
+  void clear() { table_ = std::make_shared<NameTable>(); }
+  static constexpr std::size_t kMany = 8192;  ///< from here on it is worth it
+  static constexpr std::size_t kMost = 65535;
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    NameTable table = *table_;
+    archive(table);
+    if constexpr (Archive::kReads) {
+      if (table.names.size() < NameTable().names.size()) throw BadBytes("the table of names is too short");
+      table_ = std::make_shared<NameTable>(std::move(table));
+    }
+  }
+
+ private:
+  std::shared_ptr<const NameTable> table_ = std::make_shared<NameTable>();
+};
+
+}  // namespace reorient

@@ -1,0 +1,72 @@
+#include "program/robots.h"
+
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/parameter_registry.h"
+#include "robots/simulator/simulator.h"
+
+namespace reorient {
+namespace {
+
+/// Everything that can be tuned in the simulator.
+struct SimulatorTuning {
+  explicit SimulatorTuning(const RobotOptions& options) {
+    simulator.image = options.width == 640   ? ImageSize::vga_640x480
+                      : options.width == 320 ? ImageSize::qvga_320x240
+                                             : ImageSize::qqvga_160x120;
+    for (const ParameterChange& change : options.parameters) registry.set_early(change);
+    registry.bind("simulator", simulator);
+    registry.bind("body", simulator.body);
+    registry.bind("sensor", simulator.sensor);
+    registry.bind("room_shape", room_shape);
+  }
+
+  SimulatorParameters simulator;
+  RoomShape room_shape;
+  ParameterRegistry registry;
+};
+
+RobotInstance make_simulator(const RobotOptions& options) {
+  const SimulatorTuning tuning(options);
+  const FieldDimensions& field = options.field;
+  const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);
+  const Room room = options.room.empty() ? procedural_hall(options.hall_seed, tuning.room_shape)
+                                         : load_room(options.room, tuning.room_shape);
+  auto simulator = std::make_unique<Simulator>(tuning.simulator, field, room, beside_the_field, options.seed);
+  Simulator* const itself = simulator.get();
+  return {std::move(simulator), RobotInstance::Clock::simulated, itself, itself};
+}
+
+struct Maker {
+  const char* name;
+  RobotInstance (*make)(const RobotOptions&);
+  std::vector<Parameter> (*parameters)(const RobotOptions&);
+};
+
+constexpr Maker kMakers[] = {
+    {"simulator", make_simulator, [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
+};
+
+const Maker& maker_of(const std::string& name) {
+  for (const Maker& maker : kMakers) {
+    if (maker.name == name) return maker;
+  }
+  throw std::runtime_error("there is no robot '" + name + "'" + did_you_mean(name, robot_names()));
+}
+
+}  // namespace
+
+std::vector<std::string> robot_names() {
+  std::vector<std::string> names;
+  for (const Maker& maker : kMakers) names.emplace_back(maker.name);
+  return names;
+}
+
+RobotInstance make_robot(const std::string& name, const RobotOptions& options) { return maker_of(name).make(options); }
+
+std::vector<Parameter> robot_parameters(const std::string& name, const RobotOptions& options) {
+  return maker_of(name).parameters(options);
+}
+
+}  // namespace reorient

@@ -1,0 +1,87 @@
+#include "program/run/run_observers.h"
+
+#include <cmath>
+#include <ostream>
+#include <string>
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+namespace reorient {
+namespace {
+
+void log_scripts(const NameTable& names, const std::vector<LogRecord>& logs, const std::vector<FaultRecord>& faults) {
+  for (const LogRecord& record : logs) spdlog::info("{}: {}", names[record.machine], record.text);
+  for (const FaultRecord& fault : faults) {
+    using Consequence = FaultRecord::Consequence;
+    const char* consequence = fault.consequence == Consequence::rolled_back ? "; the previous version runs again"
+                              : fault.consequence == Consequence::stopped   ? "; it is stopped until it is edited"
+                                                                            : "";
+    spdlog::error("{}{}", fault.fault.text(), consequence);
+  }
+}
+
+/// Where the robot is and where it believes it is, once a second.
+void log_pose(const World& world, const std::optional<GroundTruth>& truth) {
+  if (!spdlog::should_log(spdlog::level::debug) || world.time - std::floor(world.time) >= world.time_step) return;
+  const auto text = [](const Pose2& pose) {
+    return fmt::format("({:.2f}, {:.2f}, {:.0f} deg)", pose.position.x(), pose.position.y(), to_degrees(pose.rotation));
+  };
+  spdlog::debug(
+      "{:.1f} s: belief {} weight {:.2f} reflected {:.2f}, truth {}; {} line points, {} posts, {} tiles, "
+      "coverage {:.2f}, distinctiveness {:.2f}, goals {:.2f} {:.2f}",
+      world.time, text(world.pose.pose), world.pose.cluster_weight, world.pose.reflected_weight,
+      truth ? text(truth->pose) : "unknown", world.line_points, world.goal_posts, world.confidence.visible_tiles,
+      world.confidence.coverage, world.confidence.distinctiveness, world.confidence.goal_opponent,
+      world.confidence.goal_own);
+}
+
+}  // namespace
+
+Progress::Progress(std::ostream& err)
+    : err_(err), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+
+void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
+  const double time = frame.world.time;
+  if (hidden_ || time < next_) return;
+  next_ = time + (terminal_ ? 0.5 : 10.0);
+  std::string states;
+  for (const MachineStatus& machine : frame.machines) {
+    if (frame.name(machine.machine) == "orientation") states += "  orientation: " + frame.name(machine.state);
+  }
+  for (const MachineStatus& machine : stage.scenario.machines)
+    states += "  " + stage.scenario.name(machine.machine) + ": " + stage.scenario.name(machine.state);
+  const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const Confidences& confidence = frame.world.confidence;
+  err_ << fmt::format("{}{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}",
+                      terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states, time / passed,
+                      terminal_ ? "" : "\n")
+       << std::flush;
+}
+
+void Progress::end() {
+  if (terminal_) err_ << "\r\033[K" << std::flush;
+}
+
+void RunLog::observe(const FrameRecord& frame, const StageRecord& stage) {
+  log_reloads(frame.reloads);
+  log_reloads(stage.scenario.reloads);
+  log_scripts(*frame.names, frame.logs, frame.faults);
+  log_scripts(*stage.scenario.names, stage.scenario.logs, stage.scenario.faults);
+  log_pose(frame.world, stage.truth);
+}
+
+void RunLog::log_reloads(const std::vector<ReloadRecord>& reloads) {
+  for (const ReloadRecord& reload : reloads) {
+    ++(reload.accepted ? accepted_ : rejected_);
+    if (reload.accepted) {
+      spdlog::info("{}: the edit is running", reload.script);
+    } else {
+      spdlog::error("{}: edit rejected; keeping the previous version: {}", reload.script, reload.fault.text());
+    }
+    for (const std::string& warning : reload.warnings) spdlog::warn("{}: {}", reload.script, warning);
+  }
+}
+
+}  // namespace reorient

@@ -1,0 +1,43 @@
+// A scenario with the robot that it is played with, made ready to run.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/frame.h"
+#include "program/run/run_options.h"
+#include "robots/robot_instance.h"
+#include "workbench/run/run_loop.h"
+#include "workbench/scenario/scenario_host.h"
+
+namespace reorient {
+
+class Simulation {
+ public:
+  /// Throws std::runtime_error (of scripts: ScriptError) with one line on bad input.
+  explicit Simulation(const SimulationOptions& options);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// For a RunLoop, to which observers and sources are added.
+  RunParts parts();
+
+  FrameLoop& engine() { return *engine_; }
+  ScenarioHost& scenario() { return *scenario_; }
+  /// Of the engine, the scenario and the robot, by name, as they are now.
+  std::vector<Parameter> parameters() const;
+
+ private:
+  RecordedBehaviors behaviors_;
+  std::unique_ptr<ScenarioHost> scenario_;
+  RobotInstance robot_;
+  std::vector<Parameter> robot_parameters_;
+  std::unique_ptr<FrameLoop> engine_;
+  double longest_;  ///< s
+};
+
+/// Those of several owners as one list, by name; what two of them have, as several scripts share a library, stands
+/// there once, as the first has it.
+std::vector<Parameter> merged(std::vector<std::vector<Parameter>> lists);
+
+}  // namespace reorient

@@ -1,0 +1,69 @@
+// What the engine answers to the robot, once a frame.
+#pragma once
+
+#include <optional>
+
+#include "geometry/angle.h"
+#include "geometry/head.h"
+
+namespace reorient {
+
+/// Torso velocity: m/s forward and to the left, rad/s to the left.
+struct WalkVelocity {
+  double forward = 0.0;
+  double left = 0.0;
+  double turn = 0.0;
+};
+template <typename Visit>
+void fields(Visit&& visit, WalkVelocity& walk) {
+  visit(walk.forward, walk.left, walk.turn);
+}
+
+struct HeadRequest {
+  HeadAngles angles;                   ///< wanted joint angles, rad; clamped to what the neck reaches
+  double speed = from_degrees(120.0);  ///< rad/s, at most the motors' own limit
+};
+template <typename Visit>
+void fields(Visit&& visit, HeadRequest& head) {
+  visit(head.angles, head.speed);
+}
+
+/// What the robot shall do until the next request. Without a head request the head stays where it is.
+struct Request {
+  std::optional<HeadRequest> head;
+  WalkVelocity walk;    ///< zero: stand
+  bool get_up = false;  ///< after a fall
+};
+template <typename Visit>
+void fields(Visit&& visit, Request& request) {
+  visit(request.head, request.walk, request.get_up);
+}
+
+/// What can be done to a belief (the paper's Section 3.1).
+enum class Reorientation { flip_pose, purge_reflection, reset_orientation };
+constexpr int enum_count(Reorientation) { return 3; }
+
+/// How the room supports the believed pose and its reflection, for whoever holds the belief.
+struct RoomOpinion {
+  double current = 0.0;   ///< confidence in the believed pose, 0 to 1
+  double opposite = 0.0;  ///< confidence in its reflection
+};
+template <typename Visit>
+void fields(Visit&& visit, RoomOpinion& room) {
+  visit(room.current, room.opposite);
+}
+
+struct Answer {
+  Request request;
+  /// Granted in this frame. Where the robot brings its own belief, it is to be carried out there; otherwise it is done.
+  std::optional<Reorientation> reorientation;
+  RoomOpinion room;
+  bool training_paused = false;
+  bool evaluation_paused = false;
+};
+template <typename Visit>
+void fields(Visit&& visit, Answer& answer) {
+  visit(answer.request, answer.reorientation, answer.room, answer.training_paused, answer.evaluation_paused);
+}
+
+}  // namespace reorient

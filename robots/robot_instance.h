@@ -1,0 +1,23 @@
+// A robot as one value: itself, its clock, who may disturb it, and where it really is.
+#pragma once
+
+#include <memory>
+
+#include "robots/experimenter.h"
+#include "robots/robot.h"
+
+namespace reorient {
+
+struct RobotInstance {
+  enum class Clock {
+    simulated,  ///< observe() returns at once: whoever wants real time waits
+    real        ///< observe() waits for the robot
+  };
+
+  std::unique_ptr<Robot> robot;
+  Clock clock = Clock::simulated;
+  Experimenter* experimenter = nullptr;      ///< part of the robot; nullptr: nobody can disturb it
+  const GroundTruthSource* truth = nullptr;  ///< part of the robot; nullptr: nobody knows
+};
+
+}  // namespace reorient

@@ -1,0 +1,70 @@
+// A frame loop around one behaviour's text, fed by hand.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "engine/frame.h"
+
+namespace reorient {
+
+/// An image in which everything has another colour.
+inline Image colorful_image(int width, int height) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    std::uint8_t* const row = image.row(y);
+    for (int x = 0; x < 2 * width; ++x) row[x] = static_cast<std::uint8_t>(x % 2 == 0 ? 40 + x / 2 : 128 + y / 4);
+  }
+  return image;
+}
+
+/// A robot that stands, and what it is told.
+class HandFedLoop {
+ public:
+  static constexpr double kStep = 1.0 / 30.0;
+
+  explicit HandFedLoop(const std::string& behavior, FrameSetup setup = {}) : image(colorful_image(160, 120)) {
+    setup.scripts.apply({"behaviors/tested.lua", ScriptText{behavior, ""}});
+    setup.behaviors.push_back("tested");
+    engine.emplace(std::move(setup));
+    CameraFrame& upper = inputs.observation.upper.emplace();
+    upper.image = image.view();
+    upper.camera = CameraModel().scaled_to(image.width(), image.height());
+    upper.robot_from_camera = robot_from_camera(RobotDimensions(), {}, {}, RobotDimensions().hip_height);
+  }
+
+  /// This many frames; what was told or changed is for the first of them.
+  const FrameRecord& step(int frames = 1) {
+    for (int i = 0; i < frames; ++i) {
+      Observation& observation = inputs.observation;
+      observation.upper->time = observation.time;
+      observation.upper->odometry = observation.odometry;
+      observation.body.time = observation.time;
+      engine->step(inputs, wanted);
+      observation.time += kStep;
+      inputs.parameter_changes.clear();
+      inputs.script_edits.clear();
+      inputs.told = {};
+    }
+    return engine->record();
+  }
+  const FrameRecord& record() const { return engine->record(); }
+  const World& world() const { return record().world; }
+  void tell(const Pose2& pose) { inputs.told.initial_pose = InitialPose{pose}; }
+
+  /// Steps until something was granted.
+  const FrameRecord& reoriented() {
+    for (int i = 0; i < 100 && !record().reorientation; ++i) step();
+    EXPECT_TRUE(record().reorientation);
+    return record();
+  }
+
+  Image image;
+  FrameInputs inputs;
+  Topics wanted;
+  std::optional<FrameLoop> engine;
+};
+
+}  // namespace reorient

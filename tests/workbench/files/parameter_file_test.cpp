@@ -1,0 +1,77 @@
+#include "workbench/files/parameter_file.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+class ParameterFile : public ::testing::Test {
+ protected:
+  std::vector<ParameterChange> read(const std::string& text) const {
+    return read_parameters(folder_.write("p.toml", text));
+  }
+  std::string refusal(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ParameterFile, HasTablesAsPrefixesAndLinesAsSources) {
+  const auto changes = read("[view]\nparticles = 50\npaper = true\ndistance = \"ssd3\"\n[orientation]\nlead = 0.4\n");
+  ASSERT_EQ(changes.size(), 4u);
+  for (const ParameterChange& change : changes) EXPECT_EQ(change.origin, ParameterOrigin::file);
+  const auto find = [&](const std::string& name) {
+    return *std::find_if(changes.begin(), changes.end(), [&](const auto& change) { return change.name == name; });
+  };
+  EXPECT_EQ(find("view.particles").value, "50");
+  EXPECT_EQ(find("view.paper").value, "true");
+  EXPECT_EQ(find("view.distance").value, "ssd3");
+  EXPECT_EQ(find("orientation.lead").value, "0.4");
+  EXPECT_TRUE(find("orientation.lead").source.ends_with("p.toml:6"));
+}
+
+TEST_F(ParameterFile, TellsItsMistakesWithFileAndLine) {
+  EXPECT_NE(refusal("[view]\nnoise = [1]\n").find("p.toml:2: a parameter is a number"), std::string::npos);
+  EXPECT_NE(refusal("[view\n").find("p.toml:1"), std::string::npos);
+  EXPECT_NE(refusal(std::string("\0\xff\x01", 3)).find("p.toml"), std::string::npos);
+  EXPECT_EQ(refusal(""), "accepted");
+  EXPECT_THROW(read_parameters(folder_.path() / "gone.toml"), std::runtime_error);
+  EXPECT_THROW(read_parameters(folder_.path()), std::runtime_error);
+}
+
+TEST_F(ParameterFile, KeepsWhatDiffersFromTheDefaults) {
+  Parameter noise;
+  noise.name = "view.noise";
+  noise.value = 0.123456789012345;
+  noise.maximum = 1.0;
+  noise.unit = "rad";
+  noise.description = "how much";
+  noise.origin = ParameterOrigin::live;
+  Parameter distance;
+  distance.name = "view.distance";
+  distance.kind = ParameterKind::choice;
+  distance.value = std::string("ssd3");
+  distance.origin = ParameterOrigin::command_line;
+  Parameter untouched;
+  untouched.name = "view.particles";
+  const std::filesystem::path file = folder_.path() / "saved.toml";
+  save_parameters({noise, distance, untouched}, file);
+  const std::vector<ParameterChange> changes = read_parameters(file);
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0].name, "view.distance");
+  EXPECT_EQ(changes[0].value, "ssd3");
+  EXPECT_EQ(changes[1].name, "view.noise");
+  EXPECT_EQ(changes[1].value, "0.123456789012345");
+  EXPECT_THROW(save_parameters({noise}, folder_.path() / "gone" / "saved.toml"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,100 @@
+// From files on a disk to texts and edits.
+#include "workbench/files/script_files.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+class ScriptFilesTest : public ::testing::Test {
+ protected:
+  ScriptTexts read() const { return read_scripts(folder_.path()); }
+  std::string problem(const std::string& file) const {
+    const ScriptTexts texts = read();
+    const ScriptText* const text = texts.find(file);
+    return text == nullptr ? "there is no such file" : text->problem;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ScriptFilesTest, AreTheLuaFilesBelowTheRootWithoutTestsAndAnnotations) {
+  for (const char* file : {"behaviors/a.lua", "lib/deep/b.lua", "scenarios/c.lua", "tests/a_test.lua",
+                           "annotations/reorient.lua", "behaviors/a.md"})
+    folder_.write(file, file);
+  const ScriptTexts texts = read();
+  EXPECT_EQ(texts.files(), (std::vector<std::string>{"behaviors/a.lua", "lib/deep/b.lua", "scenarios/c.lua"}));
+  EXPECT_EQ(texts.find("lib/deep/b.lua")->text, "lib/deep/b.lua");
+  EXPECT_EQ(texts.root(), folder_.path().string());
+}
+
+TEST_F(ScriptFilesTest, ThatCannotBeUsedSayWhy) {
+  folder_.write("behaviors/large.lua", std::string(kLargestScript + 1, ' '));
+  folder_.write("behaviors/full.lua", std::string(kLargestScript, ' '));
+  std::filesystem::create_directories(folder_.path() / "behaviors" / "folder.lua");
+  EXPECT_NE(problem("behaviors/large.lua").find("of at most 64 KiB"), std::string::npos);
+  EXPECT_EQ(problem("behaviors/full.lua"), "");
+  EXPECT_NE(problem("behaviors/folder.lua").find("not a plain file"), std::string::npos);
+}
+
+TEST_F(ScriptFilesTest, ALinkLeadsNowhereOutOfTheRoot) {
+  const TemporaryFolder elsewhere;
+  elsewhere.write("secret.lua", "return 1");
+  folder_.write("behaviors/here.lua", "return 2");
+  std::filesystem::create_symlink(elsewhere.path() / "secret.lua", folder_.path() / "behaviors" / "out.lua");
+  std::filesystem::create_symlink("here.lua", folder_.path() / "behaviors" / "in.lua");
+  std::filesystem::create_symlink("out of the blue", folder_.path() / "behaviors" / "gone.lua");
+  EXPECT_NE(problem("behaviors/out.lua").find("below the scripts' root"), std::string::npos);
+  EXPECT_NE(problem("behaviors/gone.lua").find("not a plain file"), std::string::npos);
+  EXPECT_EQ(problem("behaviors/in.lua"), "");
+}
+
+TEST_F(ScriptFilesTest, AFolderThatIsNotThereIsSaidInOneLine) {
+  try {
+    read_scripts(folder_.path() / "gone");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("there is no such folder"), std::string::npos);
+  }
+}
+
+TEST_F(ScriptFilesTest, AreNamedAsPeopleDo) {
+  const std::filesystem::path file = folder_.write("behaviors/a.lua", "");
+  EXPECT_EQ(script_named(folder_.path(), "a"), "a");
+  EXPECT_EQ(script_named(folder_.path(), file.string()), "behaviors/a.lua");
+  EXPECT_EQ(script_named(folder_.path(), "behaviors/a.lua"), "behaviors/a.lua");
+}
+
+TEST_F(ScriptFilesTest, AnEditIsToldWithinTheDebounceTime) {
+  folder_.write("behaviors/a.lua", "old");
+  folder_.write("behaviors/b.lua", "gone soon");
+  ScriptFiles files(folder_.path());
+  EXPECT_TRUE(files.poll(0.0).empty());
+  folder_.write_by_rename("behaviors/a.lua", "new");
+  folder_.write("lib/c.lua", "come");
+  std::filesystem::remove(folder_.path() / "behaviors" / "b.lua");
+  double waited = 0.0;
+  std::vector<ScriptEdit> edits;
+  for (; edits.empty() && waited < 1.0; waited += 0.01) edits = files.poll(waited);
+  EXPECT_LE(waited, 0.1 + 0.02);
+  ASSERT_EQ(edits.size(), 3u);
+  EXPECT_EQ(edits[0].file, "behaviors/a.lua");
+  EXPECT_EQ(edits[0].text->text, "new");
+  EXPECT_EQ(edits[1].file, "lib/c.lua");
+  EXPECT_EQ(edits[2].file, "behaviors/b.lua");
+  EXPECT_FALSE(edits[2].text);
+  EXPECT_TRUE(files.poll(2.0).empty());
+}
+
+TEST_F(ScriptFilesTest, StayWhileTheirFolderIsGone) {
+  folder_.write("scripts/behaviors/a.lua", "text");
+  ScriptFiles files(folder_.path() / "scripts");
+  std::filesystem::rename(folder_.path() / "scripts", folder_.path() / "elsewhere");
+  for (double time = 0.0; time < 1.0; time += 0.05) EXPECT_TRUE(files.poll(time).empty());
+  EXPECT_NE(files.texts().find("behaviors/a.lua"), nullptr);
+}
+
+}  // namespace
+}  // namespace reorient

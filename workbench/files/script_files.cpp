@@ -1,0 +1,107 @@
+#include "workbench/files/script_files.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kMostEntries = 20'000;  // files and folders; more are not somebody's scripts
+
+bool is_below(const std::filesystem::path& file, const std::filesystem::path& root) {
+  const auto [end, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+  return end == root.end() || (std::next(end) == root.end() && end->empty());
+}
+
+ScriptText unusable() {
+  return {"", "this is not a plain file below the scripts' root of at most " + std::to_string(kLargestScript / 1024) +
+                  " KiB"};
+}
+
+bool is_script(const std::string& file) {
+  return file.ends_with(".lua") && !file.starts_with("tests/") && !file.starts_with("annotations/");
+}
+
+}  // namespace
+
+std::optional<ScriptText> read_script(const std::filesystem::path& root, const std::string& file) {
+  std::error_code error;
+  const std::filesystem::path wanted = root / file;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(wanted, error))) return std::nullopt;
+  const std::filesystem::path true_root = std::filesystem::canonical(root, error);
+  if (error) return std::nullopt;
+  // Symbolic links are followed first, so that none leads out of the root.
+  const std::filesystem::path plain = std::filesystem::canonical(wanted, error);
+  if (error || !is_below(plain, true_root) || !std::filesystem::is_regular_file(plain, error)) return unusable();
+  if (std::filesystem::file_size(plain, error) > kLargestScript || error) return unusable();
+  std::ifstream in(plain, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in || text.str().size() > kLargestScript) return unusable();
+  return ScriptText{std::move(text).str(), ""};
+}
+
+ScriptTexts read_scripts(const std::filesystem::path& root) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(root, error))
+    throw std::runtime_error(root.string() + ": there is no such folder of scripts");
+  ScriptTexts texts(root.string());
+  std::size_t entries = 0;
+  for (std::filesystem::recursive_directory_iterator entry(root, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (++entries > kMostEntries)
+      throw std::runtime_error(root.string() + ": more than " + std::to_string(kMostEntries) +
+                               " files and folders; name the scripts' own folder");
+    const std::string file = entry->path().lexically_relative(root).generic_string();
+    if (!is_script(file)) continue;
+    if (std::optional<ScriptText> text = read_script(root, file)) texts.apply({file, std::move(text)});
+  }
+  return texts;
+}
+
+std::optional<std::string> path_below(const std::filesystem::path& root, const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path relative = std::filesystem::relative(path, root, error);
+  if (error || relative.empty() || *relative.begin() == "..") return std::nullopt;
+  return relative.generic_string();
+}
+
+std::string script_named(const std::filesystem::path& root, const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path path = name;
+  if (path.extension() != ".lua" || !std::filesystem::exists(path, error)) return name;
+  return path_below(root, path).value_or(path.generic_string());
+}
+
+std::vector<ScriptEdit> edits_between(const ScriptTexts& before, const ScriptTexts& after) {
+  std::vector<ScriptEdit> edits;
+  for (const std::string& file : after.files()) {
+    const ScriptText* const old = before.find(file);
+    const ScriptText* const text = after.find(file);
+    if (old == nullptr || *old != *text) edits.push_back({file, *text});
+  }
+  for (const std::string& file : before.files()) {
+    if (after.find(file) == nullptr) edits.push_back({file, std::nullopt});
+  }
+  return edits;
+}
+
+ScriptFiles::ScriptFiles(std::filesystem::path root)
+    : root_(std::move(root)), watcher_(root_), texts_(read_scripts(root_)) {}
+
+std::vector<ScriptEdit> ScriptFiles::poll(double time) {
+  if (!watcher_.poll(time)) return {};
+  ScriptTexts now(root_.string());
+  try {
+    now = read_scripts(root_);
+  } catch (const std::runtime_error&) {
+    return {};  // the folder is gone for a moment, as some editors and version control make it: the scripts stay
+  }
+  std::vector<ScriptEdit> edits = edits_between(texts_, now);
+  texts_ = std::move(now);
+  return edits;
+}
+
+}  // namespace reorient

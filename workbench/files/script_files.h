@@ -1,0 +1,49 @@
+// The scripts on a disk: read as texts, and watched for edits.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/script/script_texts.h"
+#include "workbench/files/file_watcher.h"
+
+namespace reorient {
+
+/// All files *.lua below the root, except what lies below tests/ and annotations/. Symbolic links are followed as far
+/// as they stay below the root. A file that cannot be used is there with the reason. Throws std::runtime_error with one
+/// line when there is no such folder, or when it holds so many files that it can hardly be meant.
+ScriptTexts read_scripts(const std::filesystem::path& root);
+
+/// The text of one file below the root, or why it cannot be used; nothing: there is no such file.
+std::optional<ScriptText> read_script(const std::filesystem::path& root, const std::string& file);
+
+/// The path from the root, with '/'; nothing where it does not lie below the root.
+std::optional<std::string> path_below(const std::filesystem::path& root, const std::filesystem::path& path);
+
+/// A script as a person names it: "orientation", a file below the root, or a path that leads there; as the engine does.
+std::string script_named(const std::filesystem::path& root, const std::string& name);
+
+/// What changed on the disk since the last look.
+class ScriptFiles {
+ public:
+  explicit ScriptFiles(std::filesystem::path root);
+
+  /// As they were when they were last read.
+  const ScriptTexts& texts() const { return texts_; }
+
+  /// Never blocks. `time`: s, from any steady clock.
+  std::vector<ScriptEdit> poll(double time);
+
+ private:
+  std::filesystem::path root_;
+  FileWatcher watcher_;  ///< before the texts are read: what changes meanwhile is noticed
+  ScriptTexts texts_;
+};
+
+/// How to come from one set of texts to another.
+std::vector<ScriptEdit> edits_between(const ScriptTexts& before, const ScriptTexts& after);
+
+}  // namespace reorient

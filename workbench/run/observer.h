@@ -1,0 +1,39 @@
+// Who watches a run. Observers read records; none can change a frame.
+#pragma once
+
+#include <optional>
+
+#include "engine/record/frame_record.h"
+#include "robots/experimenter.h"
+#include "workbench/scenario/scenario_host.h"
+
+namespace reorient {
+
+/// What only those around the robot know of a frame: plain data, too.
+struct StageRecord {
+  std::optional<GroundTruth> truth;  ///< where it is known
+  ScenarioRecord scenario;           ///< empty where there is none
+  double observing = 0.0;  ///< s in wall-clock time that the robot took to observe: a simulated one, to render
+  double stepping = 0.0;   ///< s in wall-clock time that the engine took
+};
+
+template <typename Visit>
+void fields(Visit&& visit, StageRecord& stage) {
+  visit(stage.truth, stage.scenario, stage.observing, stage.stepping);
+}
+
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  /// What it reads beyond the topics that are always filled.
+  virtual Topics wanted() const { return {}; }
+
+  /// Once a frame. Both are valid during the call only.
+  virtual void observe(const FrameRecord& frame, const StageRecord& stage) = 0;
+
+  /// Once, when the run is over, with its last frame; not called where there was none.
+  virtual void finish(const FrameRecord& /*last*/, const StageRecord& /*stage*/) {}
+};
+
+}  // namespace reorient

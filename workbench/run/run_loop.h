@@ -1,0 +1,63 @@
+// The one loop around the engine: robot, inputs, step, scenario, observers, pace, stop.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/frame.h"
+#include "robots/robot_instance.h"
+#include "workbench/run/observer.h"
+#include "workbench/scenario/scenario_host.h"
+
+namespace reorient {
+
+/// What adds to the inputs of a frame, just before it: a watcher of files, a person at a prompt.
+class InputSource {
+ public:
+  virtual ~InputSource() = default;
+  virtual void add_to(FrameInputs& inputs) = 0;
+};
+
+/// All parts must outlive the loop.
+struct RunParts {
+  RobotInstance& robot;
+  FrameLoop& engine;
+  ScenarioHost* scenario = nullptr;        ///< needs an experimenter
+  RecordedBehaviors* behaviors = nullptr;  ///< what the scenario sees of them
+  std::vector<InputSource*> sources;
+  std::vector<Observer*> observers;
+  std::function<bool()> stop;  ///< asked before each frame; may be empty
+  double longest = 0.0;        ///< s of the robot's time, from its first frame on; 0: no limit
+  bool in_real_time = false;   ///< waits for the wall clock where the robot's own does not
+};
+
+enum class RunEnd { verdict, time_up, robot_gone, stopped };
+
+class RunLoop {
+ public:
+  explicit RunLoop(RunParts parts);
+
+  /// One frame. Nothing: the run goes on.
+  std::optional<RunEnd> step();
+  /// Until its end; then the observers are told.
+  RunEnd run();
+
+  const StageRecord& stage() const { return stage_; }
+
+ private:
+  std::optional<RunEnd> is_over() const;
+  void play_scenario();
+  void wait() const;
+
+  RunParts parts_;
+  Topics wanted_;
+  FrameInputs inputs_;
+  StageRecord stage_;
+  bool any_frame_ = false;
+  double first_time_ = 0.0;  // s, of the robot's first frame
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,81 @@
+#include "workbench/scenario/scenario_host.h"
+
+#include <utility>
+
+namespace reorient {
+
+bool RecordedBehaviors::look_up(std::string_view name, MachineSight& sight) const {
+  if (machines_ == nullptr) return false;
+  for (const MachineStatus& status : *machines_) {
+    if ((*names_)[status.machine] != name) continue;
+    sight = {(*names_)[status.state], time_ - status.entered_at};
+    return true;
+  }
+  return false;
+}
+
+std::vector<std::string> RecordedBehaviors::machine_names() const {
+  std::vector<std::string> names;
+  if (machines_ == nullptr) return names;
+  for (const MachineStatus& status : *machines_) names.push_back((*names_)[status.machine]);
+  return names;
+}
+
+ScenarioHost::ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
+                           const MachineDirectory& behaviors)
+    : host_(std::move(texts), language_, parameters_, kDefaultLimits, &behaviors) {
+  for (const ParameterChange& change : parameters) parameters_.set_early(change);
+  host_.load(name);
+  record_.names = host_.names().table();
+}
+
+std::vector<std::string> ScenarioHost::wanted_behaviors() const {
+  std::vector<std::string> all;
+  for (const MachineDefinition* machine : host_.definitions())
+    all.insert(all.end(), machine->behaviors.begin(), machine->behaviors.end());
+  return all;
+}
+
+const ScenarioRecord& ScenarioHost::tick(const ScenarioView& view) {
+  values_.clear();
+  append_scenario_world(view.world, view.truth, values_);
+  const ScriptOutput& said = host_.tick(view.world.time, values_);
+  record_.names = host_.names().table();
+  host_.read_status(record_.machines);
+  record_.transitions.assign(said.transitions.begin(), said.transitions.end());
+  record_.logs.assign(said.logs.begin(), said.logs.end());
+  record_.faults.assign(said.faults.begin(), said.faults.end());
+  record_.actions.assign(language_.actions().actions().begin(), language_.actions().actions().end());
+  record_.verdict = language_.actions().verdict();
+  record_.reloads = std::exchange(reloads_, {});
+  return record_;
+}
+
+void ScenarioHost::apply(std::span<const ScriptEdit> edits) {
+  for (ReloadRecord& reload : host_.apply(edits)) reloads_.push_back(std::move(reload));
+}
+
+std::optional<ParameterOutcome> ScenarioHost::change(const ParameterChange& change) {
+  if (parameters_.find(change.name) == nullptr) return std::nullopt;
+  return parameters_.change(change);
+}
+
+void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told) {
+  using Kind = ExperimenterAction::Kind;
+  switch (action.kind) {
+    case Kind::pick_up:
+      return experimenter.pick_up();
+    case Kind::put_down:
+      return experimenter.put_down(action.pose);
+    case Kind::push_over:
+      return experimenter.push_over();
+    case Kind::penalize:
+      return experimenter.penalize(action.penalized);
+    case Kind::set_exposure_compensation:
+      return experimenter.set_exposure_compensation(action.stops);
+    case Kind::set_initial_pose:
+      told.initial_pose = InitialPose{action.pose};
+  }
+}
+
+}  // namespace reorient

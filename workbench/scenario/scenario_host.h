@@ -1,0 +1,97 @@
+// A scenario, run between frames: it reads what the last frame recorded and where the robot really is, and what it does
+// goes to the person beside the field or into the next frame's inputs. Behaviours never meet it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/parameters/parameter_registry.h"
+#include "engine/record/frame_record.h"
+#include "engine/script/script_host.h"
+#include "workbench/scenario/scenario_language.h"
+
+namespace reorient {
+
+/// What a scenario said and did after one frame: plain data, as a frame's record is.
+struct ScenarioRecord {
+  std::shared_ptr<const NameTable> names = std::make_shared<NameTable>();
+  std::vector<MachineStatus> machines;
+  std::vector<TransitionRecord> transitions;
+  std::vector<ExperimenterAction> actions;
+  std::vector<LogRecord> logs;
+  std::vector<FaultRecord> faults;
+  std::vector<ReloadRecord> reloads;
+  std::optional<ScenarioVerdict> verdict;  ///< stays once it was given
+
+  const std::string& name(NameId id) const { return (*names)[id]; }
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    NameTable table = *names;
+    archive(table, machines, transitions, actions, logs, faults, reloads, verdict);
+    if constexpr (Archive::kReads) names = std::make_shared<NameTable>(std::move(table));
+  }
+};
+
+/// What a scenario looks at.
+struct ScenarioView {
+  const World& world;
+  std::optional<GroundTruth> truth;
+};
+
+/// The behaviours of a frame's record, for `behaviors.NAME.state`.
+class RecordedBehaviors : public MachineDirectory {
+ public:
+  /// Both must outlive the next look.
+  void show(const NameTable& names, const std::vector<MachineStatus>& machines, double time) {
+    names_ = &names;
+    machines_ = &machines;
+    time_ = time;
+  }
+  bool look_up(std::string_view name, MachineSight& sight) const override;
+  std::vector<std::string> machine_names() const override;
+
+ private:
+  const NameTable* names_ = nullptr;
+  const std::vector<MachineStatus>* machines_ = nullptr;
+  double time_ = 0.0;
+};
+
+class ScenarioHost {
+ public:
+  /// `name`: "turned_round", or a file below the scripts' root. `behaviors`: what the scenario sees of those; must
+  /// outlive the host. Throws std::runtime_error (of a script: ScriptError) with one line.
+  ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
+               const MachineDirectory& behaviors);
+
+  /// The behaviours that it wants to be loaded.
+  std::vector<std::string> wanted_behaviors() const;
+
+  /// Once a frame, after it. The result is valid until the next call.
+  const ScenarioRecord& tick(const ScenarioView& view);
+  const ScenarioRecord& record() const { return record_; }
+
+  /// Takes edits of its files over; what became of them is told in the next record.
+  void apply(std::span<const ScriptEdit> edits);
+
+  /// A change of one of its parameters; nothing: it has none of this name.
+  std::optional<ParameterOutcome> change(const ParameterChange& change);
+  const ParameterRegistry& parameters() const { return parameters_; }
+  std::vector<const MachineDefinition*> machines() const { return host_.definitions(); }
+  const ScriptHost& host() const { return host_; }
+
+ private:
+  ParameterRegistry parameters_;
+  ScenarioLanguage language_;
+  ScriptHost host_;
+  std::vector<double> values_;
+  std::vector<ReloadRecord> reloads_;
+  ScenarioRecord record_;
+};
+
+/// Does to the robot what was asked for, and adds to `told` what it is to be told.
+void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told);
+
+}  // namespace reorient

@@ -1,0 +1,141 @@
+#include "workbench/scenario/scenario_language.h"
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/script/language/world_fields.h"
+
+namespace reorient {
+namespace {
+
+constexpr WorldTable kTruth{"truth", "Where the robot really is; only where a simulator or a tracking camera knows."};
+
+constexpr std::array<WorldField, 5> kTruthFields{{
+    {"truth", "x", "m", "towards the opponent goal", WorldField::Type::number, {}},
+    {"truth", "y", "m", "to the left", WorldField::Type::number, {}},
+    {"truth",
+     "rotation",
+     "rad",
+     "0 looks towards the opponent goal, positive turns left",
+     WorldField::Type::number,
+     {}},
+    {"truth", "fallen", "", "the robot really lies", WorldField::Type::boolean, {}},
+    {"truth", "carried", "", "the robot really hangs in the air", WorldField::Type::boolean, {}},
+}};
+
+}  // namespace
+
+std::string_view to_string(ExperimenterAction::Kind kind) {
+  switch (kind) {
+    case ExperimenterAction::Kind::pick_up:
+      return "pick_up";
+    case ExperimenterAction::Kind::put_down:
+      return "put_down";
+    case ExperimenterAction::Kind::push_over:
+      return "push_over";
+    case ExperimenterAction::Kind::penalize:
+      return "penalize";
+    case ExperimenterAction::Kind::set_exposure_compensation:
+      return "set_exposure_compensation";
+    case ExperimenterAction::Kind::set_initial_pose:
+      return "set_initial_pose";
+  }
+  return "";
+}
+
+std::span<const WorldTable> ScenarioLanguage::tables() const {
+  static const std::vector<WorldTable> tables = [] {
+    std::vector<WorldTable> all(world_tables().begin(), world_tables().end());
+    all.push_back(kTruth);
+    return all;
+  }();
+  return tables;
+}
+
+std::span<const WorldField> ScenarioLanguage::world() const {
+  static const std::vector<WorldField> fields = [] {
+    std::vector<WorldField> all(world_fields().begin(), world_fields().end());
+    all.insert(all.end(), kTruthFields.begin(), kTruthFields.end());
+    return all;
+  }();
+  return fields;
+}
+
+std::span<const ScriptFunction> ScenarioLanguage::functions() const {
+  using A = ScenarioActions;
+  static const std::vector<ScriptFunction> functions{
+      script_function<&A::pick_up>("experimenter.pick_up", {}, "Takes the robot off the ground."),
+      script_function<&A::put_down>("experimenter.put_down", {"x", "y", "rotation"},
+                                    "Puts the robot down at this pose (m, m, rad), upright and standing."),
+      script_function<&A::push_over>("experimenter.push_over", {}, "Makes the robot fall."),
+      script_function<&A::penalize>("experimenter.penalize", {"penalized"},
+                                    "Takes the robot out of the game, or lets it in again."),
+      script_function<&A::set_exposure_compensation>(
+          "experimenter.set_exposure_compensation", {"stops"},
+          "Changes the hall's light against the camera's exposure, in powers of two."),
+      script_function<&A::set_initial_pose>("experimenter.set_initial_pose", {"x", "y", "rotation"},
+                                            "Tells the robot where it stands (m, m, rad)."),
+      script_function<&A::succeed>("verdict.succeed", {"text"}, "Ends the run: the robot did right, and why."),
+      script_function<&A::fail>("verdict.fail", {"text"}, "Ends the run: the robot did wrong, and why."),
+      script_function<&A::inform>("log.info", {"text"},
+                                  "Writes a line into the run's log, with the time and the state."),
+      script_function<&A::time_in_state>("time_in_state", {},
+                                         "Seconds since the state was entered whose function asks."),
+  };
+  return functions;
+}
+
+void ScenarioActions::begin_frame(ScriptOutput& output, double time) {
+  ScriptActions::begin_frame(output, time);
+  actions_.clear();
+}
+
+void ScenarioActions::act(const ExperimenterAction& action) {
+  require_acting();
+  if (actions_.size() >= kMostPerFrame) throw std::runtime_error("too many actions in one frame");
+  actions_.push_back(action);
+}
+
+void ScenarioActions::put_down(double x, double y, double rotation) {
+  act({ExperimenterAction::Kind::put_down, Pose2(x, y, rotation), 0.0, false});
+}
+
+void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
+  act({ExperimenterAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
+}
+
+void ScenarioActions::judge(bool succeeded, std::string_view text) {
+  require_acting();
+  if (!verdict_) verdict_ = ScenarioVerdict{succeeded, std::string(text), time()};
+}
+
+void append_scenario_world(const World& world, const std::optional<GroundTruth>& truth, std::vector<double>& values) {
+  append_world(world, values);
+  if (truth) {
+    values.insert(values.end(), {truth->pose.position.x(), truth->pose.position.y(), truth->pose.rotation,
+                                 truth->fallen ? 1.0 : 0.0, truth->carried ? 1.0 : 0.0});
+  } else {
+    values.insert(values.end(), kTruthFields.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+void write_truth(GroundTruth& truth, std::string_view name, const WorldValue& value) {
+  std::vector<std::string> known;
+  for (const WorldField& field : kTruthFields) {
+    known.push_back(field.full_name());
+    if (field.name != name) continue;
+    const double number = checked_value(field, value);
+    if (name == "x") truth.pose.position.x() = number;
+    if (name == "y") truth.pose.position.y() = number;
+    if (name == "rotation") truth.pose.rotation = number;
+    if (name == "fallen") truth.fallen = number != 0.0;
+    if (name == "carried") truth.carried = number != 0.0;
+    return;
+  }
+  const std::string wanted = "truth." + std::string(name);
+  throw std::runtime_error("the world has no " + wanted + did_you_mean(wanted, known));
+}
+
+}  // namespace reorient

@@ -1,0 +1,91 @@
+// What scenarios can see and do: everything that behaviours see, the truth, and what a person beside the field can do.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/script/language/script_language.h"
+#include "engine/script/language/world_fields.h"
+#include "engine/world/world.h"
+#include "robots/experimenter.h"
+#include "robots/robot.h"
+
+namespace reorient {
+
+/// What a scenario wants done: to the robot, from outside, or told to it.
+struct ExperimenterAction {
+  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose };
+  friend constexpr int enum_count(Kind) { return 6; }
+
+  Kind kind = Kind::pick_up;
+  Pose2 pose;              ///< of put_down, set_initial_pose
+  double stops = 0.0;      ///< of set_exposure_compensation
+  bool penalized = false;  ///< of penalize
+};
+template <typename Visit>
+void fields(Visit&& visit, ExperimenterAction& action) {
+  visit(action.kind, action.pose, action.stops, action.penalized);
+}
+
+/// As scripts call it.
+std::string_view to_string(ExperimenterAction::Kind kind);
+
+struct ScenarioVerdict {
+  bool succeeded = false;
+  std::string text;
+  double time = 0.0;
+};
+template <typename Visit>
+void fields(Visit&& visit, ScenarioVerdict& verdict) {
+  visit(verdict.succeeded, verdict.text, verdict.time);
+}
+
+class ScenarioActions : public ScriptActions {
+ public:
+  void begin_frame(ScriptOutput& output, double time) override;
+
+  const std::vector<ExperimenterAction>& actions() const { return actions_; }  ///< of this frame
+  const std::optional<ScenarioVerdict>& verdict() const { return verdict_; }   ///< stays once it was given
+
+  void pick_up() { act({ExperimenterAction::Kind::pick_up, {}, 0.0, false}); }
+  void put_down(double x, double y, double rotation);
+  void push_over() { act({ExperimenterAction::Kind::push_over, {}, 0.0, false}); }
+  void penalize(bool penalized) { act({ExperimenterAction::Kind::penalize, {}, 0.0, penalized}); }
+  void set_exposure_compensation(double stops) {
+    act({ExperimenterAction::Kind::set_exposure_compensation, {}, stops, false});
+  }
+  void set_initial_pose(double x, double y, double rotation);
+  void succeed(std::string_view text) { judge(true, text); }
+  void fail(std::string_view text) { judge(false, text); }
+
+ private:
+  void act(const ExperimenterAction& action);
+  void judge(bool succeeded, std::string_view text);
+
+  std::vector<ExperimenterAction> actions_;
+  std::optional<ScenarioVerdict> verdict_;
+};
+
+class ScenarioLanguage : public ScriptLanguage {
+ public:
+  ScriptKind kind() const override { return ScriptKind::scenario; }
+  std::string_view folder() const override { return "scenarios"; }
+  std::span<const WorldTable> tables() const override;
+  std::span<const WorldField> world() const override;
+  std::span<const ScriptFunction> functions() const override;
+  ScenarioActions& actions() override { return actions_; }
+  const ScenarioActions& actions() const { return actions_; }
+
+ private:
+  ScenarioActions actions_;
+};
+
+/// Appends the values of the language's fields; NaN where there is no truth.
+void append_scenario_world(const World& world, const std::optional<GroundTruth>& truth, std::vector<double>& values);
+
+/// For tests: as write_world(), for the table `truth`.
+void write_truth(GroundTruth& truth, std::string_view name, const WorldValue& value);
+
+}  // namespace reorient

@@ -1,0 +1,195 @@
+#include "workbench/views/pictures/record_views.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "localization/measurement/field_map.h"
+
+namespace reorient::pictures {
+namespace {
+
+HistogramBars bars(const ColorHistogram& mean) {
+  HistogramBars result;
+  for (std::size_t bin = 0; bin < mean.size(); ++bin) result.share[bin] = mean[bin];
+  return result;
+}
+
+HistogramBars bars(const TileModel& tile) {
+  HistogramBars result = bars(tile.mean);
+  for (std::size_t bin = 0; bin < tile.variance.size(); ++bin) result.deviation[bin] = std::sqrt(tile.variance[bin]);
+  return result;
+}
+
+WallTile wall_tile(const Wall& wall, int tile) {
+  const double from = wall.column_of(tile) * wall.column_width();
+  return {from, from + wall.column_width(), wall.row_of(tile), {}};
+}
+
+void add_room(const RoomRecord& room, WorldView& view) {
+  if (room.model.empty()) return;  // room awareness is off
+  const Wall wall(room.wall);
+  view.wall_radius = wall.radius();
+  for (int tile = 0; tile < std::min(wall.tiles(), static_cast<int>(room.model.size())); ++tile) {
+    WallTile drawn = wall_tile(wall, tile);
+    const TileModel& model = room.model[static_cast<std::size_t>(tile)];
+    if (model.visits > 0) drawn.histogram = bars(model);
+    (model.visits > 0 ? view.model : view.untrained).push_back(drawn);
+  }
+  for (const PerceivedTile& perceived : room.perceived) {
+    if (!perceived.counts) continue;
+    WallTile drawn = wall_tile(wall, perceived.tile);
+    drawn.histogram = bars(perceived.histogram);
+    view.perceived.push_back(drawn);
+  }
+  for (const ViewParticle& particle : room.particles) view.view_particles.push_back(particle.azimuth);
+  for (const reorient::ViewCluster& cluster : room.clusters) {
+    if (cluster.share >= 0.1) view.view_clusters.push_back({cluster.azimuth, cluster.spread});
+  }
+  view.view_azimuth = room.center_of_view;
+  view.view_half_width = room.half_width;
+  view.goal_area_half_width = room.goal_half_width;
+}
+
+/// The belief before the frame's reorientation, if it had one: what the room was looked at with.
+const Pose2& belief_when_looking(const FrameRecord& frame) {
+  return frame.reorientation ? frame.reorientation->belief_before.pose : frame.world.pose.pose;
+}
+
+/// Points of the field seen through the camera; pieces behind it or far outside of the image are left out.
+class Projection {
+ public:
+  Projection(const CameraRecord& camera, const Pose2& belief)
+      : camera_(camera.camera),
+        field_from_camera_(to_isometry(belief) * camera.robot_from_camera),
+        camera_from_field_(field_from_camera_.inverse()) {}
+
+  std::optional<Eigen::Vector2d> pixel(const Eigen::Vector3d& point) const {
+    auto projected = camera_.project(camera_from_field_ * point);
+    const double margin = camera_.width;
+    if (!projected || std::abs(projected->x() - camera_.center.x()) > margin ||
+        std::abs(projected->y() - camera_.center.y()) > margin) {
+      return std::nullopt;
+    }
+    return projected;
+  }
+
+  /// One polyline for each run of visible points.
+  void add_polyline(const std::vector<Eigen::Vector3d>& points,
+                    std::vector<std::vector<Eigen::Vector2d>>& polylines) const {
+    bool running = false;
+    for (const Eigen::Vector3d& point : points) {
+      const auto projected = pixel(point);
+      if (projected && !running) polylines.emplace_back();
+      if (projected) polylines.back().push_back(*projected);
+      running = projected.has_value();
+    }
+  }
+
+  const Eigen::Isometry3d& field_from_camera() const { return field_from_camera_; }
+
+ private:
+  CameraModel camera_;
+  Eigen::Isometry3d field_from_camera_;
+  Eigen::Isometry3d camera_from_field_;
+};
+
+std::vector<Eigen::Vector3d> sampled(const FieldLine& line) {
+  constexpr int kPieces = 40;
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i <= kPieces; ++i) {
+    const Eigen::Vector2d point = line.from + (line.to - line.from) * (static_cast<double>(i) / kPieces);
+    points.emplace_back(point.x(), point.y(), 0.0);
+  }
+  return points;
+}
+
+std::vector<Eigen::Vector3d> sampled_circle(double radius) {
+  constexpr int kPieces = 72;
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double angle = 2.0 * kPi * i / kPieces;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+  }
+  return points;
+}
+
+void add_room(const RoomRecord& room, const Projection& projection, CameraView& view) {
+  if (room.model.empty()) return;
+  const Wall wall(room.wall);
+  for (const PerceivedTile& perceived : room.perceived) {
+    ImageTile tile;
+    tile.counted = perceived.counts;
+    tile.perceived = bars(perceived.histogram);
+    for (const Eigen::Vector3d& corner : wall.corners(perceived.tile)) {
+      if (const auto pixel = projection.pixel(corner)) tile.corners.push_back(*pixel);
+    }
+    if (tile.corners.size() == 4) view.tiles.push_back(std::move(tile));
+  }
+  // A particle has no height of its own: it is drawn where its azimuth crosses the middle row of the camera.
+  const Eigen::Vector3d eye = projection.field_from_camera().translation();
+  const Eigen::Vector3d axis = projection.field_from_camera().linear().col(0);
+  for (const ViewParticle& particle : room.particles) {
+    const Eigen::Vector2d foot(wall.radius() * std::cos(particle.azimuth), wall.radius() * std::sin(particle.azimuth));
+    const double reach = axis.head<2>().norm() > 1e-6 ? (foot - eye.head<2>()).norm() / axis.head<2>().norm() : 0.0;
+    if (const auto pixel = projection.pixel({foot.x(), foot.y(), eye.z() + reach * axis.z()})) {
+      view.view_particles.push_back(*pixel);
+    }
+  }
+}
+
+void add_percept(const FieldPercept& percept, const CameraRecord& camera, CameraView& view) {
+  const Eigen::Isometry3d camera_from_robot = camera.robot_from_camera.inverse();
+  for (const LinePoint& point : percept.line_points) {
+    constexpr double kStep = 0.05;  // m across the line
+    const Eigen::Vector2d beside =
+        point.position + kStep * Eigen::Vector2d(std::cos(point.normal), std::sin(point.normal));
+    const auto pixel = camera.camera.project(camera_from_robot * Eigen::Vector3d(beside.x(), beside.y(), 0.0));
+    const Eigen::Vector2d place = point.pixel.cast<double>();
+    view.line_points.push_back({place, pixel ? Eigen::Vector2d(*pixel - place) : Eigen::Vector2d::Zero()});
+  }
+  for (const GoalPost& post : percept.goal_posts)
+    view.goal_posts.push_back({post.base.cast<double>(), post.top.cast<double>()});
+  for (const Obstacle& obstacle : percept.obstacles) {
+    view.obstacles.push_back({static_cast<double>(obstacle.left), static_cast<double>(obstacle.top),
+                              static_cast<double>(obstacle.right), static_cast<double>(obstacle.bottom)});
+  }
+  const double columns = static_cast<double>(percept.boundary.size());
+  for (std::size_t i = 0; i < percept.boundary.size(); ++i)
+    view.boundary.emplace_back((static_cast<double>(i) + 0.5) * camera.width / columns, percept.boundary[i]);
+}
+
+}  // namespace
+
+WorldView world_view_of(const FrameRecord& frame, const StageRecord& stage) {
+  WorldView view;
+  view.field = frame.world.field;
+  view.time = frame.world.time;
+  view.pose_particles = frame.pose_particles.particles;
+  if (frame.reorientation) {
+    view.note = "before the command " + std::string(to_string(frame.reorientation->reorientation));
+    view.pose_particles = frame.pose_particles.before;
+  }
+  if (stage.truth) view.truth = stage.truth->pose;
+  view.belief = belief_when_looking(frame);
+  add_room(frame.room, view);
+  return view;
+}
+
+CameraView camera_view_of(const FrameRecord& frame) {
+  const bool is_upper = frame.inputs.upper.has_value();
+  const std::optional<CameraRecord>& camera = is_upper ? frame.inputs.upper : frame.inputs.lower;
+  CameraView view;
+  view.time = frame.world.time;
+  if (!camera) return view;
+  view.image = is_upper ? frame.images.upper : frame.images.lower;
+  const Projection projection(*camera, belief_when_looking(frame));
+  for (const FieldLine& line : field_lines(frame.world.field))
+    projection.add_polyline(sampled(line), view.projected_lines);
+  projection.add_polyline(sampled_circle(frame.world.field.center_circle_radius), view.projected_lines);
+  add_percept(frame.percepts[is_upper ? 0 : 1], *camera, view);
+  add_room(frame.room, projection, view);
+  return view;
+}
+
+}  // namespace reorient::pictures

@@ -1,0 +1,44 @@
+#include "workbench/views/pictures/run_pictures.h"
+
+#include <exception>
+
+#include "workbench/views/pictures/canvas/png_file.h"
+#include "workbench/views/pictures/history_views.h"
+#include "workbench/views/pictures/record_views.h"
+
+namespace reorient {
+
+void RunPictures::observe(const FrameRecord& frame, const StageRecord& stage) {
+  history_.observe(frame, stage);
+  if (!moment_ && frame.reorientation) keep(frame, stage);
+}
+
+void RunPictures::finish(const FrameRecord& last, const StageRecord& stage) {
+  if (!moment_) keep(last, stage);
+}
+
+void RunPictures::keep(const FrameRecord& frame, const StageRecord& stage) {
+  moment_.emplace(Moment{frame, stage});
+  moment_->frame.own_images();
+}
+
+std::vector<std::string> RunPictures::write(const std::filesystem::path& folder) const {
+  std::vector<std::string> failures;
+  const auto write = [&](const char* name, const pictures::Picture& picture) {
+    try {
+      pictures::write_png(folder / name, picture);
+    } catch (const std::exception& error) {
+      failures.emplace_back(error.what());
+    }
+  };
+  if (moment_) {
+    write("world_view.png", draw_world_view(pictures::world_view_of(moment_->frame, moment_->stage)));
+    write("camera_view.png", draw_camera_view(pictures::camera_view_of(moment_->frame)));
+  }
+  const FieldDimensions field = moment_ ? moment_->frame.world.field : FieldDimensions();
+  write("confidences.png", draw_confidence_plot(pictures::confidence_plot_of(history_)));
+  write("reorientations.png", draw_reorientation_view(field, pictures::reorientations_of(history_)));
+  return failures;
+}
+
+}  // namespace reorient

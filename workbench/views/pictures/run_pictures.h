@@ -1,0 +1,36 @@
+// The pictures of a run, as the paper's Figures 4 and 6, drawn from its records alone.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/run/observer.h"
+#include "workbench/run/run_history.h"
+
+namespace reorient {
+
+class RunPictures : public Observer {
+ public:
+  Topics wanted() const override { return {Topic::images, Topic::pose_particles, Topic::room}; }
+  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void finish(const FrameRecord& last, const StageRecord& stage) override;
+
+  /// Writes world_view, camera_view, confidences and reorientations (.png) into `folder`. World and camera are those of
+  /// the first reorientation, the moment that a run is about, or else of the last frame. Each picture is tried;
+  /// returned is one line for each that could not be written.
+  std::vector<std::string> write(const std::filesystem::path& folder) const;
+
+ private:
+  struct Moment {
+    FrameRecord frame;
+    StageRecord stage;
+  };
+  void keep(const FrameRecord& frame, const StageRecord& stage);
+
+  RunHistory history_;
+  std::optional<Moment> moment_;
+};
+
+}  // namespace reorient
