@@ -105,7 +105,8 @@ RC_GTEST_PROP(HostileImages, OfNoiseAreSurvivedInEveryAttitude, ()) {
   const double height = *rc::gen::inRange(-100, 300) * 0.01;
   FieldFeatures features({}, {});
   percept_in(features, green.view(), camera_of(160, 120), kUpright);
-  expect_sane(percept_in(features, image.view(), camera_of(160, 120), robot_from_camera({}, head, torso, height)), 160, 120);
+  expect_sane(percept_in(features, image.view(), camera_of(160, 120), robot_from_camera({}, head, torso, height)), 160,
+              120);
   RC_ASSERT(!testing::Test::HasFailure());
 }
 

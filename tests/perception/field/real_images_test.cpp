@@ -7,8 +7,8 @@
 
 #include "geometry/head.h"
 #include "perception/field/field_features.h"
-#include "tests/perception/field/picture_file.h"
 #include "tests/perception/field/percept_in.h"
+#include "tests/perception/field/picture_file.h"
 
 namespace reorient {
 namespace {

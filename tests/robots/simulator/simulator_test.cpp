@@ -137,7 +137,8 @@ TEST(Simulator, LooksTheSameInLabelsButNotInColoursAfterHalfATurn) {
   for (std::size_t i = 0; i < here.labels().size(); ++i)
     different_labels += here.labels()[i] != there.labels()[i] ? 1 : 0;
   for (int y = 0; y < 50; ++y) {
-    for (int x = 0; x < 160; ++x) difference += std::abs(a.upper->image.luma(x, y) - b.upper->image.luma(x, y)) / (50.0 * 160.0);
+    for (int x = 0; x < 160; ++x)
+      difference += std::abs(a.upper->image.luma(x, y) - b.upper->image.luma(x, y)) / (50.0 * 160.0);
   }
   EXPECT_LT(different_labels, 60) << "of 19200: rounding on edges";
   EXPECT_GT(difference, 8.0);

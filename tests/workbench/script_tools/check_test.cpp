@@ -122,9 +122,7 @@ TEST(NameCheck, EndsOnWhateverTextItIsGiven) {
 
 class ScriptCheckTest : public ::testing::Test {
  protected:
-  CheckResult check() {
-    return check_scripts(folder.path(), {});
-  }
+  CheckResult check() { return check_scripts(folder.path(), {}); }
   /// All findings, one a line.
   std::string findings() {
     std::string text;
