@@ -7,9 +7,11 @@ find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
+pkg_check_modules(sleef REQUIRED IMPORTED_TARGET sleef)
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
-# The C++ build of Lua: an error in a script unwinds C++ destructors.
-pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.4-c++)
+# The C++ build of Lua: an error in a script unwinds C++ destructors. engine/script/lua makes the library of it.
+pkg_check_modules(lua REQUIRED lua5.4-c++)
+find_library(LUA_ARCHIVE NAMES liblua5.4-c++.a HINTS ${lua_LIBRARY_DIRS} REQUIRED)
 
 # OpenCV's own CMake package asks for all of its modules; only two are wanted here.
 find_path(OPENCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)

@@ -7,9 +7,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   list(APPEND REORIENT_WARNINGS -Wno-restrict)  # false alarms in std::string (GCC bug 105651)
 endif()
 # Every x86-64 robot and desktop since 2009 has SSE4.2; a preset may ask for a particular processor instead.
-set(REORIENT_ARCHITECTURE)
+# No product and sum become one rounding: the same bits on every processor (geometry/pinned_math.h).
+set(REORIENT_ARCHITECTURE -ffp-contract=off)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_FLAGS MATCHES "-march=")
-  set(REORIENT_ARCHITECTURE -march=x86-64-v2)
+  list(APPEND REORIENT_ARCHITECTURE -march=x86-64-v2)
 endif()
 
 # reorient_include_root(TARGET SCOPE header...): a folder of links to just these headers (paths from the top of the tree)
@@ -17,6 +18,9 @@ endif()
 function(reorient_include_root target scope)
   set(root "${PROJECT_BINARY_DIR}/include/${target}")
   file(REMOVE_RECURSE "${root}")
+  if(NOT ARGN)
+    return()
+  endif()
   foreach(header ${ARGN})
     get_filename_component(folder "${root}/${header}" DIRECTORY)
     file(MAKE_DIRECTORY "${folder}")

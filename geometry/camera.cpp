@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
@@ -18,7 +20,7 @@ CameraModel CameraModel::from_fields_of_view(int width, int height, double horiz
   CameraModel camera;
   camera.width = width;
   camera.height = height;
-  camera.focal = {0.5 * width / std::tan(0.5 * horizontal), 0.5 * height / std::tan(0.5 * vertical)};
+  camera.focal = {0.5 * width / pinned::tan(0.5 * horizontal), 0.5 * height / pinned::tan(0.5 * vertical)};
   camera.center = {0.5 * width - 0.5, 0.5 * height - 0.5};
   return camera;
 }
@@ -64,7 +66,7 @@ Eigen::Vector3d CameraModel::ray(const Eigen::Vector2d& pixel) const {
 double CameraModel::horizontal_field_of_view() const {
   const Eigen::Vector3d left = ray({-0.5, center.y()});
   const Eigen::Vector3d right = ray({width - 0.5, center.y()});
-  return std::atan2(left.y(), left.x()) - std::atan2(right.y(), right.x());
+  return pinned::atan2(left.y(), left.x()) - pinned::atan2(right.y(), right.x());
 }
 
 }  // namespace reorient

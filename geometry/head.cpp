@@ -40,15 +40,16 @@ HeadAngles clamp_to_reach(const HeadAngles& wanted) {
   return {yaw, std::clamp(wanted.pitch, range.min, range.max)};
 }
 
-Eigen::Isometry3d robot_from_camera(const RobotDimensions& dimensions, const HeadAngles& head,
-                                    const TorsoAttitude& torso, double hip_height) {
-  using Eigen::AngleAxisd;
-  using Eigen::Translation3d;
-  using Eigen::Vector3d;
-  return Translation3d(0.0, 0.0, hip_height) * AngleAxisd(torso.pitch, Vector3d::UnitY()) *
-         AngleAxisd(torso.roll, Vector3d::UnitX()) * Translation3d(0.0, 0.0, dimensions.neck_height) *
-         AngleAxisd(head.yaw, Vector3d::UnitZ()) * AngleAxisd(head.pitch, Vector3d::UnitY()) *
-         Translation3d(dimensions.camera_in_head) * AngleAxisd(dimensions.camera_tilt, Vector3d::UnitY());
+Isometry3 robot_from_camera(const RobotDimensions& dimensions, const HeadAngles& head, const TorsoAttitude& torso,
+                            double hip_height) {
+  const Eigen::Matrix3d torso_turned = rotation_about_y(torso.pitch) * rotation_about_x(torso.roll);
+  const Eigen::Matrix3d head_turned = torso_turned * rotation_about_z(head.yaw) * rotation_about_y(head.pitch);
+  Isometry3 result = Isometry3::Identity();
+  result.translation() = Eigen::Vector3d(0.0, 0.0, hip_height) +
+                         torso_turned * Eigen::Vector3d(0.0, 0.0, dimensions.neck_height) +
+                         head_turned * dimensions.camera_in_head;
+  result.linear() = head_turned * rotation_about_y(dimensions.camera_tilt);
+  return result;
 }
 
 }  // namespace reorient

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/angle.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 
@@ -53,7 +54,7 @@ PitchRange head_pitch_range(double yaw);
 HeadAngles clamp_to_reach(const HeadAngles& wanted);
 
 /// The camera in the robot frame (origin on the ground below the torso's origin, z against gravity, x forward).
-Eigen::Isometry3d robot_from_camera(const RobotDimensions& dimensions, const HeadAngles& head,
-                                    const TorsoAttitude& torso, double hip_height);
+Isometry3 robot_from_camera(const RobotDimensions& dimensions, const HeadAngles& head, const TorsoAttitude& torso,
+                            double hip_height);
 
 }  // namespace reorient

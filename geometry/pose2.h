@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/angle.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 
@@ -17,11 +18,9 @@ struct Pose2 {
   Pose2(double x, double y, double angle) : position(x, y), rotation(normalize_angle(angle)) {}
   Pose2(const Eigen::Vector2d& where, double angle) : position(where), rotation(normalize_angle(angle)) {}
 
-  Eigen::Vector2d operator*(const Eigen::Vector2d& point) const {
-    return position + Eigen::Rotation2Dd(rotation) * point;
-  }
+  Eigen::Vector2d operator*(const Eigen::Vector2d& point) const { return position + rotated(point, rotation); }
   Pose2 operator*(const Pose2& next) const { return {*this * next.position, rotation + next.rotation}; }
-  Pose2 inverse() const { return {Eigen::Rotation2Dd(-rotation) * -position, -rotation}; }
+  Pose2 inverse() const { return {rotated(-position, -rotation), -rotation}; }
 };
 
 template <typename Visit>
@@ -33,10 +32,10 @@ void fields(Visit&& visit, Pose2& pose) {
 inline Pose2 reflect(const Pose2& pose) { return {-pose.position, pose.rotation + kPi}; }
 
 /// The pose as a rigid motion of space that leaves heights as they are.
-inline Eigen::Isometry3d to_isometry(const Pose2& pose) {
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+inline Isometry3 to_isometry(const Pose2& pose) {
+  Isometry3 result = Isometry3::Identity();
   result.translation().head<2>() = pose.position;
-  result.linear() = Eigen::AngleAxisd(pose.rotation, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  result.linear() = rotation_about_z(pose.rotation);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "geometry/angle.h"
+#include "geometry/pinned_math.h"
 
 namespace reorient {
 
@@ -48,11 +49,12 @@ class Random {
       has_spare_ = false;
       return spare_;
     }
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    const double radius = std::sqrt(-2.0 * pinned::log(1.0 - uniform()));
     const double angle = 2.0 * kPi * uniform();
-    spare_ = radius * std::sin(angle);
+    const auto [sine, cosine] = pinned::sincos(angle);
+    spare_ = radius * sine;
     has_spare_ = true;
-    return radius * std::cos(angle);
+    return radius * cosine;
   }
 
   template <typename Archive>

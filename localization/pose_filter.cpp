@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/pinned_math.h"
 #include "localization/reorientation.h"
 
 namespace reorient {
@@ -88,16 +89,17 @@ void PoseFilter::weigh() {
   for (std::size_t i = 0; i < particles_.size(); ++i)
     mean_cost += static_cast<double>(particles_.weight[i]) * costs_[i];
   const InjectionParameters& p = parameters_.injection;
-  recovery_.update(std::exp(-mean_cost / measurement_.terms()), elapsed_, p.slow_time, p.fast_time);
+  recovery_.update(pinned::exp(-mean_cost / measurement_.terms()), elapsed_, p.slow_time, p.fast_time);
 
   const double correlation_time = parameters_.measurement.correlation_time;
   const auto frame_weight = elapsed_ < correlation_time ? static_cast<float>(elapsed_ / correlation_time) : 1.0f;
   elapsed_ = 0.0;
   // Only differences of costs matter; the best particle keeps its weight.
   const float least = *std::min_element(costs_.begin(), costs_.end());
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    particles_.weight[i] = std::max(particles_.weight[i] * std::exp(frame_weight * (least - costs_[i])), kLeastWeight);
-  }
+  for (float& cost : costs_) cost = frame_weight * (least - cost);
+  pinned::exp(costs_);
+  for (std::size_t i = 0; i < particles_.size(); ++i)
+    particles_.weight[i] = std::max(particles_.weight[i] * costs_[i], kLeastWeight);
   normalize_weights(particles_);
 }
 

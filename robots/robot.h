@@ -22,8 +22,7 @@ struct CameraFrame {
   ImageView image;     ///< valid until the next call of observe()
   CameraModel camera;  ///< as calibrated, at the image's resolution
   Pose2 odometry;      ///< dead reckoning at `time`: m, rad
-  Eigen::Isometry3d robot_from_camera =
-      Eigen::Isometry3d::Identity();  ///< at `time`, as the joints and the attitude say
+  Isometry3 robot_from_camera = Isometry3::Identity();  ///< at `time`, as the joints and the attitude say
 };
 
 /// What the body felt at one instant.

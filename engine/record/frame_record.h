@@ -18,6 +18,7 @@
 #include "engine/world/names.h"
 #include "engine/world/world.h"
 #include "geometry/bytes.h"
+#include "geometry/transform.h"
 #include "perception/field/percepts.h"
 #include "perception/room/room_awareness.h"
 #include "robots/robot.h"
@@ -28,8 +29,8 @@ namespace reorient {
 struct CameraRecord {
   double time = 0.0;  ///< s
   CameraModel camera;
-  Eigen::Isometry3d robot_from_camera = Eigen::Isometry3d::Identity();  ///< in the robot's frame *now*, not at `time`
-  int width = 0;                                                        ///< of the image, pixels
+  Isometry3 robot_from_camera = Isometry3::Identity();  ///< in the robot's frame *now*, not at `time`
+  int width = 0;                                        ///< of the image, pixels
   int height = 0;
 };
 template <typename Visit>

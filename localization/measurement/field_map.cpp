@@ -3,6 +3,8 @@
 #include <stdexcept>
 
 #include "geometry/angle.h"
+#include "geometry/pinned_math.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 namespace {
@@ -38,7 +40,7 @@ double direction_mismatch(double normal, double other) {
 NearLine look_at(const FieldLine& line, const Eigen::Vector2d& place) {
   const Eigen::Vector2d along = line.to - line.from;
   const double share = std::clamp((place - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return {(place - line.from - share * along).norm(), std::atan2(along.x(), -along.y())};
+  return {(place - line.from - share * along).norm(), pinned::atan2(along.x(), -along.y())};
 }
 
 /// Distance to the nearest penalty mark, which is a mark from whatever side.
@@ -105,7 +107,7 @@ FieldMap::FieldMap(const FieldDimensions& field) {
     for (int column = 0; column < columns_; ++column) {
       const Eigen::Vector2d place((column + 0.5) * kCellSize, (row + 0.5) * kCellSize);
       for (std::size_t i = 0; i < lines.size(); ++i) near_lines[i] = look_at(lines[i], place);
-      near_lines.back() = {std::abs(place.norm() - field.center_circle_radius), std::atan2(place.y(), place.x())};
+      near_lines.back() = {std::abs(place.norm() - field.center_circle_radius), direction_of(place)};
       const double mark = distance_to_marks(field, place);
       for (int direction = 0; direction < kDirections; ++direction) {
         const double distance = std::min(mark, distance_to_lines(near_lines, direction * kPi / kDirections));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/angle.h"
+#include "geometry/transform.h"
 #include "localization/measurement/field_map.h"
 
 namespace reorient {
@@ -16,8 +17,6 @@ bool usable(const GoalPost& post) {
   const double distance = post.position.norm();
   return distance > 0.1 && distance <= kFarthest;  // false where it is not finite
 }
-
-double direction(const Eigen::Vector2d& vector) { return std::atan2(vector.y(), vector.x()); }
 
 /// The post as it might really stand, given the errors of the measurement.
 Eigen::Vector2d disturb(const Eigen::Vector2d& post, const MeasurementModel& observed, Random& random) {
@@ -69,14 +68,14 @@ std::optional<Pose2> GoalInjection::draw_candidate(const GoalSighting& sighting,
   Pose2 pose;
   if (sighting.right) {
     const Eigen::Vector2d seen_right = disturb(*sighting.right, observed, random);
-    pose.rotation = angle_difference(direction(posts_[first + 1] - posts_[first]), direction(seen_right - seen_left));
-    pose.position = (posts_[first] + posts_[first + 1]) / 2.0 -
-                    Eigen::Rotation2Dd(pose.rotation) * ((seen_left + seen_right) / 2.0);
+    pose.rotation =
+        angle_difference(direction_of(posts_[first + 1] - posts_[first]), direction_of(seen_right - seen_left));
+    pose.position = (posts_[first] + posts_[first + 1]) / 2.0 - rotated((seen_left + seen_right) / 2.0, pose.rotation);
   } else {
     const Eigen::Vector2d& post = posts_[first + random.below(2)];
     const double away = random.uniform(-kPi, kPi);  // from the post to the robot, in the field
-    pose.position = post + seen_left.norm() * Eigen::Vector2d(std::cos(away), std::sin(away));
-    pose.rotation = angle_difference(away + kPi, direction(seen_left));
+    pose.position = post + seen_left.norm() * unit_vector(away);
+    pose.rotation = angle_difference(away + kPi, direction_of(seen_left));
   }
   const bool believable = (pose.position.cwiseAbs().array() <= half_size_.array()).all();
   return believable ? std::optional(pose) : std::nullopt;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/transform.h"
+
 namespace reorient {
 namespace {
 
@@ -42,7 +44,7 @@ double MeasurementModel::variance_across(double distance) const {
 void MeasurementModel::add(const LinePoint& point) {
   const double distance = point.position.norm();
   const Eigen::Vector2d sight = point.position / distance;
-  const double along = sight.dot(Eigen::Vector2d(std::cos(point.normal), std::sin(point.normal)));
+  const double along = sight.dot(unit_vector(point.normal));
   // Only the error across the line can be noticed.
   const double variance = square(along) * variance_along(distance) + (1.0 - square(along)) * variance_across(distance);
   line_points_.push_back({static_cast<float>(point.position.x()), static_cast<float>(point.position.y()),

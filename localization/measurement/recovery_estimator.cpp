@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 
 void RecoveryEstimator::update(double fit, double elapsed, double slow_time, double fast_time) {
   age_ += elapsed;
   const auto approach = [&](double from, double time) {
-    const double share = age_ <= time ? elapsed / age_ : 1.0 - std::exp(-elapsed / time);
+    const double share = age_ <= time ? elapsed / age_ : 1.0 - pinned::exp(-elapsed / time);
     return from + share * (fit - from);
   };
   if (age_ <= 0.0) return;

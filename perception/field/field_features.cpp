@@ -19,7 +19,7 @@ FieldFeatures::FieldFeatures(const FieldFeatureParameters& parameters, const Fie
       obstacles_(parameters),
       line_points_(parameters, field) {}
 
-void FieldFeatures::find(const ImageView& image, const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera,
+void FieldFeatures::find(const ImageView& image, const CameraModel& camera, const Isometry3& robot_from_camera,
                          FieldPercept& percept) {
   percept.clear();
   percept.boundary.assign(CarpetMap::kColumns, static_cast<float>(std::max(image.height, 0)));

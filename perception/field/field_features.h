@@ -6,6 +6,7 @@
 #include "geometry/camera.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/image.h"
+#include "geometry/transform.h"
 #include "perception/field/carpet/boundary.h"
 #include "perception/field/carpet/carpet_color.h"
 #include "perception/field/carpet/carpet_map.h"
@@ -25,7 +26,7 @@ class FieldFeatures {
   /// Writes into `percept`, which keeps its memory. Empty, with a boundary at the image's bottom, where there is
   /// nothing to be seen: no carpet known yet, a camera that lies, hangs head down or has no finite place, an empty
   /// image.
-  void find(const ImageView& image, const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera,
+  void find(const ImageView& image, const CameraModel& camera, const Isometry3& robot_from_camera,
             FieldPercept& percept);
 
   /// From the next image on.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
@@ -12,11 +13,11 @@ bool is_usable(const CameraModel& camera) {
          camera.focal.minCoeff() > 0.0 && std::isfinite(camera.k1) && std::isfinite(camera.k2);
 }
 
-bool is_upright(const Eigen::Isometry3d& robot_from_camera) {
+bool is_upright(const Isometry3& robot_from_camera) {
   constexpr double kLowest = 0.15;   // m; a lying robot's camera is below
   constexpr double kHighest = 2.5;   // m
   constexpr double kSteepest = 0.3;  // cosine of the angle between the image's vertical and gravity's
-  const double tan_roll_limit = std::tan(from_degrees(35.0));
+  const double tan_roll_limit = pinned::tan(from_degrees(35.0));
   if (!robot_from_camera.matrix().allFinite()) return false;
   const double height = robot_from_camera.translation().z();
   const Eigen::Vector3d up = robot_from_camera.linear().row(2);  // in the camera frame
@@ -25,13 +26,12 @@ bool is_upright(const Eigen::Isometry3d& robot_from_camera) {
 
 }  // namespace
 
-std::optional<GroundProjection> GroundProjection::look(const CameraModel& camera,
-                                                       const Eigen::Isometry3d& robot_from_camera) {
+std::optional<GroundProjection> GroundProjection::look(const CameraModel& camera, const Isometry3& robot_from_camera) {
   if (!is_usable(camera) || !is_upright(robot_from_camera)) return std::nullopt;
   return GroundProjection(camera, robot_from_camera);
 }
 
-GroundProjection::GroundProjection(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera)
+GroundProjection::GroundProjection(const CameraModel& camera, const Isometry3& robot_from_camera)
     : camera_(camera),
       robot_from_camera_(robot_from_camera),
       camera_from_robot_(robot_from_camera.inverse()),

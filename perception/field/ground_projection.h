@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/camera.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 
@@ -15,7 +16,7 @@ class GroundProjection {
  public:
   /// Nothing for a camera that does not look at the ground from above and roughly upright: numbers that are not
   /// finite, on the ground or far up, rolled by more than 35 degrees, looking (almost) straight down or up.
-  static std::optional<GroundProjection> look(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
+  static std::optional<GroundProjection> look(const CameraModel& camera, const Isometry3& robot_from_camera);
 
   const CameraModel& camera() const { return camera_; }
   double camera_height() const { return robot_from_camera_.translation().z(); }
@@ -43,11 +44,11 @@ class GroundProjection {
   double vertical_slant(const Eigen::Vector2d& pixel) const;
 
  private:
-  GroundProjection(const CameraModel& camera, const Eigen::Isometry3d& robot_from_camera);
+  GroundProjection(const CameraModel& camera, const Isometry3& robot_from_camera);
 
   CameraModel camera_;
-  Eigen::Isometry3d robot_from_camera_;
-  Eigen::Isometry3d camera_from_robot_;
+  Isometry3 robot_from_camera_;
+  Isometry3 camera_from_robot_;
   Eigen::Vector3d down_;  ///< in the camera frame
 };
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "geometry/transform.h"
+
 namespace reorient {
 namespace {
 
@@ -89,7 +91,7 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
 /// centre. The belief's own jumps do not count.
 double RoomAwareness::turn_since_last(const RoomObservation& view) {
   const Eigen::Vector3d axis = view.robot_from_camera.linear().col(0);
-  const double yaw = std::atan2(axis.y(), axis.x());
+  const double yaw = direction_of(axis.head<2>());
   const double direction = yaw + view.odometry_rotation;
   const double turn = last_direction_ ? angle_difference(direction, *last_direction_) : 0.0;
   last_direction_ = direction;

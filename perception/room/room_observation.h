@@ -22,7 +22,7 @@ struct RoomObservation {
   double time = 0.0;  ///< s
   ImageView image;
   CameraModel camera;
-  Eigen::Isometry3d robot_from_camera = Eigen::Isometry3d::Identity();
+  Isometry3 robot_from_camera = Isometry3::Identity();
   Pose2 belief;  ///< believed pose, field_from_robot
   double odometry_rotation =
       0.0;  ///< rad turned to the left since the start, by dead reckoning; only its change counts

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/field_dimensions.h"
+#include "geometry/transform.h"
 #include "robots/experimenter.h"
 #include "robots/robot.h"
 #include "robots/simulator/agents/players.h"
@@ -77,7 +78,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   std::span<const float> depth() const;
 
   /// The pose that the latest image was really taken from.
-  const Eigen::Isometry3d& field_from_camera() const { return field_from_camera_; }
+  const Isometry3& field_from_camera() const { return field_from_camera_; }
   const std::vector<Player>& other_robots() const { return players_.all(); }
   const Ball& ball() const { return ball_; }
 
@@ -106,7 +107,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   Scene scene_;
   std::size_t standing_capsules_ = 0;  // of the goals, at the front of scene_
   std::size_t standing_shadows_ = 0;
-  Eigen::Isometry3d field_from_camera_ = Eigen::Isometry3d::Identity();
+  Isometry3 field_from_camera_ = Isometry3::Identity();
   Image image_;
   std::uint64_t frame_ = 0;
   std::optional<RefereeState> whistle_;  // what the referee has said since the frame before

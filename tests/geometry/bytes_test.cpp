@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geometry/pose2.h"
+
 namespace reorient {
 namespace {
 
@@ -48,7 +50,7 @@ struct Everything {
   std::variant<int, std::string, Part> variant = std::string("word");
   std::array<std::pair<int, bool>, 2> pairs{{{1, true}, {2, false}}};
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Random();
-  Eigen::Isometry3d pose = Eigen::Translation3d(1.0, 2.0, 3.0) * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
+  Isometry3 pose = to_isometry({1.0, 2.0, 0.5});
   Counter counter;
 };
 template <typename Visit>

@@ -8,14 +8,14 @@ namespace {
 
 TEST(Head, OfAStandingRobotCarriesItsCameraHalfAMetreUp) {
   const RobotDimensions nao;
-  const Eigen::Isometry3d camera = robot_from_camera(nao, {}, {}, nao.hip_height);
+  const Isometry3 camera = robot_from_camera(nao, {}, {}, nao.hip_height);
   EXPECT_NEAR(camera.translation().z(), 0.523, 0.001);
   EXPECT_NEAR(camera.translation().x(), 0.0587, 0.001);
 }
 
 TEST(Head, TurnedLeftLooksLeft) {
   const RobotDimensions nao;
-  const Eigen::Isometry3d camera = robot_from_camera(nao, {kPi / 2.0, 0.0}, {}, nao.hip_height);
+  const Isometry3 camera = robot_from_camera(nao, {kPi / 2.0, 0.0}, {}, nao.hip_height);
   EXPECT_GT(camera.linear().col(0).y(), 0.99);
 }
 

@@ -44,7 +44,7 @@ RC_GTEST_PROP(Pose2, TimesItsInverseIsTheIdentity, ()) {
 RC_GTEST_PROP(Pose2, AgreesWithTheSameMotionInSpace, ()) {
   const Pose2 a = any_pose();
   const Pose2 b = any_pose();
-  const Eigen::Isometry3d product = to_isometry(a) * to_isometry(b);
+  const Isometry3 product = to_isometry(a) * to_isometry(b);
   RC_ASSERT(product.isApprox(to_isometry(a * b), 1e-9));
 }
 

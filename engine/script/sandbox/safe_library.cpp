@@ -262,22 +262,44 @@ void open_base(lua_State* L) {
   luaL_setfuncs(L, kOwn, 0);
 }
 
+/// As Lua's own, but from the sandbox's numbers, which are the same in every run and can be saved and restored.
+int safe_random(lua_State* L) {
+  Random& random = Sandbox::of(L).random();
+  const int arguments = lua_gettop(L);
+  if (arguments == 0) {
+    lua_pushnumber(L, random.uniform());
+    return 1;
+  }
+  if (arguments > 2) return luaL_error(L, "wrong number of arguments");
+  const lua_Integer low = arguments == 1 ? 1 : luaL_checkinteger(L, 1);
+  const lua_Integer high = luaL_checkinteger(L, arguments);
+  if (arguments == 1 && high == 0) {
+    lua_pushinteger(L, static_cast<lua_Integer>(random()));
+    return 1;
+  }
+  luaL_argcheck(L, low <= high, arguments, "interval is empty");
+  const std::uint64_t range = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+  // The least mask that covers the range; what lies beyond is drawn again.
+  const std::uint64_t mask = range == 0 ? 0 : ~std::uint64_t{0} >> std::countl_zero(range);
+  std::uint64_t drawn = random() & mask;
+  while (drawn > range) drawn = random() & mask;
+  lua_pushinteger(L, static_cast<lua_Integer>(static_cast<std::uint64_t>(low) + drawn));
+  return 1;
+}
+
 void open_math(lua_State* L) {
   constexpr Borrowed kMath[] = {
-      {"abs", nullptr},       {"acos", nullptr}, {"asin", nullptr},      {"atan", nullptr},  {"ceil", nullptr},
-      {"cos", nullptr},       {"deg", nullptr},  {"exp", nullptr},       {"floor", nullptr}, {"fmod", nullptr},
-      {"huge", nullptr},      {"log", nullptr},  {"max", nullptr},       {"min", nullptr},   {"modf", nullptr},
-      {"pi", nullptr},        {"rad", nullptr},  {"random", nullptr},    {"sin", nullptr},   {"sqrt", nullptr},
-      {"tan", nullptr},       {"type", nullptr}, {"tointeger", nullptr}, {"ult", nullptr},   {"maxinteger", nullptr},
-      {"mininteger", nullptr}};
-  constexpr lua_Integer kSeed = 20130624;  // Lua seeds with the time; the same run shall roll the same dice
+      {"abs", nullptr},  {"acos", nullptr},      {"asin", nullptr}, {"atan", nullptr},       {"ceil", nullptr},
+      {"cos", nullptr},  {"deg", nullptr},       {"exp", nullptr},  {"floor", nullptr},      {"fmod", nullptr},
+      {"huge", nullptr}, {"log", nullptr},       {"max", nullptr},  {"min", nullptr},        {"modf", nullptr},
+      {"pi", nullptr},   {"rad", nullptr},       {"sin", nullptr},  {"sqrt", nullptr},       {"tan", nullptr},
+      {"type", nullptr}, {"tointeger", nullptr}, {"ult", nullptr},  {"maxinteger", nullptr}, {"mininteger", nullptr}};
   lua_newtable(L);
   luaL_requiref(L, "math", luaopen_math, 0);
-  lua_getfield(L, -1, "randomseed");
-  lua_pushinteger(L, kSeed);
-  lua_call(L, 1, 0);
   borrow(L, kMath);
   lua_pop(L, 1);
+  lua_pushcfunction(L, safe_random);
+  lua_setfield(L, -2, "random");
 }
 
 void open_table(lua_State* L) {

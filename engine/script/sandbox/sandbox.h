@@ -11,6 +11,7 @@
 #include <lua.hpp>
 
 #include "engine/script/sandbox/script_limits.h"
+#include "geometry/random.h"
 
 namespace reorient {
 
@@ -63,6 +64,9 @@ class Sandbox {
   /// The message handler for each lua_pcall within a script: an error takes far more time than an instruction.
   static int pay_for_error(lua_State* L);
 
+  /// The dice of the script.
+  Random& random() { return random_; }
+
   std::size_t string_length() const { return static_cast<std::size_t>(limits_.string_length); }
   std::size_t memory() const { return memory_; }        ///< bytes held
   std::int64_t instructions() const { return spent_; }  ///< since the beginning, in steps of a hundred
@@ -74,6 +78,8 @@ class Sandbox {
   void owe(std::int64_t work);
   ScriptFault take_fault();
 
+  static constexpr std::uint64_t kSeed = 20130624;
+
   ScriptLimits limits_;
   std::size_t memory_ = 0;
   std::size_t longest_string_ = 0;  ///< bytes, that the script ever made
@@ -83,6 +89,7 @@ class Sandbox {
   bool exhausted_ = false;
   bool confined_ = false;  ///< a script runs: the caps hold. The host's own work must not fail on them.
   std::string traceback_;
+  Random random_{kSeed};
   lua_State* lua_ = nullptr;
 };
 

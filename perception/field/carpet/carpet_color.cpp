@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
@@ -21,7 +23,7 @@ bool is_greenish(double b, double r) {
   return r < 0.0 && -r >= 0.3 * std::abs(b) && b <= 3.0 - 0.3 * r && b * b + r * r >= kLeast * kLeast;
 }
 
-double radius_around(double b, double r) { return std::max(6.0, 0.6 * std::hypot(b, r)); }
+double radius_around(double b, double r) { return std::max(6.0, 0.6 * pinned::hypot(b, r)); }
 
 }  // namespace
 
@@ -92,7 +94,7 @@ void CarpetColor::blend(double b, double r) {
   const double radius = radius_around(b, r);
   double count = 0.0, sum_b = 0.0, sum_r = 0.0, sum_y = 0.0, sum_difference = 0.0;
   for (const Sample& sample : samples_) {
-    if (!is_greenish(sample.b, sample.r) || std::hypot(sample.b - b, sample.r - r) > radius) continue;
+    if (!is_greenish(sample.b, sample.r) || pinned::hypot(sample.b - b, sample.r - r) > radius) continue;
     count += 1.0;
     sum_b += sample.b;
     sum_r += sample.r;
@@ -100,8 +102,8 @@ void CarpetColor::blend(double b, double r) {
     sum_difference += std::min(sample.difference, 30);  // the edges of lines are not noise
   }
   if (count == 0.0) return;
-  const double moved = std::hypot(sum_b / count - b_, sum_r / count - r_);
-  const bool another = known_ && moved > 0.5 * std::hypot(b_, r_);
+  const double moved = pinned::hypot(sum_b / count - b_, sum_r / count - r_);
+  const bool another = known_ && moved > 0.5 * pinned::hypot(b_, r_);
   if (another && count < kShareOfAnother * static_cast<double>(samples_.size())) return;
   const double kept = known_ && !another ? parameters_.carpet_memory : 0.0;
   const auto mix = [&](double& old, double sum) { old = kept * old + (1.0 - kept) * sum / count; };
@@ -114,7 +116,7 @@ void CarpetColor::blend(double b, double r) {
 
 void CarpetColor::prepare_thresholds() {
   constexpr double kUnit = 256.0;
-  const double saturation = std::max(std::hypot(b_, r_), 1.0);
+  const double saturation = std::max(pinned::hypot(b_, r_), 1.0);
   const auto whole = [](double value) { return static_cast<int>(std::lround(value)); };
   hue_b_ = whole(kUnit * b_ / saturation);
   hue_r_ = whole(kUnit * r_ / saturation);

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "geometry/angle.h"
+#include "geometry/pinned_math.h"
+#include "geometry/transform.h"
 #include "perception/field/carpet/boundary.h"
 
 namespace reorient {
@@ -34,20 +36,21 @@ struct StructureTensor {
   }
   /// Unit vector along the edges.
   Vector2d tangent() const {
-    const double across = 0.5 * std::atan2(2.0 * xy, xx - yy);
-    return {-std::sin(across), std::cos(across)};
+    const double across = 0.5 * pinned::atan2(2.0 * xy, xx - yy);
+    const auto [sine, cosine] = pinned::sincos(across);
+    return {-sine, cosine};
   }
   /// 1: all slopes point one way; 0: no direction at all.
   double coherence() const {
     const double sum = xx + yy;
-    return sum > 0.0 ? std::hypot(xx - yy, 2.0 * xy) / sum : 0.0;
+    return sum > 0.0 ? pinned::hypot(xx - yy, 2.0 * xy) / sum : 0.0;
   }
 };
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double half_turn_angle(const Vector2d& direction) {
-  const double angle = std::atan2(direction.y(), direction.x());
+  const double angle = direction_of(direction);
   if (angle > 0.5 * kPi) return angle - kPi;
   return angle <= -0.5 * kPi ? angle + kPi : angle;
 }
@@ -253,9 +256,10 @@ void LinePoints::keep_supported(FieldPercept& percept) const {
     if (support < parameters_.line_support || most - least < 2.0 * field_.penalty_mark_size) continue;
     const Vector2d mean = (sum - candidate.position) / (support + 1);
     const Eigen::Matrix2d spread = squares / (support + 1) - mean * mean.transpose();
-    const double along_angle = 0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
-    percept.line_points.push_back({candidate.position, half_turn_angle({-std::sin(along_angle), std::cos(along_angle)}),
-                                   candidate.pixel.cast<float>()});
+    const double along_angle = 0.5 * pinned::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
+    const auto [sine, cosine] = pinned::sincos(along_angle);
+    percept.line_points.push_back(
+        {candidate.position, half_turn_angle({-sine, cosine}), candidate.pixel.cast<float>()});
   }
 }
 

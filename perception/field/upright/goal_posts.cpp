@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
 #include "perception/field/carpet/boundary.h"
 
 namespace reorient {
@@ -89,13 +90,13 @@ bool GoalPosts::may_be_post(const Frame& frame, const Ycbcr& look) const {
   const double blue = (look.cb - 128) / static_cast<double>(std::max<int>(look.y, 1));
   const double red = (look.cr - 128) / static_cast<double>(std::max<int>(look.y, 1));
   if (look.y < std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast)) return false;
-  return field_.yellow_goals ? blue < -0.15 && red > -0.15 && red < 0.3 : std::hypot(blue, red) < 0.16;
+  return field_.yellow_goals ? blue < -0.15 && red > -0.15 && red < 0.3 : pinned::hypot(blue, red) < 0.16;
 }
 
 bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, const Vector2d& pixel) const {
   const Ycbcr seen = pixel_at(frame.image, pixel);
   const Ycbcr& look = candidate.look;
-  const double chroma = std::hypot(seen.cb - look.cb, seen.cr - look.cr);
+  const double chroma = pinned::hypot(seen.cb - look.cb, seen.cr - look.cr);
   const double bright = std::max<double>(seen.y, look.y);
   return std::abs(seen.y - look.y) < 8.0 + 0.25 * look.y && chroma < 6.0 + 0.08 * bright &&
          frame.color.surface(seen.y, seen.cb, seen.cr) == Surface::other;
@@ -174,7 +175,7 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
   const auto differs = [&](const Vector2d& pixel, const Ycbcr& post) {
     const Ycbcr seen = pixel_at(frame.image, pixel);
     return std::abs(seen.y - post.y) > 0.7 * parameters_.post_contrast ||
-           std::hypot(seen.cb - post.cb, seen.cr - post.cr) > kOtherHue;
+           pinned::hypot(seen.cb - post.cb, seen.cr - post.cr) > kOtherHue;
   };
   int visible = 0, in_post = 0, left_free = 0, right_free = 0;
   for (int i = 0; i < kHeights; ++i) {

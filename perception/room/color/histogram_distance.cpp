@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
@@ -31,8 +33,8 @@ double jensen_shannon(const ComparedHistogram& a, const ComparedHistogram& b) {
     const double p = a.values[i];
     const double q = b.values[i];
     const double middle = 0.5 * (p + q);
-    if (p > 0.0) divergence += 0.5 * p * std::log2(p / middle);
-    if (q > 0.0) divergence += 0.5 * q * std::log2(q / middle);
+    if (p > 0.0) divergence += 0.5 * p * pinned::log2(p / middle);
+    if (q > 0.0) divergence += 0.5 * q * pinned::log2(q / middle);
   }
   return std::sqrt(std::max(0.0, divergence));
 }

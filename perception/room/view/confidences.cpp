@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
@@ -15,7 +17,7 @@ double best_near(const ViewpointScores& scores, int turn) {
 
 double smoothing_share(const ConfidenceParameters& parameters, double step, bool by_frames) {
   if (by_frames) return 1.0 / (parameters.frames + 1.0);
-  return parameters.time_constant > 0.0 ? -std::expm1(-step / parameters.time_constant) : 1.0;
+  return parameters.time_constant > 0.0 ? -pinned::expm1(-step / parameters.time_constant) : 1.0;
 }
 
 void update_confidences(Confidences& confidences, const ViewFilter& filter, double view_center, double share,
@@ -30,7 +32,7 @@ void update_confidences(Confidences& confidences, const ViewFilter& filter, doub
 
 double updated_evidence(double evidence, const ViewpointScores& scores, double step,
                         const EvidenceParameters& parameters) {
-  double result = evidence * std::exp(-step / parameters.leak);
+  double result = evidence * pinned::exp(-step / parameters.leak);
   if (scores.evidence()) {
     const int half = scores.columns() / 2;
     const int tiles = std::min(scores.at(0).compared, scores.at(half).compared);

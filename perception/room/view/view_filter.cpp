@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
 
-/// Circular mean and standard deviation of azimuths.
-ViewCluster cluster_of(std::span<const double> azimuths, std::size_t of) {
-  double x = 0.0;
-  double y = 0.0;
-  for (const double azimuth : azimuths) {
-    x += std::cos(azimuth);
-    y += std::sin(azimuth);
-  }
+/// Circular mean and standard deviation of azimuths, whose sines and cosines are given.
+ViewCluster cluster_of(std::span<const double> azimuths, std::span<const double> sines, std::span<const double> cosines,
+                       std::size_t of) {
+  const double x = std::accumulate(cosines.begin(), cosines.end(), 0.0);
+  const double y = std::accumulate(sines.begin(), sines.end(), 0.0);
   ViewCluster cluster;
-  cluster.azimuth = std::atan2(y, x);
+  cluster.azimuth = pinned::atan2(y, x);
   double squares = 0.0;
   for (const double azimuth : azimuths) {
     const double difference = angle_difference(azimuth, cluster.azimuth);
@@ -32,7 +32,10 @@ void ViewFilter::spread(int particles) {
   const auto count = static_cast<std::size_t>(std::max(particles, 1));
   particles_.resize(count);
   resampled_.reserve(count);
+  weights_.resize(count);
   sorted_.reserve(2 * count);
+  sines_.resize(count);
+  cosines_.resize(count);
   clusters_.reserve(count);
   clusters_.clear();
   const double width = 2.0 * kPi / static_cast<double>(count);
@@ -57,14 +60,15 @@ void ViewFilter::correct(const ViewpointScores& scores, double view_center, doub
     return;
   }
   const double column_width = 2.0 * kPi / scores.columns();
-  double sum = 0.0;
-  for (ViewParticle& particle : particles_) {
-    const double turn = angle_difference(particle.azimuth, view_center) / column_width;
-    particle.weight = std::exp(-correction.sharpness * step * (scores.distance(turn) - scores.least()));
-    sum += particle.weight;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const double turn = angle_difference(particles_[i].azimuth, view_center) / column_width;
+    weights_[i] = -correction.sharpness * step * (scores.distance(turn) - scores.least());
   }
+  pinned::exp(weights_);
+  const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
   // An underflow of all weights says that no particle is anywhere near: then none is better than another.
-  for (ViewParticle& particle : particles_) particle.weight = sum > 0.0 ? particle.weight / sum : 1.0 / count;
+  for (std::size_t i = 0; i < particles_.size(); ++i)
+    particles_[i].weight = sum > 0.0 ? weights_[i] / sum : 1.0 / count;
   resample();
   // Where all viewpoints look the same, the best of them is chance: nothing is injected.
   const double clear = correction.clear_lead > 0.0 ? std::clamp(scores.lead() / correction.clear_lead, 0.0, 1.0) : 1.0;
@@ -115,11 +119,15 @@ void ViewFilter::find_clusters() {
   std::size_t start = 0;
   while (start < count && sorted_[start + 1] - sorted_[start] < kGap) ++start;
   start = start < count ? start + 1 : 0;
+  pinned::sincos(std::span(sorted_).subspan(start, count), sines_, cosines_);
   std::size_t begin = start;
   for (std::size_t i = start; i < start + count; ++i) {
     const bool last = i + 1 == start + count;
     if (!last && sorted_[i + 1] - sorted_[i] < kGap) continue;
-    clusters_.push_back(cluster_of(std::span(sorted_).subspan(begin, i + 1 - begin), count));
+    const std::size_t size = i + 1 - begin;
+    clusters_.push_back(cluster_of(std::span(sorted_).subspan(begin, size),
+                                   std::span(sines_).subspan(begin - start, size),
+                                   std::span(cosines_).subspan(begin - start, size), count));
     begin = i + 1;
   }
   std::sort(clusters_.begin(), clusters_.end(),

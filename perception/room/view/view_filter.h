@@ -85,7 +85,10 @@ class ViewFilter {
   Random random_;
   std::vector<ViewParticle> particles_;
   std::vector<ViewParticle> resampled_;
+  std::vector<double> weights_;
   std::vector<double> sorted_;
+  std::vector<double> sines_;
+  std::vector<double> cosines_;
   std::vector<ViewCluster> clusters_;
 };
 

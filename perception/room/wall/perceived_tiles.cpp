@@ -38,8 +38,7 @@ double next_crossing(double a, double b, double t) {
 }
 
 /// The area that a tile fills in the image, beyond its borders too: a hexagon, since the upper and lower edge are arcs.
-double projected_area(const CameraModel& camera, const Eigen::Isometry3d& camera_from_field, const Wall& wall,
-                      int tile) {
+double projected_area(const CameraModel& camera, const Isometry3& camera_from_field, const Wall& wall, int tile) {
   const int column = wall.column_of(tile);
   const int row = wall.row_of(tile);
   constexpr int kPoints = 6;
@@ -78,7 +77,7 @@ void PerceivedTiles::find(const RoomObservation& view, const Wall& wall, const P
                       view.robot_from_camera.matrix().allFinite();
   const auto camera = camera_for(view.camera, view.image);
   if (!finite || !camera) return;
-  const Eigen::Isometry3d field_from_camera = to_isometry(view.belief) * view.robot_from_camera;
+  const Isometry3 field_from_camera = to_isometry(view.belief) * view.robot_from_camera;
   if (!wall.surrounds(field_from_camera.translation().head<2>())) return;
 
   prepare_rays(*camera, std::clamp(parameters.bands, 1, camera->height));
@@ -105,7 +104,7 @@ void PerceivedTiles::prepare_rays(const CameraModel& camera, int bands) {
   blocks_.reserve(static_cast<std::size_t>(bands) * kCells);
 }
 
-void PerceivedTiles::find_in_band(int band, const Eigen::Isometry3d& field_from_camera, const Wall& wall,
+void PerceivedTiles::find_in_band(int band, const Isometry3& field_from_camera, const Wall& wall,
                                   std::span<const CoveredArea> covered) {
   const int top = band * camera_.height / bands_;
   const int bottom = (band + 1) * camera_.height / bands_;
@@ -177,8 +176,8 @@ void PerceivedTiles::add_block(const TileBlock& block) {
   }
 }
 
-void PerceivedTiles::measure(const Eigen::Isometry3d& field_from_camera, const CameraModel& camera, const Wall& wall) {
-  const Eigen::Isometry3d camera_from_field = field_from_camera.inverse();
+void PerceivedTiles::measure(const Isometry3& field_from_camera, const CameraModel& camera, const Wall& wall) {
+  const Isometry3 camera_from_field = field_from_camera.inverse();
   for (int tile = 0; tile < wall.tiles(); ++tile) {
     const TileCount& count = counts_[static_cast<std::size_t>(tile)];
     if (count.area <= 0.0) continue;

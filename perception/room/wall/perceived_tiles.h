@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/transform.h"
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/color/light_adaptation.h"
 #include "perception/room/room_observation.h"
@@ -79,10 +80,10 @@ class PerceivedTiles {
 
  private:
   void prepare_rays(const CameraModel& camera, int bands);
-  void find_in_band(int band, const Eigen::Isometry3d& field_from_camera, const Wall& wall,
+  void find_in_band(int band, const Isometry3& field_from_camera, const Wall& wall,
                     std::span<const CoveredArea> covered);
   void add_block(const TileBlock& block);
-  void measure(const Eigen::Isometry3d& field_from_camera, const CameraModel& camera, const Wall& wall);
+  void measure(const Isometry3& field_from_camera, const CameraModel& camera, const Wall& wall);
 
   struct TileCount {
     ColorCounts colors{};

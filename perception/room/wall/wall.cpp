@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
+#include "geometry/transform.h"
+
 namespace reorient {
 namespace {
 
@@ -32,7 +35,8 @@ int Wall::reflected(int tile) const {
 
 Eigen::Vector3d Wall::point(double column, double row) const {
   const double azimuth = column * column_width();
-  return {radius_ * std::cos(azimuth), radius_ * std::sin(azimuth), bottom_ + row * row_height()};
+  const auto [sine, cosine] = pinned::sincos(azimuth);
+  return {radius_ * cosine, radius_ * sine, bottom_ + row * row_height()};
 }
 
 std::array<Eigen::Vector3d, 4> Wall::corners(int tile) const {
@@ -43,7 +47,8 @@ std::array<Eigen::Vector3d, 4> Wall::corners(int tile) const {
 
 Eigen::Vector3d Wall::normal(int tile) const {
   const double azimuth = (column_of(tile) + 0.5) * column_width();
-  return {std::cos(azimuth), std::sin(azimuth), 0.0};
+  const auto [sine, cosine] = pinned::sincos(azimuth);
+  return {cosine, sine, 0.0};
 }
 
 bool Wall::surrounds(const Eigen::Vector2d& position) const {
@@ -56,7 +61,7 @@ std::optional<WallPoint> Wall::meet(const Eigen::Vector3d& from, const Eigen::Ve
   if (!surrounds(foot) || !direction.allFinite() || heading.norm() <= kSteepest * direction.norm()) return std::nullopt;
   const double steps = steps_to_circle(foot, heading, radius_);
   const Eigen::Vector2d point = foot + steps * heading;
-  const double turns = std::atan2(point.y(), point.x()) / (2.0 * kPi);
+  const double turns = direction_of(point) / (2.0 * kPi);
   const double column = (turns < 0.0 ? turns + 1.0 : turns) * columns_;
   const double row = (from.z() + steps * direction.z() - bottom_) / row_height();
   return WallPoint{column < columns_ ? column : 0.0, row};
@@ -64,16 +69,16 @@ std::optional<WallPoint> Wall::meet(const Eigen::Vector3d& from, const Eigen::Ve
 
 std::optional<double> Wall::azimuth_seen(const Eigen::Vector2d& from, double direction) const {
   if (!surrounds(from) || !std::isfinite(direction)) return std::nullopt;
-  const Eigen::Vector2d heading(std::cos(direction), std::sin(direction));
+  const Eigen::Vector2d heading = unit_vector(direction);
   const Eigen::Vector2d point = from + steps_to_circle(from, heading, radius_) * heading;
-  return normalize_angle(std::atan2(point.y(), point.x()));
+  return normalize_angle(direction_of(point));
 }
 
-std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Eigen::Isometry3d& robot_from_camera) {
+std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Isometry3& robot_from_camera) {
   const Eigen::Vector3d axis = robot_from_camera.linear().col(0);
   if (!axis.allFinite() || axis.head<2>().norm() < kSteepest) return std::nullopt;
   const Eigen::Vector2d camera = belief * Eigen::Vector2d(robot_from_camera.translation().head<2>());
-  return wall.azimuth_seen(camera, belief.rotation + std::atan2(axis.y(), axis.x()));
+  return wall.azimuth_seen(camera, belief.rotation + direction_of(axis.head<2>()));
 }
 
 }  // namespace reorient

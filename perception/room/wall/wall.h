@@ -85,6 +85,6 @@ class Wall {
 };
 
 /// The azimuth of the wall at which the camera looks; nothing if it looks straight up or down, or from outside.
-std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Eigen::Isometry3d& robot_from_camera);
+std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Isometry3& robot_from_camera);
 
 }  // namespace reorient

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 
@@ -67,7 +68,7 @@ void Players::advance(double time_step, const Eigen::Vector2d& robot, std::span<
       player.wait = random_.uniform(0.5, 6.0);
       continue;
     }
-    const double off = angle_difference(std::atan2(way.y(), way.x()), player.pose.rotation);
+    const double off = angle_difference(direction_of(way), player.pose.rotation);
     const double most = kTurnSpeed * time_step;
     player.pose.rotation = normalize_angle(player.pose.rotation + std::clamp(off, -most, most));
     player.stride = std::fmod(player.stride + kStride * time_step, 2.0 * kPi);

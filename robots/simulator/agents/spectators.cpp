@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
 #include "geometry/random.h"
 #include "robots/simulator/room/texture_painter.h"
 
@@ -52,9 +53,9 @@ Spectators::Spectators(int count, const RoomShape& room, const FieldDimensions& 
 
 void Spectators::add_to(Scene& scene, double time) const {
   for (const Spectator& person : spectators_) {
-    const double lean = person.restless * (std::sin(person.pace * 3.1 * time + person.phase) +
-                                           0.5 * std::sin(person.pace * 7.3 * time + 2.0 * person.phase));
-    const Eigen::Vector2d place = person.place + std::sin(0.4 * person.pace * time + person.phase) * person.stroll;
+    const double lean = person.restless * (pinned::sin(person.pace * 3.1 * time + person.phase) +
+                                           0.5 * pinned::sin(person.pace * 7.3 * time + 2.0 * person.phase));
+    const Eigen::Vector2d place = person.place + pinned::sin(0.4 * person.pace * time + person.phase) * person.stroll;
     add_person(scene, place, person.height, lean, person.look);
   }
 }

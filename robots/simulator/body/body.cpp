@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
@@ -100,8 +101,7 @@ void Body::walk(double time_step, const Request& request) {
 
   // Along the arc: half of the turn before the way, half after it.
   const double turn = velocity_.turn * time_step;
-  const Eigen::Vector2d way =
-      Eigen::Rotation2Dd(0.5 * turn) * Eigen::Vector2d(velocity_.forward * time_step, velocity_.left * time_step);
+  const Eigen::Vector2d way = rotated({velocity_.forward * time_step, velocity_.left * time_step}, 0.5 * turn);
   const Pose2 step(way, turn);
   pose_ = pose_ * step;
   dead_reckon(step);
@@ -132,9 +132,9 @@ void Body::balance(double time_step, bool get_up) {
   switch (posture_) {
     case Posture::upright: {
       // Feet push the torso from side to side once per double step; it nods and sinks with every step.
-      torso_ = {parameters_.sway_roll * effort_ * std::sin(gait_),
-                parameters_.sway_pitch * effort_ * std::sin(2.0 * gait_ + 0.8)};
-      hip_height_ = stand - parameters_.sway_height * effort_ * (1.0 + std::cos(2.0 * gait_));
+      torso_ = {parameters_.sway_roll * effort_ * pinned::sin(gait_),
+                parameters_.sway_pitch * effort_ * pinned::sin(2.0 * gait_ + 0.8)};
+      hip_height_ = stand - parameters_.sway_height * effort_ * (1.0 + pinned::cos(2.0 * gait_));
       break;
     }
     case Posture::falling: {
@@ -155,7 +155,7 @@ void Body::balance(double time_step, bool get_up) {
     case Posture::getting_up: {
       const double share = since_ / parameters_.get_up_time;
       const double up = ease(1.6 * share - 0.5);  // arms and legs first
-      const double rock = 0.15 * std::sin(9.0 * since_) * (1.0 - up) * std::min(1.0, since_);
+      const double rock = 0.15 * pinned::sin(9.0 * since_) * (1.0 - up) * std::min(1.0, since_);
       torso_ = {(1.0 - up) * lying_.roll + rock, (1.0 - up) * lying_.pitch + 0.5 * rock};
       hip_height_ = std::lerp(kLyingHipHeight, stand, up);
       pose_.rotation = normalize_angle(pose_.rotation + slip_ * time_step / parameters_.get_up_time);
@@ -163,9 +163,10 @@ void Body::balance(double time_step, bool get_up) {
       break;
     }
     case Posture::carried: {
-      torso_ = {0.12 * std::sin(1.9 * since_) + 0.04 * std::sin(4.3 * since_), 0.15 * std::sin(1.3 * since_ + 0.6)};
+      torso_ = {0.12 * pinned::sin(1.9 * since_) + 0.04 * pinned::sin(4.3 * since_),
+                0.15 * pinned::sin(1.3 * since_ + 0.6)};
       hip_height_ = stand + parameters_.carry_height * ease(since_ / 0.8);
-      pose_.rotation = normalize_angle(pose_.rotation + 0.25 * std::sin(1.1 * since_) * time_step);
+      pose_.rotation = normalize_angle(pose_.rotation + 0.25 * pinned::sin(1.1 * since_) * time_step);
       break;
     }
   }
@@ -201,7 +202,7 @@ void Body::measure(Observation& observation) {
   body.foot_load = std::max(0.0, load + 0.02 * kStandingLoad * random_.normal());
 }
 
-Eigen::Isometry3d Body::measured_camera(const RobotDimensions& dimensions, const BodySample& body) const {
+Isometry3 Body::measured_camera(const RobotDimensions& dimensions, const BodySample& body) const {
   // The legs' kinematics know nothing of a fall or of hands that hold the robot.
   const double hip_height = posture_ == Posture::upright ? hip_height_ : dimensions_.hip_height;
   return robot_from_camera(dimensions, body.head, body.torso, hip_height);
@@ -212,7 +213,7 @@ GroundTruth Body::ground_truth() const {
           posture_ == Posture::carried};
 }
 
-Eigen::Isometry3d Body::field_from_camera() const {
+Isometry3 Body::field_from_camera() const {
   return to_isometry(pose_) * robot_from_camera(dimensions_, head_, torso_, hip_height_);
 }
 

@@ -84,7 +84,7 @@ class Body {
   /// What the robot feels at observation.time: body and odometry.
   void measure(Observation& observation);
   /// Where the robot believes its camera to be, in its own frame; `dimensions` as it believes them.
-  Eigen::Isometry3d measured_camera(const RobotDimensions& dimensions, const BodySample& body) const;
+  Isometry3 measured_camera(const RobotDimensions& dimensions, const BodySample& body) const;
 
   GroundTruth ground_truth() const;
   Posture posture() const { return posture_; }
@@ -94,7 +94,7 @@ class Body {
   double hip_height() const { return hip_height_; }  ///< m above the ground; more while it is carried
   const WalkVelocity& velocity() const { return velocity_; }
 
-  Eigen::Isometry3d field_from_camera() const;
+  Isometry3 field_from_camera() const;
 
   static constexpr double kRadius = 0.15;  ///< m, for collisions
 

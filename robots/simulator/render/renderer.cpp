@@ -5,10 +5,10 @@
 namespace reorient {
 namespace {
 
-Eigen::Isometry3f inside(const Room& room, const Eigen::Isometry3d& field_from_camera) {
+Eigen::Isometry3f inside(const Room& room, const Isometry3& field_from_camera) {
   constexpr double kMargin = 0.05;  // m
   const Eigen::Vector2d half = 0.5 * floor_extent(room.shape);
-  Eigen::Isometry3d kept = field_from_camera;
+  Isometry3 kept = field_from_camera;
   Eigen::Vector3d position = kept.translation();
   position.z() = std::clamp(position.z(), 0.02, room.shape.height - kMargin);
   if (room.shape.form == RoomForm::box) {
@@ -26,7 +26,7 @@ Eigen::Isometry3f inside(const Room& room, const Eigen::Isometry3d& field_from_c
 Renderer::Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels)
     : rays_(camera), background_(field, room, camera.width), frame_(camera.width, camera.height, with_labels) {}
 
-const Frame& Renderer::render(const Eigen::Isometry3d& field_from_camera, const Scene& scene) {
+const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& scene) {
   const Eigen::Isometry3f camera = inside(background_.room(), field_from_camera);
   background_.render(rays_, camera, frame_);
 

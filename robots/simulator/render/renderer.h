@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/transform.h"
 #include "robots/simulator/render/framebuffer.h"
 #include "robots/simulator/render/scene/scene.h"
 #include "robots/simulator/render/surfaces.h"
@@ -16,7 +17,7 @@ class Renderer {
   Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels);
 
   /// The result is valid until the next call. The camera is kept inside of the room and above its floor.
-  const Frame& render(const Eigen::Isometry3d& field_from_camera, const Scene& scene);
+  const Frame& render(const Isometry3& field_from_camera, const Scene& scene);
 
   const RayTable& rays() const { return rays_; }
   const Frame& frame() const { return frame_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
 #include "geometry/random.h"
 
 namespace reorient {
@@ -100,9 +101,9 @@ void Sensor::adapt(const Frame& frame, double time_step) {
   constexpr double kRange = 4.0;  // of the sensor's gain, up and down
   const double wanted =
       std::clamp(parameters_.brightness / mean, parameters_.exposure / kRange, parameters_.exposure * kRange);
-  const double share = adapted_ ? 1.0 - std::exp(-time_step / parameters_.adaptation_time) : 1.0;
+  const double share = adapted_ ? 1.0 - pinned::exp(-time_step / parameters_.adaptation_time) : 1.0;
   adapted_ = true;
-  exposure_ *= std::pow(wanted / exposure_, share);
+  exposure_ *= pinned::pow(wanted / exposure_, share);
 }
 
 void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
@@ -121,10 +122,10 @@ void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
 }
 
 void Sensor::develop(const Channels& light, const float* __restrict vignette, int width) {
-  const double gain = exposure_ * std::exp2(stops_);
-  const auto gain_red = static_cast<float>(gain * std::exp(parameters_.warmth));
-  const auto gain_green = static_cast<float>(gain * std::exp(parameters_.tint));
-  const auto gain_blue = static_cast<float>(gain * std::exp(-parameters_.warmth));
+  const double gain = exposure_ * pinned::exp2(stops_);
+  const auto gain_red = static_cast<float>(gain * pinned::exp(parameters_.warmth));
+  const auto gain_green = static_cast<float>(gain * pinned::exp(parameters_.tint));
+  const auto gain_blue = static_cast<float>(gain * pinned::exp(-parameters_.warmth));
   const auto veil = static_cast<float>(parameters_.black_level);
   const auto saturation = static_cast<float>(parameters_.saturation);
   const float* __restrict in_red = light.red.data();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/pinned_math.h"
 #include "geometry/random.h"
 #include "robots/simulator/room/texture_painter.h"
 
@@ -41,6 +42,7 @@ Surfaces::Hits::Hits(int width)
       half_y(width),
       u(width),
       v(width),
+      azimuth(width),
       footprint(width),
       coverage(width),
       surface(width) {}
@@ -148,9 +150,10 @@ void Surfaces::intersect(const RayTable& rays, const Eigen::Isometry3f& field_fr
   if (!round) return;
   constexpr float kStart = static_cast<float>(-kPi / 4.0);
   constexpr float kTurn = static_cast<float>(2.0 * kPi);
+  pinned::atan2(hits_.y, hits_.x, hits_.azimuth);
   for (int i = 0; i < width; ++i) {
     if (surface[i] != kWall) continue;
-    const float azimuth = std::atan2(hit_y[i], hit_x[i]) - kStart;
+    const float azimuth = hits_.azimuth[static_cast<std::size_t>(i)] - kStart;
     hit_u[i] = half_length * (azimuth < 0.0f ? azimuth + kTurn : azimuth);
   }
 }

@@ -30,6 +30,7 @@ class Surfaces {
     std::vector<float> x, y;            // m, on the ground
     std::vector<float> half_x, half_y;  // m, half the ground that a pixel covers
     std::vector<float> u, v;            // m, in the surface's texture
+    std::vector<float> azimuth;         // rad, seen from the middle of a round room
     std::vector<float> footprint;       // m, on the surface
     std::vector<float> coverage;        // share of line
     std::vector<int> surface;

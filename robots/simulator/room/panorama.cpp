@@ -13,6 +13,7 @@
 #include <png.h>
 #include <turbojpeg.h>
 
+#include "geometry/pinned_math.h"
 #include "robots/simulator/room/radiance.h"
 
 namespace reorient {
@@ -71,7 +72,7 @@ std::array<float, 256> linear_from_srgb() {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double value = static_cast<double>(i) / 255.0;
-    table[i] = static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+    table[i] = static_cast<float>(value <= 0.04045 ? value / 12.92 : pinned::pow((value + 0.055) / 1.055, 2.4));
   }
   return table;
 }

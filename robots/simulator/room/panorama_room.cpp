@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/pinned_math.h"
+#include "geometry/transform.h"
 #include "robots/simulator/room/panorama.h"
 #include "robots/simulator/room/room.h"
 
@@ -38,9 +40,10 @@ void normalize(LinearImage& panorama) {
   double sum = 0.0;
   int count = 0;
   for (int y = top; y < bottom; ++y) {
-    for (int x = 0; x < panorama.width; ++x, ++count) sum += std::log(std::max(1e-5f, brightness(panorama.at(x, y))));
+    for (int x = 0; x < panorama.width; ++x, ++count)
+      sum += pinned::log(std::max(1e-5f, brightness(panorama.at(x, y))));
   }
-  const auto scale = static_cast<float>(kOrdinary / std::exp(sum / count));
+  const auto scale = static_cast<float>(kOrdinary / pinned::exp(sum / count));
   for (LinearColor& color : panorama.pixels) color = (scale * color).max(0.0f).min(kBrightest);
 }
 
@@ -50,7 +53,7 @@ LinearColor light_of(const LinearImage& panorama) {
   LinearColor sum = LinearColor::Constant(1e-6f);
   for (int y = 0; y < panorama.height / 2; ++y) {
     const double elevation = kPi * (0.5 - (y + 0.5) / panorama.height);
-    const auto weight = static_cast<float>(std::sin(elevation) * std::cos(elevation));
+    const auto weight = static_cast<float>(pinned::sin(elevation) * pinned::cos(elevation));
     for (int x = 0; x < panorama.width; ++x) sum += weight * panorama.at(x, y);
   }
   constexpr float kDim = 0.55f;
@@ -63,8 +66,8 @@ class Viewpoint {
   Viewpoint(const LinearImage& panorama, const RoomShape& shape) : panorama_(panorama), shape_(shape) {}
 
   LinearColor toward(const Eigen::Vector3d& point) const {
-    const double azimuth = std::atan2(point.y(), point.x()) - shape_.turn;
-    const double elevation = std::atan2(point.z() - shape_.viewpoint_height, point.head<2>().norm());
+    const double azimuth = direction_of(point.head<2>()) - shape_.turn;
+    const double elevation = pinned::atan2(point.z() - shape_.viewpoint_height, point.head<2>().norm());
     const double u = (0.5 - azimuth / (2.0 * kPi)) * panorama_.width - 0.5;
     const double v = (0.5 - elevation / kPi) * panorama_.height - 0.5;
     const double left = std::floor(u);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "geometry/angle.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 namespace {
@@ -31,7 +32,7 @@ Eigen::Vector2d wall_point(const RoomShape& shape, double wall_coordinate) {
   const double along = wall_coordinate - wall_perimeter(shape) * std::floor(wall_coordinate / wall_perimeter(shape));
   if (shape.form == RoomForm::cylinder) {
     const double azimuth = kCylinderStart + 2.0 * along / shape.length;
-    return 0.5 * shape.length * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
+    return 0.5 * shape.length * unit_vector(azimuth);
   }
   const double half_length = 0.5 * shape.length;
   const double half_width = 0.5 * shape.width;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
@@ -47,7 +49,7 @@ void TexturePainter::ellipse(double x, double y, double radius_x, double radius_
   const double softness = width_ / image_.width / std::min(radius_x, radius_y);
   for_each({x - radius_x, y - radius_y, x + radius_x, y + radius_y},
            [&](LinearColor& texel, double, double at_x, double at_y) {
-             const double radius = std::hypot((at_x - x) / radius_x, (at_y - y) / radius_y);
+             const double radius = pinned::hypot((at_x - x) / radius_x, (at_y - y) / radius_y);
              const double coverage = std::clamp((1.0 - radius) / softness + 0.5, 0.0, 1.0);
              texel += static_cast<float>(opacity * coverage) * (color - texel);
            });

@@ -1,4 +1,10 @@
 // Hostile scripts: each stops itself alone, within its budget.
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "geometry/pinned_math.h"
 #include "tests/engine/script/script_fixture.h"
 
 namespace reorient {
@@ -216,6 +222,48 @@ TEST_F(Sandboxed, ARequireThatGoesInACircleIsRefused) {
 
 TEST_F(Sandboxed, DeclarationsThatContainThemselvesAreRefused) {
   EXPECT_NE(refusal("local t = {} t[1] = state \"x\" (t) behavior \"refused\" (t)").message, "it was accepted");
+}
+
+TEST_F(Sandboxed, TheirMathematicsIsThatOfTheCore) {
+  load("b", R"(behavior "b" { update = function()
+    for _, value in ipairs { math.sin(1.3), math.cos(7.1), math.tan(0.4), math.asin(0.3), math.acos(0.3), math.atan(2, -3),
+                             math.exp(1.7), math.log(5.3), math.log(5.3, 2), math.log(5.3, 10), 2.3 ^ -1.7 } do
+      print(string.format("%a", value))
+    end
+  end })");
+  tick();
+  std::vector<std::string> expected;
+  for (const double value : {pinned::sin(1.3), pinned::cos(7.1), pinned::tan(0.4), pinned::asin(0.3), pinned::acos(0.3),
+                             pinned::atan2(2.0, -3.0), pinned::exp(1.7), pinned::log(5.3), pinned::log2(5.3),
+                             pinned::log10(5.3), pinned::pow(2.3, -1.7)}) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%a", value);
+    expected.emplace_back(text.data());
+  }
+  EXPECT_EQ(logs, expected);
+}
+
+TEST_F(Sandboxed, DiceFallBetweenTheirEnds) {
+  load("b", R"(behavior "b" { update = function()
+    local seen = {}
+    for i = 1, 500 do
+      local dice = math.random(6)
+      assert(math.type(dice) == "integer" and 1 <= dice and dice <= 6)
+      seen[dice] = true
+      local share = math.random()
+      assert(0 <= share and share < 1)
+      assert(-2 <= math.random(-2, 1) and math.random(-2, 1) <= 1)
+      assert(math.random(7, 7) == 7)
+      math.random(math.mininteger, math.maxinteger)
+      math.random(0)
+    end
+    assert(#seen == 6)
+    assert(not pcall(math.random, 0, -1) and not pcall(math.random, 1, 2, 3) and not pcall(math.random, 1.5))
+    print("done")
+  end })");
+  tick();
+  EXPECT_TRUE(faults.empty()) << faults[0].fault.text();
+  EXPECT_EQ(logs, (std::vector<std::string>{"done"}));
 }
 
 TEST_F(Sandboxed, TheSameScriptRollsTheSameDiceAndWalksTablesInTheSameOrder) {

@@ -14,7 +14,7 @@ namespace {
 /// A NAO that stands somewhere on the field, its camera, and where that really is.
 struct Stand {
   CameraModel camera;
-  Eigen::Isometry3d robot_from_camera;
+  Isometry3 robot_from_camera;
   Pose2 field_from_robot;
 
   Stand(int width, int height, const Pose2& pose, const HeadAngles& head, const TorsoAttitude& torso = {})

@@ -100,7 +100,7 @@ NearestLine nearest_line(const FieldDimensions& f, const Vector2d& point) {
   return best;
 }
 
-Image render(const FlatField& scene, const CameraModel& camera, const Eigen::Isometry3d& field_from_camera) {
+Image render(const FlatField& scene, const CameraModel& camera, const Isometry3& field_from_camera) {
   Image image(camera.width, camera.height);
   const Vector3d origin = field_from_camera.translation();
   for (int y = 0; y < camera.height; ++y) {

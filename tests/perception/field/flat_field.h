@@ -44,6 +44,6 @@ struct NearestLine {
 NearestLine nearest_line(const FieldDimensions& field, const Eigen::Vector2d& point);
 
 /// Each pixel is the mean of four rays.
-Image render(const FlatField& scene, const CameraModel& camera, const Eigen::Isometry3d& field_from_camera);
+Image render(const FlatField& scene, const CameraModel& camera, const Isometry3& field_from_camera);
 
 }  // namespace reorient

@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-const Eigen::Isometry3d kUpright = robot_from_camera({}, {0.0, 0.2}, {}, 0.248);
+const Isometry3 kUpright = robot_from_camera({}, {0.0, 0.2}, {}, 0.248);
 
 CameraModel camera_of(int width, int height) {
   return CameraModel::from_fields_of_view(width, height, from_degrees(56.3), from_degrees(43.7));
@@ -131,7 +131,7 @@ TEST(HostileImages, WithACameraThatIsNowhereShowNothing) {
   const Image image = filled(320, 240, {75, 105, 108});
   for (const double bad : {nan, infinite, -infinite}) {
     for (int i = 0; i < 16; ++i) {
-      Eigen::Isometry3d broken = kUpright;
+      Isometry3 broken = kUpright;
       broken.matrix()(i / 4, i % 4) = bad;
       const FieldPercept percept = percept_in(features, image.view(), camera_of(320, 240), broken);
       EXPECT_TRUE(percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty());

@@ -1,12 +1,13 @@
 // What one image shows, as a value.
 #pragma once
 
+#include "geometry/transform.h"
 #include "perception/field/field_features.h"
 
 namespace reorient {
 
 inline FieldPercept percept_in(FieldFeatures& features, const ImageView& image, const CameraModel& camera,
-                               const Eigen::Isometry3d& robot_from_camera) {
+                               const Isometry3& robot_from_camera) {
   FieldPercept percept;
   features.find(image, camera, robot_from_camera, percept);
   return percept;

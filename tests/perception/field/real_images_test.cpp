@@ -21,7 +21,7 @@ std::filesystem::path shared_images() {
 struct RealImage {
   Image image;
   CameraModel camera;
-  Eigen::Isometry3d robot_from_camera;
+  Isometry3 robot_from_camera;
 };
 
 RealImage old_robot(const std::filesystem::path& file, double pitch_degrees) {

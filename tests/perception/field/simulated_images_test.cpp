@@ -27,7 +27,7 @@ struct Snapshot {
   const Simulator& simulator;
   const CameraFrame& frame;
   const FieldPercept& percept;
-  Eigen::Isometry3d robot_from_camera;
+  Isometry3 robot_from_camera;
   Pose2 truth;
 
   Label label(const Eigen::Vector2d& pixel) const {
@@ -123,7 +123,7 @@ Score look_around(ImageSize size, int places) {
     for (int k = 0; k < 5; ++k) simulator.observe(observation);
     const CameraFrame& frame = observation.upper.value();
     const Pose2 truth = simulator.ground_truth().pose;
-    const Eigen::Isometry3d robot_from_camera = to_isometry(truth).inverse() * simulator.field_from_camera();
+    const Isometry3 robot_from_camera = to_isometry(truth).inverse() * simulator.field_from_camera();
     const FieldPercept percept = percept_in(features, frame.image, frame.camera, robot_from_camera);
     const Snapshot shot{simulator, frame, percept, robot_from_camera, truth};
     ++score.frames;

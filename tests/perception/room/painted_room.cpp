@@ -51,8 +51,8 @@ Ycbcr PaintedRoom::color(const Eigen::Vector3d& eye, const Eigen::Vector3d& dire
   return panels_[static_cast<std::size_t>(row * kColumns + column)];
 }
 
-Image PaintedRoom::render(const CameraModel& camera, const Eigen::Isometry3d& field_from_camera,
-                          const Exposure& exposure, Random& noise) const {
+Image PaintedRoom::render(const CameraModel& camera, const Isometry3& field_from_camera, const Exposure& exposure,
+                          Random& noise) const {
   Image image(camera.width, camera.height);
   const Eigen::Vector3d eye = field_from_camera.translation();
   for (int y = 0; y < camera.height; ++y) {

@@ -5,6 +5,7 @@
 
 #include "geometry/head.h"
 #include "geometry/random.h"
+#include "geometry/transform.h"
 #include "perception/room/room_awareness.h"
 
 namespace reorient::test {
@@ -22,7 +23,7 @@ class PaintedRoom {
   static PaintedRoom symmetric(std::uint64_t seed);  ///< the same after half a turn
   static PaintedRoom plain();                        ///< white all around
 
-  Image render(const CameraModel& camera, const Eigen::Isometry3d& field_from_camera, const Exposure& exposure,
+  Image render(const CameraModel& camera, const Isometry3& field_from_camera, const Exposure& exposure,
                Random& noise) const;
 
   double radius = 8.0;
@@ -40,7 +41,7 @@ inline CameraModel small_camera() {
 }
 
 /// The camera of a robot that stands upright.
-inline Eigen::Isometry3d standing_camera(double yaw, double pitch = 0.0) {
+inline Isometry3 standing_camera(double yaw, double pitch = 0.0) {
   const RobotDimensions dimensions;
   return robot_from_camera(dimensions, {yaw, pitch}, {}, dimensions.hip_height);
 }

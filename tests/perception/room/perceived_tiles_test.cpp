@@ -47,7 +47,7 @@ TEST(PerceivedTiles, PixelsBelongToTheTileThatTheirRayMeets) {
       Scene scene(width, width * 3 / 4);
       scene.view.camera.k1 = k1;
       const auto pixels = pixels_by_tile(scene.perceive());
-      const Eigen::Isometry3d field_from_camera = to_isometry(scene.view.belief) * scene.view.robot_from_camera;
+      const Isometry3 field_from_camera = to_isometry(scene.view.belief) * scene.view.robot_from_camera;
       int differ = 0;
       int all = 0;
       for (int y = 0; y < scene.image.height(); ++y) {

@@ -237,7 +237,7 @@ TEST(RoomAwareness, ParticlesTurnWithTheBody) {
   robot.train = false;
   robot.truth = robot.belief = Pose2(0.0, 0.0, 0.0);
   RoomObservation view = robot.look();
-  view.robot_from_camera = Eigen::Isometry3d::Identity();
+  view.robot_from_camera = Isometry3::Identity();
   robot.awareness.update(view);
   const double before = robot.awareness.particles()[0].azimuth;
   view.odometry_rotation += 0.25;

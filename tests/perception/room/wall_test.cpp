@@ -46,7 +46,7 @@ RC_GTEST_PROP(Wall, ARayToAPointOfTheWallMeetsItThere, ()) {
 RC_GTEST_PROP(Wall, TheReflectedPoseLooksAtTheReflectedTile, ()) {
   const Wall wall;
   const Pose2 pose = any_pose();
-  const Eigen::Isometry3d camera = test::standing_camera(any_number(-2, 2));
+  const Isometry3 camera = test::standing_camera(any_number(-2, 2));
   const auto center = view_center(wall, pose, camera);
   const auto opposite = view_center(wall, reflect(pose), camera);
   RC_ASSERT(center && opposite);
@@ -76,7 +76,7 @@ TEST(Wall, FromOutsideOrStraightUpNothingIsMet) {
   EXPECT_FALSE(wall.meet({nan, 0, 0.5}, {1, 0, 0}));
   EXPECT_FALSE(wall.meet({0, 0, 0.5}, {nan, 0, 0}));
   EXPECT_FALSE(wall.azimuth_seen({0, 0}, nan));
-  EXPECT_FALSE(view_center(wall, {0, 0, nan}, Eigen::Isometry3d::Identity()));
+  EXPECT_FALSE(view_center(wall, {0, 0, nan}, Isometry3::Identity()));
 }
 
 TEST(Wall, AbsurdNumbersStillMakeAWall) {

@@ -17,7 +17,7 @@ CameraModel camera() {
   return model;
 }
 
-Eigen::Isometry3d standing(const Pose2& pose, const HeadAngles& head) {
+Isometry3 standing(const Pose2& pose, const HeadAngles& head) {
   return to_isometry(pose) * robot_from_camera(RobotDimensions{}, head, TorsoAttitude{}, 0.25);
 }
 
@@ -73,7 +73,7 @@ class View {
     return frame_.row(static_cast<int>(std::lround(pixel.y()))) + static_cast<std::size_t>(std::lround(pixel.x()));
   }
 
-  Eigen::Isometry3d field_from_camera_;
+  Isometry3 field_from_camera_;
   const Frame& frame_;
 };
 
@@ -171,7 +171,7 @@ int pixels_of(Label label, const Frame& frame) {
 
 TEST(Renderer, HidesWhatStandsBehindARobot) {
   Renderer renderer(camera(), FieldDimensions{}, plain_room(), true);
-  const Eigen::Isometry3d eye = standing(Pose2(0.0, 0.0, 0.0), {0.0, 0.1});
+  const Isometry3 eye = standing(Pose2(0.0, 0.0, 0.0), {0.0, 0.1});
   Scene scene;
   add_ball(scene, {2.0, -0.05}, LinearColor::Ones());
   const int free = pixels_of(Label::ball, renderer.render(eye, scene));
@@ -190,7 +190,7 @@ TEST(Renderer, StaysFiniteWhereverTheCameraIs) {
   for (const double pitch : {-kPi / 2, -0.5, 0.0, kPi / 2}) {
     for (const Eigen::Vector3d& where :
          {Eigen::Vector3d(0.1, 0.0, 0.3), Eigen::Vector3d(50.0, -50.0, -3.0), Eigen::Vector3d(4.5, 0.8, 0.4)}) {
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      Isometry3 pose = Isometry3::Identity();
       pose.translation() = where;
       pose.linear() = Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()).toRotationMatrix();
       const Frame& frame = renderer.render(pose, scene);

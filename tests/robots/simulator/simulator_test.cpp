@@ -102,8 +102,7 @@ TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
   Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(2.0, 0.0, 0.0), 1);
   Observation observation;
   simulator.observe(observation);
-  const Eigen::Isometry3d field_from_camera =
-      to_isometry(simulator.ground_truth().pose) * observation.upper->robot_from_camera;
+  const Isometry3 field_from_camera = to_isometry(simulator.ground_truth().pose) * observation.upper->robot_from_camera;
   const auto pixel = observation.upper->camera.project(field_from_camera.inverse() * Eigen::Vector3d(4.5, 0.8, 0.4));
   ASSERT_TRUE(pixel && observation.upper->camera.contains(*pixel));
   const auto index = static_cast<std::size_t>(std::lround(pixel->y()) * 160 + std::lround(pixel->x()));

@@ -86,12 +86,12 @@ class Projection {
     }
   }
 
-  const Eigen::Isometry3d& field_from_camera() const { return field_from_camera_; }
+  const Isometry3& field_from_camera() const { return field_from_camera_; }
 
  private:
   CameraModel camera_;
-  Eigen::Isometry3d field_from_camera_;
-  Eigen::Isometry3d camera_from_field_;
+  Isometry3 field_from_camera_;
+  Isometry3 camera_from_field_;
 };
 
 std::vector<Eigen::Vector3d> sampled(const FieldLine& line) {
@@ -139,7 +139,7 @@ void add_room(const RoomRecord& room, const Projection& projection, CameraView& 
 }
 
 void add_percept(const FieldPercept& percept, const CameraRecord& camera, CameraView& view) {
-  const Eigen::Isometry3d camera_from_robot = camera.robot_from_camera.inverse();
+  const Isometry3 camera_from_robot = camera.robot_from_camera.inverse();
   for (const LinePoint& point : percept.line_points) {
     constexpr double kStep = 0.05;  // m across the line
     const Eigen::Vector2d beside =

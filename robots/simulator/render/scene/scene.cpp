@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
@@ -52,9 +54,9 @@ void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& li
 }
 
 void add_robot(Scene& scene, const Pose2& pose, double stride, const LinearColor& jersey, const LinearColor& light) {
-  const double swing = 0.06 * std::sin(stride);
-  const double lift = 0.012 * std::abs(std::sin(stride));
-  const double rock = 0.012 * std::cos(stride);
+  const double swing = 0.06 * pinned::sin(stride);
+  const double lift = 0.012 * std::abs(pinned::sin(stride));
+  const double rock = 0.012 * pinned::cos(stride);
   const auto point = [&](double forward, double left, double height) {
     return at(pose * Eigen::Vector2d(forward, left), height);
   };

@@ -1,0 +1,46 @@
+// Rotations with pinned mathematics (Eigen's AngleAxis and Rotation2D take the C library's), and rigid motions of
+// space.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "geometry/pinned_math.h"
+
+namespace reorient {
+
+/// A rigid motion of space. Unlike Eigen::Isometry3d it takes the same place in memory whatever processor the code
+/// around it is compiled for: a program built for AVX can use a library built without.
+using Isometry3 = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
+
+/// `vector` turned to the left by `angle` (rad).
+inline Eigen::Vector2d rotated(const Eigen::Vector2d& vector, double angle) {
+  const auto [sine, cosine] = pinned::sincos(angle);
+  return {cosine * vector.x() - sine * vector.y(), sine * vector.x() + cosine * vector.y()};
+}
+
+/// A vector of length 1 in the direction `angle` (rad).
+inline Eigen::Vector2d unit_vector(double angle) {
+  const auto [sine, cosine] = pinned::sincos(angle);
+  return {cosine, sine};
+}
+
+/// rad, in (-pi, pi].
+inline double direction_of(const Eigen::Vector2d& vector) { return pinned::atan2(vector.y(), vector.x()); }
+
+inline Eigen::Matrix3d rotation_about_x(double angle) {
+  const auto [sine, cosine] = pinned::sincos(angle);
+  return (Eigen::Matrix3d() << 1.0, 0.0, 0.0, 0.0, cosine, -sine, 0.0, sine, cosine).finished();
+}
+
+inline Eigen::Matrix3d rotation_about_y(double angle) {
+  const auto [sine, cosine] = pinned::sincos(angle);
+  return (Eigen::Matrix3d() << cosine, 0.0, sine, 0.0, 1.0, 0.0, -sine, 0.0, cosine).finished();
+}
+
+inline Eigen::Matrix3d rotation_about_z(double angle) {
+  const auto [sine, cosine] = pinned::sincos(angle);
+  return (Eigen::Matrix3d() << cosine, -sine, 0.0, sine, cosine, 0.0, 0.0, 0.0, 1.0).finished();
+}
+
+}  // namespace reorient
