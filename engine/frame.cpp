@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 #include "engine/world/goal_view.h"
 
@@ -23,6 +24,11 @@ void collect_covered(const FieldPercept& percept, std::vector<CoveredArea>& cove
     covered.push_back({static_cast<int>(left - half_width), static_cast<int>(post.top.y()),
                        static_cast<int>(right + half_width), static_cast<int>(post.base.y())});
   }
+}
+
+const FieldDimensions& checked(const FieldDimensions& field) {
+  if (const std::string mistake = mistake_in(field); !mistake.empty()) throw std::runtime_error("field: " + mistake);
+  return field;
 }
 
 /// Adds the time until its end to a stage, where somebody wants to know.
@@ -49,7 +55,7 @@ class StageTimer {
 
 FrameLoop::FrameLoop(FrameSetup setup)
     : revision_(declare_parameters(setup.parameters)),
-      field_features_{FieldFeatures(parameters_.field_features, setup.field),
+      field_features_{FieldFeatures(parameters_.field_features, checked(setup.field)),
                       FieldFeatures(parameters_.field_features, setup.field)},
       pose_filter_(parameters_.pose_filter, setup.field, setup.seed),
       behaviors_(std::move(setup.scripts), registry_, limits_) {
@@ -158,8 +164,8 @@ void FrameLoop::localize() {
 void FrameLoop::look_at_room() {
   const StageTimer timer(record_, Stage::room);
   // The arbitration is the last frame's: what behaviours paused then rests now.
-  world_.training = room_ && state_.upright() && world_.pose_known && arbitration_->train;
-  world_.evaluating = room_ && state_.upright() && arbitration_->evaluate;
+  world_.training = room_ && state_.upright() && world_.pose_known && arbiter_.last().train;
+  world_.evaluating = room_ && state_.upright() && arbiter_.last().evaluate;
   if (!room_ || !observation_->upper) return;
   collect_covered(record_.percepts[kUpper], covered_);
   world_.confidence = room_->update({.time = observation_->time,
@@ -192,10 +198,10 @@ void FrameLoop::describe_world() {
 void FrameLoop::decide() {
   const StageTimer timer(record_, Stage::behaviors);
   behaviors_.tick(world_);
-  arbitration_ = &arbiter_.arbitrate(behaviors_.wanted().commands, behaviors_.leases(), world_);
+  const Arbitration& arbitration = arbiter_.arbitrate(behaviors_.wanted().commands, behaviors_.leases(), world_);
   record_.reorientation.reset();
   record_.pose_particles.before.clear();
-  if (arbitration_->granted) rearrange(*arbitration_->granted);
+  if (arbitration.granted) rearrange(*arbitration.granted);
   world_.pose = pose_filter_.belief();
 }
 
@@ -230,8 +236,8 @@ void FrameLoop::answer() {
   answer.reorientation.reset();
   if (record_.reorientation) answer.reorientation = record_.reorientation->reorientation;
   answer.room = {world_.confidence.current, world_.confidence.opposite};
-  answer.training_paused = !arbitration_->train;
-  answer.evaluation_paused = !arbitration_->evaluate;
+  answer.training_paused = !arbiter_.last().train;
+  answer.evaluation_paused = !arbiter_.last().evaluate;
 }
 
 void FrameLoop::complete_record() {
@@ -248,8 +254,8 @@ void FrameLoop::complete_record() {
   record_.transitions.assign(said.transitions.begin(), said.transitions.end());
   record_.logs.assign(said.logs.begin(), said.logs.end());
   record_.faults.assign(said.faults.begin(), said.faults.end());
-  record_.commands.assign(arbitration_->commands.begin(), arbitration_->commands.end());
-  record_.begun.assign(arbitration_->begun.begin(), arbitration_->begun.end());
+  record_.commands.assign(arbiter_.last().commands.begin(), arbiter_.last().commands.end());
+  record_.begun.assign(arbiter_.last().begun.begin(), arbiter_.last().begun.end());
   record_.leases.assign(behaviors_.leases().begin(), behaviors_.leases().end());
 
   if (record_.filled.has(Topic::images)) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "engine/world/arbiter.h"
 #include "engine/world/robot_state.h"
 #include "engine/world/world.h"
+#include "geometry/bytes.h"
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
@@ -36,6 +38,8 @@ class FrameLoop {
  public:
   /// Throws std::runtime_error (of a script: ScriptError) with one line.
   explicit FrameLoop(FrameSetup setup);
+  /// Goes on from what save() wrote. Throws BadBytes.
+  explicit FrameLoop(std::span<const std::byte> state);
   FrameLoop(const FrameLoop&) = delete;
   FrameLoop& operator=(const FrameLoop&) = delete;
 
@@ -46,11 +50,19 @@ class FrameLoop {
   /// Of the last frame, or of none.
   const FrameRecord& record() const { return record_; }
 
-  // Between frames, for those who list, save and check.
+  /// Between two frames: all that decides what comes next, appended as bytes. The frames that follow are the same for
+  /// this loop and for one that is made of the bytes, in whatever process of the same program.
+  void save(std::vector<std::byte>& state) const;
+
+  // Between frames, for those who list and check.
   std::vector<Parameter> parameters() const { return registry_.list(); }
   std::vector<const MachineDefinition*> machines() const { return behaviors_.host().definitions(); }
 
  private:
+  explicit FrameLoop(ByteReader&& state);
+  template <typename Archive>
+  void archive(Archive& archive);
+
   void take_inputs(const FrameInputs& inputs);
   void measure_state();
   void see_field();
@@ -85,8 +97,6 @@ class FrameLoop {
   Pose2 odometry_step_;
   std::vector<CoveredArea> covered_;
   World world_;
-  Arbitration nothing_asked_;
-  const Arbitration* arbitration_ = &nothing_asked_;
   FrameRecord record_;
 };
 

@@ -37,13 +37,35 @@ struct BadBytes : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What bytes were read into must be something that the reader could have made itself.
+inline void check_bytes(bool sound, const char* what) {
+  if (!sound) throw BadBytes(what);
+}
+
 template <typename T, typename Archive>
 concept HasArchive = requires(T& value, Archive& archive) {
   value.archive(archive);
 };
 
+/// How deep values lie in values of the same type, for those that may.
+class NestedBytes {
+ public:
+  int depth() const { return depth_; }
+
+  struct Level {
+    explicit Level(NestedBytes& outer) : bytes(outer) { ++bytes.depth_; }
+    ~Level() { --bytes.depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+    NestedBytes& bytes;
+  };
+
+ private:
+  int depth_ = 0;
+};
+
 /// Appends values to bytes.
-class ByteWriter {
+class ByteWriter : public NestedBytes {
  public:
   static constexpr bool kReads = false;
 
@@ -132,7 +154,7 @@ class ByteWriter {
 
 /// Takes values from bytes. Whatever the bytes are, it neither reads beyond them nor makes more values than they can
 /// hold; what cannot be is a BadBytes.
-class ByteReader {
+class ByteReader : public NestedBytes {
  public:
   static constexpr bool kReads = true;
 

@@ -1,6 +1,8 @@
 // The field as drawn: metres, to line centres, origin at the centre, x towards the opponent goal, y left.
 #pragma once
 
+#include <string>
+
 namespace reorient {
 
 /// Defaults: the Standard Platform League's field of today.
@@ -29,6 +31,42 @@ void fields(Visit&& visit, FieldDimensions& field) {
         field.goal_area_depth, field.goal_area_width, field.penalty_mark_x, field.penalty_mark_size,
         field.center_circle_radius, field.goal_post_y, field.goal_height, field.goal_depth, field.goal_post_diameter,
         field.yellow_goals);
+}
+
+/// Calls visit(key, length, least, most) for each length, with the range in which there can be such a field.
+template <typename Visit>
+void describe(FieldDimensions& field, Visit&& visit) {
+  visit("length", field.length, 2.0, 120.0);
+  visit("width", field.width, 1.0, 90.0);
+  visit("border", field.border, 0.0, 10.0);
+  visit("line_width", field.line_width, 0.01, 0.3);
+  visit("penalty_area_depth", field.penalty_area_depth, 0.0, 20.0);
+  visit("penalty_area_width", field.penalty_area_width, 0.0, 60.0);
+  visit("goal_area_depth", field.goal_area_depth, 0.0, 20.0);
+  visit("goal_area_width", field.goal_area_width, 0.0, 60.0);
+  visit("penalty_mark_x", field.penalty_mark_x, 0.0, 60.0);
+  visit("penalty_mark_size", field.penalty_mark_size, 0.0, 0.5);
+  visit("center_circle_radius", field.center_circle_radius, 0.0, 10.0);
+  visit("goal_post_y", field.goal_post_y, 0.2, 5.0);
+  visit("goal_height", field.goal_height, 0.2, 5.0);
+  visit("goal_depth", field.goal_depth, 0.0, 5.0);
+  visit("goal_post_diameter", field.goal_post_diameter, 0.02, 0.5);
+}
+
+/// The first length that is out of its range, and how to mend it; empty: there is none.
+inline std::string mistake_in(FieldDimensions field) {
+  std::string mistake;
+  describe(field, [&](const char* key, double value, double least, double most) {
+    // Written so that NaN fails as well.
+    if (!mistake.empty() || (value >= least && value <= most)) return;
+    const auto number = [](double limit) {
+      std::string text = std::to_string(limit);
+      text.erase(text.find_last_not_of('0') + 1);
+      return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+    };
+    mistake = "'" + std::string(key) + "' must be a number from " + number(least) + " to " + number(most) + " metres";
+  });
+  return mistake;
 }
 
 }  // namespace reorient

@@ -163,11 +163,20 @@ void PoseFilter::append_poses(std::vector<Pose2>& poses) const {
   for (std::size_t i = 0; i < particles_.size(); ++i) poses.push_back(particles_.pose(i));
 }
 
-void PoseFilter::append_state(std::vector<float>& values) const {
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    values.insert(values.end(), {particles_.x[i], particles_.y[i],
-                                 static_cast<float>(to_radians(particles_.rotation[i])), particles_.weight[i]});
-  }
+/// After reading.
+void PoseFilter::complete() {
+  check_bytes(particles_.size() == particle_count(parameters_), "another number of pose particles");
+  const auto is_inside = [this](double x, double y) {
+    constexpr double kRounding = 1e-3;  // m, of single precision
+    return std::abs(x) <= half_size_.x() + kRounding && std::abs(y) <= half_size_.y() + kRounding;
+  };
+  for (std::size_t i = 0; i < particles_.size(); ++i)
+    check_bytes(is_inside(particles_.x[i], particles_.y[i]), "a pose particle is off the field");
+  check_bytes(is_inside(belief_.pose.position.x(), belief_.pose.position.y()) && std::abs(belief_.pose.rotation) <= kPi,
+              "the believed pose is off the field");
+  check_bytes(std::isfinite(elapsed_) && elapsed_ >= 0.0, "a time is not a time");
+  costs_.resize(particles_.size());
+  scratch_ = ParticleSet(particles_.size());
 }
 
 }  // namespace reorient

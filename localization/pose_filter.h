@@ -68,10 +68,16 @@ class PoseFilter {
 
   /// For drawing: the poses of all particles, appended.
   void append_poses(std::vector<Pose2>& poses) const;
-  /// For a fingerprint of the run: x, y, rotation and weight of each particle, appended.
-  void append_state(std::vector<float>& values) const;
+
+  /// All that decides what comes next; parameters and field are as they are. Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(random_, recovery_, particles_, elapsed_, searching_, belief_);
+    if constexpr (Archive::kReads) complete();
+  }
 
  private:
+  void complete();
   void weigh();
   void resample();
   void inject(const FieldPercept& percept, SeenGoal seen_goal);

@@ -60,6 +60,10 @@ struct ExternalBelief {
     Pose2 pose;
     double weight = 1.0;  ///< not negative, on any scale
   };
+  template <typename Visit>
+  friend void fields(Visit&& visit, Particle& particle) {
+    visit(particle.pose, particle.weight);
+  }
 
   Pose2 pose;                                            ///< field_from_robot
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y, rotation; m^2, m rad, rad^2

@@ -148,6 +148,12 @@ std::vector<Parameter> ParameterRegistry::list() const {
   return all;
 }
 
+std::vector<ParameterChange> ParameterRegistry::overrides() const {
+  std::vector<ParameterChange> all;
+  for (const auto& [name, change] : overrides_) all.push_back(change);
+  return all;
+}
+
 std::vector<std::string> ParameterRegistry::names() const {
   std::vector<std::string> all;
   for (const auto& [name, entry] : entries_) all.push_back(name);

@@ -43,6 +43,8 @@ class ParameterRegistry {
   const Parameter* find(std::string_view name) const;
   const ParameterValue& value(std::string_view name) const;  ///< throws on an unknown name
   std::vector<Parameter> list() const;                       ///< by name
+  /// All that was set so far, by name, whether or not anybody declares it: set_early() of each makes them hold again.
+  std::vector<ParameterChange> overrides() const;
 
   /// What `declaration` would get if it were declared now: an override, clamped into its range, or the default.
   ParameterValue preview(const ParameterDeclaration& declaration) const;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/parameters/parameter.h"
+#include "engine/record/image_bytes.h"
 #include "engine/record/topics.h"
 #include "engine/script/script_host.h"
 #include "engine/script/script_output.h"
@@ -106,23 +107,6 @@ struct ImagesRecord {
   void archive(Archive& archive) {
     archive_image(archive, upper, own[0]);
     archive_image(archive, lower, own[1]);
-  }
-
- private:
-  template <typename Archive>
-  static void archive_image(Archive& archive, ImageView& view, std::vector<std::uint8_t>& bytes) {
-    std::uint16_t width = static_cast<std::uint16_t>(view.empty() ? 0 : view.width);
-    std::uint16_t height = static_cast<std::uint16_t>(view.empty() ? 0 : view.height);
-    archive(width, height);
-    const std::size_t row = 2 * std::size_t{width};
-    if constexpr (Archive::kReads) {
-      if (width % 2 != 0 || archive.left() < row * height) throw BadBytes("an image is larger than its bytes");
-      bytes.resize(row * height);
-      archive.raw(bytes.data(), bytes.size());
-      view = {bytes.data(), width, height, static_cast<int>(row)};
-    } else {
-      for (int y = 0; y < height; ++y) archive.raw(view.row(y), row);
-    }
   }
 };
 

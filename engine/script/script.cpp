@@ -35,7 +35,13 @@ int refuse_new_global(lua_State* L) {
 
 Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
                const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes)
-    : texts_(texts), language_(language), limits_(limits), registry_(parameters), hashes_(&hashes), sandbox_(limits) {
+    : texts_(&texts),
+      sources_(texts.root()),
+      language_(language),
+      limits_(limits),
+      registry_(parameters),
+      hashes_(&hashes),
+      sandbox_(limits) {
   sandbox_.grant(limits.instructions_per_load);
   add_globals(directory);
   try {
@@ -51,6 +57,7 @@ Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage
   declarations_->close();
   places_.clear();
   is_loaded_ = true;
+  texts_ = nullptr;
   hashes_ = nullptr;
   if (!declarations_->machines.empty()) return;
   const std::string word(to_string(language.kind()));
@@ -66,7 +73,7 @@ void Script::add_globals(const MachineDirectory& directory) {
       L, language_.kind() == ScriptKind::scenario,
       [this](const std::string& name) -> const SourceLocations& {
         constexpr std::size_t kLettersPerInstruction = 32;
-        const ScriptText* const text = texts_.find(name);
+        const ScriptText* const text = texts_->find(name);
         const std::size_t letters = text == nullptr ? 0 : text->text.size();
         sandbox_.charge(static_cast<std::int64_t>(letters / kLettersPerInstruction));
         return places_of(name);
@@ -93,23 +100,24 @@ void Script::add_globals(const MachineDirectory& directory) {
 }
 
 std::string_view Script::read(const std::string& file) {
-  const ScriptText* const found = texts_.find(file);
+  const ScriptText* const found = texts_->find(file);
   (*hashes_)[file] =
       found != nullptr ? std::optional<std::uint64_t>(content_hash(found->text + found->problem)) : std::nullopt;
   if (found == nullptr) {
     const std::size_t slash = file.rfind('/');
     const std::string folder = file.substr(0, slash == std::string::npos ? 0 : slash);
-    const std::string hint = did_you_mean(file, texts_.in_folder(folder));
-    throw ScriptError({file, 0, "there is no such script below " + texts_.root() + hint, {}});
+    const std::string hint = did_you_mean(file, texts_->in_folder(folder));
+    throw ScriptError({file, 0, "there is no such script below " + texts_->root() + hint, {}});
   }
   if (!found->problem.empty()) throw ScriptError({file, 0, found->problem, {}});
+  sources_.apply({file, *found});
   return found->text;
 }
 
 const SourceLocations& Script::places_of(const std::string& file) {
   const auto known = places_.find(file);
   if (known != places_.end()) return known->second;
-  const ScriptText* const text = texts_.find(file);
+  const ScriptText* const text = texts_->find(file);
   return places_.emplace(file, SourceLocations(text == nullptr ? std::string_view() : text->text)).first->second;
 }
 

@@ -28,7 +28,7 @@ using BundleHashes = std::map<std::string, std::optional<std::uint64_t>>;
 class Script : public MachineCallbacks {
  public:
   /// Reads, compiles, runs the declarations and validates them. Throws ScriptError. `hashes` gets every file that was
-  /// looked at, also on failure. All references but `hashes` must outlive the script.
+  /// looked at, also on failure. All references but `texts` and `hashes` must outlive the script.
   Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
          const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes);
   Script(const Script&) = delete;
@@ -38,7 +38,11 @@ class Script : public MachineCallbacks {
   /// Gives all names of the machines their numbers.
   void intern(Names& names);
   std::vector<ParameterDeclaration> parameters() const;
+  Sandbox& sandbox() { return sandbox_; }
   const Sandbox& sandbox() const { return sandbox_; }
+  const ScriptLimits& limits() const { return limits_; }
+  /// The files that it was made of, as they were.
+  const ScriptTexts& sources() const { return sources_; }
   /// The fields of each module that it requires and that is a table.
   std::map<std::string, std::set<std::string>> module_fields() const;
 
@@ -67,7 +71,8 @@ class Script : public MachineCallbacks {
   void add_globals(const MachineDirectory& directory);
   void push_function(int function);
 
-  const ScriptTexts& texts_;
+  const ScriptTexts* texts_;  ///< while it is loaded
+  ScriptTexts sources_;
   ScriptLanguage& language_;
   ScriptLimits limits_;
   const ParameterRegistry& registry_;

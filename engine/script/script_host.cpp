@@ -6,32 +6,9 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/script_error.h"
+#include "engine/script/script_slot.h"
 
 namespace reorient {
-
-/// One script's place: its present version, the last good one, and what the engine keeps for it.
-struct ScriptHost::Slot {
-  struct Running {
-    Machine machine;
-    std::string_view seen_state;  ///< as the frame began
-    double seen_entered_at = 0.0;
-  };
-
-  std::string file;
-  std::unique_ptr<Script> script;
-  std::unique_ptr<Script> last_good;  ///< while the present version is on trial_time
-  BundleHashes read;                  ///< the files as they were last read, accepted or not
-  std::vector<Running> machines;
-  double swapped_at = 0.0;
-  int recent_errors = 0;
-  int errors = 0;
-  double last_error_at = 0.0;
-  std::string last_error;
-  bool stopped = false;
-  std::int64_t frames = 0;
-  std::int64_t instructions_before = 0;
-  double microseconds = 0.0;
-};
 
 ScriptHost::ScriptHost(ScriptTexts texts, ScriptLanguage& language, ParameterRegistry& parameters,
                        const ScriptLimits& limits, const MachineDirectory* directory)
@@ -44,7 +21,7 @@ ScriptHost::ScriptHost(ScriptTexts texts, ScriptLanguage& language, ParameterReg
 ScriptHost::~ScriptHost() = default;
 
 void ScriptHost::load(const std::string& name) {
-  auto slot = std::make_unique<Slot>();
+  auto slot = std::make_unique<ScriptSlot>();
   slot->file = script_file(language_.folder(), name);
   for (const auto& other : slots_) {
     if (other->file == slot->file) return;
@@ -62,16 +39,16 @@ void ScriptHost::load(const std::string& name) {
   slots_.push_back(std::move(slot));
 }
 
-std::unique_ptr<Script> ScriptHost::compile(const Slot& slot, BundleHashes& hashes) const {
+std::unique_ptr<Script> ScriptHost::compile(const ScriptSlot& slot, BundleHashes& hashes) const {
   auto script = std::make_unique<Script>(texts_, slot.file, language_, limits_, parameters_, directory_, hashes);
   refuse_taken_names(slot, *script);
   return script;
 }
 
-void ScriptHost::refuse_taken_names(const Slot& slot, const Script& script) const {
+void ScriptHost::refuse_taken_names(const ScriptSlot& slot, const Script& script) const {
   for (const auto& other : slots_) {
     if (other.get() == &slot) continue;
-    for (const Slot::Running& running : other->machines) {
+    for (const ScriptSlot::Running& running : other->machines) {
       for (const MachineDefinition& machine : script.machines()) {
         if (machine.name != running.machine.definition().name) continue;
         throw ScriptError({machine.file,
@@ -90,7 +67,7 @@ void ScriptHost::refuse_taken_names(const Slot& slot, const Script& script) cons
 
 /// Hands everything that the engine keeps over to another version of the script, which changes places with the present
 /// one. Returns what the user should know.
-std::vector<std::string> ScriptHost::swap_in(Slot& slot, std::unique_ptr<Script>& script) {
+std::vector<std::string> ScriptHost::swap_in(ScriptSlot& slot, std::unique_ptr<Script>& script) {
   std::vector<std::string> warnings = parameters_.declare_for(slot.file, script->parameters());
   if (slot.script) {
     std::vector<std::string> left_out;
@@ -98,10 +75,10 @@ std::vector<std::string> ScriptHost::swap_in(Slot& slot, std::unique_ptr<Script>
     for (const std::string& name : left_out) warnings.push_back("keep: '" + name + "' cannot be kept over a reload");
   }
   script->intern(names_);
-  std::vector<Slot::Running> machines;
+  std::vector<ScriptSlot::Running> machines;
   for (const MachineDefinition& definition : script->machines()) {
     machines.push_back({Machine(definition), {}, 0.0});
-    for (const Slot::Running& before : slot.machines) {
+    for (const ScriptSlot::Running& before : slot.machines) {
       if (before.machine.definition().name != definition.name) continue;
       const std::string warning = machines.back().machine.adopt(before.machine);
       if (!warning.empty()) warnings.push_back(warning);
@@ -117,7 +94,7 @@ std::vector<std::string> ScriptHost::swap_in(Slot& slot, std::unique_ptr<Script>
   return warnings;
 }
 
-ReloadRecord ScriptHost::reload(Slot& slot) {
+ReloadRecord ScriptHost::reload(ScriptSlot& slot) {
   ReloadRecord report{slot.file, false, {}, {}};
   BundleHashes hashes;
   try {
@@ -156,7 +133,7 @@ void ScriptHost::renew_names() {
   for (const auto& slot : slots_) {
     slot->script->intern(names_);
     if (slot->last_good) slot->last_good->intern(names_);
-    for (Slot::Running& running : slot->machines) running.machine.rename(*before, names_);
+    for (ScriptSlot::Running& running : slot->machines) running.machine.rename(*before, names_);
   }
 }
 
@@ -165,7 +142,7 @@ const ScriptOutput& ScriptHost::tick(double time, std::span<const double> world)
   output_.clear();
   language_.actions().begin_frame(output_, time);
   for (const auto& slot : slots_) {
-    for (Slot::Running& running : slot->machines) {
+    for (ScriptSlot::Running& running : slot->machines) {
       running.seen_state = running.machine.state();
       running.seen_entered_at = running.machine.entered_at();
     }
@@ -176,18 +153,18 @@ const ScriptOutput& ScriptHost::tick(double time, std::span<const double> world)
 
 void ScriptHost::append_leases(std::vector<Lease>& leases) const {
   for (const auto& slot : slots_) {
-    for (const Slot::Running& running : slot->machines) running.machine.append_leases(leases);
+    for (const ScriptSlot::Running& running : slot->machines) running.machine.append_leases(leases);
   }
 }
 
-void ScriptHost::tick(Slot& slot, std::span<const double> world) {
+void ScriptHost::tick(ScriptSlot& slot, std::span<const double> world) {
   if (slot.stopped) return;
   const auto begin = std::chrono::steady_clock::now();
   ++slot.frames;
   slot.script->begin_frame(world);
   std::optional<ScriptFault> failure;
   try {
-    for (Slot::Running& running : slot.machines) running.machine.tick(*slot.script, time_, output_.transitions);
+    for (ScriptSlot::Running& running : slot.machines) running.machine.tick(*slot.script, time_, output_.transitions);
   } catch (ScriptError& error) {
     failure = std::move(error.fault);
   }
@@ -200,7 +177,7 @@ void ScriptHost::tick(Slot& slot, std::span<const double> world) {
 }
 
 /// Counts the error; too many in a row end this version: the last good one takes over, or the script is stopped.
-void ScriptHost::note_fault(Slot& slot, ScriptFault fault) {
+void ScriptHost::note_fault(ScriptSlot& slot, ScriptFault fault) {
   if (fault.file.empty()) fault.file = slot.file;  // where memory is lacking, Lua says no place
   if (time_ - slot.last_error_at > limits_.error_window) slot.recent_errors = 0;
   ++slot.errors;
@@ -216,7 +193,7 @@ void ScriptHost::note_fault(Slot& slot, ScriptFault fault) {
     } else {
       record.consequence = FaultRecord::Consequence::stopped;
       slot.stopped = true;
-      for (Slot::Running& running : slot.machines) running.machine.end_leases();
+      for (ScriptSlot::Running& running : slot.machines) running.machine.end_leases();
     }
   }
   output_.faults.push_back(std::move(record));
@@ -224,7 +201,7 @@ void ScriptHost::note_fault(Slot& slot, ScriptFault fault) {
 
 bool ScriptHost::look_up(std::string_view name, MachineSight& sight) const {
   for (const auto& slot : slots_) {
-    for (const Slot::Running& running : slot->machines) {
+    for (const ScriptSlot::Running& running : slot->machines) {
       if (running.machine.definition().name != name) continue;
       sight = {running.seen_state, time_ - running.seen_entered_at};
       return true;
@@ -242,7 +219,7 @@ std::vector<std::string> ScriptHost::machine_names() const {
 std::vector<const MachineDefinition*> ScriptHost::definitions() const {
   std::vector<const MachineDefinition*> all;
   for (const auto& slot : slots_) {
-    for (const Slot::Running& running : slot->machines) all.push_back(&running.machine.definition());
+    for (const ScriptSlot::Running& running : slot->machines) all.push_back(&running.machine.definition());
   }
   return all;
 }
@@ -256,7 +233,7 @@ std::map<std::string, std::set<std::string>> ScriptHost::module_fields() const {
 void ScriptHost::read_status(std::vector<MachineStatus>& all) const {
   all.clear();
   for (const auto& slot : slots_) {
-    for (const Slot::Running& running : slot->machines) {
+    for (const ScriptSlot::Running& running : slot->machines) {
       const Machine& machine = running.machine;
       all.push_back(
           {machine.definition().name_id, machine.state_id(), machine.entered_at(), slot->stopped, slot->errors});
@@ -269,7 +246,7 @@ void ScriptHost::read_costs(std::vector<MachineCost>& all) const {
   for (const auto& slot : slots_) {
     const Sandbox& sandbox = slot->script->sandbox();
     const std::int64_t spent = sandbox.instructions() - slot->instructions_before;
-    for (const Slot::Running& running : slot->machines) {
+    for (const ScriptSlot::Running& running : slot->machines) {
       all.push_back({running.machine.definition().name_id, slot->microseconds,
                      slot->frames > 0 ? spent / slot->frames : 0, sandbox.memory()});
     }
@@ -279,7 +256,7 @@ void ScriptHost::read_costs(std::vector<MachineCost>& all) const {
 void ScriptHost::read_conditions(std::vector<OpenCondition>& all) const {
   all.clear();
   for (const auto& slot : slots_) {
-    for (const Slot::Running& running : slot->machines) running.machine.append_conditions(time_, all);
+    for (const ScriptSlot::Running& running : slot->machines) running.machine.append_conditions(time_, all);
   }
 }
 

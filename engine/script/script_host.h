@@ -41,6 +41,8 @@ void fields(Visit&& visit, MachineCost& cost) {
   visit(cost.machine, cost.microseconds, cost.instructions, cost.memory);
 }
 
+struct ScriptSlot;
+
 class ScriptHost : public MachineDirectory {
  public:
   /// All references must outlive the host; changed limits hold for what is loaded from then on. `directory`: whose
@@ -68,6 +70,12 @@ class ScriptHost : public MachineDirectory {
   const ScriptTexts& texts() const { return texts_; }
   const Names& names() const { return names_; }
 
+  /// All that decides what comes next: texts, machines, what scripts keep, errors, versions to fall back to. What a
+  /// script holds in locals is none of it.
+  void save(ByteWriter& out) const;
+  /// Into a host without scripts, whose parameters have been restored. Throws BadBytes.
+  void restore(ByteReader& in);
+
   // Into lists that keep their memory.
   void read_status(std::vector<MachineStatus>& all) const;
   void read_costs(std::vector<MachineCost>& all) const;
@@ -82,15 +90,15 @@ class ScriptHost : public MachineDirectory {
   std::vector<std::string> machine_names() const override;
 
  private:
-  struct Slot;
-
-  std::unique_ptr<Script> compile(const Slot& slot, BundleHashes& hashes) const;
-  void refuse_taken_names(const Slot& slot, const Script& script) const;
-  std::vector<std::string> swap_in(Slot& slot, std::unique_ptr<Script>& script);
-  ReloadRecord reload(Slot& slot);
-  void tick(Slot& slot, std::span<const double> world);
-  void note_fault(Slot& slot, ScriptFault fault);
+  std::unique_ptr<Script> compile(const ScriptSlot& slot, BundleHashes& hashes) const;
+  void refuse_taken_names(const ScriptSlot& slot, const Script& script) const;
+  std::vector<std::string> swap_in(ScriptSlot& slot, std::unique_ptr<Script>& script);
+  ReloadRecord reload(ScriptSlot& slot);
+  void tick(ScriptSlot& slot, std::span<const double> world);
+  void note_fault(ScriptSlot& slot, ScriptFault fault);
   void renew_names();
+  void restore(ScriptSlot& slot, ByteReader& in);
+  std::unique_ptr<Script> restored_script(const ScriptSlot& slot, ByteReader& in);
 
   ScriptTexts texts_;
   ScriptLanguage& language_;
@@ -98,7 +106,7 @@ class ScriptHost : public MachineDirectory {
   const ScriptLimits& limits_;
   const MachineDirectory& directory_;
   Names names_;
-  std::vector<std::unique_ptr<Slot>> slots_;
+  std::vector<std::unique_ptr<ScriptSlot>> slots_;
   ScriptOutput output_;
   double time_ = 0.0;
 };

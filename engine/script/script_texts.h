@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/bytes.h"
+
 namespace reorient {
 
 /// Bytes. Lua's parser takes a quadratic time for some texts (thousands of `goto`s), and a reload happens within a
@@ -58,6 +60,9 @@ class ScriptTexts {
   template <typename Archive>
   void archive(Archive& archive) {
     archive(root_, files_);
+    if constexpr (Archive::kReads) {
+      for (const auto& [file, text] : files_) check_bytes(text.text.size() <= kLargestScript, "a script is too long");
+    }
   }
 
  private:

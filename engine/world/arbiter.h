@@ -46,6 +46,9 @@ class Arbiter {
   const Arbitration& arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                const World& world);
 
+  /// The latest one; before the first everything is allowed to happen.
+  const Arbitration& last() const { return result_; }
+
   template <typename Archive>
   void archive(Archive& archive) {
     archive(granted_at_, held_, result_.train, result_.evaluate);

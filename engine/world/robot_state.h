@@ -40,6 +40,11 @@ class RobotState {
   /// The soles are on the ground, so the camera's pose can be computed from them.
   bool upright() const { return !fallen_ && !carried_; }
 
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(fallen_, carried_, changing_for_);
+  }
+
  private:
   bool fallen_ = false;
   bool carried_ = false;

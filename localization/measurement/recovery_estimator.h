@@ -21,6 +21,11 @@ class RecoveryEstimator {
   /// first frame.
   double recovery_probability(double margin) const;
 
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(age_, slow_, fast_);
+  }
+
  private:
   double age_ = 0.0;  ///< s
   double slow_ = 0.0;

@@ -22,6 +22,19 @@ void ParticleSet::set_rotation(std::size_t index, BinaryAngle angle) {
   sine[index] = reorient::sine(angle);
 }
 
+/// After reading: throws BadBytes where these are no particles.
+void ParticleSet::complete() {
+  check_bytes(!x.empty() && y.size() == x.size() && rotation.size() == x.size() && weight.size() == x.size(),
+              "the pose particles are incomplete");
+  cosine.resize(x.size());
+  sine.resize(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    check_bytes(std::isfinite(x[i]) && std::isfinite(y[i]) && std::isfinite(weight[i]) && weight[i] >= 0.0f,
+                "a pose particle is nowhere");
+    set_rotation(i, rotation[i]);
+  }
+}
+
 void normalize_weights(ParticleSet& particles) {
   double sum = 0.0;
   for (const float weight : particles.weight) sum += weight;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/bytes.h"
 #include "geometry/pose2.h"
 #include "geometry/random.h"
 #include "localization/particles/binary_angle.h"
@@ -27,6 +28,15 @@ struct ParticleSet {
   Pose2 pose(std::size_t index) const { return {x[index], y[index], to_radians(rotation[index])}; }
   void set_pose(std::size_t index, const Pose2& pose);
   void set_rotation(std::size_t index, BinaryAngle angle);
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(x, y, rotation, weight);
+    if constexpr (Archive::kReads) complete();
+  }
+
+ private:
+  void complete();
 };
 
 /// Roughly normal with mean 0 and standard deviation 1, within +-3.5: the sum of four 16-bit uniform numbers (Irwin and

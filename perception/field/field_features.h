@@ -34,6 +34,12 @@ class FieldFeatures {
 
   const CarpetColor& carpet_color() const { return carpet_color_; }
 
+  /// What was learned from the images so far. Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(carpet_color_);
+  }
+
  private:
   CarpetColor carpet_color_;
   CarpetMap carpet_map_;

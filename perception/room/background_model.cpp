@@ -1,7 +1,10 @@
 #include "perception/room/background_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "geometry/bytes.h"
 
 namespace reorient {
 
@@ -14,6 +17,18 @@ MovingAverage updated(const MovingAverage& last, double n, double measured) {
 }
 
 void BackgroundModel::forget(int tiles) { tiles_.assign(static_cast<std::size_t>(tiles), TileModel{}); }
+
+/// After reading.
+void BackgroundModel::check(std::size_t tiles) const {
+  check_bytes(tiles_.size() == tiles, "the model of a wall with another number of tiles");
+  const auto is_share = [](float value) { return value >= 0.0f && value <= 1.0f; };
+  for (const TileModel& tile : tiles_) {
+    check_bytes(std::all_of(tile.mean.begin(), tile.mean.end(), is_share) &&
+                    std::all_of(tile.variance.begin(), tile.variance.end(), is_share) && tile.visits >= 0 &&
+                    std::isfinite(tile.trained),
+                "a tile of the model is none");
+  }
+}
 
 void BackgroundModel::train(int tile, const ColorHistogram& measured, const TrainingStep& how) {
   TileModel& model = tiles_[static_cast<std::size_t>(tile)];

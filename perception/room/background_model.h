@@ -58,9 +58,19 @@ class BackgroundModel {
   void train(int tile, const ColorHistogram& measured, const TrainingStep& how);
 
   std::span<const TileModel> tiles() const { return tiles_; }
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const std::size_t tiles = tiles_.size();
+    archive(tiles_);
+    if constexpr (Archive::kReads) check(tiles);
+  }
   const TileModel& operator[](int tile) const { return tiles_[static_cast<std::size_t>(tile)]; }
 
  private:
+  void check(std::size_t tiles) const;
+
   std::vector<TileModel> tiles_;
 };
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
+#include "geometry/bytes.h"
 #include "geometry/transform.h"
 
 namespace reorient {
@@ -16,13 +16,6 @@ constexpr double kLongestStep = 0.2;       // s; a longer gap is not time in whi
 bool same(const ColorParameters& a, const ColorParameters& b) {
   return a.dark_below == b.dark_below && a.bright_above == b.bright_above && a.grey_within == b.grey_within &&
          a.blur == b.blur;
-}
-
-template <typename Value>
-void append(std::vector<std::uint8_t>& bytes, const Value& value) {
-  static_assert(std::is_arithmetic_v<Value>, "anything else may contain padding");
-  const auto* first = reinterpret_cast<const std::uint8_t*>(&value);
-  bytes.insert(bytes.end(), first, first + sizeof(Value));
 }
 
 }  // namespace
@@ -156,20 +149,14 @@ void RoomAwareness::set_parameters(const RoomParameters& parameters) {
   if (!particles_hold) filter_.spread(parameters_.view_filter.particles);
 }
 
-void RoomAwareness::append_state(std::vector<std::uint8_t>& bytes) const {
-  for (const TileModel& tile : model_.tiles()) {
-    for (const float mean : tile.mean) append(bytes, mean);
-    for (const float variance : tile.variance) append(bytes, variance);
-    append(bytes, tile.visits);
-  }
-  for (const ViewParticle& particle : filter_.particles()) append(bytes, particle.azimuth);
-  for (const double value :
-       {confidences_.current, confidences_.opposite, confidences_.raw_current, confidences_.raw_opposite,
-        confidences_.goal_opponent, confidences_.goal_own, confidences_.coverage, confidences_.distinctiveness,
-        confidences_.evidence, light_.light().luma, light_.light().cb, light_.light().cr}) {
-    append(bytes, value);
-  }
-  append(bytes, confidences_.visible_tiles);
+/// After reading.
+void RoomAwareness::complete() {
+  for (const std::optional<double>& value : {last_time_, last_direction_, view_center_})
+    check_bytes(!value || std::isfinite(*value), "a time or an angle is not a number");
+  for (const double value : {confidences_.current, confidences_.opposite, confidences_.evidence})
+    check_bytes(std::isfinite(value), "a confidence is not a number");
+  perceived_.clear();
+  scores_.clear();
 }
 
 }  // namespace reorient

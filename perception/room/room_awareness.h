@@ -95,10 +95,16 @@ class RoomAwareness {
   /// Where on the wall the belief says that the camera looked in the last frame, rad; nothing if nowhere.
   std::optional<double> center_of_view() const { return view_center_; }
 
-  /// Appends the bytes of everything that decides what comes next: model, particles, confidences, light.
-  void append_state(std::vector<std::uint8_t>& bytes) const;
+  /// All that decides what comes next: model, particles, confidences, light, random numbers; parameters are as they
+  /// are. Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(light_, model_, filter_, confidences_, last_time_, last_direction_, view_center_);
+    if constexpr (Archive::kReads) complete();
+  }
 
  private:
+  void complete();
   double seconds_since_last(double time);  // 0 where time does not go on
   void perceive(const RoomObservation& view, double elapsed);
   void train(double step);

@@ -21,8 +21,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 PoseFilter spl_filter(std::uint64_t seed = 1) { return {PoseFilterParameters(), FieldDimensions(), seed}; }
 
 std::vector<float> state_of(const PoseFilter& filter) {
+  const ParticleSet& particles = filter.particles();
   std::vector<float> values;
-  filter.append_state(values);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    values.insert(values.end(), {particles.x[i], particles.y[i],
+                                 static_cast<float>(to_radians(particles.rotation[i])), particles.weight[i]});
+  }
   return values;
 }
 

@@ -5,7 +5,6 @@
 namespace reorient {
 namespace {
 
-constexpr int kDeepest = 16;
 constexpr std::size_t kBytesPerValue = 64;  // about what Lua needs for one, or for an empty table
 constexpr std::size_t kMostNames = 20;      // of what was left out
 
@@ -59,7 +58,7 @@ struct Reader {
     // Also a text that stands in many places is paid for in each: what is kept are copies.
     if (!pay(length_of(L, -1) + length_of(L, -2))) return false;
     if (lua_type(L, -1) == LUA_TTABLE) {
-      if (depth >= kDeepest) return false;
+      if (depth >= KeptValue::kDeepest) return false;
       kept.value = table(-1, depth + 1);
       return true;
     }

@@ -9,6 +9,8 @@
 
 #include <lua.hpp>
 
+#include "geometry/bytes.h"
+
 namespace reorient {
 
 struct KeptValue;
@@ -17,6 +19,15 @@ using KeptTable = std::map<KeptKey, KeptValue>;
 
 struct KeptValue {
   std::variant<bool, lua_Integer, double, std::string, KeptTable> value;
+
+  /// Throws BadBytes where tables lie in each other deeper than read_kept() goes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    if (archive.depth() > kDeepest) throw BadBytes("what a script keeps is too deep");
+    const typename Archive::Level level(archive);
+    archive(value);
+  }
+  static constexpr int kDeepest = 16;
 };
 
 /// The plain values of the table at `index`. What cannot be kept (functions, tables within themselves, more than the

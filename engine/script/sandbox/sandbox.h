@@ -67,6 +67,14 @@ class Sandbox {
   /// The dice of the script.
   Random& random() { return random_; }
 
+  /// What a script's past decides of its future, apart from Lua's own memory: the dice, and what its texts cost.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    std::uint64_t longest_string = longest_string_;
+    archive(random_, longest_string, spent_);
+    longest_string_ = longest_string;
+  }
+
   std::size_t string_length() const { return static_cast<std::size_t>(limits_.string_length); }
   std::size_t memory() const { return memory_; }        ///< bytes held
   std::int64_t instructions() const { return spent_; }  ///< since the beginning, in steps of a hundred

@@ -16,6 +16,12 @@ struct ScriptLimits {
 inline constexpr ScriptLimits kDefaultLimits{};
 
 template <typename Visit>
+void fields(Visit&& visit, ScriptLimits& limits) {
+  visit(limits.instructions_per_frame, limits.instructions_per_load, limits.max_memory, limits.string_length,
+        limits.max_errors, limits.error_window, limits.trial_time);
+}
+
+template <typename Visit>
 void describe(ScriptLimits& limits, Visit&& visit) {
   visit("instructions_per_frame", limits.instructions_per_frame, 1000, 100'000'000, "",
         "how many Lua instructions a script may run in one frame");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "geometry/bytes.h"
 #include "geometry/pinned_math.h"
 
 namespace reorient {
@@ -112,6 +113,16 @@ void CarpetColor::blend(double b, double r) {
   mix(luma_, sum_y);
   mix(noise_, sum_difference);
   known_ = true;
+}
+
+/// After reading.
+void CarpetColor::complete() {
+  constexpr double kMostChroma = 128.0;
+  constexpr double kMostLuma = 255.0;
+  check_bytes(std::abs(b_) <= kMostChroma && std::abs(r_) <= kMostChroma && luma_ >= 0.0 && luma_ <= kMostLuma &&
+                  noise_ >= 0.0 && noise_ <= kMostLuma,
+              "the colour of the carpet is none");
+  if (known_) prepare_thresholds();
 }
 
 void CarpetColor::prepare_thresholds() {

@@ -48,6 +48,13 @@ class CarpetColor {
   /// Mean difference of luma between pixels two rows apart on plain carpet: texture and sensor noise.
   double noise() const { return noise_; }
 
+  /// What was learned. Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(known_, b_, r_, luma_, noise_);
+    if constexpr (Archive::kReads) complete();
+  }
+
  private:
   struct Sample {
     int y, b, r;     ///< chroma without its offset of 128
@@ -57,6 +64,7 @@ class CarpetColor {
   bool find_green(double& b, double& r) const;
   void blend(double b, double r);
   void prepare_thresholds();
+  void complete();
 
   FieldFeatureParameters parameters_;
   std::vector<Sample> samples_;

@@ -58,12 +58,26 @@ class LightAdaptation {
   /// Neutral as long as nothing was seen.
   const Light& light() const { return light_; }
 
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const std::size_t tiles = tiles_.size();
+    archive(light_, tiles_, unseen_);
+    if constexpr (Archive::kReads) check(tiles);
+  }
+
  private:
   struct SeenTile {
     Light light;
     double unseen = 0.0;  // s since it was in view
     bool known = false;
   };
+  template <typename Visit>
+  friend void fields(Visit&& visit, SeenTile& tile) {
+    visit(tile.light, tile.unseen, tile.known);
+  }
+
+  void check(std::size_t tiles) const;
 
   void forget_tiles();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/bytes.h"
 #include "geometry/pinned_math.h"
 
 namespace reorient {
@@ -43,6 +44,13 @@ void ViewFilter::spread(int particles) {
     particles_[i] = {normalize_angle((static_cast<double>(i) + random_.uniform()) * width),
                      1.0 / static_cast<double>(count)};
   }
+}
+
+/// After reading.
+void ViewFilter::check(std::size_t count) const {
+  check_bytes(particles_.size() == count && clusters_.size() <= count, "another number of view particles");
+  for (const ViewParticle& particle : particles_)
+    check_bytes(std::abs(particle.azimuth) <= kPi && std::isfinite(particle.weight), "a view particle looks nowhere");
 }
 
 void ViewFilter::predict(double motion, double step, const ViewFilterParameters& parameters) {

@@ -78,7 +78,16 @@ class ViewFilter {
   std::span<const ViewCluster> clusters() const { return clusters_; }
   void find_clusters();
 
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const std::size_t count = particles_.size();
+    archive(random_, particles_, clusters_);
+    if constexpr (Archive::kReads) check(count);
+  }
+
  private:
+  void check(std::size_t count) const;
   void resample();
   void inject(double azimuth, double half_width, double expected);
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/bytes.h"
 #include "tests/perception/room/painted_room.h"
 
 namespace reorient {
@@ -205,8 +206,9 @@ TEST(RoomAwareness, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
     ScanningRobot robot(PaintedRoom::colorful(1), RoomParameters{}, 1);
     robot.awareness = RoomAwareness(RoomParameters{}, seed);
     robot.run(3.0);
-    std::vector<std::uint8_t> bytes;
-    robot.awareness.append_state(bytes);
+    std::vector<std::byte> bytes;
+    ByteWriter writer(bytes);
+    writer(robot.awareness);
     return bytes;
   };
   EXPECT_EQ(state(11), state(11));

@@ -1,0 +1,49 @@
+// The state between two frames as bytes.
+#include "engine/frame.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::uint64_t kMagic = 0x3165746174537252ull;  // "RrState1": another layout gets another number
+
+/// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
+FrameSetup read_setup(ByteReader& in) {
+  std::uint64_t magic = 0;
+  in(magic);
+  check_bytes(magic == kMagic, "this is no saved state of this version of the program");
+  FrameSetup setup;
+  in(setup.field, setup.room_awareness, setup.parameters);
+  return setup;
+}
+
+}  // namespace
+
+template <typename Archive>
+void FrameLoop::archive(Archive& archive) {
+  archive(field_features_, pose_filter_, arbiter_, state_, world_, last_odometry_);
+  if (room_) archive(*room_);
+}
+
+void FrameLoop::save(std::vector<std::byte>& state) const {
+  ByteWriter out(state);
+  out(kMagic, world_.field, room_.has_value(), registry_.overrides());
+  const_cast<FrameLoop*>(this)->archive(out);  // a writer only looks
+  behaviors_.host().save(out);
+}
+
+FrameLoop::FrameLoop(ByteReader&& state) : FrameLoop(read_setup(state)) {
+  archive(state);
+  behaviors_.host().restore(state);
+  state.finish();
+  check_bytes(std::isfinite(world_.time) && world_.time_step >= 0.0, "a time is not a time");
+  record_.names = behaviors_.host().names().table();
+}
+
+FrameLoop::FrameLoop(std::span<const std::byte> state) try : FrameLoop(ByteReader(state)) {
+} catch (const BadBytes&) {
+  throw;
+} catch (const std::exception& error) {  // what a setup is refused with
+  throw BadBytes(error.what());
+}
+
+}  // namespace reorient

@@ -1,0 +1,34 @@
+// A frame's inputs as bytes, and back: with them and the state before, anybody can make the same frame again.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/frame_inputs.h"
+
+namespace reorient {
+
+/// Appends all of it, pixels included.
+void write_inputs(const FrameInputs& inputs, std::vector<std::byte>& bytes);
+
+/// Inputs with memory of their own.
+class StoredInputs {
+ public:
+  /// Throws BadBytes where the bytes are none, or of another version.
+  explicit StoredInputs(std::span<const std::byte> bytes);
+  StoredInputs(const StoredInputs&) = delete;
+  StoredInputs& operator=(const StoredInputs&) = delete;
+
+  const FrameInputs& inputs() const { return inputs_; }
+
+ private:
+  FrameInputs inputs_;
+  std::array<std::vector<std::uint8_t>, 2> images_;
+  std::vector<BodySample> body_samples_;
+  std::vector<ExternalBelief::Particle> particles_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,39 @@
+// A script's place in the host.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/script/machine/machine.h"
+#include "engine/script/script.h"
+
+namespace reorient {
+
+/// One script's place: its present version, the last good one, and what the engine keeps for it.
+struct ScriptSlot {
+  struct Running {
+    Machine machine;
+    std::string_view seen_state;  ///< as the frame began
+    double seen_entered_at = 0.0;
+  };
+
+  std::string file;
+  std::unique_ptr<Script> script;
+  std::unique_ptr<Script> last_good;  ///< while the present version is on trial_time
+  BundleHashes read;                  ///< the files as they were last read, accepted or not
+  std::vector<Running> machines;
+  double swapped_at = 0.0;
+  int recent_errors = 0;
+  int errors = 0;
+  double last_error_at = 0.0;
+  std::string last_error;
+  bool stopped = false;
+  std::int64_t frames = 0;
+  std::int64_t instructions_before = 0;
+  double microseconds = 0.0;
+};
+
+}  // namespace reorient

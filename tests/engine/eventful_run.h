@@ -1,0 +1,78 @@
+// The inputs of a run on the simulator with the shipped behaviours in which much happens: carried away, fallen,
+// penalized, tuned, edited, told. Stored as bytes, so that many loops can be fed the same.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "engine/frame.h"
+#include "engine/record/input_bytes.h"
+#include "robots/simulator/simulator.h"
+#include "workbench/files/script_files.h"
+
+namespace reorient {
+
+using Bytes = std::vector<std::byte>;
+
+inline const std::filesystem::path kShippedScripts = std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts";
+
+/// A behaviour that keeps something, rolls dice and fails now and then.
+inline constexpr const char* kRestless = R"(local memory = keep { count = 0, seen = {} }
+behavior "restless" { initial = "turning",
+  update = function()
+    memory.count = memory.count + 1
+    memory.seen[1 + memory.count % 7] = math.random(100)
+    if memory.count % 40 == 0 then error("now and then") end
+    if memory.count % 15 == 0 then log.info(memory.count .. " " .. math.random(6) .. " " .. #memory.seen) end
+  end,
+  state "resting" { { "turning", after = 0.1 } },
+  state "turning" { initial = "one", history = true, { "resting", after = 1.7 },
+  state "one" { enter = function() command.pause_evaluation() end, { "two", after = 0.4 } },
+  state "two" { enter = command.flip_pose, { "one", when = function() return math.random() < 0.05 end, lasting = 0.0, because = "by chance" } } },
+})";
+
+inline FrameSetup eventful_setup() {
+  FrameSetup setup;
+  setup.seed = 5;
+  setup.scripts = read_scripts(kShippedScripts);
+  setup.scripts.apply({"behaviors/restless.lua", ScriptText{kRestless, ""}});
+  setup.behaviors = {"orientation", "background_training", "head_scan", "stand_up", "kidnap_recovery", "restless"};
+  // So that much happens within a few seconds.
+  setup.parameters = {{"background_training.evaluate_at", "0.1", ParameterOrigin::file, "here:1"}};
+  return setup;
+}
+
+/// One element for each frame.
+inline std::vector<Bytes> eventful_run(int frames, FrameSetup setup = eventful_setup()) {
+  SimulatorParameters parameters;
+  parameters.image = ImageSize::qqvga_160x120;
+  const Pose2 start(-2.0, 1.0, 0.5);
+  Simulator simulator(parameters, setup.field, procedural_hall(1, {}), start, 5);
+  const ScriptText orientation = *setup.scripts.find("behaviors/orientation.lua");
+  FrameLoop engine(std::move(setup));
+  std::vector<Bytes> run;
+  for (int i = 0; i < frames; ++i) {
+    FrameInputs inputs;
+    const int event = i % 240;
+    if (i == 0) inputs.told.initial_pose = InitialPose{start};
+    if (event == 60) simulator.pick_up();
+    if (event == 80) simulator.put_down(reflect(simulator.ground_truth().pose));
+    if (event == 100) inputs.parameter_changes.push_back({"pose_filter.particles", "150", ParameterOrigin::live, ""});
+    if (event == 105) inputs.parameter_changes.push_back({"orientation.nothing", "1", ParameterOrigin::live, ""});
+    if (event == 110)
+      inputs.script_edits.push_back({"behaviors/orientation.lua", ScriptText{orientation.text + "\n-- edited", ""}});
+    if (event == 115) inputs.script_edits.push_back({"behaviors/head_scan.lua", ScriptText{"broken(", ""}});
+    if (event == 125) simulator.push_over();
+    if (event == 150) inputs.told.messages.push_back({3, "I see the ball"});
+    if (event == 155) simulator.penalize(true);
+    if (event == 170) simulator.penalize(false);
+    if (event == 200) inputs.told.initial_pose = InitialPose{simulator.ground_truth().pose};
+    simulator.observe(inputs.observation);
+    write_inputs(inputs, run.emplace_back());
+    simulator.answer(engine.step(inputs).answer);
+  }
+  return run;
+}
+
+}  // namespace reorient
