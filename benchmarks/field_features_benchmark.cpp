@@ -21,7 +21,7 @@ void field_features(benchmark::State& state) {
   const CameraFrame& camera = observation.upper.value();
   FieldFeatures features({}, field);
   FieldPercept percept;
-  for (auto _ : state) features.find(camera.image, camera.camera, camera.robot_from_camera, percept);
+  for ([[maybe_unused]] auto _ : state) features.find(camera.image, camera.camera, camera.robot_from_camera, percept);
   state.counters["line_points"] = static_cast<double>(percept.line_points.size());
   state.SetLabel(std::to_string(camera.image.width) + "x" + std::to_string(camera.image.height));
 }

@@ -100,7 +100,7 @@ void frame(benchmark::State& state) {
   auto& session = sessions.at(static_cast<std::size_t>(state.range(0)));
   if (!session) session = std::make_unique<Session>(static_cast<ImageSize>(state.range(0)));
   double evaluated = 0.0, trained = 0.0, line_points = 0.0, tiles = 0.0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const World& world = session->step().world;
     evaluated += world.evaluating;
     trained += world.training;

@@ -49,7 +49,7 @@ void count_tiles(benchmark::State& state, const Count& count) {
   const auto row_step = static_cast<int>(state.range(0));
   std::vector<ColorCounts> tiles(kTileColumns * kTileRows);
   constexpr int kBand = 8;  // rows, as the perceived tiles come
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (ColorCounts& tile : tiles) tile.fill(0);
     for (int top = 0; top < kHeight; top += kBand) {
       for (int column = 0; column < kTileColumns; ++column) {
@@ -67,7 +67,7 @@ void ReadBytesOnce(benchmark::State& state) {
   const Image image = room_like_image();
   const auto* words = reinterpret_cast<const std::uint64_t*>(image.bytes().data());
   const std::size_t count = image.bytes().size() / sizeof(std::uint64_t);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) sum += words[i];
     benchmark::DoNotOptimize(sum);
@@ -94,7 +94,7 @@ void OpenCvCvtColorCalcHist(benchmark::State& state) {
   const int bins[] = {3, 2, 2};
   const float range[] = {0.0f, 256.0f};
   const float* ranges[] = {range, range, range};
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     cv::cvtColor(yuyv, bgr, cv::COLOR_YUV2BGR_YUYV);
     cv::cvtColor(bgr, ycrcb, cv::COLOR_BGR2YCrCb);
     cv::calcHist(&ycrcb, 1, channels, cv::Mat(), histogram, 3, bins, ranges);
@@ -114,7 +114,7 @@ void OpenCvCvtColorBgrCalcHist(benchmark::State& state) {
   const int bins[] = {3, 3, 3};
   const float range[] = {0.0f, 256.0f};
   const float* ranges[] = {range, range, range};
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     cv::cvtColor(yuyv, bgr, cv::COLOR_YUV2BGR_YUYV);
     cv::calcHist(&bgr, 1, channels, cv::Mat(), histogram, 3, bins, ranges);
     benchmark::DoNotOptimize(histogram.data);

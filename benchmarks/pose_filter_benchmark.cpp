@@ -47,7 +47,7 @@ void predict_reweight_resample(benchmark::State& state) {
   measurement.observe(percept_from(robot, 0));
   std::vector<float> costs(count);
   const Eigen::Vector2d half_size = believable_half_size(FieldDimensions());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     predict(particles, Pose2(), kFrame, MotionModelParameters(), half_size, random);
     measurement.costs(particles, costs);
     for (std::size_t i = 0; i < count; ++i) particles.weight[i] *= std::exp(-costs[i]);
@@ -65,7 +65,7 @@ void predict_only(benchmark::State& state) {
   ParticleSet particles(200);
   Random random(1);
   const Eigen::Vector2d half_size = believable_half_size(FieldDimensions());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     predict(particles, Pose2(), kFrame, MotionModelParameters(), half_size, random);
     benchmark::DoNotOptimize(particles.x.data());
   }
@@ -78,7 +78,7 @@ void reweight_only(benchmark::State& state) {
   MeasurementModel measurement{FieldDimensions(), MeasurementModelParameters()};
   measurement.observe(percept_from(Pose2(), static_cast<int>(state.range(0))));
   std::vector<float> costs(200);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     measurement.costs(particles, costs);
     benchmark::DoNotOptimize(costs.data());
   }
@@ -90,7 +90,7 @@ void resample_only(benchmark::State& state) {
   const ParticleSet particles(200);
   ParticleSet scratch(200);
   Random random(1);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     resample_systematic(particles, scratch, random.uniform());
     benchmark::DoNotOptimize(scratch.x.data());
   }
@@ -106,7 +106,7 @@ void pose_filter_frame(benchmark::State& state, SeenGoal seen_goal) {
   const Pose2 robot(1.5, 0.3, 0.1);
   filter.set_initial_pose(robot, 0.1, 0.05);
   const FieldPercept percept = percept_from(robot, 40);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     filter.predict(Pose2(), kFrame);
     filter.update(percept, seen_goal);
     benchmark::DoNotOptimize(filter.belief().cluster_weight);
@@ -120,7 +120,7 @@ BENCHMARK_CAPTURE(pose_filter_frame, known_goal, SeenGoal::opponent)->Arg(200);
 void pose_filter_lost_frame(benchmark::State& state) {
   PoseFilter filter(PoseFilterParameters(), FieldDimensions(), 1);
   const FieldPercept percept = percept_from({1.5, 0.3, 0.1}, 40);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     filter.initialize_globally();
     filter.predict(Pose2(), kFrame);
     filter.update(percept, SeenGoal::unknown);
@@ -130,7 +130,7 @@ void pose_filter_lost_frame(benchmark::State& state) {
 BENCHMARK(pose_filter_lost_frame);
 
 void field_map(benchmark::State& state) {
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const FieldMap map{FieldDimensions()};
     benchmark::DoNotOptimize(&map);
   }

@@ -33,7 +33,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr double kFrame = 1.0 / 30.0;  // s
 constexpr const char* kFile = "behaviors/orientation.lua";
-constexpr std::array kBehaviors = {"orientation", "background_training", "head_scan", "stand_up", "penalty_marks"};
+constexpr std::array kBehaviors = {"orientation", "background_training", "head_scan", "get_up", "penalty_marks"};
 
 /// A copy of the shipped scripts that is gone afterwards.
 class CopiedScripts {

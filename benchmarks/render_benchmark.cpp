@@ -16,7 +16,7 @@ void simulate(benchmark::State& state, bool labels) {
   Simulator simulator(parameters, FieldDimensions{}, hall, Pose2(-3.2, -3.5, 0.5 * kPi), 1);
   Observation observation;
   int frame = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     Answer answer;  // looks to and fro over the field, as a scanning robot does
     answer.request.head = HeadRequest{{1.2 * std::sin(0.03 * frame++), 0.1}, 3.0};
     simulator.answer(answer);
@@ -30,7 +30,8 @@ void simulated_frame(benchmark::State& state) { simulate(state, false); }
 void simulated_frame_with_labels(benchmark::State& state) { simulate(state, true); }
 
 void procedural_hall_made(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(procedural_hall(1, RoomShape{}).walls.texels_per_meter());
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(procedural_hall(1, RoomShape{}).walls.texels_per_meter());
 }
 
 // 0: 640x480, 1: 320x240, 2: 160x120.

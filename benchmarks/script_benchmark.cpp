@@ -38,7 +38,7 @@ void BM_FrameOfAllShippedBehaviours(benchmark::State& state) {
   for (const std::string& file : behaviors.host().texts().in_folder("behaviors")) behaviors.host().load(file);
   World world;
   world.pose_known = true;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     step(world);
     behaviors.tick(world);
     benchmark::DoNotOptimize(behaviors.wanted());
@@ -53,7 +53,7 @@ void BM_CallOfAnEmptyFunction(benchmark::State& state) {
   sandbox.compile("return function() end", "empty");
   sandbox.call(0, 1);
   const int function = luaL_ref(sandbox.state(), LUA_REGISTRYINDEX);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     lua_rawgeti(sandbox.state(), LUA_REGISTRYINDEX, function);
     benchmark::DoNotOptimize(sandbox.call(0, 0));
   }
@@ -69,7 +69,7 @@ void BM_Reload(benchmark::State& state) {
   World world;
   std::vector<ScriptEdit> edits(1);
   int count = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     edits[0] = {"behaviors/orientation.lua", ScriptText{text + "-- " + std::to_string(++count), ""}};
     if (!behaviors.host().apply(edits).at(0).accepted) state.SkipWithError("the edit was rejected");
     step(world);
@@ -87,7 +87,7 @@ void end_runaway(benchmark::State& state, const std::string& body) {
   sandbox.compile("return function() " + body + " end", "runaway");
   sandbox.call(0, 1);
   const int function = luaL_ref(sandbox.state(), LUA_REGISTRYINDEX);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     sandbox.grant(limits.instructions_per_frame);
     lua_rawgeti(sandbox.state(), LUA_REGISTRYINDEX, function);
     if (!sandbox.call(0, 0)) state.SkipWithError("it ended by itself");

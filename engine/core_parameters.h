@@ -3,7 +3,8 @@
 
 #include "engine/world/arbiter.h"
 #include "engine/world/goal_view.h"
-#include "engine/world/robot_state.h"
+#include "engine/world/posture.h"
+#include "engine/world/room_status.h"
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
@@ -13,10 +14,11 @@ namespace reorient {
 class ParameterRegistry;
 
 struct CoreParameters {
-  RobotStateParameters robot_state;
+  PostureParameters posture;
   FieldFeatureParameters field_features;
   PoseFilterParameters pose_filter;
   RoomParameters room;
+  RoomStatusParameters room_status;
   GoalViewParameters goal_view;
   ArbiterParameters arbiter;
 };

@@ -14,7 +14,8 @@
 #include "engine/record/frame_record.h"
 #include "engine/script/behaviors.h"
 #include "engine/world/arbiter.h"
-#include "engine/world/robot_state.h"
+#include "engine/world/external_belief.h"
+#include "engine/world/posture.h"
 #include "engine/world/world.h"
 #include "geometry/bytes.h"
 #include "localization/pose_filter.h"
@@ -64,9 +65,12 @@ class FrameLoop {
   void archive(Archive& archive);
 
   void take_inputs(const FrameInputs& inputs);
-  void measure_state();
+  void feel_body();
   void see_field();
   void localize();
+  bool take_external_belief();
+  void go_on_by_ourselves();
+  void watch_belief(const Pose2& expected);
   void look_at_room();
   void describe_world();
   void decide();
@@ -78,18 +82,26 @@ class FrameLoop {
   void take_parameters(const std::vector<ParameterChange>& changes);
   void take_told(const Told& told);
   void fill_room();
+  void append_poses(std::vector<Pose2>& poses) const;
   Pose2 moved_since(const CameraFrame& frame) const;
+
+  static constexpr std::size_t kUpper = 0, kLower = 1;  ///< in arrays with one element for each camera
 
   ParameterRegistry registry_;
   CoreParameters parameters_;
   ScriptLimits limits_;
-  std::uint64_t revision_;  ///< of the registry, that the modules have
+  std::uint64_t revision_;             ///< of the registry, that the modules have
+  std::uint64_t listed_revision_ = 0;  ///< that the record lists
 
   std::array<FieldFeatures, 2> field_features_;  ///< of the upper and the lower camera
   PoseFilter pose_filter_;
   std::optional<RoomAwareness> room_;
   Arbiter arbiter_;
-  RobotState state_;
+  PostureEstimator posture_;
+  RobotBody robot_;
+  bool asked_to_get_up_ = false;  ///< in the frame before
+  ExternalBeliefReader external_reader_;
+  bool external_belief_ = false;  ///< this frame, or the one before, goes by somebody else's localization
   Behaviors behaviors_;
 
   const Observation* observation_ = nullptr;  ///< while a frame runs

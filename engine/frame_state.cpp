@@ -4,7 +4,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3165746174537252ull;  // "RrState1": another layout gets another number
+constexpr std::uint64_t kMagic = 0x3265746174537252ull;  // "RrState2": another layout gets another number
 
 /// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
 FrameSetup read_setup(ByteReader& in) {
@@ -20,7 +20,8 @@ FrameSetup read_setup(ByteReader& in) {
 
 template <typename Archive>
 void FrameLoop::archive(Archive& archive) {
-  archive(field_features_, pose_filter_, arbiter_, state_, world_, last_odometry_);
+  archive(field_features_, pose_filter_, arbiter_, posture_, robot_, asked_to_get_up_, external_belief_, world_,
+          last_odometry_);
   if (room_) archive(*room_);
 }
 
@@ -36,6 +37,7 @@ FrameLoop::FrameLoop(ByteReader&& state) : FrameLoop(read_setup(state)) {
   behaviors_.host().restore(state);
   state.finish();
   check_bytes(std::isfinite(world_.time) && world_.time_step >= 0.0, "a time is not a time");
+  check_bytes(world_.pose.pose.position.allFinite() && world_.pose.covariance.allFinite(), "a believed pose is none");
   record_.names = behaviors_.host().names().table();
 }
 

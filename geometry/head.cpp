@@ -41,14 +41,15 @@ HeadAngles clamp_to_reach(const HeadAngles& wanted) {
 }
 
 Isometry3 robot_from_camera(const RobotDimensions& dimensions, const HeadAngles& head, const TorsoAttitude& torso,
-                            double hip_height) {
+                            double hip_height, HeadCamera camera) {
+  const bool is_upper = camera == HeadCamera::upper;
   const Eigen::Matrix3d torso_turned = rotation_about_y(torso.pitch) * rotation_about_x(torso.roll);
   const Eigen::Matrix3d head_turned = torso_turned * rotation_about_z(head.yaw) * rotation_about_y(head.pitch);
   Isometry3 result = Isometry3::Identity();
   result.translation() = Eigen::Vector3d(0.0, 0.0, hip_height) +
                          torso_turned * Eigen::Vector3d(0.0, 0.0, dimensions.neck_height) +
-                         head_turned * dimensions.camera_in_head;
-  result.linear() = head_turned * rotation_about_y(dimensions.camera_tilt);
+                         head_turned * (is_upper ? dimensions.camera_in_head : dimensions.lower_camera_in_head);
+  result.linear() = head_turned * rotation_about_y(is_upper ? dimensions.camera_tilt : dimensions.lower_camera_tilt);
   return result;
 }
 

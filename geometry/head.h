@@ -37,11 +37,18 @@ struct RobotDimensions {
   double neck_height = 0.2115;  ///< above the torso's origin
   Eigen::Vector3d camera_in_head{0.05871, 0.0, 0.06364};
   double camera_tilt = 0.0209;  ///< downwards, 1.2 degrees
+  Eigen::Vector3d lower_camera_in_head{0.05071, 0.0, 0.01774};
+  double lower_camera_tilt = 0.6929;  ///< 39.7 degrees
 };
+
+/// Of the two in the head: the upper one looks ahead, the lower one at the feet.
+enum class HeadCamera { upper, lower };
+constexpr int enum_count(HeadCamera) { return 2; }
 
 template <typename Visit>
 void fields(Visit&& visit, RobotDimensions& dimensions) {
-  visit(dimensions.hip_height, dimensions.neck_height, dimensions.camera_in_head, dimensions.camera_tilt);
+  visit(dimensions.hip_height, dimensions.neck_height, dimensions.camera_in_head, dimensions.camera_tilt,
+        dimensions.lower_camera_in_head, dimensions.lower_camera_tilt);
 }
 
 /// What the neck can reach, rad: |yaw| at most 119.5 degrees, the range of the pitch shrinks with |yaw|.
@@ -55,6 +62,6 @@ HeadAngles clamp_to_reach(const HeadAngles& wanted);
 
 /// The camera in the robot frame (origin on the ground below the torso's origin, z against gravity, x forward).
 Isometry3 robot_from_camera(const RobotDimensions& dimensions, const HeadAngles& head, const TorsoAttitude& torso,
-                            double hip_height);
+                            double hip_height, HeadCamera camera = HeadCamera::upper);
 
 }  // namespace reorient

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/pinned_math.h"
+#include "localization/measurement/both_cameras.h"
 #include "localization/reorientation.h"
 
 namespace reorient {
@@ -30,6 +31,7 @@ PoseFilter::PoseFilter(const PoseFilterParameters& parameters, const FieldDimens
       particles_(particle_count(parameters)),
       scratch_(particle_count(parameters)),
       costs_(particle_count(parameters)) {
+  merged_.reserve();
   initialize_globally();
 }
 
@@ -81,6 +83,12 @@ void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal) {
   }
   find_belief();
   if (belief_.cluster_weight > kFoundShare) searching_ = false;
+}
+
+void PoseFilter::update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal) {
+  if (lower.line_points.empty() && lower.goal_posts.empty()) return update(upper, seen_goal);
+  merge(upper, lower, merged_);
+  update(merged_, seen_goal);
 }
 
 void PoseFilter::weigh() {

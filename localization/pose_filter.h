@@ -53,6 +53,8 @@ class PoseFilter {
   /// Weighs and resamples the particles by what was seen, and injects new ones where a goal was seen. What is not
   /// finite in the percept is left out.
   void update(const FieldPercept& percept, SeenGoal seen_goal);
+  /// The same with what two cameras saw; each in the robot's present frame.
+  void update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal);
 
   /// The commands; belief() is up to date when they return.
   void flip_pose();
@@ -93,6 +95,7 @@ class PoseFilter {
   ParticleSet particles_;
   ParticleSet scratch_;
   std::vector<float> costs_;
+  FieldPercept merged_;    ///< of both cameras
   double elapsed_ = 1.0;   ///< s, predicted since the last update
   bool searching_ = true;  ///< started anywhere, and not found yet
   PoseBelief belief_;

@@ -13,13 +13,29 @@ namespace reorient {
 void add_parameter_options(CLI::App& parser, ParameterOptions& options) {
   parser.add_option("--set", options.assignments, "NAME=VALUE: override a parameter; may be given again")
       ->allow_extra_args(false);
-  parser.add_option("--params", options.files, "TOML file with overrides; may be given again")->allow_extra_args(false);
+  parser
+      .add_option("--params", options.files,
+                  "TOML file with overrides, or the name of one in assets/parameters: paper; may be given again")
+      ->allow_extra_args(false);
 }
+
+namespace {
+
+/// "paper" is assets/parameters/paper.toml; everything else is a path.
+std::filesystem::path parameter_file(const std::filesystem::path& named) {
+  const bool is_name = !named.has_parent_path() && !named.has_extension();
+  if (!is_name || std::filesystem::exists(named)) return named;
+  std::filesystem::path preset = find_home() / "assets" / "parameters" / named;
+  preset += ".toml";
+  return std::filesystem::exists(preset) ? preset : named;
+}
+
+}  // namespace
 
 std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
   std::vector<ParameterChange> changes;
   for (const std::filesystem::path& file : options.files) {
-    for (ParameterChange& change : read_parameters(file)) changes.push_back(std::move(change));
+    for (ParameterChange& change : read_parameters(parameter_file(file))) changes.push_back(std::move(change));
   }
   for (const std::string& assignment : options.assignments) {
     const std::size_t equals = assignment.find('=');
@@ -33,6 +49,7 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
 
 void require_known(const std::vector<ParameterChange>& overrides, const std::vector<Parameter>& parameters) {
   std::vector<std::string> names;
+  names.reserve(parameters.size());
   for (const Parameter& parameter : parameters) names.push_back(parameter.name);
   for (const ParameterChange& change : overrides) {
     if (std::find(names.begin(), names.end(), change.name) != names.end()) continue;

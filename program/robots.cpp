@@ -15,6 +15,7 @@ struct SimulatorTuning {
     simulator.image = options.width == 640   ? ImageSize::vga_640x480
                       : options.width == 320 ? ImageSize::qvga_320x240
                                              : ImageSize::qqvga_160x120;
+    simulator.cameras = options.both_cameras ? Cameras::both : Cameras::upper;
     for (const ParameterChange& change : options.parameters) registry.set_early(change);
     registry.bind("simulator", simulator);
     registry.bind("body", simulator.body);

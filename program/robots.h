@@ -19,6 +19,7 @@ struct RobotOptions {
   std::uint64_t hall_seed = 1;  ///< of the procedural hall
   std::uint64_t seed = 1;       ///< of all noise
   int width = 320;              ///< of a camera's image, pixels
+  bool both_cameras = false;    ///< the lower one as well
   std::vector<ParameterChange> parameters;
 };
 

@@ -27,7 +27,7 @@ struct CameraFrame {
 
 /// What the body felt at one instant.
 struct BodySample {
-  double time = 0.0;    ///< s since the robot was switched on
+  double time = 0.0;    ///< s since the robot was switched on; 0: that of the observation
   HeadAngles head;      ///< measured joint angles, rad
   TorsoAttitude torso;  ///< from the inertial unit, rad; beyond a quarter turn: the robot lies
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< of the torso, in its own frame, rad/s
@@ -40,8 +40,8 @@ void fields(Visit&& visit, BodySample& body) {
 }
 
 /// What the robot's own software says of its posture, where it does.
-enum class ReportedPosture { unknown, upright, fallen, getting_up };
-constexpr int enum_count(ReportedPosture) { return 4; }
+enum class ReportedPosture { unknown, upright, falling, fallen, getting_up };
+constexpr int enum_count(ReportedPosture) { return 5; }
 
 /// Which robot it is, as far as the engine has to know. Sent with the first observation and whenever it changes.
 struct RobotBody {
@@ -54,7 +54,9 @@ void fields(Visit&& visit, RobotBody& body) {
   visit(body.name, body.has_foot_sensors, body.standing_load);
 }
 
-/// The belief of a localization that is not ours: then ours rests, and reorientations go out as answers.
+/// The belief of a localization that is not ours: then ours rests, and reorientations go out as answers. Give either a
+/// pose with its spread, or particles: then pose and spread are found among those. One that is not finite counts as
+/// none.
 struct ExternalBelief {
   struct Particle {
     Pose2 pose;

@@ -48,13 +48,14 @@ struct InputRecord {
   int body_samples = 0;  ///< how many more frequent samples of the body were used as well
   ReportedPosture reported_posture = ReportedPosture::unknown;
   bool external_belief = false;
+  std::optional<HeadCamera> room_camera;    ///< through which the room was looked at; nothing: through none
   std::optional<InitialPose> initial_pose;  ///< as it was told
   int messages = 0;
 };
 template <typename Visit>
 void fields(Visit&& visit, InputRecord& in) {
   visit(in.upper, in.lower, in.body, in.odometry, in.body_samples, in.reported_posture, in.external_belief,
-        in.initial_pose, in.messages);
+        in.room_camera, in.initial_pose, in.messages);
 }
 
 /// A granted reorientation: the paper's Fig. 6.
@@ -125,6 +126,15 @@ void fields(Visit&& visit, CostsRecord& costs) {
   visit(costs.seconds, costs.machines);
 }
 
+struct PostureChange {
+  Posture from = Posture::upright;
+  Posture to = Posture::upright;
+};
+template <typename Visit>
+void fields(Visit&& visit, PostureChange& change) {
+  visit(change.from, change.to);
+}
+
 struct FrameRecord {
   Topics filled = Topics::always();
   std::shared_ptr<const NameTable> names = std::make_shared<NameTable>();  ///< what all NameIds stand for
@@ -135,6 +145,7 @@ struct FrameRecord {
 
   std::vector<MachineStatus> machines;  ///< in the order of loading
   std::vector<TransitionRecord> transitions;
+  std::vector<NameId> published;  ///< by the active states
 
   std::vector<CommandRecord> commands;
   std::vector<Lease> leases;  ///< all that are held
@@ -143,6 +154,7 @@ struct FrameRecord {
 
   Answer answer;
 
+  std::optional<PostureChange> posture_change;
   std::vector<LogRecord> logs;
   std::vector<FaultRecord> faults;
   std::vector<ReloadRecord> reloads;

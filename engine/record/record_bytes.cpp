@@ -5,7 +5,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x31465252;  // "RRF1": another number with each change of what a topic holds
+constexpr std::uint32_t kMagic = 0x32465252;  // "RRF2": another number with each change of what a topic holds
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>
@@ -18,13 +18,13 @@ void visit_topic(Archive& archive, Topic topic, FrameRecord& record) {
     case Topic::percepts:
       return archive(record.percepts);
     case Topic::machines:
-      return archive(record.machines, record.transitions);
+      return archive(record.machines, record.transitions, record.published);
     case Topic::commands:
       return archive(record.commands, record.leases, record.begun, record.reorientation);
     case Topic::answer:
       return archive(record.answer);
     case Topic::events:
-      return archive(record.logs, record.faults, record.reloads, record.parameter_changes);
+      return archive(record.posture_change, record.logs, record.faults, record.reloads, record.parameter_changes);
     case Topic::images:
       return archive(record.images);
     case Topic::pose_particles:

@@ -147,6 +147,7 @@ const ScriptOutput& ScriptHost::tick(double time, std::span<const double> world)
       running.seen_entered_at = running.machine.entered_at();
     }
   }
+  read_published(published_);
   for (const auto& slot : slots_) tick(*slot, world);
   return output_;
 }
@@ -210,6 +211,11 @@ bool ScriptHost::look_up(std::string_view name, MachineSight& sight) const {
   return false;
 }
 
+bool ScriptHost::is_published(std::string_view flag) const {
+  const NameTable& names = *names_.table();
+  return std::any_of(published_.begin(), published_.end(), [&](NameId id) { return names[id] == flag; });
+}
+
 std::vector<std::string> ScriptHost::machine_names() const {
   std::vector<std::string> names;
   for (const MachineDefinition* definition : definitions()) names.push_back(definition->name);
@@ -250,6 +256,14 @@ void ScriptHost::read_costs(std::vector<MachineCost>& all) const {
       all.push_back({running.machine.definition().name_id, slot->microseconds,
                      slot->frames > 0 ? spent / slot->frames : 0, sandbox.memory()});
     }
+  }
+}
+
+void ScriptHost::read_published(std::vector<NameId>& all) const {
+  all.clear();
+  for (const auto& slot : slots_) {
+    if (slot->stopped) continue;
+    for (const ScriptSlot::Running& running : slot->machines) running.machine.append_published(all);
   }
 }
 

@@ -80,6 +80,7 @@ class ScriptHost : public MachineDirectory {
   void read_status(std::vector<MachineStatus>& all) const;
   void read_costs(std::vector<MachineCost>& all) const;
   void read_conditions(std::vector<OpenCondition>& all) const;
+  void read_published(std::vector<NameId>& all) const;
 
   /// The declared machines, for graphs, checks and coverage.
   std::vector<const MachineDefinition*> definitions() const;
@@ -88,6 +89,7 @@ class ScriptHost : public MachineDirectory {
 
   bool look_up(std::string_view name, MachineSight& sight) const override;
   std::vector<std::string> machine_names() const override;
+  bool is_published(std::string_view flag) const override;
 
  private:
   std::unique_ptr<Script> compile(const ScriptSlot& slot, BundleHashes& hashes) const;
@@ -108,6 +110,7 @@ class ScriptHost : public MachineDirectory {
   Names names_;
   std::vector<std::unique_ptr<ScriptSlot>> slots_;
   ScriptOutput output_;
+  std::vector<NameId> published_;  ///< as the frame began
   double time_ = 0.0;
 };
 

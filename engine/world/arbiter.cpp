@@ -31,8 +31,8 @@ double Arbiter::cooldown(Reorientation reorientation) const {
 
 /// As if there were no other request.
 Verdict Arbiter::judge(const ReorientationRequest& request, const World& world) const {
-  if (world.carried) return Verdict::not_allowed;
-  if (world.fallen && request.reorientation != Reorientation::reset_orientation) return Verdict::not_allowed;
+  if (world.posture == Posture::lifted) return Verdict::not_allowed;
+  if (!world.upright() && request.reorientation != Reorientation::reset_orientation) return Verdict::not_allowed;
   const std::optional<double>& before = granted_at_[index_of(request.reorientation)];
   if (before && world.time - *before + kTimeTolerance < cooldown(request.reorientation)) return Verdict::too_soon;
   return Verdict::granted;

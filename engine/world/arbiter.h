@@ -41,8 +41,8 @@ class Arbiter {
   void set_parameters(const ArbiterParameters& parameters) { parameters_ = parameters; }
 
   /// Among the requests that are allowed and not too soon the greatest priority wins, at a tie the first.
-  /// Not allowed: everything while the robot is carried, since nothing is known of its camera then; a flip and a purge
-  /// also while it lies. Pausing is always granted. The result is valid until the next call.
+  /// Not allowed: everything while the robot is lifted, since nothing is known of its camera then; a flip and a purge
+  /// also while it falls, lies or gets up. Pausing is always granted. The result is valid until the next call.
   const Arbitration& arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                const World& world);
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
+#include "engine/world/posture.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
@@ -11,31 +13,57 @@
 
 namespace reorient {
 
+/// Whether the confidences say something about the believed pose and its reflection (room_status.h).
+enum class RoomStatus {
+  usable,
+  off,        ///< this robot has no room awareness
+  resting,    ///< what is seen is not compared: paused, or the robot is not on its feet
+  unlearned,  ///< too little of the room is known
+  symmetric,  ///< the room looks the same after half a turn
+  lost,       ///< the pose filter is lost: both poses may be wrong
+  fresh       ///< too little was seen since the confidences began anew
+};
+inline constexpr int kRoomStatuses = 7;
+constexpr int enum_count(RoomStatus) { return kRoomStatuses; }
+
+/// "usable": as scripts call it.
+std::string_view to_string(RoomStatus status);
+
 struct World {
   double time = 0.0;              ///< s
   double time_step = 1.0 / 30.0;  ///< s since the frame before
   std::uint64_t frame = 0;
 
-  bool fallen = false;   ///< the torso lies
-  bool carried = false;  ///< no load on the feet
+  Posture posture = Posture::upright;
+  Posture posture_before = Posture::upright;  ///< the one before the present one
+  double posture_for = 0.0;                   ///< s, how long it has been so
   bool penalized = false;
+  double undisturbed_for = 0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
   HeadAngles head;
 
   PoseBelief pose;
   double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
   bool pose_known = false;            ///< somebody told where the robot stands, or the filter has found it
+
+  bool room_awareness = true;
   Confidences confidence;
+  RoomStatus room_status = RoomStatus::resting;
   double trained_seconds = 0.0;  ///< time during which the background model was trained so far
   bool training = false;         ///< in the frame before
   bool evaluating = false;
   int goal_posts = 0;  ///< seen in this frame
   int line_points = 0;
   FieldDimensions field;
+
+  bool upright() const { return posture == Posture::upright; }
+  /// Anything else than upright and in the game: the belief may not hold any more.
+  bool disturbed() const { return !upright() || penalized; }
 };
 template <typename Visit>
 void fields(Visit&& visit, World& world) {
-  visit(world.time, world.time_step, world.frame, world.fallen, world.carried, world.penalized, world.head, world.pose,
-        world.recovery_probability, world.pose_known, world.confidence, world.trained_seconds, world.training,
+  visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for,
+        world.penalized, world.undisturbed_for, world.head, world.pose, world.recovery_probability, world.pose_known,
+        world.room_awareness, world.confidence, world.room_status, world.trained_seconds, world.training,
         world.evaluating, world.goal_posts, world.line_points, world.field);
 }
 

@@ -9,9 +9,9 @@ namespace reorient {
 
 /// A point on the centre of a field line.
 struct LinePoint {
-  Eigen::Vector2d position;  ///< m
-  double normal = 0.0;       ///< direction across the line, rad, known up to half a turn: in (-pi/2, pi/2]
-  Eigen::Vector2f pixel;
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
+  double normal = 0.0;  ///< direction across the line, rad, known up to half a turn: in (-pi/2, pi/2]
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
 };
 
 template <typename Visit>
@@ -20,11 +20,11 @@ void fields(Visit&& visit, LinePoint& point) {
 }
 
 struct GoalPost {
-  Eigen::Vector2d
-      position;  ///< m, where the post stands; from the base, or from the height where the base is not in view
-  bool base_visible = true;  ///< false: the bearing holds, the distance is rough
-  Eigen::Vector2f base;      ///< pixel
-  Eigen::Vector2f top;       ///< pixel, the highest one found
+  /// m, where the post stands; from the base, or from the height where the base is not in view
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  bool base_visible = true;                        ///< false: the bearing holds, the distance is rough
+  Eigen::Vector2f base = Eigen::Vector2f::Zero();  ///< pixel
+  Eigen::Vector2f top = Eigen::Vector2f::Zero();   ///< pixel, the highest one found
 };
 
 template <typename Visit>
@@ -34,8 +34,8 @@ void fields(Visit&& visit, GoalPost& post) {
 
 /// Something that stands on the field and hides what is behind it: a robot, a person, a post's neighbour.
 struct Obstacle {
-  Eigen::Vector2d position;  ///< m, nearest point on the ground
-  int left = 0;              ///< image columns that it covers, first and last
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m, nearest point on the ground
+  int left = 0;                                        ///< image columns that it covers, first and last
   int right = 0;
   int top = 0;  ///< image rows
   int bottom = 0;
@@ -53,6 +53,14 @@ struct FieldPercept {
   /// Row of the field's upper border in evenly spaced columns (column i is at (i + 0.5) * width / size());
   /// the image's height where no field is in view in that column.
   std::vector<float> boundary;
+
+  /// Memory for what one image shows at most, or nearly so: then no frame has to ask for more.
+  void reserve() {
+    line_points.reserve(600);
+    goal_posts.reserve(16);
+    obstacles.reserve(64);
+    boundary.reserve(128);
+  }
 
   void clear() {
     line_points.clear();

@@ -9,15 +9,16 @@
 namespace reorient {
 
 struct BackgroundParameters {
-  int frames = 100;
   double time_constant = 30.0;
+  bool true_mean_start = true;
   double prior_deviation = 0.1;
   double trusted_after = 0.3;
 };
 template <typename Visit>
 void describe(BackgroundParameters& p, Visit&& visit) {
-  visit("frames", p.frames, 1, 100000, "", "N of Eq. (1) and (2), in frames (paper's mode only)");
-  visit("time_constant", p.time_constant, 1.0, 3600.0, "s", "N as a time for which a tile is in view");
+  visit("time_constant", p.time_constant, 0.1, 3600.0, "s",
+        "N of Eq. (1) and (2), as the time for which a tile is in view: N frames are N times a frame");
+  visit("true_mean_start", p.true_mean_start, "whether N grows with the visits of a tile until it reaches that");
   visit("prior_deviation", p.prior_deviation, 0.0, 1.0, "",
         "standard deviation of each bin before anything was learned");
   visit("trusted_after", p.trusted_after, 0.0, 60.0, "s", "time of training after which a tile is compared with");

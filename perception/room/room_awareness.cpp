@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "geometry/bytes.h"
 #include "geometry/transform.h"
@@ -47,9 +47,9 @@ double RoomAwareness::seconds_since_last(double time) {
 void RoomAwareness::perceive(const RoomObservation& view, double elapsed) {
   perceived_.find(view, wall_, parameters_.perception);
   light_.observe(perceived_.light(view.image, parameters_.light, parameters_.perception), elapsed, parameters_.light);
-  const Light light = is_paper() ? Light{} : light_.light();
+  const Light light = parameters_.light.enabled ? light_.light() : Light{};
   perceived_.count(view.image, color_thresholds(parameters_.color, light), parameters_.perception);
-  if (is_paper()) perceived_.blur(parameters_.color.blur);
+  if (parameters_.color.blur > 0.0) perceived_.blur(parameters_.color.blur);
   const auto tiles = perceived_.tiles();
   confidences_.visible_tiles = static_cast<int>(
       std::count_if(tiles.begin(), tiles.end(), [](const PerceivedTile& tile) { return tile.counts; }));
@@ -60,9 +60,9 @@ void RoomAwareness::train(double step) {
   const BackgroundParameters& background = parameters_.background;
   TrainingStep how;
   how.step = step;
-  how.n = is_paper() ? background.frames : background.time_constant / step;
-  how.true_mean_start = !is_paper();
-  how.prior_variance = is_paper() ? 0.0 : background.prior_deviation * background.prior_deviation;
+  how.n = background.time_constant / step;
+  how.true_mean_start = background.true_mean_start;
+  how.prior_variance = background.prior_deviation * background.prior_deviation;
   for (const PerceivedTile& tile : perceived_.tiles()) {
     if (tile.counts) model_.train(tile.tile, tile.histogram, how);
   }
@@ -73,11 +73,22 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   if (!view_center_ || !std::isfinite(view.odometry_rotation)) return;
   filter_.predict(turn_since_last(view), step, parameters_.view_filter);
   scores_.compute(perceived_.tiles(), compared_model_, wall_, comparison());
-  filter_.correct(scores_, *view_center_, step, correction());
+  filter_.correct(scores_, *view_center_, step, parameters_.view_filter);
   filter_.find_clusters();
-  const double share = step > 0.0 ? smoothing_share(parameters_.confidence, step, is_paper()) : 0.0;
-  update_confidences(confidences_, filter_, *view_center_, share, parameters_.confidence);
+  count_particles(confidences_, filter_, *view_center_, parameters_.confidence);
   confidences_.evidence = updated_evidence(confidences_.evidence, scores_, step, parameters_.evidence);
+  if (!scores_.evidence() || step <= 0.0) return;
+  confidences_.age += step;
+  smooth(confidences_, smoothing_share(parameters_.confidence, step, confidences_.age));
+  note_seen_columns();
+}
+
+void RoomAwareness::note_seen_columns() {
+  for (const PerceivedTile& tile : perceived_.tiles()) {
+    if (tile.counts) seen_columns_[static_cast<std::size_t>(wall_.column_of(tile.tile))] = 1;
+  }
+  const auto seen = std::count(seen_columns_.begin(), seen_columns_.end(), 1);
+  confidences_.seen = static_cast<double>(seen) / static_cast<double>(seen_columns_.size());
 }
 
 /// How far the view centre moved along the wall because head and body turned: the turn, linearised at the current view
@@ -96,34 +107,43 @@ double RoomAwareness::turn_since_last(const RoomObservation& view) {
 Comparison RoomAwareness::comparison() const {
   Comparison comparison;
   comparison.measure = parameters_.distance.measure;
-  if (comparison.measure == Distance::mode) comparison.measure = is_paper() ? Distance::ssd3 : Distance::hellinger;
-  comparison.cap = is_paper() ? std::numeric_limits<double>::max() : parameters_.distance.cap;
-  comparison.trusted_after = is_paper() ? 0.0 : parameters_.background.trusted_after;
+  comparison.cap = parameters_.distance.cap;
+  comparison.trusted_after = parameters_.background.trusted_after;
   return comparison;
 }
 
-ViewCorrection RoomAwareness::correction() const {
-  const ViewFilterParameters& filter = parameters_.view_filter;
-  if (is_paper()) return {filter.paper_sharpness, filter.injection, 0.0};
-  return {filter.sharpness, filter.injection, filter.clear_lead};
+void RoomAwareness::restart_confidences() {
+  confidences_.current = confidences_.opposite = 0.0;
+  confidences_.age = confidences_.seen = 0.0;
+  std::fill(seen_columns_.begin(), seen_columns_.end(), std::uint8_t{0});
 }
 
 void RoomAwareness::on_flip() {
-  confidences_.current = 0.0;
-  confidences_.opposite = 0.0;
+  restart_confidences();
   confidences_.evidence = -confidences_.evidence;
 }
 
 void RoomAwareness::on_purge() {
-  if (!is_paper()) return;
-  confidences_.current = 0.0;
-  confidences_.opposite = 0.0;
+  if (parameters_.confidence.restart_on_purge) restart_confidences();
 }
 
 void RoomAwareness::on_reset() {
-  confidences_.current = 0.0;
-  confidences_.opposite = 0.0;
+  restart_confidences();
   confidences_.evidence = 0.0;
+}
+
+void RoomAwareness::begin_anew() {
+  on_reset();
+  confidences_.raw_current = confidences_.raw_opposite = 0.0;
+  confidences_.goal_own = confidences_.goal_opponent = 0.0;
+  filter_.spread(parameters_.view_filter.particles);
+  last_direction_.reset();
+}
+
+void RoomAwareness::on_belief_reflected() {
+  std::swap(confidences_.current, confidences_.opposite);
+  std::swap(confidences_.raw_current, confidences_.raw_opposite);
+  confidences_.evidence = -confidences_.evidence;
 }
 
 void RoomAwareness::forget() {
@@ -133,6 +153,7 @@ void RoomAwareness::forget() {
   filter_.spread(parameters_.view_filter.particles);
   filter_.find_clusters();
   confidences_ = {};
+  seen_columns_.assign(static_cast<std::size_t>(wall_.columns()), 0);
   light_.restart(wall_.tiles());
   last_time_.reset();
   last_direction_.reset();
@@ -140,8 +161,8 @@ void RoomAwareness::forget() {
 }
 
 void RoomAwareness::set_parameters(const RoomParameters& parameters) {
-  const bool model_holds = Wall(parameters.wall) == wall_ && parameters.mode == parameters_.mode &&
-                           same(parameters.color, parameters_.color);
+  const bool model_holds = Wall(parameters.wall) == wall_ && same(parameters.color, parameters_.color) &&
+                           parameters.light.enabled == parameters_.light.enabled;
   const bool particles_hold = parameters.view_filter.particles == parameters_.view_filter.particles;
   parameters_ = parameters;
   wall_ = Wall(parameters.wall);
@@ -153,8 +174,9 @@ void RoomAwareness::set_parameters(const RoomParameters& parameters) {
 void RoomAwareness::complete() {
   for (const std::optional<double>& value : {last_time_, last_direction_, view_center_})
     check_bytes(!value || std::isfinite(*value), "a time or an angle is not a number");
-  for (const double value : {confidences_.current, confidences_.opposite, confidences_.evidence})
+  for (const double value : {confidences_.current, confidences_.opposite, confidences_.evidence, confidences_.age})
     check_bytes(std::isfinite(value), "a confidence is not a number");
+  check_bytes(seen_columns_.size() == static_cast<std::size_t>(wall_.columns()), "another number of columns");
   perceived_.clear();
   scores_.clear();
 }

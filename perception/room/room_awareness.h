@@ -21,22 +21,9 @@
 
 namespace reorient {
 
-/// Which recipe is followed.
-enum class RoomMode {
-  adapted,  ///< the better default: thresholds follow the light, Hellinger distance with a cap, true means, times
-  paper     ///< the paper's own: fixed thresholds, blur, three dominant bins, Eq. (1) and (2) in frames from the start
-};
-
-struct RoomModeParameters {
-  RoomMode mode = RoomMode::adapted;
-};
-template <typename Visit>
-void describe(RoomModeParameters& p, Visit&& visit) {
-  visit("mode", p.mode, {"adapted", "paper"}, "adapted: the better default; paper: the recipe as it was published");
-}
-
-/// Each part has its own describe(); the numbers that a mode does not use are said to be the other's.
-struct RoomParameters : RoomModeParameters {
+/// Each part has its own describe(). The defaults adapt to the light and start from true means; the recipe as it was
+/// published is another set of values (assets/parameters/paper.toml).
+struct RoomParameters {
   WallParameters wall;
   ColorParameters color;
   LightParameters light;
@@ -51,7 +38,6 @@ struct RoomParameters : RoomModeParameters {
 /// Calls visit(prefix, part) for each part that has a describe() of its own.
 template <typename Visit>
 void for_each_part(RoomParameters& p, Visit&& visit) {
-  visit("room", static_cast<RoomModeParameters&>(p));
   visit("wall", p.wall);
   visit("color", p.color);
   visit("light_adaptation", p.light);
@@ -71,11 +57,17 @@ class RoomAwareness {
   /// anything that is not finite, or from outside of the wall, show no tiles; then the filter rests too.
   const Confidences& update(const RoomObservation& view);
 
-  /// What a granted command means here. The paper starts the confidences from zero on each of the three; otherwise a
-  /// purge leaves them as they are. A flip turns the belief and not the robot: the view particles stay.
+  /// What a granted command means here: the confidences begin anew, after a purge only if the parameters say so. A flip
+  /// turns the belief and not the robot: the view particles stay.
   void on_flip();
   void on_purge();
   void on_reset();
+
+  /// The robot may stand elsewhere now, or was told where it stands: what was seen before says nothing any more. The
+  /// confidences begin anew, the view particles all around.
+  void begin_anew();
+  /// The belief has gone over to its reflection by itself: what spoke for the one speaks for the other.
+  void on_belief_reflected();
 
   /// Forgets the model, the particles, the confidences and the light; the random numbers go on.
   void forget();
@@ -99,7 +91,7 @@ class RoomAwareness {
   /// are. Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(light_, model_, filter_, confidences_, last_time_, last_direction_, view_center_);
+    archive(light_, model_, filter_, confidences_, seen_columns_, last_time_, last_direction_, view_center_);
     if constexpr (Archive::kReads) complete();
   }
 
@@ -110,9 +102,9 @@ class RoomAwareness {
   void train(double step);
   void evaluate(const RoomObservation& view, double step);
   double turn_since_last(const RoomObservation& view);
+  void note_seen_columns();
+  void restart_confidences();
   Comparison comparison() const;
-  ViewCorrection correction() const;
-  bool is_paper() const { return parameters_.mode == RoomMode::paper; }
 
   RoomParameters parameters_;
   Wall wall_;
@@ -123,6 +115,7 @@ class RoomAwareness {
   ViewpointScores scores_;
   ViewFilter filter_;
   Confidences confidences_;
+  std::vector<std::uint8_t> seen_columns_;  // 1: shown by a view that said something since the confidences began anew
   std::optional<double> last_time_;
   std::optional<double> last_direction_;  // camera yaw in the robot + odometry at the last evaluation, rad
   std::optional<double> view_center_;

@@ -109,6 +109,8 @@ void write_summary(const RunSummary& summary, const Timeline& timeline, const Ru
       {"corrected_after_seconds", or_null(summary.corrected_after)},
       {"position_error_metres", nullptr},
       {"rotation_error_degrees", nullptr},
+      {"mean_position_error_metres", nullptr},
+      {"mean_rotation_error_degrees", nullptr},
       {"flips", summary.flips},
       {"purges", summary.purges},
       {"resets", summary.resets},
@@ -125,6 +127,10 @@ void write_summary(const RunSummary& summary, const Timeline& timeline, const Ru
   if (summary.error) {
     json["position_error_metres"] = summary.error->position;
     json["rotation_error_degrees"] = to_degrees(summary.error->rotation);
+  }
+  if (summary.mean_error) {
+    json["mean_position_error_metres"] = summary.mean_error->position;
+    json["mean_rotation_error_degrees"] = to_degrees(summary.mean_error->rotation);
   }
   if (summary.frames > 0) json["belief"] = to_json(summary.belief.pose);
   if (summary.truth) json["truth"] = to_json(summary.truth->pose);

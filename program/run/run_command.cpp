@@ -61,6 +61,9 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--width", options.width, "of the camera image, pixels")
       ->check(CLI::IsMember({160, 320, 640}))
       ->capture_default_str();
+  run.add_option("--cameras", options.cameras, "which of the robot's two cameras give images")
+      ->check(CLI::IsMember({"upper", "both"}))
+      ->capture_default_str();
   run.add_flag("--realtime", options.realtime,
                "at the robot's own pace: scripts are reloaded when they are saved; Enter opens a prompt for commands");
   run.add_flag("!--no-room-awareness", options.room_awareness, "switch the view of the room off");

@@ -20,7 +20,8 @@ struct SimulationOptions {
   std::string room;                       ///< panorama file; empty: the procedural hall
   std::uint64_t hall = 1;                 ///< seed of the procedural hall
   std::uint64_t seed = 1;
-  int width = 320;  ///< of the camera image, pixels; the height is 3/4 of it
+  int width = 320;                ///< of the camera image, pixels; the height is 3/4 of it
+  std::string cameras = "upper";  ///< or "both"
   bool room_awareness = true;
   double seconds = 600.0;  ///< of the robot's time, at most
   ParameterOptions parameters;

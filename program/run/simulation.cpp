@@ -31,7 +31,8 @@ Simulation::Simulation(const SimulationOptions& options) : longest_(options.seco
   for (const std::string& name : options.with) setup.behaviors.push_back(script_named(options.scripts, name));
   for (const std::string& name : scenario_->wanted_behaviors()) setup.behaviors.push_back(name);
   setup.parameters = overrides;
-  RobotOptions robot{setup.field, options.room, options.hall, options.seed, options.width, overrides};
+  RobotOptions robot{setup.field, options.room, options.hall, options.seed, options.width, options.cameras == "both",
+                     overrides};
   robot_parameters_ = robot_parameters(options.robot, robot);
   engine_ = std::make_unique<FrameLoop>(std::move(setup));
   require_known(overrides, parameters());

@@ -19,7 +19,9 @@ CameraModel camera_of(const SimulatorParameters& parameters) {
 
 RobotDimensions with_tilt_error(RobotDimensions dimensions, double deviation, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 0x7117;
-  dimensions.camera_tilt += deviation * Random(seed, kStream).normal();
+  Random random(seed, kStream);
+  dimensions.camera_tilt += deviation * random.normal();
+  dimensions.lower_camera_tilt += deviation * random.normal();
   return dimensions;
 }
 
@@ -71,9 +73,10 @@ Simulator::Simulator(const SimulatorParameters& parameters, const FieldDimension
       players_(parameters.other_robots, field, start.position, seed),
       ball_(somewhere_on(field, seed)),
       spectators_(parameters.spectators, room.shape, field, room.light, seed),
-      renderer_(camera_, field, room, parameters.labels),
-      sensor_(parameters.sensor, renderer_.rays(), seed),
-      image_(camera_.width, camera_.height) {
+      upper_(camera_, field, room, parameters.labels, parameters.sensor, seed) {
+  constexpr std::uint64_t kLowerNoise = 0x10e6;
+  if (parameters.cameras == Cameras::both)
+    lower_.emplace(camera_, field, room, false, parameters.sensor, seed ^ kLowerNoise);
   add_goals(scene_, field_, light_);
   standing_capsules_ = scene_.capsules.size();
   standing_shadows_ = scene_.shadows.size();
@@ -93,20 +96,63 @@ void Simulator::move() {
   for (const Player& player : players_.all()) {
     barriers_.push_back({player.pose.position, player.pose.position, Players::kRadius});
   }
-  body_.advance(time_step, request_, barriers_, bounds_);
+  body_samples_.clear();
+  const int samples = std::max(1, parameters_.body_samples);
+  const double now = static_cast<double>(frame_) * time_step;
+  for (int i = 1; i <= samples; ++i) {
+    body_.advance(time_step / samples, request_, barriers_, bounds_);
+    body_samples_.push_back(body_.sample(now - time_step * (samples - i) / samples));
+    // The lower camera is exposed a moment before the upper one, as two cameras of one robot are.
+    if (lower_ && (i == samples - 1 || samples == 1)) {
+      lower_frame_ = moment(HeadCamera::lower, body_samples_.back());
+      field_from_lower_ = body_.field_from_camera(HeadCamera::lower);
+    }
+  }
   if (!parameters_.ball) return;
   if (body_.posture() == Body::Posture::upright) ball_.touch(body_.pose().position);
   for (const Player& player : players_.all()) ball_.touch(player.pose.position);
   ball_.advance(time_step, {0.5 * field_.length + field_.border, 0.5 * field_.width + field_.border});
 }
 
+CameraFrame Simulator::moment(HeadCamera camera, const BodySample& body) const {
+  CameraFrame frame;
+  frame.time = body.time;
+  frame.camera = camera_;
+  frame.odometry = body_.odometry();
+  frame.robot_from_camera = body_.measured_camera(dimensions_, body, camera);
+  return frame;
+}
+
+void Simulator::expose(Eye& eye, CameraFrame& frame) {
+  const bool is_upper = &eye == &upper_;
+  const Frame& drawn = eye.renderer.render(is_upper ? field_from_camera_ : field_from_lower_, scene_);
+  eye.sensor.expose(drawn, frame_, 1.0 / parameters_.frame_rate, eye.image);
+  frame.image = eye.image.view();
+}
+
 void Simulator::look(Observation& observation) {
   observation = {};
   observation.time = static_cast<double>(frame_) / parameters_.frame_rate;
-  if (frame_ == 0) observation.robot = RobotBody{};
+  place_people(observation.time);
+  if (frame_ == 0) observation.robot = RobotBody{"NAO v6", parameters_.body.foot_sensors, RobotBody{}.standing_load};
   observation.told.referee = std::exchange(whistle_, std::nullopt);
-  body_.measure(observation);
+  observation.body = body_samples_.back();
+  observation.body_samples = body_samples_;
+  observation.odometry = body_.odometry();
 
+  field_from_camera_ = body_.field_from_camera();
+  if (lower_) {
+    expose(*lower_, *lower_frame_);
+    pairing_.put_lower(*lower_frame_);
+  }
+  CameraFrame upper = moment(HeadCamera::upper, observation.body);
+  upper.time = observation.time;
+  expose(upper_, upper);
+  pairing_.put_upper(upper);
+  pairing_.take(observation);
+}
+
+void Simulator::place_people(double time) {
   scene_.capsules.resize(standing_capsules_);
   scene_.shadows.resize(standing_shadows_);
   static const LinearColor kJerseys[] = {{0.03f, 0.07f, 0.42f}, {0.55f, 0.02f, 0.03f}};
@@ -114,17 +160,12 @@ void Simulator::look(Observation& observation) {
     add_robot(scene_, player.pose, player.stride, kJerseys[player.team], light_);
   }
   if (parameters_.ball) add_ball(scene_, ball_.position, light_);
-  spectators_.add_to(scene_, observation.time);
+  spectators_.add_to(scene_, time);
+}
 
-  field_from_camera_ = body_.field_from_camera();
-  const Frame& frame = renderer_.render(field_from_camera_, scene_);
-  sensor_.expose(frame, frame_, 1.0 / parameters_.frame_rate, image_);
-  CameraFrame& upper = observation.upper.emplace();
-  upper.time = observation.time;
-  upper.image = image_.view();
-  upper.camera = camera_;
-  upper.odometry = observation.odometry;
-  upper.robot_from_camera = body_.measured_camera(dimensions_, observation.body);
+void Simulator::set_exposure_compensation(double stops) {
+  upper_.sensor.set_stops(stops);
+  if (lower_) lower_->sensor.set_stops(stops);
 }
 
 void Simulator::penalize(bool penalized) {
@@ -132,11 +173,11 @@ void Simulator::penalize(bool penalized) {
   whistle_ = RefereeState{penalized};
 }
 
-std::span<const Label> Simulator::labels() const { return renderer_.frame().labels; }
+std::span<const Label> Simulator::labels() const { return upper_.renderer.frame().labels; }
 
 std::span<const float> Simulator::depth() const {
   if (!parameters_.labels) return {};
-  return renderer_.frame().depth;
+  return upper_.renderer.frame().depth;
 }
 
 }  // namespace reorient

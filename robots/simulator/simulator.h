@@ -8,6 +8,7 @@
 
 #include "geometry/field_dimensions.h"
 #include "geometry/transform.h"
+#include "robots/camera_pairing.h"
 #include "robots/experimenter.h"
 #include "robots/robot.h"
 #include "robots/simulator/agents/players.h"
@@ -20,12 +21,16 @@
 
 namespace reorient {
 
-/// The upper camera's resolution.
+/// The cameras' resolution.
 enum class ImageSize { vga_640x480, qvga_320x240, qqvga_160x120 };
 
+enum class Cameras { upper, both };
+
 struct SimulatorParameters {
+  Cameras cameras = Cameras::upper;
   ImageSize image = ImageSize::vga_640x480;
   double frame_rate = 30.0;
+  int body_samples = 3;
   double field_of_view_horizontal = from_degrees(56.3);
   double field_of_view_vertical = from_degrees(43.7);
   double distortion_k1 = 0.03;
@@ -41,8 +46,10 @@ struct SimulatorParameters {
 
 template <typename Visit>
 void describe(SimulatorParameters& p, Visit&& visit) {
-  visit("image", p.image, {"640x480", "320x240", "160x120"}, "the camera's resolution in pixels");
+  visit("cameras", p.cameras, {"upper", "both"}, "which cameras give images");
+  visit("image", p.image, {"640x480", "320x240", "160x120"}, "the cameras' resolution in pixels");
   visit("frame_rate", p.frame_rate, 1.0, 120.0, "Hz", "frames per second of simulated time");
+  visit("body_samples", p.body_samples, 1, 20, "", "how often joints and inertial unit are read in each frame");
   visit("field_of_view_horizontal", p.field_of_view_horizontal, 0.35, 2.0, "rad",
         "the camera's field of view, left to right");
   visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 1.6, "rad",
@@ -70,7 +77,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   void put_down(const Pose2& where) override { body_.put_down(where); }
   void push_over() override { body_.push_over(); }
   void penalize(bool penalized) override;
-  void set_exposure_compensation(double stops) override { sensor_.set_stops(stops); }
+  void set_exposure_compensation(double stops) override;
 
   /// What each pixel of the latest image shows, and how far away along the optical axis it is (m), row by row.
   /// Empty unless SimulatorParameters::labels.
@@ -83,8 +90,24 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   const Ball& ball() const { return ball_; }
 
  private:
+  /// What takes the images of one camera.
+  struct Eye {
+    Eye(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool labels,
+        const SensorParameters& parameters, std::uint64_t seed)
+        : renderer(camera, field, room, labels),
+          sensor(parameters, renderer.rays(), seed),
+          image(camera.width, camera.height) {}
+
+    Renderer renderer;
+    Sensor sensor;
+    Image image;
+  };
+
   void move();
+  void place_people(double time);
   void look(Observation& observation);
+  CameraFrame moment(HeadCamera camera, const BodySample& body) const;
+  void expose(Eye& eye, CameraFrame& frame);
 
   SimulatorParameters parameters_;
   FieldDimensions field_;
@@ -102,13 +125,16 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   Spectators spectators_;
   Request request_;
 
-  Renderer renderer_;
-  Sensor sensor_;
+  Eye upper_;
+  std::optional<Eye> lower_;
+  CameraPairing pairing_;
+  std::optional<CameraFrame> lower_frame_;  // as it is going to be exposed
+  Isometry3 field_from_lower_ = Isometry3::Identity();
   Scene scene_;
   std::size_t standing_capsules_ = 0;  // of the goals, at the front of scene_
   std::size_t standing_shadows_ = 0;
   Isometry3 field_from_camera_ = Isometry3::Identity();
-  Image image_;
+  std::vector<BodySample> body_samples_;  // since the frame before
   std::uint64_t frame_ = 0;
   std::optional<RefereeState> whistle_;  // what the referee has said since the frame before
 };

@@ -6,6 +6,7 @@
 ---@field priority? number
 ---@field initial? string
 ---@field history? boolean
+---@field publishes? string
 ---@field common? table[]
 ---@field behaviors? string[]
 ---@field enter? fun()
@@ -22,8 +23,10 @@ clock = {}
 
 ---The robot's own body.
 ---@class reorient.robot
----@field fallen boolean the torso lies
----@field carried boolean there is no load on the feet: somebody carries it
+---@field posture string how it stands, lies or hangs in somebody's hands
+---@field posture_before string the posture before the present one
+---@field posture_for number s, for how long it has had its posture
+---@field undisturbed_for number s, for how long it has been upright and in the game; 0 while it is not, or is penalized
 ---@field penalized boolean the referee has taken it out of the game
 ---@field head_yaw number rad, measured angle of the head, to the left
 ---@field head_pitch number rad, measured angle of the head, downwards
@@ -50,6 +53,9 @@ pose = {}
 ---@field goal_own number that the robot looks at the wall behind its own goal
 ---@field coverage number share of the wall that is trained well enough to be compared with
 ---@field distinctiveness number how much the room differs from itself turned by half a turn; 0: it looks the same
+---@field age number s, for how long views have said something since the confidences began anew: after a lift, a fall, a penalty, a told pose, a flip or a jump of the belief
+---@field seen number share of the wall's columns that those views have shown
+---@field status string whether the confidences say something about the believed pose; if not, why not
 ---@field visible_tiles number how many tiles of the wall counted in this frame
 confidence = {}
 
@@ -196,7 +202,7 @@ function keep(defaults) end
 ---@return fun(body: reorient.State)
 function behavior(name) end
 
----Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within it, then also `initial`, `common`, and `history = true` to resume the inner state that was active last.
+---Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within it, then also `initial`, `common`, and `history = true` to resume the inner state that was active last. `publishes = "name"`: what others may ask for as `published.name`.
 ---@param name string
 ---@return fun(body: reorient.State): table
 function state(name) end
@@ -219,6 +225,10 @@ function require(module) end
 ---@type table<string, reorient.Machine>
 behaviors = {}
 
+---Whether a state with `publishes = "pose_is_searched"` was active when the frame began, in whatever machine; false where nobody publishes it.
+---@type table<string, boolean>
+published = {}
+
 ---Writes a line into the run's log.
 ---@param ... any
 function print(...) end
@@ -238,7 +248,7 @@ function load_behavior(behavior) end
 ---@param scenario string
 function load_scenario(scenario) end
 
----Changes the fake world, from the next frame on.
+---Changes the fake world, from the next frame on. What follows from the rest (times since a disturbance, age and status of the confidences, whether training and evaluation go on) follows until the test sets it itself.
 ---@param world table<string, table<string, number|boolean|string>>
 function set_world(world) end
 

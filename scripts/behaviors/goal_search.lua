@@ -6,80 +6,74 @@
 local gaze = require "lib.gaze"
 
 local p = param {
-  lead        = { 0.4,  range = { 0, 1 },                doc = "how far one pose must be ahead of the other for the robot to be sure" },
-  proof       = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long that lead must last to end the search" },
-  doubt       = { 10.0, range = { 0, 60 },   unit = "s", doc = "how long neither pose may lead before the search begins" },
-  catch_up    = { 6.0,  range = { 0, 30 },   unit = "s", doc = "how long after a disturbance the head scans as usual first" },
-  patience    = { 20.0, range = { 1, 120 },  unit = "s", doc = "how long to search at most" },
-  dwell       = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long to look at one goal" },
-  informative = { 0.05, range = { 0, 1 },                doc = "how much the room must differ from itself after half a turn" },
-  out_of_view = { 8.0,  range = { 0.5, 60 }, unit = "s", doc = "after which time to try the other goal if one cannot be looked at" },
+  lead      = { 0.4,  range = { 0, 1 },                doc = "how far one pose must be ahead of the other for the robot to be sure" },
+  hold_time = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long that lead must last to end the search" },
+  unsure_time = { 10.0, range = { 0, 60 }, unit = "s", doc = "how long neither pose may lead before the search begins" },
+  unsure_time_after_disturbance = { 4.0, range = { 0, 60 }, unit = "s",
+                doc = "the same just after a disturbance: the usual scan of the head is often enough" },
+  timeout   = { 20.0, range = { 1, 120 },  unit = "s", doc = "how long to search at most" },
+  dwell     = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long to look at one goal" },
+  reach_timeout = { 8.0, range = { 0.5, 60 }, unit = "s", doc = "after which time to try the other goal if one cannot be looked at" },
 }
 
 local memory = keep { looks = 0, saw_posts = false }   -- of this search
 
-local OPPONENT, OWN = 1, -1
+local function opponent_goal() return field.length / 2, 0.0 end
 
-local function goal_line(side) return side * field.length / 2 end
+local function own_goal() return -field.length / 2, 0.0 end
 
-local function is_helpless() return robot.fallen or robot.carried or robot.penalized end
+-- Before the room is known, or where both of its ends look the same, looking at the goals would not help either; and
+-- after a disturbance the head scans as usual until its views say something.
+local CANNOT_TELL = { off = true, resting = true, unlearned = true, symmetric = true, fresh = true }
 
--- Before the room is known, or where both of its ends look the same, looking at the goals would not help either.
-local function can_room_tell() return evaluation.active and confidence.distinctiveness >= p.informative end
-
-local function is_unsure() return can_room_tell() and math.abs(confidence.current - confidence.opposite) < p.lead end
+local function is_unsure()
+  return not CANNOT_TELL[confidence.status] and math.abs(confidence.current - confidence.opposite) < p.lead
+end
 
 local function is_sure() return not is_unsure() end
 
-local function is_opponent_goal_nearer()
-  return gaze.angle_to(goal_line(OPPONENT), 0.0) <= gaze.angle_to(goal_line(OWN), 0.0)
+local function is_disturbed() return robot.undisturbed_for == 0.0 end
+
+local function is_opponent_goal_nearer() return gaze.angle_to(opponent_goal()) <= gaze.angle_to(own_goal()) end
+
+local function look_for_posts(x, y)
+  gaze.at(x, y)
+  if seen.goal_posts > 0 and gaze.is_at(x, y) then memory.saw_posts = true end
 end
 
-local function begin_search() memory.looks, memory.saw_posts = 0, false end
+local function note_look() memory.looks = memory.looks + 1 end
 
 local function is_belief_worthless() return memory.looks >= 2 and not memory.saw_posts end
-
-local function looking_at(side, other_goal)
-  return {
-    update = function()
-      gaze.at(goal_line(side), 0.0)
-      if seen.goal_posts > 0 and gaze.is_at(goal_line(side), 0.0) then memory.saw_posts = true end
-    end,
-    exit = function() memory.looks = memory.looks + 1 end,
-    { other_goal,
-      when = function() return gaze.is_at(goal_line(side), 0.0) end,
-      lasting = "dwell", because = "the goal was looked at" },
-    { other_goal, after = "out_of_view", because = "the goal cannot be looked at" },
-  }
-end
 
 behavior "goal_search" {
   priority = 30,
   initial = "resting",
   common = {
-    { "helpless", when = is_helpless, because = "the robot lies, is carried or is penalized" },
+    { "disturbed", when = is_disturbed, because = "the robot is not upright on the field, or is penalized" },
   },
 
   state "resting" {
-    { "searching", when = is_unsure, lasting = "doubt", because = "neither pose leads" },
+    { "searching", when = is_unsure, lasting = "unsure_time", because = "neither pose leads" },
   },
 
-  state "helpless" {
-    { "catching up", when = function() return not is_helpless() end, because = "the robot may stand elsewhere than before" },
+  state "disturbed" {
+    { "put down", when = function() return not is_disturbed() end, because = "the robot may stand elsewhere than before" },
   },
 
-  -- The confidences are smoothed and still speak of before, and the usual scan of the head is often enough for them.
-  state "catching up" {
-    { "searching", when = is_unsure, after = "catch_up", because = "neither pose leads since then" },
-    { "resting", when = is_sure, after = "catch_up", because = "one pose leads, or the room cannot tell" },
+  state "put down" {
+    { "searching", when = is_unsure, lasting = "unsure_time_after_disturbance", because = "neither pose leads since then" },
+    { "resting",
+      when = function() return is_sure() and confidence.status ~= "fresh" end,
+      lasting = "unsure_time_after_disturbance", because = "one pose leads, or the room cannot tell" },
   },
 
   state "searching" {
+    publishes = "pose_is_searched",
     initial = "choosing",
-    enter = begin_search,
+    enter = function() memory.looks, memory.saw_posts = 0, false end,
     { "resting", when = is_belief_worthless, because = "no goal stands where the belief says" },
-    { "resting", when = is_sure, lasting = "proof", because = "one pose leads" },
-    { "resting", after = "patience", because = "its patience ended" },
+    { "resting", when = is_sure, lasting = "hold_time", because = "one pose leads" },
+    { "resting", after = "timeout", because = "the search took too long" },
 
     state "choosing" {
       update = function() walk.stand() end,
@@ -87,7 +81,22 @@ behavior "goal_search" {
       { "own goal", when = function() return not is_opponent_goal_nearer() end, because = "the own goal is nearer to the view" },
     },
 
-    state "opponent goal" (looking_at(OPPONENT, "own goal")),
-    state "own goal" (looking_at(OWN, "opponent goal")),
+    state "opponent goal" {
+      update = function() look_for_posts(opponent_goal()) end,
+      exit = note_look,
+      { "own goal",
+        when = function() return gaze.is_at(opponent_goal()) end,
+        lasting = "dwell", because = "the goal was looked at" },
+      { "own goal", after = "reach_timeout", because = "the goal cannot be looked at" },
+    },
+
+    state "own goal" {
+      update = function() look_for_posts(own_goal()) end,
+      exit = note_look,
+      { "opponent goal",
+        when = function() return gaze.is_at(own_goal()) end,
+        lasting = "dwell", because = "the goal was looked at" },
+      { "opponent goal", after = "reach_timeout", because = "the goal cannot be looked at" },
+    },
   },
 }

@@ -6,27 +6,40 @@ local p = param {
   speed       = { 1.0,  range = { 0.1, 5.0 },    unit = "rad/s", doc = "how fast to turn the head" },
   wall_pitch  = { -0.1, range = { -0.6, 0.5 },   unit = "rad",   doc = "how far to look down while looking at the walls" },
   field_pitch = { 0.25, range = { -0.6, 0.5 },   unit = "rad",   doc = "how far to look down while looking at the field" },
-  patience    = { 4.0,  range = { 0.5, 20.0 },   unit = "s",     doc = "after which time to turn back even if a side was not reached" },
+  timeout     = { 4.0,  range = { 0.5, 20.0 },   unit = "s",     doc = "after which time to turn back even if a side was not reached" },
 }
 
-local function look_left(pitch) return function() head.look(p.width, p[pitch], p.speed) end end
-local function look_right(pitch) return function() head.look(-p.width, p[pitch], p.speed) end end
+local NEAR = 0.05   -- rad
 
-local function reached(side) return function() return math.abs(robot.head_yaw - side * p.width) < 0.05 end end
+local function is_left() return math.abs(robot.head_yaw - p.width) < NEAR end
 
-local function sweep(update, side, next_state)
-  return {
-    update = update,
-    { next_state, when = reached(side), because = "the side is reached" },
-    { next_state, after = "patience", because = "the side cannot be reached" },
-  }
-end
+local function is_right() return math.abs(robot.head_yaw + p.width) < NEAR end
 
 behavior "head_scan" {
   priority = 10,
   initial = "walls to the left",
-  state "walls to the left" (sweep(look_left("wall_pitch"), 1, "walls to the right")),
-  state "walls to the right" (sweep(look_right("wall_pitch"), -1, "field to the left")),
-  state "field to the left" (sweep(look_left("field_pitch"), 1, "field to the right")),
-  state "field to the right" (sweep(look_right("field_pitch"), -1, "walls to the left")),
+
+  state "walls to the left" {
+    update = function() head.look(p.width, p.wall_pitch, p.speed) end,
+    { "walls to the right", when = is_left, because = "the side is reached" },
+    { "walls to the right", after = "timeout", because = "the side cannot be reached" },
+  },
+
+  state "walls to the right" {
+    update = function() head.look(-p.width, p.wall_pitch, p.speed) end,
+    { "field to the left", when = is_right, because = "the side is reached" },
+    { "field to the left", after = "timeout", because = "the side cannot be reached" },
+  },
+
+  state "field to the left" {
+    update = function() head.look(p.width, p.field_pitch, p.speed) end,
+    { "field to the right", when = is_left, because = "the side is reached" },
+    { "field to the right", after = "timeout", because = "the side cannot be reached" },
+  },
+
+  state "field to the right" {
+    update = function() head.look(-p.width, p.field_pitch, p.speed) end,
+    { "walls to the left", when = is_right, because = "the side is reached" },
+    { "walls to the left", after = "timeout", because = "the side cannot be reached" },
+  },
 }

@@ -3,69 +3,73 @@
 --- the room has supported the believed pose long enough. If neither pose wins, the orientation is forgotten, once.
 --- Flips and purges are the business of orientation: a reflected pose wins or loses there.
 
-local posture = require "lib.posture"
 local walking = require "lib.walk"
 
 local p = param {
-  lift        = { 0.8,  range = { 0, 5 },   unit = "s",     doc = "how long it must be in the air; a robot that trips is so for a moment" },
-  lead        = { 0.4,  range = { 0, 1 },                   doc = "how far the believed pose must be ahead of its reflection" },
-  proof       = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long that lead must last" },
-  share       = { 0.6,  range = { 0, 1 },                   doc = "share of the pose particles that must agree on the believed pose" },
-  lost        = { 0.1,  range = { 0, 1 },                   doc = "how lost the pose filter may be: the place must fit, too" },
-  stale       = { 3.0,  range = { 0, 30 },  unit = "s",     doc = "how long confidences still speak of the place where it was lifted" },
-  patience    = { 25.0, range = { 1, 120 }, unit = "s",     doc = "how long to search until the orientation is forgotten, and after that" },
-  quiet       = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long no goal may have been in view then: it might help" },
-  informative = { 0.05, range = { 0, 1 },                   doc = "how much the room must differ from itself after half a turn" },
-  turn        = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
+  lift_time      = { 0.5,  range = { 0, 5 },   unit = "s",     doc = "how long somebody must hold the robot" },
+  lead           = { 0.4,  range = { 0, 1 },                   doc = "how far the believed pose must be ahead of its reflection" },
+  hold_time      = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long that lead must last" },
+  min_age        = { 1.5,  range = { 0, 20 },  unit = "s",     doc = "how long views must have spoken since: a glimpse is not enough" },
+  cluster_weight = { 0.6,  range = { 0, 1 },                   doc = "share of the pose particles that must agree on the believed pose" },
+  recovery_probability = { 0.1, range = { 0, 1 },              doc = "how lost the pose filter may be: the place must fit, too" },
+  timeout        = { 25.0, range = { 1, 120 }, unit = "s",     doc = "how long to search before the orientation is forgotten, and after" },
+  no_goal_time   = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long no goal may have been in view then: it might help" },
+  turn           = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
 }
 
 local memory = keep { put_down_at = 0.0 }
 
--- A penalized robot may not move, and nothing is compared: its search begins when it may play again.
-local function is_helpless() return robot.carried or robot.fallen or robot.penalized end
-
 local function lead() return confidence.current - confidence.opposite end
 
-local function supports_the_pose()
-  local is_found = pose.cluster_weight >= p.share and pose.recovery_probability <= p.lost
-  return not is_helpless() and is_found and lead() > p.lead and clock.time - memory.put_down_at > p.stale
+local function is_pose_found()
+  return pose.cluster_weight >= p.cluster_weight and pose.recovery_probability <= p.recovery_probability
+end
+
+local function room_supports_the_pose()
+  local has_seen_enough = confidence.status == "usable" and confidence.age >= p.min_age
+  return has_seen_enough and lead() > p.lead and is_pose_found()
 end
 
 -- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
-local function can_room_tell() return evaluation.active and confidence.distinctiveness >= p.informative end
+local CANNOT_TELL = { off = true, resting = true, unlearned = true, symmetric = true }
+
+local function can_room_tell() return not CANNOT_TELL[confidence.status] end
 
 local function is_stuck() return can_room_tell() and math.abs(lead()) < p.lead and seen.goal_posts == 0 end
 
 behavior "kidnap_recovery" {
   priority = 25,
   initial = "undisturbed",
-  update = posture.watch,
   common = {
-    { "lifted", when = posture.is_lifted, lasting = "lift", because = "somebody carries the robot" },
+    { "lifted",
+      when = function() return robot.posture == "lifted" end,
+      lasting = "lift_time", because = "somebody carries the robot" },
   },
 
   state "undisturbed" {},
 
+  -- A penalized robot may not move, and nothing is compared: its search begins when it may play again.
   state "lifted" {
     enter = function() command.pause_training() end,
     exit = function() memory.put_down_at = clock.time end,
-    { "searching", when = function() return not is_helpless() end, lasting = 0.3, because = "the robot stands, who knows where" },
+    { "searching", when = function() return robot.undisturbed_for > 0.0 end, because = "the robot stands, who knows where" },
   },
 
   state "searching" {
+    publishes = "pose_is_searched",
     initial = "with its belief",
     enter = function() command.pause_training() end,
     update = function() walking.turn(p.turn) end,
-    { "recovered", when = supports_the_pose, lasting = "proof", because = "the room supports the believed pose" },
+    { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
 
     state "with its belief" {
-      { "with any orientation", when = is_stuck, lasting = "quiet", after = "patience", because = "neither pose won" },
-      { "lost", when = function() return not can_room_tell() end, after = "patience", because = "the room cannot tell" },
+      { "with any orientation", when = is_stuck, lasting = "no_goal_time", after = "timeout", because = "neither pose won" },
+      { "lost", when = function() return not can_room_tell() end, after = "timeout", because = "the room cannot tell" },
     },
 
     state "with any orientation" {
       enter = function() command.reset_orientation() end,
-      { "lost", after = "patience", because = "neither pose won again" },
+      { "lost", after = "timeout", because = "neither pose won again" },
     },
   },
 
@@ -74,7 +78,7 @@ behavior "kidnap_recovery" {
       command.pause_training()
       log.info("still unsure of the pose, goes on with it")
     end,
-    { "recovered", when = supports_the_pose, lasting = "proof", because = "the room supports the believed pose" },
+    { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
   },
 
   state "recovered" {

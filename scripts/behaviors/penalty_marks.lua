@@ -2,7 +2,6 @@
 --- of a mark it turns round once if much of the room is not learned yet. After a disturbance it goes to its own mark
 --- first. Whether the belief is worth walking by, others judge: while they search for the pose it waits.
 
-local others = require "lib.others"
 local walking = require "lib.walk"
 
 local p = param {
@@ -11,6 +10,7 @@ local p = param {
   turn_round  = { true,                                   doc = "turn round once on a mark while the room is being learned" },
   coverage    = { 0.8,  range = { 0, 1 },                 doc = "share of the wall from which on turning round is not needed" },
   turn_speed  = { 0.6,  range = { 0.1, 2 }, unit = "rad/s", doc = "how fast to turn round" },
+  undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long the robot must stand again before it walks" },
 }
 
 local memory = keep { side = -1 }   -- of the mark to go to: -1 is the robot's own half, 1 the opponent's
@@ -21,18 +21,16 @@ local function go() return walking.walk_to(mark(), 0.0) end
 
 local function is_there() return walking.is_near(mark(), 0.0, p.arrived) end
 
-local function is_helpless() return robot.carried or robot.fallen or robot.penalized end
+local function is_disturbed() return robot.undisturbed_for == 0.0 end
 
-local function is_pose_searched()
-  return others.is_in("kidnap_recovery", "searching") or others.is_in("goal_search", "searching")
-end
+local function must_wait() return published.pose_is_searched and not is_disturbed() end
 
 behavior "penalty_marks" {
   priority = 20,
   initial = "walking",
   common = {
-    { "helpless", when = is_helpless, because = "the robot cannot walk now" },
-    { "waiting", when = function() return is_pose_searched() and not is_helpless() end, because = "others search for the pose" },
+    { "disturbed", when = is_disturbed, because = "the robot cannot walk now" },
+    { "waiting", when = must_wait, because = "others search for the pose" },
   },
 
   state "walking" {
@@ -54,14 +52,14 @@ behavior "penalty_marks" {
     { "walking", after = "pause" },
   },
 
-  state "helpless" {
+  state "disturbed" {
     update = function() walk.stand() end,
     exit = function() memory.side = -1 end,
-    { "walking", when = function() return not is_helpless() end, lasting = 0.5, because = "the robot stands again" },
+    { "walking", when = function() return robot.undisturbed_for > p.undisturbed_time end, because = "the robot stands again" },
   },
 
   state "waiting" {
     update = function() walk.stand() end,
-    { "walking", when = function() return not is_pose_searched() end, because = "the search has ended" },
+    { "walking", when = function() return not published.pose_is_searched end, because = "the search has ended" },
   },
 }

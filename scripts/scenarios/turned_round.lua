@@ -22,7 +22,7 @@ end
 
 scenario "turned_round" {
   behaviors = {
-    "orientation", "background_training", "training_pause", "kidnap_recovery", "goal_search", "head_scan", "stand_up", "penalty_marks",
+    "orientation", "background_training", "kidnap_recovery", "goal_search", "head_scan", "get_up", "penalty_marks",
   },
   priority = 100,
   initial = "placing",

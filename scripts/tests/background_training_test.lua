@@ -6,9 +6,20 @@ local function start()
   advance(0.1)
 end
 
+local DISTURBANCES = {
+  lying = { { posture = "lying" }, { posture = "upright" }, "the robot falls, lies or gets up" },
+  lifted = { { posture = "lifted" }, { posture = "upright" }, "somebody has lifted the robot" },
+  penalized = { { penalized = true }, { penalized = false }, "the robot is penalized" },
+}
+
+local function expect_pause()
+  expect.lease("pause_training")
+  expect.lease("pause_evaluation")
+end
+
 local function learned()
   start()
-  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
+  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9, distinctiveness = 0.3 } }
   advance(0.1)
 end
 
@@ -49,7 +60,7 @@ test("while it learns from a pose that it was told, it purges reflected beliefs"
   set_world { pose = { reflected_weight = 0.2 } }
   advance(0.1)
   expect.command("purge_reflection", "granted")
-  expect.state("background_training", "learning/vouching")
+  expect.state("background_training", "learning/purging")
   expect.lease("pause_evaluation")
   set_world { pose = { reflected_weight = 0.0 } }
   advance(4)
@@ -78,51 +89,112 @@ test("it trains on only while the current pose clearly wins", function()
   expect.lease("pause_training")
 end)
 
-for _, what in ipairs { "fallen", "carried", "penalized" } do
-  test("it stops refining while the robot is " .. what, function()
+for what, change in pairs(DISTURBANCES) do
+  test("it stops refining while the robot is " .. what .. ", and neither trains nor evaluates", function()
     learned()
     set_world { confidence = { current = 0.9 } }
     advance(2)
     expect.state("background_training", "trusting/refining")
-    set_world { robot = { [what] = true } }
+    set_world { robot = change[1] }
     advance(0.1)
-    expect.state("background_training", "trusting/watching")
-    expect.reason("background_training", "the robot does not stand on the field")
-    expect.lease("pause_training")
+    expect.state("background_training", "disturbed")
+    expect.reason("background_training", change[3])
+    expect_pause()
     advance(20)
-    expect.lease("pause_training")
+    expect_pause()
   end)
 
   test("it stops learning while the robot is " .. what, function()
     start()
-    set_world { robot = { [what] = true } }
+    advance(0.5)
+    expect.state("background_training", "learning/studying")
+    set_world { robot = change[1] }
     advance(0.1)
-    expect.state("background_training", "waiting")
-    expect.reason("background_training", "the robot does not stand on the field")
-    expect.lease("pause_training")
-    expect.lease("pause_evaluation")
-    set_world { robot = { [what] = false } }
+    expect.state("background_training", "disturbed")
+    expect_pause()
+    set_world { robot = change[2] }
     advance(0.4)
-    expect.state("background_training", "waiting")
-    advance(0.3)   -- after it was carried nobody vouches for its pose
-    expect.state("background_training", what == "carried" and "waiting" or "learning/studying")
+    expect.state("background_training", "disturbed")
+    expect_pause()
+    advance(0.3)   -- after it was lifted nobody vouches for its pose
+    expect.state("background_training", what == "lifted" and "waiting" or "learning/studying")
   end)
 
-  test("with training_pause both rest while the robot is " .. what .. ", and nothing is trained sooner than it may", function()
-    load_behavior "training_pause"
+  test("both rest while the robot is " .. what .. ", and a moment longer", function()
     learned()
-    set_world { confidence = { current = 0.9 }, robot = { [what] = true } }
+    set_world { confidence = { current = 0.9 }, robot = change[1] }
     advance(1)
-    expect.lease("pause_training")
-    expect.lease("pause_evaluation")
-    set_world { robot = { [what] = false } }
-    advance(1)
+    expect_pause()
+    set_world { robot = change[2] }
+    advance(0.4)
+    expect_pause()
+    advance(0.3)
+    expect.state("background_training", "trusting/watching")
     expect.lease("pause_training")
     expect.no_lease("pause_evaluation")
-    advance(10)
+    advance(3)
     expect.no_lease("pause_training")
   end)
+
+  test("the moment begins anew when the robot is " .. what .. " again", function()
+    learned()
+    set_world { robot = { posture = "lifted" } }
+    advance(1)
+    set_world { robot = { posture = "upright" } }
+    advance(0.3)
+    set_world { robot = change[1] }
+    advance(0.1)
+    set_world { robot = change[2] }
+    advance(0.4)
+    expect.state("background_training", "disturbed")
+    expect_pause()
+  end)
 end
+
+test("a fall goes on until the robot stands again", function()
+  learned()
+  for _, posture in ipairs { "falling", "lying", "getting_up" } do
+    set_world { robot = { posture = posture } }
+    advance(3)
+    expect.state("background_training", "disturbed")
+    expect_pause()
+  end
+  set_world { robot = { posture = "upright" } }
+  advance(1)
+  expect.state("background_training", "trusting/watching")
+end)
+
+test("a robot that is carried off by the referee stays paused from one reason to the next", function()
+  learned()
+  set_world { robot = { posture = "lifted", penalized = true } }
+  advance(1)
+  set_world { robot = { posture = "upright" } }
+  advance(10)
+  expect.state("background_training", "disturbed")
+  expect_pause()
+end)
+
+test("how long the robot must stand can be set", function()
+  set_param("background_training.undisturbed_time", "2.0")
+  learned()
+  set_world { robot = { posture = "lifted" } }
+  advance(1)
+  set_world { robot = { posture = "upright" } }
+  advance(1.9)
+  expect_pause()
+  advance(0.2)
+  expect.no_lease("pause_evaluation")
+end)
+
+test("a reload while the robot is disturbed keeps the pause", function()
+  learned()
+  set_world { robot = { posture = "lying" } }
+  advance(1)
+  reload { from = "priority = 40", to = "priority = 41" }
+  advance(0.1)
+  expect.state("background_training", "disturbed")
+  expect_pause()
+end)
 
 test("a room that is known already is trusted at once", function()
   load_behavior "background_training"
@@ -136,30 +208,33 @@ test("a room that was learned enough while a purge settles is trusted", function
   start()
   set_world { training = { seconds = 5 }, pose = { reflected_weight = 0.2 } }
   advance(0.1)
-  expect.state("background_training", "learning/vouching")
+  expect.state("background_training", "learning/purging")
   set_world { training = { seconds = 36 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
 end)
 
-test("after it was put down it does not train on confidences from before", function()
+test("after it was put down it does not train on confidences that are not usable yet", function()
   learned()
-  set_world { confidence = { current = 0.9 }, robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" }, confidence = { current = 0.9, status = "fresh" } }
   advance(9)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
-  advance(1)
+  set_world { confidence = { status = "usable" } }
+  advance(0.9)
+  expect.lease("pause_training")
+  advance(0.2)
   expect.state("background_training", "trusting/refining")
 end)
 
 test("a robot that was lifted before it had learned the room does not learn from a pose that nobody vouches for", function()
   start()
   set_world { training = { seconds = 5 } }
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   advance(5)
   expect.state("background_training", "waiting")
   expect.lease("pause_training")
@@ -168,9 +243,9 @@ end)
 test("a robot that was lifted before it trained at all does not vouch for its pose any more, either", function()
   start()
   advance(1)
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false }, pose = { reflected_weight = 0.5 } }
+  set_world { robot = { posture = "upright" }, pose = { reflected_weight = 0.5 } }
   advance(5)
   expect.state("background_training", "waiting")
   expect.no_command()
@@ -178,10 +253,10 @@ end)
 
 test("a robot that was told its pose while it was still carried learns once it stands", function()
   load_behavior "background_training"
-  set_world { robot = { carried = true }, pose = { known = true } }
+  set_world { robot = { posture = "lifted" }, pose = { known = true } }
   advance(2)
-  expect.state("background_training", "waiting")
-  set_world { robot = { carried = false } }
+  expect.state("background_training", "disturbed")
+  set_world { robot = { posture = "upright" } }
   advance(1)
   expect.state("background_training", "learning/studying")
 end)

@@ -15,13 +15,13 @@ local function fall()
   expect.state("fallen", "pushed over/down")
   expect.reason("fallen", "the time to learn is over")
   expect.action("push_over")
-  set_world { robot = { fallen = true }, truth = { fallen = true } }
+  set_world { robot = { posture = "lying" }, truth = { fallen = true } }
   advance(3)
   expect.get_up(true)
 end
 
 local function get_up()
-  set_world { robot = { fallen = false }, truth = { fallen = false } }
+  set_world { robot = { posture = "upright" }, truth = { fallen = false } }
   advance(1)
   expect.command("reset_orientation", "granted")
 end
@@ -63,8 +63,8 @@ end)
 test("loads the behaviours that it needs", function()
   fall()
   expect.state("orientation", "fallen")
-  expect.state("training_pause", "fallen")
-  expect.state("goal_search", "helpless")
-  expect.state("penalty_marks", "helpless")
+  expect.state("background_training", "disturbed")
+  expect.state("goal_search", "disturbed")
+  expect.state("penalty_marks", "disturbed")
   expect.state("kidnap_recovery", "undisturbed")
 end)

@@ -1,5 +1,7 @@
 --- Tests of behaviors/goal_search.lua and lib/gaze.lua.
 
+local FRESH = 0.4   -- s, more than the confidences are fresh after a disturbance (room_status.age)
+
 local function stand_at(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
 --- Stands where the opponent goal is 45 degrees to the left and the own goal 45 degrees to the right.
@@ -13,17 +15,23 @@ end
 local function start()
   load_behavior "goal_search"
   stand_between_the_goals()
-  set_world { evaluation = { active = true }, confidence = { current = 0.9, distinctiveness = 0.3 }, seen = { goal_posts = 2 } }
+  set_world { confidence = { current = 0.9, coverage = 0.9, distinctiveness = 0.3 }, seen = { goal_posts = 2 } }
   advance(0.1)
 end
 
 --- Up to the first frames of a search.
 local function put_down()
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false }, confidence = { current = 0.0 } }
-  advance(6.2)
+  set_world { robot = { posture = "upright" }, confidence = { current = 0.0 } }
+  advance(4.2 + FRESH)
 end
+
+local DISTURBANCES = {
+  lying = { { posture = "lying" }, { posture = "upright" } },
+  lifted = { { posture = "lifted" }, { posture = "upright" } },
+  penalized = { { penalized = true }, { penalized = false } },
+}
 
 test("leaves head and legs to others while one pose leads", function()
   start()
@@ -54,7 +62,7 @@ end)
 
 test("does not search in a room that is not known", function()
   start()
-  set_world { evaluation = { active = false }, confidence = { current = 0.0 } }
+  set_world { confidence = { coverage = 0.1, current = 0.0 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)
@@ -66,54 +74,53 @@ test("does not search in a room that looks the same after half a turn", function
   expect.state("goal_search", "resting")
 end)
 
-for _, what in ipairs { "fallen", "carried", "penalized" } do
-  test("lets the confidences catch up after the robot was " .. what .. ", then searches if neither pose leads", function()
+for what, change in pairs(DISTURBANCES) do
+  test("waits for fresh confidences after the robot was " .. what .. ", then searches if neither pose leads", function()
     start()
-    set_world { robot = { [what] = true } }
+    set_world { robot = change[1] }
     advance(1)
-    expect.state("goal_search", "helpless")
-    expect.reason("goal_search", "the robot lies, is carried or is penalized")
-    set_world { robot = { [what] = false }, confidence = { current = 0.1 } }
-    advance(5.9)
-    expect.state("goal_search", "catching up")
+    expect.state("goal_search", "disturbed")
+    expect.reason("goal_search", "the robot is not upright on the field, or is penalized")
+    set_world { robot = change[2], confidence = { current = 0.1 } }
+    advance(4.2)
+    expect.state("goal_search", "put down")
     expect.reason("goal_search", "the robot may stand elsewhere than before")
-    advance(0.13)
-    expect.state("goal_search", "searching/choosing")
-    expect.reason("goal_search", "neither pose leads since then")
+    advance(FRESH)
+    expect.state("goal_search", "searching/opponent goal")
   end)
 end
 
 test("rests after a disturbance when one pose leads", function()
   start()
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false } }
-  advance(6.1)
+  set_world { robot = { posture = "upright" } }
+  advance(4.2 + FRESH)
   expect.state("goal_search", "resting")
   expect.reason("goal_search", "one pose leads, or the room cannot tell")
 end)
 
 test("rests after a disturbance when the room is not known", function()
   start()
-  set_world { robot = { carried = true }, evaluation = { active = false }, confidence = { current = 0.0 } }
+  set_world { robot = { posture = "lifted" }, confidence = { coverage = 0.1, current = 0.0 } }
   advance(1)
-  set_world { robot = { carried = false } }
-  advance(6.1)
+  set_world { robot = { posture = "upright" } }
+  advance(4.2 + FRESH)
   expect.state("goal_search", "resting")
 end)
 
 test("a disturbance while the confidences catch up begins the wait anew", function()
   start()
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false }, confidence = { current = 0.0 } }
-  advance(5)
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "upright" }, confidence = { current = 0.0 } }
+  advance(4)
+  set_world { robot = { posture = "lying" } }
   advance(1)
-  expect.state("goal_search", "helpless")
-  set_world { robot = { fallen = false } }
-  advance(5)
-  expect.state("goal_search", "catching up")
+  expect.state("goal_search", "disturbed")
+  set_world { robot = { posture = "upright" } }
+  advance(4)
+  expect.state("goal_search", "put down")
 end)
 
 test("begins with the goal that is nearer to the view", function()
@@ -187,14 +194,14 @@ test("ends when one pose leads for a while, whichever", function()
   end
 end)
 
-test("ends when its patience ends, and begins again later", function()
+test("ends when it takes too long, and begins again later", function()
   start()
   put_down()
   set_world { confidence = { current = 0.0 } }
   look_at(-math.rad(45))
   advance(19)
   expect.state("goal_search", "resting")
-  expect.reason("goal_search", "its patience ended")
+  expect.reason("goal_search", "the search took too long")
   advance(10.1)
   expect.state("goal_search", "searching/opponent goal")
 end)
@@ -230,9 +237,9 @@ end)
 test("a fall ends the search", function()
   start()
   put_down()
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(0.1)
-  expect.state("goal_search", "helpless")
+  expect.state("goal_search", "disturbed")
 end)
 
 test("has the head before head_scan, and not before it searches", function()
@@ -243,12 +250,12 @@ test("has the head before head_scan, and not before it searches", function()
   expect.head(-math.rad(45), 0.0)
 end)
 
-test("leaves the legs to stand_up", function()
-  load_behavior "stand_up"
+test("leaves the legs to get_up", function()
+  load_behavior "get_up"
   start()
   put_down()
   stand_at(0, 0, 0)
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(1.5)
   expect.walk(0, 0, 0)
   expect.get_up(true)

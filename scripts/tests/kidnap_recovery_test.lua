@@ -2,14 +2,14 @@
 
 local function put_down()
   load_behavior "kidnap_recovery"
-  set_world { evaluation = { active = true }, confidence = { distinctiveness = 0.3 } }
+  set_world { confidence = { coverage = 0.9, distinctiveness = 0.3 } }
   advance(0.1)
-  set_world { robot = { carried = true }, pose = { cluster_weight = 0.9 } }
+  set_world { robot = { posture = "lifted" }, pose = { cluster_weight = 0.9 } }
   advance(1)
   expect.state("kidnap_recovery", "lifted")
   expect.reason("kidnap_recovery", "somebody carries the robot")
   expect.lease("pause_training")
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   advance(0.4)
 end
 
@@ -21,26 +21,22 @@ test("does nothing as long as nobody lifts the robot", function()
   expect.no_command()
 end)
 
-test("does not take the beginning of a fall for being lifted", function()
+test("does not take a hand that only steadies it for being lifted", function()
   load_behavior "kidnap_recovery"
-  set_world { robot = { carried = true } }
-  advance(0.5)
-  set_world { robot = { carried = false, fallen = true } }
+  set_world { robot = { posture = "lifted" } }
+  advance(0.4)
+  set_world { robot = { posture = "upright" } }
   advance(2)
   expect.state("kidnap_recovery", "undisturbed")
 end)
 
-test("does not take getting up for being lifted", function()
+test("does not take a fall, or getting up, for being lifted", function()
   load_behavior "kidnap_recovery"
-  set_world { robot = { fallen = true } }
-  advance(3)
-  set_world { robot = { fallen = false } }
-  advance(0.2)
-  set_world { robot = { carried = true } }
-  advance(3)
-  set_world { robot = { carried = false } }
-  advance(1)
-  expect.state("kidnap_recovery", "undisturbed")
+  for _, posture in ipairs { "falling", "lying", "getting_up", "upright" } do
+    set_world { robot = { posture = posture } }
+    advance(3)
+    expect.state("kidnap_recovery", "undisturbed")
+  end
 end)
 
 test("a robot that was put down turns on the spot, and nothing is trained", function()
@@ -55,9 +51,9 @@ end)
 
 test("a penalized robot begins to search when it may play again", function()
   load_behavior "kidnap_recovery"
-  set_world { robot = { carried = true, penalized = true } }
+  set_world { robot = { posture = "lifted", penalized = true } }
   advance(1)
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   advance(45)
   expect.state("kidnap_recovery", "lifted")
   expect.lease("pause_training")
@@ -69,23 +65,26 @@ end)
 test("recovers when the room supports the believed pose long enough", function()
   put_down()
   set_world { confidence = { current = 0.8 } }
-  advance(5)
+  advance(2.9)
   expect.state("kidnap_recovery", "searching/with its belief")
   advance(1.5)
   expect.state("kidnap_recovery", "recovered")
   expect.reason("kidnap_recovery", "the room supports the believed pose")
-  expect.log("recovered 6.")
+  expect.log("s after it was put down")
   expect.no_lease("pause_training")
   expect.no_command()
 end)
 
-test("does not believe confidences from before it was lifted", function()
+test("does not count the time in which the confidences are fresh", function()
   put_down()
-  set_world { confidence = { current = 0.9 } }
-  advance(2.9)
-  set_world { confidence = { current = 0.0 } }
-  advance(5)
+  set_world { confidence = { current = 0.9, status = "fresh" } }
+  advance(10)
   expect.state("kidnap_recovery", "searching/with its belief")
+  set_world { confidence = { status = "usable" } }
+  advance(2.9)
+  expect.state("kidnap_recovery", "searching/with its belief")
+  advance(0.2)
+  expect.state("kidnap_recovery", "recovered")
 end)
 
 test("does not believe in a pose on which the pose particles do not agree", function()
@@ -152,7 +151,7 @@ end)
 
 test("a fall does not end the search", function()
   put_down()
-  set_world { robot = { fallen = true }, confidence = { current = 0.9 } }
+  set_world { robot = { posture = "lying" }, confidence = { current = 0.9 } }
   advance(10)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.lease("pause_training")
@@ -163,10 +162,10 @@ test("begins anew whenever it is lifted", function()
   set_world { confidence = { current = 0.9 } }
   advance(7)
   expect.state("kidnap_recovery", "recovered")
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
   expect.state("kidnap_recovery", "lifted")
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   advance(1)
   expect.state("kidnap_recovery", "searching/with its belief")
 end)
@@ -189,16 +188,16 @@ end)
 test("leaves the legs to goal_search while that looks at a goal", function()
   load_behavior "goal_search"
   put_down()
-  advance(5)
-  expect.state("goal_search", "catching up")
+  advance(3.5)
+  expect.state("goal_search", "put down")
   expect.walk(0, 0, 0.4)
-  advance(1)
+  advance(1.2)
   expect.state("goal_search", "searching/opponent goal")
   expect.walk(0, 0, 0)
 end)
 
 for what, world in pairs {
-  ["is not known"] = { evaluation = { active = false } },
+  ["is not known"] = { confidence = { coverage = 0.1 } },
   ["looks the same after half a turn"] = { confidence = { distinctiveness = 0.01 } },
 } do
   test("forgets nothing when the room " .. what .. ", and goes on in the end", function()

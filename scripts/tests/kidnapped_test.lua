@@ -15,19 +15,19 @@ local function put_down()
   expect.state("kidnapped", "carrying")
   expect.action("pick_up")
   expect.log("picked up")
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(2.1)
   expect.state("kidnapped", "elsewhere/lost")
   expect.reason("kidnapped", "put down at another place")
   expect.action("put_down")
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   set_truth(1.6, 2.0, -2.0)
   advance(1)
 end
 
 --- The room supports the belief, right or wrong.
 local function become_sure()
-  set_world { confidence = { current = 0.9 }, pose = { cluster_weight = 0.9 } }
+  set_world { confidence = { current = 0.9, status = "usable", age = 60 }, pose = { cluster_weight = 0.9 } }
   advance(6)
   expect.state("kidnap_recovery", "recovered")
 end
@@ -75,10 +75,9 @@ end)
 
 test("loads the behaviours that it needs", function()
   put_down()
-  expect.state("orientation", "carried")
-  expect.state("stand_up", "upright")
+  expect.state("orientation", "watching")
+  expect.state("get_up", "idle")
   expect.state("background_training", "waiting")
-  expect.state("training_pause", "allowing")
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.state("penalty_marks", "waiting")
 end)

@@ -19,7 +19,6 @@ test("a robot that fell forgets its orientation and finds it again", function()
   local is_right = simulate { scenario = "fallen", seed = 1 }
   expect.verdict(true, "found it again")
   expect.command("reset_orientation", "granted")
-  expect.state("training_pause", "allowing")
   expect.equal(is_right, true)
 end)
 

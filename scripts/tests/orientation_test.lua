@@ -69,40 +69,50 @@ end)
 
 test("resets the orientation after a fall, once the robot is up", function()
   learned_room()
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(3)
   expect.state("orientation", "fallen")
   expect.no_command()
-  set_world { robot = { fallen = false } }
+  set_world { robot = { posture = "upright" } }
   advance(0.5)
   expect.state("orientation", "resetting")
   expect.command("reset_orientation", "granted")
   expect.reason("orientation", "the robot got up again")
   advance(3)
   expect.state("orientation", "watching")
-  expect.reason("orientation", "after settle")
+  expect.reason("orientation", "after min_time")
 end)
 
-test("a robot that gets up has unloaded feet, and is reset all the same", function()
+test("a robot that gets up is reset once it stands, not sooner", function()
   learned_room()
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(3)
-  set_world { robot = { fallen = false } }
-  advance(0.2)
-  set_world { robot = { carried = true } }
-  advance(2.5)
+  set_world { robot = { posture = "getting_up" } }
+  advance(2.7)
   expect.state("orientation", "fallen")
   expect.no_command()
-  set_world { robot = { carried = false } }
-  advance(0.5)
+  set_world { robot = { posture = "upright" } }
+  advance(0.1)
   expect.command("reset_orientation", "granted")
+end)
+
+test("a robot that was helped up into somebody's hands is not reset: nobody knows where it will stand", function()
+  learned_room()
+  set_world { robot = { posture = "lying" } }
+  advance(3)
+  set_world { robot = { posture = "lifted" } }
+  advance(1)
+  set_world { robot = { posture = "upright" } }
+  advance(3)
+  expect.state("orientation", "watching")
+  expect.no_command()
 end)
 
 test("purges once after a reset, when the room has told the orientation", function()
   learned_room()
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(3)
-  set_world { robot = { fallen = false } }
+  set_world { robot = { posture = "upright" } }
   advance(0.5)
   expect.command("reset_orientation", "granted")
   advance(6)
@@ -119,33 +129,33 @@ test("a fall while it settles is a fall, too", function()
   set_world { confidence = { opposite = 0.9 } }
   advance(0.7)
   expect.state("orientation", "correcting")
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(0.1)
   expect.state("orientation", "fallen")
   expect.reason("orientation", "the robot fell")
 end)
 
-test("a fall begins with unloaded feet", function()
+test("a robot that is dropped has fallen", function()
   learned_room()
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(0.4)
-  expect.state("orientation", "carried")
-  expect.reason("orientation", "the robot is being carried")
-  set_world { robot = { carried = false, fallen = true } }
+  expect.state("orientation", "lifted")
+  expect.reason("orientation", "somebody has lifted the robot")
+  set_world { robot = { posture = "lying" } }
   advance(0.1)
   expect.state("orientation", "fallen")
 end)
 
-test("does not flip when the pose filter has already changed its mind", function()
+test("does not flip while the confidences are fresh, whatever the reason: the pose filter may have changed its mind", function()
   learned_room()
-  set_world { confidence = { opposite = 0.9, raw_current = 1.0, raw_opposite = 0.0 } }
+  set_world { confidence = { opposite = 0.9, status = "fresh" } }
   advance(3)
   expect.no_command()
 end)
 
-test("does not purge while what is seen now speaks against the believed pose", function()
+test("does not purge while the confidences are fresh", function()
   learned_room()
-  set_world { confidence = { current = 0.9, raw_opposite = 1.0 }, pose = { reflected_weight = 0.3 } }
+  set_world { confidence = { current = 0.9, status = "fresh" }, pose = { reflected_weight = 0.3 } }
   advance(3)
   expect.no_command()
 end)
@@ -162,25 +172,26 @@ end)
 
 test("does nothing while it is carried", function()
   learned_room()
-  set_world { robot = { carried = true }, confidence = { opposite = 1.0 } }
+  set_world { robot = { posture = "lifted" }, confidence = { opposite = 1.0 } }
   advance(5)
-  expect.state("orientation", "carried")
+  expect.state("orientation", "lifted")
   expect.no_command()
-  set_world { robot = { carried = false } }
-  advance(2.5)
-  expect.no_command()   -- the confidences still speak of where it was before
+  set_world { robot = { posture = "upright" } }
+  advance(0.7)
+  expect.no_command()   -- the confidences have begun anew
   advance(1.5)
   expect.command("flip_pose", "granted")
 end)
 
-test("decides no sooner than it has stood for a while", function()
+test("watches as soon as it stands again, and decides no sooner than views have said something", function()
   learned_room()
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(2)
-  set_world { robot = { carried = false } }
-  advance(3.1)
+  set_world { robot = { posture = "upright" }, confidence = { opposite = 1.0 } }
+  advance(0.1)
   expect.state("orientation", "watching")
   expect.reason("orientation", "the robot stands again")
+  expect.no_command()
 end)
 
 test("purges once after a flip that proved right, however few reflected beliefs there are", function()
@@ -201,7 +212,7 @@ test("an edit of the lead changes nothing of the state and counts at once", func
   set_world { confidence = { opposite = 0.4 } }
   advance(2)
   expect.no_command()
-  reload { from = "lead        = { 0.5,", to = "lead        = { 0.3," }
+  reload { from = "lead      = { 0.5,", to = "lead      = { 0.3," }
   advance(0.6)
   expect.command("flip_pose", "granted")
 end)

@@ -2,6 +2,12 @@
 
 local function stand_at(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
+local DISTURBANCES = {
+  lying = { { posture = "lying" }, { posture = "upright" } },
+  lifted = { { posture = "lifted" }, { posture = "upright" } },
+  penalized = { { penalized = true }, { penalized = false } },
+}
+
 test("walks straight to its own mark when it looks there", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
@@ -44,16 +50,16 @@ test("goes to its own mark first after a disturbance", function()
   stand_at(-3.2, 0, 0)
   advance(1.2)
   expect.state("penalty_marks", "walking")   -- to the other mark
-  for _, what in ipairs { "fallen", "carried", "penalized" } do
-    set_world { robot = { [what] = true } }
+  for _, change in pairs(DISTURBANCES) do
+    set_world { robot = change[1] }
     advance(1)
-    expect.state("penalty_marks", "helpless")
+    expect.state("penalty_marks", "disturbed")
     expect.reason("penalty_marks", "the robot cannot walk now")
     expect.walk(0, 0, 0)
-    set_world { robot = { [what] = false } }
+    set_world { robot = change[2] }
     stand_at(2, 0, 0)
     advance(0.4)
-    expect.state("penalty_marks", "helpless")
+    expect.state("penalty_marks", "disturbed")
     advance(0.3)
     expect.state("penalty_marks", "walking")
     expect.reason("penalty_marks", "the robot stands again")
@@ -68,9 +74,9 @@ test("goes to its own mark first also when it was lifted from the other one", fu
   stand_at(3.2, 0, 0)
   advance(0.1)
   expect.state("penalty_marks", "on the mark")
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   stand_at(2, 0, math.pi)
   advance(1)
   expect.walk(0.2, 0, 0)
@@ -82,18 +88,19 @@ test("a disturbance ends turning round", function()
   stand_at(-3.2, 0, 0)
   advance(0.1)
   expect.state("penalty_marks", "turning round")
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(0.1)
-  expect.state("penalty_marks", "helpless")
+  expect.state("penalty_marks", "disturbed")
 end)
 
 test("waits while others search for the pose, even on a mark", function()
   load_behavior "kidnap_recovery"
   load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
-  set_world { robot = { carried = true }, pose = { cluster_weight = 0.9 } }
+  set_world { confidence = { coverage = 0.9, distinctiveness = 0.3 } }
+  set_world { robot = { posture = "lifted" }, pose = { cluster_weight = 0.9 } }
   advance(1)
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   advance(5)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.state("penalty_marks", "waiting")
@@ -107,7 +114,7 @@ end)
 test("goes on to the same mark after a goal search", function()
   load_behavior "goal_search"
   load_behavior "penalty_marks"
-  set_world { evaluation = { active = true }, confidence = { current = 0.9, distinctiveness = 0.3 } }
+  set_world { confidence = { current = 0.9, coverage = 0.9, distinctiveness = 0.3 } }
   stand_at(-3.2, 0, 0)
   advance(1.2)
   expect.state("penalty_marks", "walking")   -- to the opponent's mark
@@ -125,14 +132,14 @@ end)
 test("a fall while it waits is a disturbance", function()
   load_behavior "kidnap_recovery"
   load_behavior "penalty_marks"
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   advance(2)
   expect.state("penalty_marks", "waiting")
-  set_world { robot = { fallen = true } }
+  set_world { robot = { posture = "lying" } }
   advance(1)
-  expect.state("penalty_marks", "helpless")
+  expect.state("penalty_marks", "disturbed")
 end)
 
 test("an edit of the library counts without losing the way", function()

@@ -14,11 +14,11 @@ local function put_down()
   advance(40.1)
   expect.state("turned_round", "carrying")
   expect.action("pick_up")
-  set_world { robot = { carried = true } }
+  set_world { robot = { posture = "lifted" } }
   advance(1.6)
   expect.state("turned_round", "turned round/lost")
   expect.action("put_down")
-  set_world { robot = { carried = false } }
+  set_world { robot = { posture = "upright" } }
   set_truth(-1, -0.5, math.pi)
   advance(0.1)
 end
@@ -49,12 +49,11 @@ end)
 
 test("loads the behaviours that it needs", function()
   put_down()
-  expect.state("orientation", "carried")
-  expect.state("stand_up", "upright")
-  expect.state("training_pause", "settling")
-  expect.state("background_training", "waiting")
-  expect.state("kidnap_recovery", "lifted")
-  expect.state("goal_search", "catching up")
-  expect.state("penalty_marks", "helpless")
+  expect.state("orientation", "watching")
+  expect.state("get_up", "idle")
+  expect.state("background_training", "disturbed")
+  expect.state("kidnap_recovery", "searching/with its belief")
+  expect.state("goal_search", "put down")
+  expect.state("penalty_marks", "waiting")
   expect.head(1.1, 0.25)
 end)

@@ -47,15 +47,15 @@ TEST_F(ArbiterTest, RefusesTheSameCommandDuringItsCoolDown) {
 }
 
 TEST_F(ArbiterTest, ARefusedCommandStartsNoCoolDown) {
-  world.carried = true;
+  world.posture = Posture::lifted;
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::not_allowed});
   EXPECT_FALSE(last.granted);
-  world.carried = false;
+  world.posture = Posture::upright;
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::granted});
 }
 
 TEST_F(ArbiterTest, AFallenRobotMayOnlyResetItsOrientation) {
-  world.fallen = true;
+  world.posture = Posture::lying;
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 10),
                       request(Reorientation::reset_orientation, 1)}),
             (Verdicts{Verdict::not_allowed, Verdict::not_allowed, Verdict::granted}));

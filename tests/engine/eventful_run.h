@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "engine/frame.h"
@@ -37,10 +38,21 @@ inline FrameSetup eventful_setup() {
   setup.seed = 5;
   setup.scripts = read_scripts(kShippedScripts);
   setup.scripts.apply({"behaviors/restless.lua", ScriptText{kRestless, ""}});
-  setup.behaviors = {"orientation", "background_training", "head_scan", "stand_up", "kidnap_recovery", "restless"};
+  setup.behaviors = {"orientation", "background_training", "head_scan", "get_up", "kidnap_recovery", "restless"};
   // So that much happens within a few seconds.
   setup.parameters = {{"background_training.evaluate_at", "0.1", ParameterOrigin::file, "here:1"}};
   return setup;
+}
+
+/// Of somebody else's particle filter.
+inline std::vector<ExternalBelief::Particle> scattered_around(const Pose2& pose) {
+  std::vector<ExternalBelief::Particle> particles;
+  particles.reserve(32);
+  for (int i = 0; i < 30; ++i)
+    particles.push_back({pose * Pose2(0.02 * (i % 5), -0.03 * (i % 3), 0.01 * (i % 7)), 1.0 + i % 4});
+  particles.push_back({reflect(pose), 5.0});
+  particles.push_back({pose, std::numeric_limits<double>::infinity()});
+  return particles;
 }
 
 /// One element for each frame.
@@ -69,6 +81,13 @@ inline std::vector<Bytes> eventful_run(int frames, FrameSetup setup = eventful_s
     if (event == 170) simulator.penalize(false);
     if (event == 200) inputs.told.initial_pose = InitialPose{simulator.ground_truth().pose};
     simulator.observe(inputs.observation);
+    const std::vector<ExternalBelief::Particle> particles = scattered_around(simulator.ground_truth().pose);
+    if ((event >= 20 && event < 40) || (event >= 175 && event < 197)) {  // another localization comes, and goes again
+      ExternalBelief& belief = inputs.observation.belief.emplace();
+      if (event < 40) belief.particles = particles;
+      belief.pose = simulator.ground_truth().pose;
+      if (event == 190) belief.pose.rotation = std::numeric_limits<double>::quiet_NaN();
+    }
     write_inputs(inputs, run.emplace_back());
     simulator.answer(engine.step(inputs).answer);
   }

@@ -27,7 +27,7 @@ class HandFedLoop {
 
   explicit HandFedLoop(const std::string& behavior, FrameSetup setup = {}) : image(colorful_image(160, 120)) {
     setup.scripts.apply({"behaviors/tested.lua", ScriptText{behavior, ""}});
-    setup.behaviors.push_back("tested");
+    setup.behaviors.emplace_back("tested");
     engine.emplace(std::move(setup));
     CameraFrame& upper = inputs.observation.upper.emplace();
     upper.image = image.view();
@@ -53,6 +53,18 @@ class HandFedLoop {
   const FrameRecord& record() const { return engine->record(); }
   const World& world() const { return record().world; }
   void tell(const Pose2& pose) { inputs.told.initial_pose = InitialPose{pose}; }
+
+  /// Somebody takes it up by both shoulders: within ten frames the engine knows.
+  void lift() {
+    inputs.observation.body.foot_load = 0.0;
+    inputs.observation.body.acceleration.z() += 5.0;
+    step(10);
+    inputs.observation.body.acceleration.z() -= 5.0;
+  }
+  void put_down() {
+    inputs.observation.body.foot_load = BodySample().foot_load;
+    step(10);
+  }
 
   /// Steps until something was granted.
   const FrameRecord& reoriented() {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/script/script_error.h"
+#include "robots/simulator/simulator.h"
 #include "tests/engine/frame_fixture.h"
 
 namespace reorient {
@@ -120,13 +121,59 @@ TEST(Frame, FlipsTheBeliefInTheFrameThatGrantsIt) {
 
 TEST(Frame, KeepsTheBeliefWhereACommandIsRefused) {
   ToldLoop loop(then("command.flip_pose()"));
-  loop.inputs.observation.body.foot_load = 0.0;
+  loop.lift();
   for (int i = 0; i < 30; ++i) {
     loop.step();
     EXPECT_FALSE(loop.record().reorientation);
   }
-  EXPECT_TRUE(loop.world().carried);
+  EXPECT_EQ(loop.world().posture, Posture::lifted);
   expect_near(loop.world().pose.pose, kPlace);
+}
+
+TEST(Frame, SeesTheFieldWithBothCamerasEachWithItsOwnPose) {
+  SimulatorParameters parameters;
+  parameters.image = ImageSize::qvga_320x240;
+  parameters.cameras = Cameras::both;
+  const FieldDimensions field;
+  Simulator simulator(parameters, field, procedural_hall(1, {}), Pose2(-0.8, 0.0, 0.0), 1);  // before the centre circle
+  FrameSetup setup;
+  setup.scripts.apply({"behaviors/tested.lua", ScriptText{kIdle, ""}});
+  setup.behaviors = {"tested"};
+  FrameLoop engine(std::move(setup));
+  FrameInputs inputs;
+  inputs.told.initial_pose = InitialPose{Pose2(-0.8, 0.0, 0.0)};
+  std::size_t lower_points = 0;
+  for (int i = 0; i < 60; ++i) {
+    simulator.observe(inputs.observation);
+    const FrameRecord& record = engine.step(inputs);
+    inputs.told = {};
+    ASSERT_TRUE(record.inputs.lower);
+    EXPECT_LT(record.inputs.lower->time, record.inputs.upper->time);
+    EXPECT_EQ(record.inputs.room_camera, HeadCamera::upper);
+    lower_points += record.percepts[1].line_points.size();
+    for (const LinePoint& point : record.percepts[1].line_points) {
+      const Eigen::Vector2d on_field = simulator.ground_truth().pose * point.position;
+      EXPECT_LT(on_field.norm(), 2.5) << "near the feet";
+    }
+  }
+  EXPECT_GT(lower_points, 60u);
+  EXPECT_LT((engine.record().world.pose.pose.position - Eigen::Vector2d(-0.8, 0.0)).norm(), 0.2);
+}
+
+TEST(Frame, LooksAtTheRoomThroughTheLowerCameraWhereThereIsNoOther) {
+  ToldLoop loop(kIdle);
+  loop.step();
+  EXPECT_EQ(loop.record().inputs.room_camera, HeadCamera::upper);
+  loop.inputs.observation.lower = loop.inputs.observation.upper;
+  loop.inputs.observation.upper.reset();
+  loop.inputs.observation.time += 0.05;
+  loop.inputs.observation.lower->time = loop.inputs.observation.time;
+  loop.engine->step(loop.inputs);
+  EXPECT_EQ(loop.record().inputs.room_camera, HeadCamera::lower);
+  EXPECT_GT(loop.world().confidence.visible_tiles, 0);
+  loop.inputs.observation.lower.reset();
+  loop.engine->step(loop.inputs);
+  EXPECT_FALSE(loop.record().inputs.room_camera);
 }
 
 TEST(Frame, KnowsThePoseNoMoreAfterAReset) {
@@ -164,7 +211,7 @@ TEST(Frame, NeitherTrainsNorEvaluatesNorSeesTheFieldWhileItLies) {
   loop.inputs.observation.upper->robot_from_camera =
       robot_from_camera(RobotDimensions(), {}, {0.0, 1.5}, RobotDimensions().hip_height);
   loop.step();
-  EXPECT_TRUE(loop.world().fallen);
+  EXPECT_EQ(loop.world().posture, Posture::lying);
   EXPECT_FALSE(loop.world().training);
   EXPECT_FALSE(loop.world().evaluating);
   EXPECT_EQ(loop.world().line_points, 0);
@@ -176,14 +223,14 @@ TEST(Frame, NeitherTrainsNorEvaluatesNorSeesTheFieldWhileItLies) {
 TEST(Frame, NeitherTrainsNorEvaluatesWhileItIsCarried) {
   ToldLoop loop(kIdle);
   loop.step(10);
-  loop.inputs.observation.body.foot_load = 0.0;
-  loop.step(10);
-  EXPECT_TRUE(loop.world().carried);
+  loop.lift();
+  EXPECT_EQ(loop.world().posture, Posture::lifted);
   EXPECT_FALSE(loop.world().training);
   EXPECT_FALSE(loop.world().evaluating);
-  loop.inputs.observation.body.foot_load = 5.3;
-  loop.step(10);
+  EXPECT_EQ(loop.world().undisturbed_for, 0.0);
+  loop.put_down();
   EXPECT_TRUE(loop.world().training);
+  EXPECT_GT(loop.world().undisturbed_for, 0.0);
 }
 
 TEST(Frame, RestsWhatAScriptPausesFromTheNextFrameOn) {

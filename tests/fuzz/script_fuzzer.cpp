@@ -72,8 +72,8 @@ class Worlds {
     world_.time_step = kSteps[draw(4)];
     world_.time += world_.time_step;
     ++world_.frame;
-    world_.fallen = draw(4) == 0;
-    world_.carried = draw(4) == 0;
+    world_.posture = static_cast<Posture>(draw(kPostures));
+    world_.room_status = static_cast<RoomStatus>(draw(kRoomStatuses));
     world_.penalized = draw(8) == 0;
     world_.head = {fraction() - 0.5, 0.2 * fraction()};
     world_.pose.pose = Pose2(6.0 * fraction() - 3.0, 4.0 * fraction() - 2.0, 6.0 * fraction() - 3.0);
@@ -85,7 +85,8 @@ class Worlds {
     world_.confidence.distinctiveness = fraction();
     world_.trained_seconds = 60.0 * fraction();
     truth_.reset();
-    if (draw(2) == 0) truth_ = GroundTruth{world_.pose.pose, world_.fallen, world_.carried};
+    if (draw(2) == 0)
+      truth_ = GroundTruth{world_.pose.pose, is_down(world_.posture), world_.posture == Posture::lifted};
     return world_;
   }
   const std::optional<GroundTruth>& truth() const { return truth_; }

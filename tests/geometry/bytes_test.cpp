@@ -41,7 +41,7 @@ struct Everything {
   std::int8_t small = -3;
   std::uint64_t large = std::numeric_limits<std::uint64_t>::max();
   float share = 0.1f;
-  std::string text = "two\0words";
+  std::string text{"two\0words", 9};
   std::vector<Part> parts{{0.1, Color::green}, {std::numeric_limits<double>::infinity(), Color::blue}};
   std::vector<std::uint16_t> numbers{1, 2, 65535};
   std::optional<Part> none;

@@ -30,6 +30,7 @@ TEST(PoseFilterMemory, IsNotAllocatedInTheSteadyStateNorByCommands) {
   filter.set_initial_pose(start, 0.1, 0.05);
   SyntheticField field(FieldDimensions(), PerceptErrors(), 1);
   std::vector<FieldPercept> percepts;
+  percepts.reserve(60);
   for (int i = 0; i < 60; ++i) percepts.push_back(field.look(start, scanning_yaw(i / 30.0), i / 30.0));
   filter.update(percepts[0], SeenGoal::opponent);
 

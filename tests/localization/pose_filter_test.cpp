@@ -24,8 +24,8 @@ std::vector<float> state_of(const PoseFilter& filter) {
   const ParticleSet& particles = filter.particles();
   std::vector<float> values;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    values.insert(values.end(), {particles.x[i], particles.y[i],
-                                 static_cast<float>(to_radians(particles.rotation[i])), particles.weight[i]});
+    values.insert(values.end(), {particles.x[i], particles.y[i], static_cast<float>(to_radians(particles.rotation[i])),
+                                 particles.weight[i]});
   }
   return values;
 }

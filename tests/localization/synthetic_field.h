@@ -56,7 +56,7 @@ inline double scanning_yaw(double time) { return 1.4 * std::sin(2.0 * kPi * time
 /// A robot with a pose filter, both a frame (1/30 s) at a time.
 class SyntheticRobot {
  public:
-  SyntheticRobot(PoseFilter& filter, const Pose2& truth, std::uint64_t seed, const PerceptErrors& errors = {});
+  SyntheticRobot(PoseFilter& filter, const Pose2& where, std::uint64_t seed, const PerceptErrors& errors = {});
 
   /// Where it really is; may be overwritten to pick it up and put it down.
   Pose2 truth;

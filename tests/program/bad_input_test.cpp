@@ -137,7 +137,8 @@ TEST_F(BadInput, AParameterOfAWrongTypeIsNamed) {
     expect_refused_run({"--set", std::string("arbiter.flip_cooldown=") + value}, {"arbiter.flip_cooldown"});
     expect_refused_run({"--set", std::string("orientation.lead=") + value}, {"orientation.lead"});
   }
-  expect_refused_run({"--set", "room.mode=papr"}, {"room.mode", "did you mean 'paper'"});
+  expect_refused_run({"--set", "histogram_distance.measure=ssd4"},
+                     {"histogram_distance.measure", "did you mean 'ssd3'"});
   expect_refused_run({"--set", "simulator.ball=perhaps"}, {"simulator.ball"});
 }
 

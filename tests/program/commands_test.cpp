@@ -35,11 +35,12 @@ TEST_F(CommandsTest, CheckFindsNothingWrongWithTheShippedScripts) {
 }
 
 TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
-  append("behaviors/head_scan.lua", "local x = robot.falen\n");
+  append("behaviors/head_scan.lua", "local x = robot.penalised\n");
   const ProgramRun checked = run({"check"});
   EXPECT_EQ(checked.code, kWrong);
-  EXPECT_NE(checked.out.find("behaviors/head_scan.lua:33:17: error: there is no robot.falen (did you mean 'fallen'?)"),
-            std::string::npos)
+  EXPECT_NE(
+      checked.out.find("behaviors/head_scan.lua:46:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
+      std::string::npos)
       << checked.out;
 }
 
@@ -106,31 +107,40 @@ TEST_F(CommandsTest, NewNeverOverwritesAndTakesPlainNamesOnly) {
 TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
   const ProgramRun listed = run({"params", "orientation.", "--set", "orientation.lead=0.3"});
   EXPECT_EQ(listed.code, kSuccess) << listed.err;
-  EXPECT_NE(listed.out.find("orientation.lead          0.3  command line  0 to 1: how far one pose must be ahead"),
-            std::string::npos)
+  EXPECT_NE(listed.out.find("  0.3  command line  0 to 1: how far one pose must be ahead"), std::string::npos)
       << listed.out;
-  EXPECT_NE(listed.out.find("orientation.proof         0.5  default       0 to 10 s: "), std::string::npos)
+  EXPECT_NE(listed.out.find("  0.5  default       0 to 10 s: how long the lead must last"), std::string::npos)
       << listed.out;
   EXPECT_EQ(listed.out.find("head_scan"), std::string::npos);
 }
 
 TEST_F(CommandsTest, ParamsListsThoseOfTheCoreTheSimulatorAndTheScenarios) {
   const ProgramRun listed = run({"params"});
-  for (const char* name : {"pose_filter.", "room.", "arbiter.flip_cooldown", "body.", "script.max_memory",
-                           "turned_round.learn", "walk.speed"})
+  for (const char* name : {"pose_filter.", "room_status.", "posture.", "arbiter.flip_cooldown", "body.",
+                           "script.max_memory", "turned_round.learn", "walk.speed"})
     EXPECT_NE(("\n" + listed.out).find(std::string("\n") + name), std::string::npos) << name;
 }
 
 TEST_F(CommandsTest, ParamsSavesOverridesThatARunLoads) {
   const std::string file = path("tuned.toml");
-  ASSERT_EQ(
-      run({"params", "--changed", "--set", "orientation.lead=0.3", "--set", "room.mode=paper", "--save-params", file})
-          .code,
-      kSuccess)
-      << run({"params", "room."}).out;
+  ASSERT_EQ(run({"params", "--changed", "--set", "orientation.lead=0.3", "--set", "histogram_distance.measure=ssd3",
+                 "--save-params", file})
+                .code,
+            kSuccess)
+      << run({"params", "orientation"}).out;
   const ProgramRun again = run({"params", "--changed", "--params", file});
   EXPECT_NE(again.out.find("orientation.lead  "), std::string::npos) << again.out;
   EXPECT_NE(again.out.find("file"), std::string::npos) << again.out;
+}
+
+TEST_F(CommandsTest, ParamsTakesThePresetsByTheirNames) {
+  const ProgramRun paper = run({"params", "--changed", "--params", "paper"});
+  EXPECT_EQ(paper.code, kSuccess) << paper.err;
+  for (const char* changed :
+       {"light_adaptation.enabled", "color.blur", "histogram_distance.measure", "view_filter.sharpness",
+        "confidence.restart_on_purge", "background_model.true_mean_start"})
+    EXPECT_NE(paper.out.find(changed), std::string::npos) << changed;
+  EXPECT_EQ(run({"params", "--params", "papre"}).code, kBadInput);
 }
 
 TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
@@ -149,10 +159,9 @@ TEST_F(CommandsTest, ARunSavesWhatWasTuned) {
 
 TEST_F(CommandsTest, TestWritesAReportAndCoverage) {
   const std::string file = path("report.xml");
-  const ProgramRun tested =
-      run({"test", "--coverage", "--junit", file, (scripts_ / "tests/stand_up_test.lua").string()});
+  const ProgramRun tested = run({"test", "--coverage", "--junit", file, (scripts_ / "tests/get_up_test.lua").string()});
   EXPECT_EQ(tested.code, kSuccess) << tested.out;
-  EXPECT_NE(tested.out.find("stand_up: 3 of 3 states"), std::string::npos) << tested.out;
+  EXPECT_NE(tested.out.find("get_up: 3 of 3 states"), std::string::npos) << tested.out;
   EXPECT_TRUE(read_whole_file(file).value_or("").starts_with("<?xml"));
   EXPECT_EQ(run({"test", "--junit", path("no/folder/x")}).code, kBadInput);
 }

@@ -175,7 +175,7 @@ TEST_F(LiveConsoleTest, DropsALineThatHasNoEnd) {
 }
 
 TEST_F(LiveConsoleTest, SurvivesBytesThatAreNoText) {
-  type(std::string("set \0\x80\xFF 1\n", 11));
+  type(std::string("set \0\x80\xFF 1\n", 10));
   EXPECT_NE(poll(), "");
 }
 

@@ -38,7 +38,7 @@ inline ProgramRun run_shortly(const std::vector<std::string>& more) {
 
 /// A copy of the shipped scripts, to be broken.
 inline std::filesystem::path copy_scripts(const std::filesystem::path& folder) {
-  const std::filesystem::path copy = folder / "scripts";
+  std::filesystem::path copy = folder / "scripts";
   std::filesystem::copy(kProjectFolder / "scripts", copy, std::filesystem::copy_options::recursive);
   return copy;
 }

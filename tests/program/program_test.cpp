@@ -129,7 +129,7 @@ TEST(Program, FailsWithAScriptedTestThatFails) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/tests/wrong_test.lua",
-               "test(\"gets up at once\", function()\n  load_behavior \"stand_up\"\n  advance(0.1)\n  "
+               "test(\"gets up at once\", function()\n  load_behavior \"get_up\"\n  advance(0.1)\n  "
                "expect.get_up(true)\nend)\n");
   const ProgramRun run = run_reorient({"test", "--scripts", scripts.string()});
   EXPECT_EQ(run.code, kWrong);

@@ -30,7 +30,8 @@ FieldDimensions load_field(const std::filesystem::path& file) {
   }
   FieldDimensions field;
   std::vector<std::string> keys{"yellow_goals"};
-  describe(field, [&](const char* key, double& /*length*/, double /*least*/, double /*most*/) { keys.push_back(key); });
+  describe(field,
+           [&](const char* key, double& /*length*/, double /*least*/, double /*most*/) { keys.emplace_back(key); });
   for (const auto& [key, value] : table) {
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
       fail(file, "'" + std::string(key.str()) + "' is not a key of a field; see assets/fields/README.md");

@@ -21,8 +21,8 @@ void RunHistory::observe(const FrameRecord& frame, const StageRecord& stage) {
   note_condition(RunCondition::evaluation_paused, !world.evaluating, world.time);
   note_condition(RunCondition::belief_reflected, stage.truth && is_correct(reflect(world.pose.pose), stage.truth->pose),
                  world.time);
-  note_condition(RunCondition::carried, world.carried, world.time);
-  note_condition(RunCondition::fallen, world.fallen, world.time);
+  note_condition(RunCondition::lifted, world.posture == Posture::lifted, world.time);
+  note_condition(RunCondition::down, is_down(world.posture), world.time);
   for (const CommandRecord& command : frame.commands) {
     if (commands_.size() >= kMostCommands) {
       commands_.erase(commands_.begin(), commands_.begin() + kMostCommands / 2);

@@ -21,7 +21,7 @@ struct ConfidencePoint {
 };
 
 /// What may hold for a while.
-enum class RunCondition { training, evaluation_paused, belief_reflected, carried, fallen };
+enum class RunCondition { training, evaluation_paused, belief_reflected, lifted, down };
 inline constexpr int kRunConditions = 5;
 
 struct ConditionInterval {

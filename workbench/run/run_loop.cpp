@@ -51,7 +51,7 @@ std::optional<RunEnd> RunLoop::step() {
 
 void RunLoop::play_scenario() {
   const FrameRecord& record = parts_.engine.record();
-  parts_.behaviors->show(*record.names, record.machines, record.world.time);
+  parts_.behaviors->show(*record.names, record.machines, record.published, record.world.time);
   stage_.scenario = parts_.scenario->tick({record.world, stage_.truth});
   for (const ExperimenterAction& action : stage_.scenario.actions)
     carry_out(action, *parts_.robot.experimenter, inputs_.told);

@@ -47,7 +47,12 @@ void SummaryObserver::judge_belief(const FrameRecord& frame, const StageRecord& 
   const GroundTruth& truth = *stage.truth;
   summary_.error = pose_error(world.pose.pose, truth.pose);
   summary_.correct = is_correct(world.pose.pose, truth.pose);
-  if (summary_.correct || world.carried || truth.carried) return;
+  if (summary_.correct && world.upright()) {
+    sum_.position += summary_.error->position;
+    sum_.rotation += summary_.error->rotation;
+    ++summed_;
+  }
+  if (summary_.correct || world.posture == Posture::lifted || truth.carried) return;
   summary_.wrong_seconds += world.time_step;
   if (!wrong_since_ || world.time - last_wrong_ >= kStaysCorrect) wrong_since_ = world.time;
   last_wrong_ = world.time;
@@ -56,6 +61,10 @@ void SummaryObserver::judge_belief(const FrameRecord& frame, const StageRecord& 
 RunSummary SummaryObserver::summary() const {
   RunSummary summary = summary_;
   if (summary.verdict.empty()) summary.verdict = "the scenario did not end in time";
+  if (summed_ > 0) {
+    const auto count = static_cast<double>(summed_);
+    summary.mean_error = PoseError{sum_.position / count, sum_.rotation / count};
+  }
   if (!wrong_since_) return summary;
   summary.belief_wrong_at = wrong_since_;
   if (summary.correct) summary.corrected_after = last_wrong_ - *wrong_since_;

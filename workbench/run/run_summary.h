@@ -37,6 +37,7 @@ struct RunSummary {
   std::optional<double> corrected_after;  ///< s from then until it was correct and stayed so
   double wrong_seconds = 0.0;             ///< for which the belief was wrong altogether, while nobody carried the robot
   std::optional<PoseError> error;         ///< at the end
+  std::optional<PoseError> mean_error;    ///< of correct beliefs, while the robot was upright
   PoseBelief belief;                      ///< at the end
   std::optional<GroundTruth> truth;
   int flips = 0;
@@ -63,6 +64,8 @@ class SummaryObserver : public Observer {
   RunSummary summary_;
   std::optional<double> wrong_since_;  ///< start of the last stretch of wrong belief
   double last_wrong_ = 0.0;            ///< s
+  PoseError sum_;                      ///< of correct beliefs' errors
+  std::uint64_t summed_ = 0;           ///< frames
 };
 
 }  // namespace reorient

@@ -1,5 +1,6 @@
 #include "workbench/scenario/scenario_host.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace reorient {
@@ -19,6 +20,11 @@ std::vector<std::string> RecordedBehaviors::machine_names() const {
   if (machines_ == nullptr) return names;
   for (const MachineStatus& status : *machines_) names.push_back((*names_)[status.machine]);
   return names;
+}
+
+bool RecordedBehaviors::is_published(std::string_view flag) const {
+  if (published_ == nullptr) return false;
+  return std::any_of(published_->begin(), published_->end(), [&](NameId id) { return (*names_)[id] == flag; });
 }
 
 ScenarioHost::ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,

@@ -45,17 +45,21 @@ struct ScenarioView {
 class RecordedBehaviors : public MachineDirectory {
  public:
   /// Both must outlive the next look.
-  void show(const NameTable& names, const std::vector<MachineStatus>& machines, double time) {
+  void show(const NameTable& names, const std::vector<MachineStatus>& machines, const std::vector<NameId>& published,
+            double time) {
     names_ = &names;
     machines_ = &machines;
+    published_ = &published;
     time_ = time;
   }
   bool look_up(std::string_view name, MachineSight& sight) const override;
   std::vector<std::string> machine_names() const override;
+  bool is_published(std::string_view flag) const override;
 
  private:
   const NameTable* names_ = nullptr;
   const std::vector<MachineStatus>* machines_ = nullptr;
+  const std::vector<NameId>* published_ = nullptr;
   double time_ = 0.0;
 };
 

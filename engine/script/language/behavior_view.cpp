@@ -37,9 +37,9 @@ int read_field(lua_State* L) {
   return 1;
 }
 
-void set_reader(lua_State* L) {
+void set_reader(lua_State* L, lua_CFunction refuse) {
   lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, refuse_writing);
+  lua_pushcfunction(L, refuse);
   lua_setfield(L, -2, "__newindex");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
@@ -56,9 +56,21 @@ int find_machine(lua_State* L) {
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_pushvalue(L, 2);
   lua_pushcclosure(L, read_field, 2);
-  set_reader(L);
+  set_reader(L, refuse_writing);
   lua_pushvalue(L, -1);
   lua_setfield(L, lua_upvalueindex(2), name);
+  return 1;
+}
+
+int refuse_publishing(lua_State* L) { return luaL_error(L, "published is read-only: a state publishes"); }
+
+/// Upvalue: the directory. Arguments: `published`, a name. What nobody publishes, or nobody who is loaded, is false.
+int read_published(lua_State* L) {
+  constexpr std::int64_t kPriceOfSearch = 20;
+  Sandbox::of(L).charge(kPriceOfSearch);
+  std::size_t length = 0;
+  const char* const flag = luaL_checklstring(L, 2, &length);
+  lua_pushboolean(L, directory_of(L).is_published({flag, length}) ? 1 : 0);
   return 1;
 }
 
@@ -71,8 +83,15 @@ void add_behavior_view(lua_State* L, const MachineDirectory& directory) {
   lua_pushlightuserdata(L, const_cast<MachineDirectory*>(&directory));
   lua_newtable(L);
   lua_pushcclosure(L, find_machine, 2);
-  set_reader(L);
+  set_reader(L, refuse_writing);
   lua_setglobal(L, "behaviors");
+
+  lua_newtable(L);
+  lua_createtable(L, 0, 3);
+  lua_pushlightuserdata(L, const_cast<MachineDirectory*>(&directory));
+  lua_pushcclosure(L, read_published, 1);
+  set_reader(L, refuse_publishing);
+  lua_setglobal(L, "published");
 }
 
 }  // namespace reorient

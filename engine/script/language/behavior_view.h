@@ -1,4 +1,4 @@
-// `behaviors.orientation.state`: how scripts see each other's machines.
+// `behaviors.orientation.state` and `published.pose_is_searched`: how scripts see each other's machines.
 #pragma once
 
 #include <string>
@@ -21,9 +21,11 @@ class MachineDirectory {
   /// False: there is no such machine.
   virtual bool look_up(std::string_view name, MachineSight& sight) const = 0;
   virtual std::vector<std::string> machine_names() const = 0;
+  /// Whether a state that publishes this was active when the frame began, in whatever machine.
+  virtual bool is_published(std::string_view flag) const = 0;
 };
 
-/// Makes the global `behaviors` of `L`; the directory must outlive it.
+/// Makes the globals `behaviors` and `published` of `L`; the directory must outlive it.
 void add_behavior_view(lua_State* L, const MachineDirectory& directory);
 
 }  // namespace reorient

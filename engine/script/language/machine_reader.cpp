@@ -19,7 +19,7 @@ const char kStateLine = 'l';
 
 constexpr const char* kMachineKeys[] = {"priority", "initial", "common", "enter", "update", "exit"};
 constexpr const char* kScenarioKeys[] = {"priority", "initial", "common", "enter", "update", "exit", "behaviors"};
-constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit"};
+constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit", "publishes"};
 constexpr const char* kTransitionKeys[] = {"when", "lasting", "after", "because"};
 
 bool is_state(lua_State* L, int table) {
@@ -84,6 +84,7 @@ void MachineReader::read_state(int table, int state, SourceLocations::Table& pla
   definition.enter = read_function(table, "enter");
   definition.update = read_function(table, "update");
   definition.exit = read_function(table, "exit");
+  definition.publishes = read_flag(table);
   raw_field(lua_, table, "history");
   definition.history = lua_toboolean(lua_, -1) != 0;
   lua_pop(lua_, 1);
@@ -226,6 +227,16 @@ std::string MachineReader::read_text(int table, const char* key) {
   if (type == LUA_TSTRING) text = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
   return text;
+}
+
+/// Others write it behind a dot.
+std::string MachineReader::read_flag(int table) {
+  std::string flag = read_text(table, "publishes");
+  const auto fits = [](char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  const bool is_name = std::all_of(flag.begin(), flag.end(), fits) && (flag.empty() || flag[0] > '9');
+  if (is_name) return flag;
+  note_at("publishes", "publishes is a name of a-z, 0-9 and _, such as \"pose_is_searched\"");
+  return {};
 }
 
 double MachineReader::read_priority(int table) {

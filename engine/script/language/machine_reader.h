@@ -39,6 +39,7 @@ class MachineReader {
   int find_parameter(const std::string& name);
   int read_function(int table, const char* key);
   std::string read_text(int table, const char* key);
+  std::string read_flag(int table);
   double read_priority(int table);
   void read_behaviors(int table);
   void check_keys(int table, std::span<const char* const> known);

@@ -1,6 +1,7 @@
 #include "engine/script/language/world_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -14,7 +15,8 @@ namespace {
 using Type = WorldField::Type;
 
 /// Where a field lives in a world. Only tests write through it.
-using Access = std::variant<double* (*)(World&), bool* (*)(World&), int* (*)(World&), std::uint64_t* (*)(World&)>;
+using Access = std::variant<double* (*)(World&), bool* (*)(World&), int* (*)(World&), std::uint64_t* (*)(World&),
+                            Posture* (*)(World&), RoomStatus* (*)(World&)>;
 
 struct BoundField {
   std::string_view table;
@@ -39,8 +41,12 @@ const BoundField kFields[] = {
     {"clock", "time", "s", "since the robot was switched on", [](World& w) { return &w.time; }},
     {"clock", "step", "s", "since the frame before", [](World& w) { return &w.time_step; }},
     {"clock", "frame", "", "number of this frame", [](World& w) { return &w.frame; }},
-    {"robot", "fallen", "", "the torso lies", [](World& w) { return &w.fallen; }},
-    {"robot", "carried", "", "there is no load on the feet: somebody carries it", [](World& w) { return &w.carried; }},
+    {"robot", "posture", "", "how it stands, lies or hangs in somebody's hands", [](World& w) { return &w.posture; }},
+    {"robot", "posture_before", "", "the posture before the present one", [](World& w) { return &w.posture_before; }},
+    {"robot", "posture_for", "s", "for how long it has had its posture", [](World& w) { return &w.posture_for; }},
+    {"robot", "undisturbed_for", "s",
+     "for how long it has been upright and in the game; 0 while it is not, or is penalized",
+     [](World& w) { return &w.undisturbed_for; }},
     {"robot", "penalized", "", "the referee has taken it out of the game", [](World& w) { return &w.penalized; }},
     {"robot", "head_yaw", "rad", "measured angle of the head, to the left", [](World& w) { return &w.head.yaw; }},
     {"robot", "head_pitch", "rad", "measured angle of the head, downwards", [](World& w) { return &w.head.pitch; }},
@@ -73,6 +79,14 @@ const BoundField kFields[] = {
     {"confidence", "distinctiveness", "",
      "how much the room differs from itself turned by half a turn; 0: it looks the same",
      [](World& w) { return &w.confidence.distinctiveness; }},
+    {"confidence", "age", "s",
+     "for how long views have said something since the confidences began anew: after a lift, a fall, a penalty, a told "
+     "pose, a flip or a jump of the belief",
+     [](World& w) { return &w.confidence.age; }},
+    {"confidence", "seen", "", "share of the wall's columns that those views have shown",
+     [](World& w) { return &w.confidence.seen; }},
+    {"confidence", "status", "", "whether the confidences say something about the believed pose; if not, why not",
+     [](World& w) { return &w.room_status; }},
     {"confidence", "visible_tiles", "", "how many tiles of the wall counted in this frame",
      [](World& w) { return &w.confidence.visible_tiles; }},
     {"training", "seconds", "s", "how long the background model was trained so far",
@@ -94,14 +108,32 @@ const BoundField kFields[] = {
      [](World& w) { return &w.field.center_circle_radius; }},
 };
 
-Type type_of(const BoundField& field) {
-  return std::holds_alternative<bool* (*)(World&)>(field.access) ? Type::boolean : Type::number;
+template <typename Enum>
+std::span<const std::string_view> names_of() {
+  static const auto names = [] {
+    std::array<std::string_view, static_cast<std::size_t>(enum_count(Enum{}))> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = to_string(static_cast<Enum>(i));
+    return all;
+  }();
+  return names;
+}
+
+/// What a value of this C++ type is to a script.
+template <typename Value>
+WorldField described(const BoundField& field, Value* (*)(World&)) {
+  WorldField result{field.table, field.name, field.unit, field.description, Type::number, {}};
+  if constexpr (std::is_same_v<Value, bool>) result.type = Type::boolean;
+  if constexpr (std::is_enum_v<Value>) {
+    result.type = Type::name;
+    result.names = names_of<Value>();
+  }
+  return result;
 }
 
 std::vector<WorldField> make_fields() {
   std::vector<WorldField> fields;
   for (const BoundField& field : kFields)
-    fields.push_back({field.table, field.name, field.unit, field.description, type_of(field), {}});
+    fields.push_back(std::visit([&](auto access) { return described(field, access); }, field.access));
   return fields;
 }
 
@@ -145,7 +177,12 @@ void write_world(World& world, std::string_view table, std::string_view name, co
     std::visit(
         [&](auto access) {
           auto* place = access(world);
-          *place = static_cast<std::remove_pointer_t<decltype(place)>>(number);
+          using Value = std::remove_pointer_t<decltype(place)>;
+          if constexpr (std::is_enum_v<Value>) {
+            *place = static_cast<Value>(static_cast<int>(number));
+          } else {
+            *place = static_cast<Value>(number);
+          }
         },
         kFields[i].access);
     return;

@@ -18,7 +18,11 @@ Machine::Machine(const MachineDefinition& definition)
     : definition_(&definition),
       entered_(definition.states.size(), 0.0),
       holding_since_(definition.transitions.size(), kNever),
-      last_child_(definition.states.size(), -1) {}
+      last_child_(definition.states.size(), -1) {
+  // As deep as it goes, and a pause of each kind in every active state: then no transition allocates.
+  active_.reserve(definition.states.size());
+  leases_.reserve(2 * definition.states.size());
+}
 
 const std::string& Machine::state() const { return definition_->states[active_.empty() ? 0 : active_.back()].path; }
 
@@ -35,6 +39,13 @@ void Machine::tick(MachineCallbacks& script, double time, std::vector<Transition
     take(script, transition, time, transitions);
   }
   for (const int state : active_) script.run(*this, state, definition_->states[state].update);
+}
+
+void Machine::append_published(std::vector<NameId>& all) const {
+  for (const int state : active_) {
+    const NameId flag = definition_->states[static_cast<std::size_t>(state)].publishes_id;
+    if (flag != kNoName && std::find(all.begin(), all.end(), flag) == all.end()) all.push_back(flag);
+  }
 }
 
 void Machine::start(MachineCallbacks& script, double time, std::vector<TransitionRecord>& transitions) {
@@ -107,22 +118,21 @@ void Machine::take(MachineCallbacks& script, int index, double time, std::vector
   while (kept < active_.size() && active_[kept] != transition.to &&
          definition_->is_within(transition.to, active_[kept]))
     ++kept;
-  const std::vector<int> left(active_.begin() + static_cast<std::ptrdiff_t>(kept), active_.end());
-  for (auto state = left.rbegin(); state != left.rend(); ++state) {
-    script.run_exit(*this, *state, definition_->states[*state].exit);
-    last_child_[definition_->states[*state].parent] = *state;
-    std::erase_if(leases_, [&](const Held& held) { return held.state == *state; });
+  for (std::size_t i = active_.size(); i-- > kept;) {
+    const int state = active_[i];
+    script.run_exit(*this, state, definition_->states[state].exit);
+    last_child_[definition_->states[state].parent] = state;
+    std::erase_if(leases_, [&](const Held& held) { return held.state == state; });
   }
   active_.resize(kept);
-  std::vector<int> way;  // from below what stays down to the target's parent
-  for (int state = definition_->states[transition.to].parent; state != active_.back();
+  // From below what stays down to the target's parent.
+  const int innermost = active_.back();
+  for (int state = definition_->states[transition.to].parent; state != innermost;
        state = definition_->states[state].parent) {
-    way.push_back(state);
+    active_.push_back(state);
+    forget_dwell(state);
   }
-  for (auto state = way.rbegin(); state != way.rend(); ++state) {
-    active_.push_back(*state);
-    forget_dwell(*state);
-  }
+  std::reverse(active_.begin() + static_cast<std::ptrdiff_t>(kept), active_.end());
   descend(transition.to);
   for (std::size_t i = kept; i < active_.size(); ++i) entered_[active_[i]] = time;
   reason_ = transition.because_id;

@@ -59,6 +59,8 @@ class Machine {
   void lease(Pause pause, int state);
   void end_leases() { leases_.clear(); }
   void append_leases(std::vector<Lease>& all) const;
+  /// What the active states publish.
+  void append_published(std::vector<NameId>& all) const;
   /// The transitions of the active states that are on their way: `when` holds, or only the time is lacking.
   void append_conditions(double time, std::vector<OpenCondition>& all) const;
 

@@ -118,7 +118,10 @@ bool MachineDefinition::is_within(int state, int ancestor) const {
 
 void intern_names(MachineDefinition& machine, Names& names) {
   machine.name_id = names.intern(machine.name);
-  for (StateDefinition& state : machine.states) state.path_id = names.intern(state.path);
+  for (StateDefinition& state : machine.states) {
+    state.path_id = names.intern(state.path);
+    if (!state.publishes.empty()) state.publishes_id = names.intern(state.publishes);
+  }
   for (TransitionDefinition& transition : machine.transitions) transition.because_id = names.intern(transition.because);
 }
 

@@ -47,6 +47,8 @@ struct StateDefinition {
   int enter = LUA_NOREF;
   int update = LUA_NOREF;
   int exit = LUA_NOREF;
+  std::string publishes;  ///< what others may read while it is active; empty: nothing
+  NameId publishes_id = kNoName;
   std::vector<int> transitions;  ///< `common` ones first
   TextPosition position;
 };

@@ -45,7 +45,7 @@ ComparedHistogram prepared(Distance measure, const ColorHistogram& histogram) {
   ComparedHistogram result;
   std::copy(histogram.begin(), histogram.end(), result.values.begin());
   if (measure == Distance::ssd3) result.dominant = three_greatest(histogram);
-  if (measure == Distance::hellinger || measure == Distance::mode) {
+  if (measure == Distance::hellinger) {
     for (float& value : result.values) value = std::sqrt(value);
   }
   return result;
@@ -65,7 +65,6 @@ double distance(Distance measure, const ComparedHistogram& perceived, const Comp
       return sum;
     case Distance::jensen_shannon:
       return jensen_shannon(perceived, model);
-    case Distance::mode:
     case Distance::hellinger:
       break;
   }

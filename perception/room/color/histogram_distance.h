@@ -9,7 +9,6 @@
 namespace reorient {
 
 enum class Distance {
-  mode,           ///< as the mode has it: ssd3 in the paper's, hellinger in the adapted one
   ssd3,           ///< sum of squared differences over the three bins that are dominant in the perceived histogram
   ssd14,          ///< over all bins
   hellinger,      ///< sqrt(1 - sum sqrt(p q)), in [0, 1]
@@ -17,14 +16,13 @@ enum class Distance {
 };
 
 struct DistanceParameters {
-  Distance measure = Distance::mode;
+  Distance measure = Distance::hellinger;
   double cap = 0.5;
 };
 template <typename Visit>
 void describe(DistanceParameters& p, Visit&& visit) {
-  visit("measure", p.measure, {"mode", "ssd3", "ssd14", "hellinger", "jensen_shannon"},
-        "how histograms are compared; mode: ssd3 in the paper's mode, hellinger otherwise");
-  visit("cap", p.cap, 0.01, 2.0, "", "no tile counts as more different than this (not in the paper's mode)");
+  visit("measure", p.measure, {"ssd3", "ssd14", "hellinger", "jensen_shannon"}, "how histograms are compared");
+  visit("cap", p.cap, 0.01, 2.0, "", "no tile counts as more different than this");
 }
 
 /// A histogram made ready for many comparisons by one measure.
@@ -35,7 +33,7 @@ struct ComparedHistogram {
 
 ComparedHistogram prepared(Distance measure, const ColorHistogram& histogram);
 
-/// Both prepared for the same measure; `mode` counts as hellinger. 0 for equal histograms.
+/// Both prepared for the same measure. 0 for equal histograms.
 double distance(Distance measure, const ComparedHistogram& perceived, const ComparedHistogram& model);
 
 /// For single comparisons.

@@ -11,6 +11,7 @@
 namespace reorient {
 
 struct LightParameters {
+  bool enabled = true;
   double time_constant = 1.0;
   double memory = 20.0;
   double darkest = 15.0;
@@ -19,6 +20,7 @@ struct LightParameters {
 };
 template <typename Visit>
 void describe(LightParameters& p, Visit&& visit) {
+  visit("enabled", p.enabled, "whether the colours' thresholds follow the room's light");
   visit("time_constant", p.time_constant, 0.0, 60.0, "s",
         "over how long the mean of each tile runs while it is in view");
   visit("memory", p.memory, 1.0, 600.0, "s", "for how long a tile that is out of view counts in the room's light");

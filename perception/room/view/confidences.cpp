@@ -15,19 +15,23 @@ double best_near(const ViewpointScores& scores, int turn) {
 
 }  // namespace
 
-double smoothing_share(const ConfidenceParameters& parameters, double step, bool by_frames) {
-  if (by_frames) return 1.0 / (parameters.frames + 1.0);
-  return parameters.time_constant > 0.0 ? -pinned::expm1(-step / parameters.time_constant) : 1.0;
+double smoothing_share(const ConfidenceParameters& parameters, double step, double age) {
+  if (parameters.time_constant <= 0.0) return 1.0;
+  const double share = -pinned::expm1(-step / parameters.time_constant);
+  return parameters.true_mean_start ? share / -pinned::expm1(-age / parameters.time_constant) : share;
 }
 
-void update_confidences(Confidences& confidences, const ViewFilter& filter, double view_center, double share,
-                        const ConfidenceParameters& parameters) {
+void count_particles(Confidences& confidences, const ViewFilter& filter, double view_center,
+                     const ConfidenceParameters& parameters) {
   confidences.raw_current = filter.share_near(view_center, parameters.half_width);
   confidences.raw_opposite = filter.share_near(view_center + kPi, parameters.half_width);
-  confidences.current += share * (confidences.raw_current - confidences.current);
-  confidences.opposite += share * (confidences.raw_opposite - confidences.opposite);
   confidences.goal_opponent = filter.share_near(0.0, parameters.goal_half_width);
   confidences.goal_own = filter.share_near(kPi, parameters.goal_half_width);
+}
+
+void smooth(Confidences& confidences, double share) {
+  confidences.current += share * (confidences.raw_current - confidences.current);
+  confidences.opposite += share * (confidences.raw_opposite - confidences.opposite);
 }
 
 double updated_evidence(double evidence, const ViewpointScores& scores, double step,

@@ -21,27 +21,32 @@ struct Confidences {
   double coverage = 0.0;         ///< share of the wall's tiles that are trained well enough to be compared with
   double distinctiveness = 0.0;  ///< how much the model differs from itself turned by 180 degrees: 0 is the same
   double evidence = 0.0;         ///< log-odds for the opposite pose against the current one, without any particles
+  double age = 0.0;              ///< s of views that said something since the confidences began anew
+  double seen = 0.0;             ///< share of the wall's columns that such views have shown since then
   int visible_tiles = 0;         ///< tiles that counted in this frame
 };
 
 template <typename Visit>
 void fields(Visit&& visit, Confidences& c) {
   visit(c.current, c.opposite, c.raw_current, c.raw_opposite, c.goal_opponent, c.goal_own, c.coverage,
-        c.distinctiveness, c.evidence, c.visible_tiles);
+        c.distinctiveness, c.evidence, c.age, c.seen, c.visible_tiles);
 }
 
 struct ConfidenceParameters {
   double half_width = from_degrees(30.0);
   double goal_half_width = from_degrees(12.5);
   double time_constant = 3.0;
-  int frames = 60;
+  bool true_mean_start = true;
+  bool restart_on_purge = false;
 };
 template <typename Visit>
 void describe(ConfidenceParameters& p, Visit&& visit) {
   visit("half_width", p.half_width, 0.01, 1.57, "rad", "half of the virtual field of view in which particles count");
   visit("goal_half_width", p.goal_half_width, 0.01, 1.57, "rad", "half of the wall's arc behind each goal");
   visit("time_constant", p.time_constant, 0.0, 60.0, "s", "of the smoothing");
-  visit("frames", p.frames, 1, 10000, "", "N of the smoothing by Eq. (1) (paper's mode only)");
+  visit("true_mean_start", p.true_mean_start,
+        "whether confidences that begin anew are the mean of what was seen since; otherwise they grow from zero");
+  visit("restart_on_purge", p.restart_on_purge, "whether they begin anew after a purge, too");
 }
 
 struct EvidenceParameters {
@@ -57,12 +62,14 @@ void describe(EvidenceParameters& p, Visit&& visit) {
   visit("limit", p.limit, 0.1, 100.0, "", "the log-odds stay within plus and minus this");
 }
 
-/// Weight of one frame in the smoothing: Eq. (1) with N frames, or a time constant.
-double smoothing_share(const ConfidenceParameters& parameters, double step, bool by_frames);
+/// Weight of a frame of `step` seconds in the smoothing, when it ends the first `age` seconds.
+double smoothing_share(const ConfidenceParameters& parameters, double step, double age);
 
-/// Counts the particles around the current and the opposite view centre and behind the goals, and smooths.
-void update_confidences(Confidences& confidences, const ViewFilter& filter, double view_center, double share,
-                        const ConfidenceParameters& parameters);
+/// This frame's own: counts the particles around the current and the opposite view centre and behind the goals.
+void count_particles(Confidences& confidences, const ViewFilter& filter, double view_center,
+                     const ConfidenceParameters& parameters);
+/// Takes them into the smoothed ones.
+void smooth(Confidences& confidences, double share);
 
 /// Log-odds that fade. Each of the two poses may choose among the cells next to it, since the belief
 /// may be off by a column.

@@ -61,7 +61,7 @@ void ViewFilter::predict(double motion, double step, const ViewFilterParameters&
 }
 
 void ViewFilter::correct(const ViewpointScores& scores, double view_center, double step,
-                         const ViewCorrection& correction) {
+                         const ViewFilterParameters& parameters) {
   const double count = static_cast<double>(particles_.size());
   if (!scores.evidence()) {
     for (ViewParticle& particle : particles_) particle.weight = 1.0 / count;
@@ -70,7 +70,7 @@ void ViewFilter::correct(const ViewpointScores& scores, double view_center, doub
   const double column_width = 2.0 * kPi / scores.columns();
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     const double turn = angle_difference(particles_[i].azimuth, view_center) / column_width;
-    weights_[i] = -correction.sharpness * step * (scores.distance(turn) - scores.least());
+    weights_[i] = -parameters.sharpness * step * (scores.distance(turn) - scores.least());
   }
   pinned::exp(weights_);
   const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
@@ -79,8 +79,8 @@ void ViewFilter::correct(const ViewpointScores& scores, double view_center, doub
     particles_[i].weight = sum > 0.0 ? weights_[i] / sum : 1.0 / count;
   resample();
   // Where all viewpoints look the same, the best of them is chance: nothing is injected.
-  const double clear = correction.clear_lead > 0.0 ? std::clamp(scores.lead() / correction.clear_lead, 0.0, 1.0) : 1.0;
-  inject(view_center + scores.best() * column_width, 0.5 * column_width, clear * correction.injection * step * count);
+  const double clear = parameters.clear_lead > 0.0 ? std::clamp(scores.lead() / parameters.clear_lead, 0.0, 1.0) : 1.0;
+  inject(view_center + scores.best() * column_width, 0.5 * column_width, clear * parameters.injection * step * count);
 }
 
 void ViewFilter::resample() {

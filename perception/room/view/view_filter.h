@@ -15,7 +15,6 @@ struct ViewFilterParameters {
   int particles = 100;
   double noise = 0.166;
   double sharpness = 150.0;
-  double paper_sharpness = 150.0;
   double injection = 0.5;
   double clear_lead = 0.05;
 };
@@ -24,11 +23,10 @@ void describe(ViewFilterParameters& p, Visit&& visit) {
   visit("particles", p.particles, 10, 1000, "", "how many view particles");
   visit("noise", p.noise, 0.0, 2.0, "rad/s^0.5", "random walk of the particles: 0.166 is 3 degrees in 0.1 s");
   visit("sharpness", p.sharpness, 0.0, 5000.0, "1/s", "beta: how fast a worse match loses its particles");
-  visit("paper_sharpness", p.paper_sharpness, 0.0, 5000.0, "1/s", "the same in the paper's mode");
   visit("injection", p.injection, 0.0, 10.0, "1/s",
         "share of the particles that are set to the best match: 0.5 is 5 % in 0.1 s");
   visit("clear_lead", p.clear_lead, 0.0, 1.0, "",
-        "lead of the best match over the average from which on all of the injection happens (not in the paper's mode)");
+        "lead of the best match over the average from which on all of the injection happens; 0: always");
 }
 
 /// A viewpoint: an azimuth of the wall, rad in (-pi, pi], field frame. The height follows the camera.
@@ -52,13 +50,6 @@ void fields(Visit&& visit, ViewCluster& cluster) {
   visit(cluster.azimuth, cluster.spread, cluster.share);
 }
 
-/// The numbers of the mode that is on.
-struct ViewCorrection {
-  double sharpness = 150.0;  ///< 1/s
-  double injection = 0.5;    ///< 1/s
-  double clear_lead = 0.05;  ///< 0: always inject
-};
-
 class ViewFilter {
  public:
   explicit ViewFilter(std::uint64_t seed) : random_(seed, 0x766965775F66696Cull) {}
@@ -69,7 +60,7 @@ class ViewFilter {
   void predict(double motion, double step, const ViewFilterParameters& parameters);
   /// Weighs, resamples (systematically) and injects at the best match. `view_center`: where the belief says that the
   /// camera looks, rad. Without evidence in the scores all weights are the same.
-  void correct(const ViewpointScores& scores, double view_center, double step, const ViewCorrection& correction);
+  void correct(const ViewpointScores& scores, double view_center, double step, const ViewFilterParameters& parameters);
 
   std::span<const ViewParticle> particles() const { return particles_; }
   /// Share of the particles that lie within `half_width` of an azimuth; both rad.

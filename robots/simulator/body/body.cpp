@@ -5,12 +5,14 @@
 
 #include "geometry/angle.h"
 #include "geometry/pinned_math.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 namespace {
 
 constexpr double kLyingHipHeight = 0.09;  // m
 constexpr double kStandingLoad = 5.3;     // kg
+constexpr double kGravity = 9.81;         // m/s^2
 
 double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 
@@ -34,6 +36,7 @@ Body::Body(const BodyParameters& parameters, const RobotDimensions& dimensions, 
   odometry_scale_ = {1.0 + scale * random_.normal(), 1.0 + scale * random_.normal(), 1.0 + scale * random_.normal()};
   odometry_drift_ = parameters_.odometry_turn_bias * random_.normal();
   attitude_bias_ = {parameters_.attitude_bias * random_.normal(), parameters_.attitude_bias * random_.normal()};
+  for (double& bias : accelerometer_bias_) bias = parameters_.accelerometer_bias * random_.normal();
 }
 
 void Body::advance(double time_step, const Request& request, std::span<const Barrier> barriers,
@@ -43,6 +46,7 @@ void Body::advance(double time_step, const Request& request, std::span<const Bar
   walk(time_step, request);
   balance(time_step, request.get_up);
   if (posture_ != Posture::carried) collide(barriers, bounds);
+  feel(time_step);
 }
 
 void Body::pick_up() {
@@ -50,12 +54,27 @@ void Body::pick_up() {
   posture_ = Posture::carried;
   since_ = 0.0;
   velocity_ = {};
+  hands_ = {};
+  hands_.height = parameters_.carry_height * random_.uniform(0.6, 1.4);
+  hands_.raise_time = random_.uniform(0.6, 1.3);
+  hands_.lower_time = parameters_.lower_time * random_.uniform(0.7, 1.5);
+  hands_.sway = random_.uniform(0.5, 1.3);
+  hands_.pace = random_.uniform(0.7, 1.3);
 }
 
 void Body::put_down(const Pose2& where) {
+  pose_ = where;
+  last_moment_.reset();
+  last_velocity_.reset();
+  if (posture_ != Posture::carried || hands_.lower_time <= 0.0) return set_down();
+  hands_.lowered_since = since_;
+  hands_.held_at = hip_height_;
+}
+
+/// The feet are on the ground.
+void Body::set_down() {
   posture_ = Posture::upright;
   since_ = 0.0;
-  pose_ = where;
   velocity_ = {};
   torso_ = {};
   effort_ = 0.0;
@@ -159,17 +178,43 @@ void Body::balance(double time_step, bool get_up) {
       torso_ = {(1.0 - up) * lying_.roll + rock, (1.0 - up) * lying_.pitch + 0.5 * rock};
       hip_height_ = std::lerp(kLyingHipHeight, stand, up);
       pose_.rotation = normalize_angle(pose_.rotation + slip_ * time_step / parameters_.get_up_time);
-      if (share >= 1.0) put_down(pose_);
+      if (share >= 1.0) set_down();
       break;
     }
     case Posture::carried: {
-      torso_ = {0.12 * pinned::sin(1.9 * since_) + 0.04 * pinned::sin(4.3 * since_),
-                0.15 * pinned::sin(1.3 * since_ + 0.6)};
-      hip_height_ = stand + parameters_.carry_height * ease(since_ / 0.8);
-      pose_.rotation = normalize_angle(pose_.rotation + 0.25 * pinned::sin(1.1 * since_) * time_step);
+      const double t = hands_.pace * since_;
+      const double held = hands_.sway * ease(2.0 * since_);  // nobody tilts it at once
+      torso_ = {held * (0.12 * pinned::sin(1.9 * t) + 0.04 * pinned::sin(4.3 * t)),
+                held * 0.15 * pinned::sin(1.3 * t + 0.6)};
+      if (hands_.lowered_since < 0.0) {
+        hip_height_ = stand + hands_.height * ease(since_ / hands_.raise_time);
+        pose_.rotation = normalize_angle(pose_.rotation + 0.25 * pinned::sin(1.1 * t) * time_step);
+        break;
+      }
+      const double share = (since_ - hands_.lowered_since) / hands_.lower_time;
+      hip_height_ = std::lerp(hands_.held_at, stand, ease(share));
+      torso_ = {(1.0 - ease(share)) * torso_.roll, (1.0 - ease(share)) * torso_.pitch};
+      if (share >= 1.0) set_down();
       break;
     }
   }
+}
+
+/// What an inertial unit in the torso goes through.
+void Body::feel(double time_step) {
+  const Moment now{{pose_.position.x(), pose_.position.y(), hip_height_}, torso_, pose_.rotation};
+  acceleration_.setZero();
+  angular_velocity_.setZero();
+  if (last_moment_ && time_step > 0.0) {
+    const Eigen::Vector3d velocity = (now.hip - last_moment_->hip) / time_step;
+    if (last_velocity_) acceleration_ = (velocity - *last_velocity_) / time_step;
+    last_velocity_ = velocity;
+    angular_velocity_ =
+        Eigen::Vector3d(now.torso.roll - last_moment_->torso.roll, now.torso.pitch - last_moment_->torso.pitch,
+                        angle_difference(now.heading, last_moment_->heading)) /
+        time_step;
+  }
+  last_moment_ = now;
 }
 
 void Body::stand_up_again() {
@@ -189,23 +234,33 @@ void Body::collide(std::span<const Barrier> barriers, const Eigen::Vector2d& bou
   pose_.position = pose_.position.cwiseMax(-bounds).cwiseMin(bounds);
 }
 
-void Body::measure(Observation& observation) {
+BodySample Body::sample(double time) {
   const double joint = parameters_.head_noise;
   const double attitude = parameters_.attitude_noise;
-  BodySample& body = observation.body;
-  body.time = observation.time;
+  const auto noise = [this](double deviation) {
+    return Eigen::Vector3d(deviation * random_.normal(), deviation * random_.normal(), deviation * random_.normal());
+  };
+  BodySample body;
+  body.time = time;
   body.head = {head_.yaw + joint * random_.normal(), head_.pitch + joint * random_.normal()};
   body.torso = {torso_.roll + attitude_bias_.roll + attitude * random_.normal(),
                 torso_.pitch + attitude_bias_.pitch + attitude * random_.normal()};
-  observation.odometry = odometry_;
+  body.angular_velocity = angular_velocity_ + noise(parameters_.gyroscope_noise);
+  const Eigen::Matrix3d field_from_torso =
+      rotation_about_z(pose_.rotation) * rotation_about_y(torso_.pitch) * rotation_about_x(torso_.roll);
+  const double shock = posture_ == Posture::upright ? parameters_.step_shock * effort_ : 0.0;
+  body.acceleration = field_from_torso.transpose() * (acceleration_ + kGravity * Eigen::Vector3d::UnitZ()) +
+                      accelerometer_bias_ + noise(pinned::hypot(parameters_.accelerometer_noise, shock));
   const double load = posture_ == Posture::carried ? 0.03 : (posture_ == Posture::upright ? kStandingLoad : 0.5);
   body.foot_load = std::max(0.0, load + 0.02 * kStandingLoad * random_.normal());
+  if (!parameters_.foot_sensors) body.foot_load = 0.0;
+  return body;
 }
 
-Isometry3 Body::measured_camera(const RobotDimensions& dimensions, const BodySample& body) const {
+Isometry3 Body::measured_camera(const RobotDimensions& dimensions, const BodySample& body, HeadCamera camera) const {
   // The legs' kinematics know nothing of a fall or of hands that hold the robot.
   const double hip_height = posture_ == Posture::upright ? hip_height_ : dimensions_.hip_height;
-  return robot_from_camera(dimensions, body.head, body.torso, hip_height);
+  return robot_from_camera(dimensions, body.head, body.torso, hip_height, camera);
 }
 
 GroundTruth Body::ground_truth() const {
@@ -213,8 +268,8 @@ GroundTruth Body::ground_truth() const {
           posture_ == Posture::carried};
 }
 
-Isometry3 Body::field_from_camera() const {
-  return to_isometry(pose_) * robot_from_camera(dimensions_, head_, torso_, hip_height_);
+Isometry3 Body::field_from_camera(HeadCamera camera) const {
+  return to_isometry(pose_) * robot_from_camera(dimensions_, head_, torso_, hip_height_, camera);
 }
 
 }  // namespace reorient

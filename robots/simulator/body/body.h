@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "geometry/head.h"
@@ -35,6 +36,12 @@ struct BodyParameters {
   double get_up_time = 6.0;
   double get_up_slip = 0.35;
   double carry_height = 0.6;
+  double lower_time = 0.6;
+  bool foot_sensors = true;
+  double gyroscope_noise = 0.01;
+  double accelerometer_noise = 0.15;
+  double accelerometer_bias = 0.1;
+  double step_shock = 0.8;
 };
 
 template <typename Visit>
@@ -62,7 +69,16 @@ void describe(BodyParameters& p, Visit&& visit) {
   visit("get_up_time", p.get_up_time, 0.5, 30.0, "s", "from lying to standing");
   visit("get_up_slip", p.get_up_slip, 0.0, 3.2, "rad",
         "standard deviation of the turn that nobody measures while getting up");
-  visit("carry_height", p.carry_height, 0.0, 1.5, "m", "how high a robot is held");
+  visit("carry_height", p.carry_height, 0.0, 1.5, "m", "how high a robot is held, on average");
+  visit("lower_time", p.lower_time, 0.0, 5.0, "s", "how long it takes to put it down, on average");
+  visit("foot_sensors", p.foot_sensors, "whether its feet feel their load");
+  visit("gyroscope_noise", p.gyroscope_noise, 0.0, 1.0, "rad/s", "standard deviation of the measured turn rates");
+  visit("accelerometer_noise", p.accelerometer_noise, 0.0, 10.0, "m/s^2",
+        "standard deviation of the measured accelerations");
+  visit("accelerometer_bias", p.accelerometer_bias, 0.0, 2.0, "m/s^2",
+        "standard deviation of the robot's own constant errors of acceleration");
+  visit("step_shock", p.step_shock, 0.0, 20.0, "m/s^2",
+        "standard deviation of what steps at full speed add to the accelerations");
 }
 
 class Body {
@@ -81,10 +97,12 @@ class Body {
   void push_over();
   void penalize(bool penalized) { penalized_ = penalized; }
 
-  /// What the robot feels at observation.time: body and odometry.
-  void measure(Observation& observation);
+  /// What the robot feels at `time`. Call it after each advance(): accelerations are differences.
+  BodySample sample(double time);
+  const Pose2& odometry() const { return odometry_; }
   /// Where the robot believes its camera to be, in its own frame; `dimensions` as it believes them.
-  Isometry3 measured_camera(const RobotDimensions& dimensions, const BodySample& body) const;
+  Isometry3 measured_camera(const RobotDimensions& dimensions, const BodySample& body,
+                            HeadCamera camera = HeadCamera::upper) const;
 
   GroundTruth ground_truth() const;
   Posture posture() const { return posture_; }
@@ -94,7 +112,7 @@ class Body {
   double hip_height() const { return hip_height_; }  ///< m above the ground; more while it is carried
   const WalkVelocity& velocity() const { return velocity_; }
 
-  Isometry3 field_from_camera() const;
+  Isometry3 field_from_camera(HeadCamera camera = HeadCamera::upper) const;
 
   static constexpr double kRadius = 0.15;  ///< m, for collisions
 
@@ -105,6 +123,8 @@ class Body {
   void dead_reckon(const Pose2& step);
   void balance(double time_step, bool get_up);
   void stand_up_again();
+  void set_down();
+  void feel(double time_step);
 
   BodyParameters parameters_;
   RobotDimensions dimensions_;
@@ -118,6 +138,17 @@ class Body {
 
   Posture posture_ = Posture::upright;
   double since_ = 0.0;  // s in this posture
+  /// How somebody carries it: no two do so in the same way.
+  struct Hands {
+    double height = 0.0;          // m
+    double raise_time = 0.8;      // s
+    double lower_time = 0.6;      // s
+    double sway = 1.0;            // of the amplitudes
+    double pace = 1.0;            // of the frequencies
+    double lowered_since = -1.0;  // s in this posture when it began to be put down; negative: not yet
+    double held_at = 0.0;         // m, the height from which it is put down
+  };
+  Hands hands_;
   bool penalized_ = false;
   TorsoAttitude lying_;  // the attitude that a fall ends in
   double slip_ = 0.0;    // rad, of the get-up motion that is going on
@@ -128,6 +159,18 @@ class Body {
   Eigen::Vector3d odometry_scale_;  // forward, left, turn
   double odometry_drift_;           // rad/m
   TorsoAttitude attitude_bias_;
+  Eigen::Vector3d accelerometer_bias_;
+
+  // Of the step before, for the inertial unit; nothing where the body was put somewhere else.
+  struct Moment {
+    Eigen::Vector3d hip;  // m, in the field's frame
+    TorsoAttitude torso;
+    double heading = 0.0;
+  };
+  std::optional<Moment> last_moment_;
+  std::optional<Eigen::Vector3d> last_velocity_;                // m/s, in the field's frame
+  Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();      // m/s^2, in the field's frame
+  Eigen::Vector3d angular_velocity_ = Eigen::Vector3d::Zero();  // rad/s, in the torso's frame
 };
 
 }  // namespace reorient

@@ -118,7 +118,8 @@ RC_GTEST_FIXTURE_PROP(Patterns, ARandomPatternMatchesAsLuasOwn, ()) {
   const auto pattern = *rc::gen::resize(11, rc::gen::container<std::string>(rc::gen::elementOf(letters)));
   const auto subject = *rc::gen::resize(11, rc::gen::container<std::string>(rc::gen::element('a', 'b', '1', '(')));
   for (const char* function : {"find", "match"}) {
-    const std::string expression = std::string("string.") + function + "('" + subject + "', '" + pattern + "')";
+    std::string expression = "string.";
+    expression.append(function).append("('").append(subject).append("', '").append(pattern).append("')");
     const std::string seen = evaluate(safe_.state(), expression);
     // Lua notices a malformed pattern only when a search comes to the place; here it is refused beforehand.
     if (seen != "error") RC_ASSERT(seen == evaluate(original_, expression));

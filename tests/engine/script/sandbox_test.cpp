@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"ConcatTooMuch",
                "table.concat(setmetatable({}, { __index = function() return \"x\" end }), \"\", 1, 1e15)",
                "plain table"},
-        Attack{"WritesTheWorld", "robot.fallen = true", "robot is read-only"},
+        Attack{"WritesTheWorld", "robot.penalized = true", "robot is read-only"},
         Attack{"WritesTheWorldRaw", "rawset(robot, \"fallen\", true)", "read-only"},
         Attack{"ReplacesTheWorldsMetatable", "setmetatable(robot, { __index = {} })", "protected"},
         Attack{"WritesIntoTheWorldsMetatable", "getmetatable(robot).__index = {}", "index a boolean"},
@@ -122,7 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"CommandFlood", "while true do command.flip_pose() end", "too many commands"},
         Attack{"LogFlood", "while true do log.info(\"x\") end", kBudget},
         Attack{"UnknownBehavior", "local _ = behaviors.honets.state", "did you mean 'honest'"},
-        Attack{"UnknownField", "local _ = robot.falen", "robot has no field 'falen' (did you mean 'fallen'?)"},
+        Attack{"UnknownField", "local _ = robot.penalised",
+               "robot has no field 'penalised' (did you mean 'penalized'?)"},
         Attack{"TheTruth", "local _ = truth.x", "there is no 'truth'"},
         Attack{"TheExperimenter", "experimenter.pick_up()", "there is no 'experimenter'"}),
     [](const auto& attack) { return std::string(attack.param.name); });
@@ -142,7 +143,8 @@ TEST_F(Sandboxed, NothingLeadsOut) {
 }
 
 TEST_F(Sandboxed, BytecodeIsRefused) {
-  EXPECT_NE(refusal("\x1bLuaT\x00\x19\x93\r\n").message.find("attempt to load a binary chunk"), std::string::npos);
+  EXPECT_NE(refusal(std::string("\x1bLuaT\x00\x19\x93\r\n", 10)).message.find("attempt to load a binary chunk"),
+            std::string::npos);
 }
 
 TEST_F(Sandboxed, AnErrorInExitDoesNotKeepTheMachineInTheState) {
@@ -203,7 +205,7 @@ TEST_F(Sandboxed, ActingWhileItIsLoadedIsRefused) {
     EXPECT_NE(fault.message.find("while"), std::string::npos) << call << ": " << fault.message;
     EXPECT_EQ(fault.line, 1) << call;
   }
-  EXPECT_NE(refusal("local x = robot.fallen").message.find("being loaded"), std::string::npos);
+  EXPECT_NE(refusal("local x = robot.penalized").message.find("being loaded"), std::string::npos);
 }
 
 TEST_F(Sandboxed, FilesOutsideOfTheRootCannotBeRequired) {

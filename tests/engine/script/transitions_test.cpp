@@ -18,11 +18,11 @@ using Steps = std::vector<std::string>;
 
 TEST_F(ScriptTransitions, ACommandCarriesItsIssuerStateReasonAndPriority) {
   load("b", R"(behavior "b" { priority = 50, initial = "one",
-    state "one" { { "two", when = function() return robot.fallen end, because = "it fell" } },
+    state "one" { { "two", when = function() return robot.penalized end, because = "it fell" } },
     state "two" { enter = command.flip_pose } })");
   tick();
   EXPECT_TRUE(commands.empty());
-  world.fallen = true;
+  world.penalized = true;
   tick();
   ASSERT_EQ(commands.size(), 1u);
   EXPECT_EQ(commands[0].reorientation, Reorientation::flip_pose);
@@ -80,10 +80,10 @@ TEST_F(ScriptTransitions, DwellMayBeAParameterOrAFunction) {
 }
 
 TEST_F(ScriptTransitions, AlwaysIsCheckedFirstAndNotWhileItsTargetIsActive) {
-  load("b", R"(behavior "b" { initial = "one", common = { { "down", when = function() return robot.fallen end } },
+  load("b", R"(behavior "b" { initial = "one", common = { { "down", when = function() return robot.penalized end } },
     state "one" { { "two", when = function() return true end } }, state "two" {}, state "down" { enter = function() log.info("down") end } })");
   tick();
-  world.fallen = true;
+  world.penalized = true;
   ticks(5);
   EXPECT_EQ(steps(), (Steps{" -> one", "one -> down"}));
   EXPECT_EQ(logs, std::vector<std::string>{"down"});
@@ -115,14 +115,14 @@ TEST_F(ScriptTransitions, AnInnerTransitionLeavesTheOuterStateAsItIs) {
 }
 
 TEST_F(ScriptTransitions, HistoryResumesTheInnerStateThatWasLast) {
-  load("b", R"(behavior "b" { initial = "outer", common = { { "down", when = function() return robot.fallen end } },
+  load("b", R"(behavior "b" { initial = "outer", common = { { "down", when = function() return robot.penalized end } },
     state "outer" { initial = "x", history = true, state "x" { { "y", after = 0.1 } }, state "y" {} },
-    state "down" { { "outer", when = function() return not robot.fallen end } } })");
+    state "down" { { "outer", when = function() return not robot.penalized end } } })");
   ticks(5);
   EXPECT_EQ(state("b"), "outer/y");
-  world.fallen = true;
+  world.penalized = true;
   tick();
-  world.fallen = false;
+  world.penalized = false;
   tick();
   EXPECT_EQ(state("b"), "outer/y");
 }

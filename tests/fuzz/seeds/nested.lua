@@ -1,7 +1,7 @@
 behavior "b" {
   initial = "a",
   common = {
-    { "down", when = function() return robot.fallen end, because = "it fell" },
+    { "down", when = function() return robot.posture == "lying" end, because = "it fell" },
   },
   state "a" {
     initial = "x",
@@ -18,6 +18,6 @@ behavior "b" {
   },
   state "down" {
     enter = function() command.flip_pose() end,
-    { "a/y", when = function() return not robot.fallen end },
+    { "a/y", when = function() return robot.posture ~= "lying" end },
   },
 }

@@ -70,10 +70,9 @@ TEST(HostileViews, TimeThatStandsStillJumpsOrIsNoNumberIsNoTime) {
 
 RC_GTEST_PROP(HostileViews, AnyParametersGiveSoundConfidences, (std::uint64_t seed)) {
   const auto number = [](double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; };
-  RoomParameters parameters;
-  parameters.mode = *rc::gen::element(RoomMode::adapted, RoomMode::paper);
+  RoomParameters parameters = *rc::gen::arbitrary<bool>() ? test::paper_recipe() : RoomParameters{};
   parameters.distance.measure =
-      *rc::gen::element(Distance::mode, Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon);
+      *rc::gen::element(Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon);
   parameters.wall.rows = *rc::gen::inRange(1, 9);
   parameters.wall.columns = *rc::gen::inRange(4, 129);
   parameters.wall.radius = number(1, 100);
@@ -81,7 +80,7 @@ RC_GTEST_PROP(HostileViews, AnyParametersGiveSoundConfidences, (std::uint64_t se
   parameters.perception.bands = *rc::gen::inRange(8, 481);
   parameters.perception.sampled_rows = *rc::gen::inRange(8, 4097);
   parameters.view_filter.particles = *rc::gen::inRange(10, 300);
-  parameters.view_filter.sharpness = parameters.view_filter.paper_sharpness = number(0, 5000);
+  parameters.view_filter.sharpness = number(0, 5000);
   parameters.view_filter.injection = number(0, 10);
   parameters.confidence.time_constant = number(0, 3);
   parameters.background.trusted_after = 0.0;

@@ -10,8 +10,9 @@ namespace reorient {
 namespace {
 
 /// One frame that shows these tiles in this light.
-void observe(LightAdaptation& adaptation, std::vector<int> tiles, const Light& light, double elapsed = 0.1) {
+void observe(LightAdaptation& adaptation, const std::vector<int>& tiles, const Light& light, double elapsed = 0.1) {
   std::vector<TileLight> frame;
+  frame.reserve(tiles.size());
   for (const int tile : tiles) frame.push_back({tile, {light.luma * 100, light.cb * 100, light.cr * 100, 100}});
   adaptation.observe(frame, elapsed, {});
 }

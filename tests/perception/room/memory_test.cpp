@@ -24,9 +24,7 @@ namespace reorient {
 namespace {
 
 TEST(Memory, TheSteadyStateAllocatesNothing) {
-  for (const RoomMode mode : {RoomMode::adapted, RoomMode::paper}) {
-    RoomParameters parameters;
-    parameters.mode = mode;
+  for (const RoomParameters& parameters : {RoomParameters{}, test::paper_recipe()}) {
     test::ScanningRobot robot(test::PaintedRoom::colorful(1), parameters, 1);
     const std::vector<CoveredArea> covered = {{20, 30, 60, 119}};
     long during_updates = 0;

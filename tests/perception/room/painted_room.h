@@ -36,6 +36,25 @@ class PaintedRoom {
   std::vector<Ycbcr> panels_;
 };
 
+/// The recipe as it was published: what assets/parameters/paper.toml sets, as far as it is the room's.
+inline RoomParameters paper_recipe() {
+  RoomParameters paper;
+  paper.light.enabled = false;
+  paper.color.blur = 0.05;
+  paper.distance.measure = Distance::ssd3;
+  paper.distance.cap = 2.0;
+  paper.background.time_constant = 100.0 / 30.0;
+  paper.background.true_mean_start = false;
+  paper.background.prior_deviation = 0.0;
+  paper.background.trusted_after = 0.0;
+  paper.view_filter.sharpness = 150.0;
+  paper.view_filter.clear_lead = 0.0;
+  paper.confidence.time_constant = 60.5 / 30.0;
+  paper.confidence.true_mean_start = false;
+  paper.confidence.restart_on_purge = true;
+  return paper;
+}
+
 inline CameraModel small_camera() {
   return CameraModel::from_fields_of_view(160, 120, from_degrees(56.3), from_degrees(43.7));
 }

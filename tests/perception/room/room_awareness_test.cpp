@@ -18,10 +18,10 @@ using test::Exposure;
 using test::PaintedRoom;
 using test::ScanningRobot;
 
-RoomParameters in_mode(RoomMode mode) {
-  RoomParameters parameters;
-  parameters.mode = mode;
-  return parameters;
+enum class Recipe { adapted, paper };
+
+RoomParameters parameters_of(Recipe recipe) {
+  return recipe == Recipe::paper ? test::paper_recipe() : RoomParameters{};
 }
 
 /// A robot that has learned the room for 20 s from where it knows that it stands, and learns no more.
@@ -37,13 +37,13 @@ void turn_the_belief(ScanningRobot& robot) {
   robot.awareness.on_flip();  // the confidences start afresh, as after any correction
 }
 
-class EachMode : public testing::TestWithParam<RoomMode> {};
-INSTANTIATE_TEST_SUITE_P(RoomAwareness, EachMode, testing::Values(RoomMode::adapted, RoomMode::paper),
-                         [](const auto& each) { return each.param == RoomMode::paper ? "paper" : "adapted"; });
+class EachRecipe : public testing::TestWithParam<Recipe> {};
+INSTANTIATE_TEST_SUITE_P(RoomAwareness, EachRecipe, testing::Values(Recipe::adapted, Recipe::paper),
+                         [](const auto& each) { return each.param == Recipe::paper ? "paper" : "adapted"; });
 
-TEST_P(EachMode, ARightBeliefWins) {
+TEST_P(EachRecipe, ARightBeliefWins) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
-    ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), in_mode(GetParam()), seed);
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), parameters_of(GetParam()), seed);
     robot.awareness.on_flip();
     robot.run(8.0);
     EXPECT_GT(robot.awareness.confidences().current, 0.6) << "room " << seed;
@@ -51,9 +51,9 @@ TEST_P(EachMode, ARightBeliefWins) {
   }
 }
 
-TEST_P(EachMode, AReflectedBeliefLosesWithinSeconds) {
+TEST_P(EachRecipe, AReflectedBeliefLosesWithinSeconds) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
-    ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), in_mode(GetParam()), seed);
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), parameters_of(GetParam()), seed);
     turn_the_belief(robot);
     robot.run(8.0);
     EXPECT_GT(robot.awareness.confidences().opposite, 0.6) << "room " << seed;
@@ -62,8 +62,8 @@ TEST_P(EachMode, AReflectedBeliefLosesWithinSeconds) {
   }
 }
 
-TEST_P(EachMode, AFlipOfAReflectedBeliefMakesItWin) {
-  ScanningRobot robot = trained_robot(PaintedRoom::colorful(5), in_mode(GetParam()));
+TEST_P(EachRecipe, AFlipOfAReflectedBeliefMakesItWin) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(5), parameters_of(GetParam()));
   turn_the_belief(robot);
   robot.run(6.0);
   robot.belief = reflect(robot.belief);
@@ -76,7 +76,7 @@ TEST_P(EachMode, AFlipOfAReflectedBeliefMakesItWin) {
 TEST(RoomAwareness, NoticesAReflectedBeliefUnderAnotherLight) {
   const Exposure lights[] = {{1.35, 0, 0}, {0.74, 0, 0}, {1.0, 12, -10}, {1.2, -10, 12}};
   for (const Exposure& light : lights) {
-    ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), in_mode(RoomMode::adapted));
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), parameters_of(Recipe::adapted));
     robot.exposure = light;
     turn_the_belief(robot);
     robot.run(12.0);
@@ -87,7 +87,7 @@ TEST(RoomAwareness, NoticesAReflectedBeliefUnderAnotherLight) {
 TEST(RoomAwareness, KeepsTrustInARightBeliefWhenTheLightChanges) {
   const Exposure lights[] = {{1.35, 0, 0}, {0.74, 0, 0}, {1.0, 12, -10}, {1.2, -10, 12}};
   for (const Exposure& light : lights) {
-    ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), in_mode(RoomMode::adapted));
+    ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), parameters_of(Recipe::adapted));
     robot.exposure = light;
     for (int i = 0; i < 12; ++i) {
       robot.run(1.0);
@@ -105,7 +105,7 @@ TEST(RoomAwareness, TellsInformativeRoomsFromOthers) {
 }
 
 TEST(RoomAwareness, AWhiteRoomConvincesOfNothing) {
-  ScanningRobot robot = trained_robot(PaintedRoom::plain(), in_mode(RoomMode::adapted));
+  ScanningRobot robot = trained_robot(PaintedRoom::plain(), parameters_of(Recipe::adapted));
   turn_the_belief(robot);
   for (int i = 0; i < 20; ++i) {
     robot.run(1.0);
@@ -156,7 +156,7 @@ TEST(RoomAwareness, WithoutEvaluationFilterAndConfidencesRest) {
 }
 
 TEST(RoomAwareness, AdaptedConfidencesSurviveAPurgeButNotAFlip) {
-  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), in_mode(RoomMode::adapted));
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), parameters_of(Recipe::adapted));
   const double before = robot.awareness.confidences().current;
   ASSERT_GT(before, 0.5);
   robot.awareness.on_purge();
@@ -166,7 +166,7 @@ TEST(RoomAwareness, AdaptedConfidencesSurviveAPurgeButNotAFlip) {
 }
 
 TEST(RoomAwareness, ThePapersConfidencesStartFromZeroOnEverySignal) {
-  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), in_mode(RoomMode::paper));
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), parameters_of(Recipe::paper));
   for (void (RoomAwareness::*signal)() :
        {&RoomAwareness::on_flip, &RoomAwareness::on_purge, &RoomAwareness::on_reset}) {
     robot.run(1.0);
@@ -277,6 +277,7 @@ struct DeclarationReader {
     EXPECT_GE(high, value) << name;
     ++numbers;
   }
+  void operator()(const char*, bool&, const char*) { ++choices; }
   template <typename Choice>
   void operator()(const char* name, Choice& value, std::initializer_list<const char*> names, const char*) {
     EXPECT_LT(static_cast<std::size_t>(value), names.size()) << name;
@@ -294,8 +295,8 @@ TEST(RoomAwareness, DeclaresParametersWhoseDefaultsAreWithinTheirRanges) {
     describe(part, reader);
     EXPECT_GT(reader.numbers + reader.choices, before) << name;
   });
-  EXPECT_EQ(parts.size(), 10u);
-  EXPECT_EQ(reader.choices, 2);
+  EXPECT_EQ(parts.size(), 9u);
+  EXPECT_EQ(reader.choices, 5);
 }
 
 }  // namespace

@@ -114,7 +114,10 @@ RC_GTEST_PROP(ViewFilter, WeightsSumUpToOneAndAzimuthsStayNormalized, (std::uint
   const double sharpness = *rc::gen::element(0.0, 150.0, 1e9);
   for (int i = 0; i < 5; ++i) {
     filter.predict(2.5, 0.1, {});
-    filter.correct(room.scores(2, 5), -3.0, 0.1, {sharpness, 0.0, 0.05});
+    ViewFilterParameters parameters;
+    parameters.sharpness = sharpness;
+    parameters.injection = 0.0;
+    filter.correct(room.scores(2, 5), -3.0, 0.1, parameters);
   }
   for (const ViewParticle& particle : filter.particles()) {
     RC_ASSERT(particle.azimuth > -kPi - 1e-12 && particle.azimuth <= kPi);
@@ -138,24 +141,45 @@ TEST(ViewFilter, ClustersCoverAllParticlesAndAreNotCutAtTheBackOfTheCircle) {
   EXPECT_NEAR(std::abs(filter.clusters()[0].azimuth), kPi, 0.2);
 }
 
-TEST(Confidences, SmoothByATimeConstantOrByEquationOne) {
+TEST(Confidences, SmoothByATimeConstantOnceTheyAreOld) {
   const ConfidenceParameters parameters;
-  EXPECT_NEAR(smoothing_share(parameters, 3.0, false), 1.0 - std::exp(-1.0), 1e-12);
-  EXPECT_NEAR(smoothing_share(parameters, 3.0, true), 1.0 / 61.0, 1e-12);
+  constexpr double kOld = 1000.0;
+  EXPECT_NEAR(smoothing_share(parameters, 3.0, kOld), 1.0 - std::exp(-1.0), 1e-12);
   // Two halves of a step smooth as much as the whole step does.
-  const double half = smoothing_share(parameters, 0.05, false);
-  EXPECT_NEAR((1 - half) * (1 - half), 1 - smoothing_share(parameters, 0.1, false), 1e-12);
+  const double half = smoothing_share(parameters, 0.05, kOld);
+  EXPECT_NEAR((1 - half) * (1 - half), 1 - smoothing_share(parameters, 0.1, kOld), 1e-12);
+  EXPECT_EQ(smoothing_share({.time_constant = 0.0}, 0.1, kOld), 1.0);
+}
+
+TEST(Confidences, ThatBeginAnewAreTheMeanOfWhatWasSeenSince) {
+  constexpr double kStep = 0.1;
+  Confidences confidences;
+  const double raw[] = {0.9, 0.5, 0.7};
+  for (const double now : raw) {
+    confidences.raw_current = now;
+    confidences.age += kStep;
+    smooth(confidences, smoothing_share({}, kStep, confidences.age));
+  }
+  EXPECT_NEAR(confidences.current, (0.9 + 0.5 + 0.7) / 3.0, 0.01) << "the later ones weigh a little more";
+}
+
+TEST(Confidences, GrowFromZeroWhereTheyAreToldTo) {
+  ConfidenceParameters paper;
+  paper.true_mean_start = false;
+  EXPECT_EQ(smoothing_share(paper, 0.1, 0.1), smoothing_share(paper, 0.1, 1000.0));
 }
 
 TEST(Confidences, CountParticlesAroundBothViewCentresAndBehindTheGoals) {
   ViewFilter filter(1);
   filter.spread(3600);
   Confidences confidences;
-  update_confidences(confidences, filter, 1.0, 1.0, {});
+  count_particles(confidences, filter, 1.0, {});
   EXPECT_NEAR(confidences.raw_current, 60.0 / 360.0, 2e-3);
   EXPECT_NEAR(confidences.raw_opposite, 60.0 / 360.0, 2e-3);
   EXPECT_NEAR(confidences.goal_opponent, 25.0 / 360.0, 2e-3);
   EXPECT_NEAR(confidences.goal_own, 25.0 / 360.0, 2e-3);
+  EXPECT_EQ(confidences.current, 0.0);
+  smooth(confidences, 1.0);
   EXPECT_EQ(confidences.current, confidences.raw_current);
 }
 

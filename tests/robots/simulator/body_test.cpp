@@ -27,11 +27,7 @@ Request walking(double forward, double left, double turn) {
   return request;
 }
 
-Observation measured(Body& body) {
-  Observation observation;
-  body.measure(observation);
-  return observation;
-}
+BodySample felt(Body& body) { return body.sample(1.0); }
 
 TEST(Body, WalksNoFasterThanItsLimits) {
   Body body = body_at({});
@@ -109,7 +105,7 @@ TEST(Body, HasOdometryThatIsGoodButNotPerfect) {
     const Pose2 start = body.pose();
     run(body, walking(0.2, 0.0, 0.15), 15.0);
     const Pose2 moved = start.inverse() * body.pose();
-    const Pose2 believed = measured(body).odometry;
+    const Pose2 believed = body.odometry();
     const double error = (moved.position - believed.position).norm();
     worst = std::max(worst, error);
     mean += error / kRobots;
@@ -124,14 +120,14 @@ TEST(Body, HasTheSameOdometryErrorInEveryRunOfOneSeedAndNoneWhenAskedForNone) {
   Body two = body_at({}, 7);
   run(one, walking(0.2, 0.05, 0.1), 5.0);
   run(two, walking(0.2, 0.05, 0.1), 5.0);
-  EXPECT_EQ(measured(one).odometry.position, measured(two).odometry.position);
+  EXPECT_EQ(one.odometry().position, two.odometry().position);
 
   BodyParameters perfect;
   perfect.odometry_scale_error = perfect.odometry_turn_bias = perfect.odometry_noise = 0.0;
   Body exact = body_at(Pose2(1.0, 1.0, 1.0), 7, perfect);
   run(exact, walking(0.2, 0.05, 0.1), 5.0);
   const Pose2 moved = Pose2(1.0, 1.0, 1.0).inverse() * exact.pose();
-  EXPECT_LT((moved.position - measured(exact).odometry.position).norm(), 1e-9);
+  EXPECT_LT((moved.position - exact.odometry().position).norm(), 1e-9);
 }
 
 TEST(Body, SwaysWhileItWalksAndStandsStillOtherwise) {
@@ -151,16 +147,18 @@ TEST(Body, HangsInTheAirUntilItIsPutDown) {
   body.pick_up();
   run(body, walking(0.25, 0.0, 0.0), 2.0);
   EXPECT_TRUE(body.ground_truth().carried);
-  EXPECT_LT(measured(body).body.foot_load, 0.5);
-  EXPECT_NEAR(body.hip_height(), 0.248 + 0.6, 0.01);
+  EXPECT_LT(felt(body).foot_load, 0.5);
+  EXPECT_GT(body.hip_height(), 0.248 + 0.3);
   EXPECT_EQ(body.pose().position.x(), 1.0) << "legs in the air do not walk";
-  const Pose2 odometry = measured(body).odometry;
+  const Pose2 odometry = body.odometry();
   body.put_down(Pose2(-3.2, 3.5, -1.57));
-  body.advance(kStep, Request{}, {}, kBounds);
+  run(body, Request{}, 0.2);
+  EXPECT_TRUE(body.ground_truth().carried) << "hands lower it";
+  run(body, Request{}, 1.5);
   EXPECT_FALSE(body.ground_truth().carried);
-  EXPECT_GT(measured(body).body.foot_load, 4.0);
+  EXPECT_GT(felt(body).foot_load, 4.0);
   EXPECT_EQ(body.pose().position, Eigen::Vector2d(-3.2, 3.5));
-  EXPECT_EQ(measured(body).odometry.position, odometry.position) << "nobody tells the odometry";
+  EXPECT_EQ(body.odometry().position, odometry.position) << "nobody tells the odometry";
 }
 
 TEST(Body, FallsLiesAndGetsUpOnRequest) {
@@ -185,14 +183,14 @@ TEST(Body, SlipsWhileItGetsUpWithoutNoticing) {
   double turned = 0.0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Body body = body_at({}, seed);
-    const double before = measured(body).odometry.rotation;
+    const double before = body.odometry().rotation;
     body.push_over();
     Request get_up;
     get_up.get_up = true;
     run(body, get_up, 9.0);
     ASSERT_EQ(body.posture(), Body::Posture::upright);
     turned += std::abs(body.pose().rotation) / 10.0;
-    EXPECT_EQ(measured(body).odometry.rotation, before);
+    EXPECT_EQ(body.odometry().rotation, before);
   }
   EXPECT_GT(turned, 0.1);
 }

@@ -169,10 +169,33 @@ TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
   for (int i = 0; i < 30; ++i) simulator.observe(observation);
   EXPECT_LT(observation.body.foot_load, 0.6);
   simulator.put_down(reflect(kBesideTheField));
-  simulator.observe(observation);
+  for (int i = 0; i < 45; ++i) simulator.observe(observation);  // hands lower it
   EXPECT_GT(observation.body.foot_load, 4.0);
   EXPECT_EQ(observation.odometry.position, odometry.position);
   EXPECT_LT((simulator.ground_truth().pose.position + kBesideTheField.position).norm(), 1e-9);
+}
+
+TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
+  SimulatorParameters parameters = small();
+  Simulator one(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
+  parameters.cameras = Cameras::both;
+  Simulator both(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
+  Observation upper_alone, observation;
+  for (int i = 0; i < 5; ++i) {
+    one.observe(upper_alone);
+    both.observe(observation);
+    EXPECT_FALSE(upper_alone.lower);
+    ASSERT_TRUE(observation.lower);
+    EXPECT_EQ(observation.time, observation.upper->time);
+    EXPECT_NEAR(observation.time - observation.lower->time, 1.0 / 90.0, 1e-9);
+    const ImageView& a = upper_alone.upper->image;
+    const ImageView& b = observation.upper->image;
+    for (int row = 0; row < a.height; ++row)
+      ASSERT_TRUE(std::equal(a.row(row), a.row(row) + 2 * a.width, b.row(row))) << "the upper camera sees the same";
+  }
+  // It looks at the ground before the feet: nothing but carpet and lines.
+  const Eigen::Vector3d axis = observation.lower->robot_from_camera.linear().col(0);
+  EXPECT_NEAR(std::asin(-axis.z()), from_degrees(39.7), from_degrees(2.0));
 }
 
 TEST(Simulator, TellsOnceWhatTheRefereeSaid) {
@@ -263,7 +286,7 @@ TEST(Simulator, DeclaresEveryParameterWithADefaultInsideOfItsRange) {
   describe(parameters.body, body);
   describe(parameters.sensor, sensor);
   describe(shape, room);
-  EXPECT_EQ(simulator.names.size() + body.names.size() + sensor.names.size() + room.names.size(), 10u + 20u + 12u + 6u);
+  EXPECT_EQ(simulator.names.size() + body.names.size() + sensor.names.size() + room.names.size(), 12u + 26u + 12u + 6u);
 }
 
 }  // namespace

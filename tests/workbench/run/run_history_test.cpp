@@ -49,13 +49,13 @@ TEST_F(History, ThinsItsCurvesEvenlyAsTheyGrowOld) {
 TEST_F(History, KnowsWhenSomethingHeld) {
   frame.world.evaluating = true;
   frames(10);
-  frame.world.carried = true;
+  frame.world.posture = Posture::lifted;
   frames(5);
-  frame.world.carried = false;
+  frame.world.posture = Posture::upright;
   frames(10);
-  ASSERT_EQ(intervals(RunCondition::carried).size(), 1u);
-  EXPECT_NEAR(intervals(RunCondition::carried)[0].from, 1.0, 1e-9);
-  EXPECT_NEAR(intervals(RunCondition::carried)[0].to, 1.4, 1e-9);
+  ASSERT_EQ(intervals(RunCondition::lifted).size(), 1u);
+  EXPECT_NEAR(intervals(RunCondition::lifted)[0].from, 1.0, 1e-9);
+  EXPECT_NEAR(intervals(RunCondition::lifted)[0].to, 1.4, 1e-9);
   EXPECT_TRUE(intervals(RunCondition::evaluation_paused).empty());
 }
 

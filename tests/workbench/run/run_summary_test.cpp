@@ -17,7 +17,7 @@ struct Told {
       frame.world.time = from + 0.1 * i;
       frame.world.time_step = 0.1;
       frame.world.pose.pose = belief;
-      frame.world.carried = carried;
+      frame.world.posture = carried ? Posture::lifted : Posture::upright;
       StageRecord stage;
       stage.truth = GroundTruth{kTruth, false, carried};
       observer.observe(frame, stage);

@@ -43,7 +43,10 @@ INSTANTIATE_TEST_SUITE_P(
     Names, NameSlips,
     ::testing::Values(
         Slip{"Global", "local x = confidense", "there is no 'confidense' (did you mean 'confidence'?)", {1, 11}},
-        Slip{"Field", "return function()\n  return robot.falen\nend", "robot.falen (did you mean 'fallen'?)", {2, 16}},
+        Slip{"Field",
+             "return function()\n  return robot.penalised\nend",
+             "robot.penalised (did you mean 'penalized'?)",
+             {2, 16}},
         Slip{"FieldOfALocalName", "local c = confidence\nreturn c.curent", "confidence.curent", {2, 10}},
         Slip{"Command",
              "return function() command.flip() end",
@@ -65,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"StateOnTheLeft", "return \"wating\" ~= behaviors.other.state", "other has no state 'wating'", {1, 8}},
         Slip{"NewGlobal", "count = 1", "would be a global variable", {1, 1}},
         Slip{"NewGlobalFunction", "function helper() end", "would be a global variable", {1, 10}},
-        Slip{"WrittenField", "robot.fallen = true", "robot.fallen is read-only", {1, 7}},
+        Slip{"WrittenField", "robot.penalized = true", "robot.penalized is read-only", {1, 7}},
         Slip{"WrittenParam", "local p = param { a = {} }\np.a = 1", "param.a is read-only", {2, 3}},
         Slip{"ArgumentOfAWrongType",
              "head.look('left', 0)",
@@ -103,8 +106,9 @@ INSTANTIATE_TEST_SUITE_P(
         "return { when = function() return time_in_state() > 1 end, enter = function() command.flip_pose() end }",
         "local function pair() return 0.1, 0.2 end return function() head.look(pair()) end",
         "return function() head.look(0.1, 0, nil) head.look(-0.1, 0) end", "return ('x'):rep(3):len()",
-        "if robot.fallen then local a = 1 print(a) elseif robot.carried then local b = 2 print(b) else print(3) end",
-        "while robot.fallen do break end return function(...) return ... end"));
+        "if robot.penalized then local a = 1 print(a) elseif robot.penalized then local b = 2 print(b) else print(3) "
+        "end",
+        "while robot.penalized do break end return function(...) return ... end"));
 
 TEST(NameCheck, EndsOnWhateverTextItIsGiven) {
   for (const char* text :
@@ -138,7 +142,7 @@ TEST_F(ScriptCheckTest, TellsAllMistakesOfADeclarationWithLineAndColumn) {
 behavior "wrong" {
   initial = "watchin",
   state "watching" {
-    { "gonig", when = function() return robot.fallen end, lasting = "prof" },
+    { "gonig", when = function() return robot.penalized end, lasting = "prof" },
     { "going", when = 3 },
     entr = function() end,
   },
@@ -152,7 +156,7 @@ behavior "wrong" {
       findings(),
       R"(behaviors/wrong.lua:2:10: error: the machine begins in 'watchin', which is not one of its states (did you mean 'watching'?)
 behaviors/wrong.lua:5:7: error: state 'watching' leads to 'gonig', which is not a state (did you mean 'going'?)
-behaviors/wrong.lua:5:59: error: there is no param 'prof' (did you mean 'proof'?)
+behaviors/wrong.lua:5:62: error: there is no param 'prof' (did you mean 'proof'?)
 behaviors/wrong.lua:6:7: error: state 'watching' leads to 'going' on no condition: give 'when' or 'after'
 behaviors/wrong.lua:6:16: error: when is a function, not a number
 behaviors/wrong.lua:7:5: error: there is no 'entr' here (did you mean 'enter'?)

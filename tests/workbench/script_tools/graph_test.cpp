@@ -13,7 +13,7 @@ class GraphTest : public ScriptTest {
     load("drawn", R"(param { wait = { 1, range = { 0, 2 }, doc = "x" } }
 behavior "drawn" {
   initial = "at rest",
-  common = { { "down", when = function() return robot.fallen end, lasting = 0.2, because = "the robot \"fell\": down" } },
+  common = { { "down", when = function() return robot.posture == "lying" end, lasting = 0.2, because = "the robot \"fell\": down" } },
   state "at rest" { { "moving", when = function() return true end, lasting = "wait", because = "time to go" } },
   state "moving" {
     initial = "slow",

@@ -18,10 +18,10 @@ class ScriptedTests : public ::testing::Test {
   ScriptedTests() {
     folder.write("behaviors/lamp.lua", R"(behavior "lamp" {
   initial = "off",
-  state "off" { { "on", when = function() return robot.fallen end, because = "dark" } },
+  state "off" { { "on", when = function() return robot.penalized end, because = "dark" } },
   state "on" {
     initial = "dim",
-    { "off", when = function() return not robot.fallen end, because = "light" },
+    { "off", when = function() return not robot.penalized end, because = "light" },
     state "dim" { { "bright", after = 1.0 } },
     state "bright" {},
   },
@@ -94,7 +94,7 @@ TEST_F(ScriptedTests, EndOnTablesThatHoldThemselves) {
 }
 
 TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyTook) {
-  run(R"(test("t", function() load_behavior "lamp" set_world { robot = { fallen = true } } advance(0.5) end))");
+  run(R"(test("t", function() load_behavior "lamp" set_world { robot = { penalized = true } } advance(0.5) end))");
   EXPECT_EQ(coverage(),
             "lamp: 3 of 4 states, 1 of 3 transitions\n"
             "  behaviors/lamp.lua:8:11: never entered: on/bright\n"
@@ -112,9 +112,9 @@ TEST_F(ScriptedTests, CountWhatWasTakenAfterAnEditToo) {
   load_behavior "lamp"
   advance(0.1)
   reload { from = "initial = \"off\"", to = "priority = 3, initial = \"off\"" }
-  set_world { robot = { fallen = true } }
+  set_world { robot = { penalized = true } }
   advance(1.5)
-  set_world { robot = { fallen = false } }
+  set_world { robot = { penalized = false } }
   advance(0.1)
 end))");
   EXPECT_EQ(coverage(), "lamp: 4 of 4 states, 3 of 3 transitions\n") << out.str();
@@ -162,7 +162,7 @@ end))",
         outcome.seen.machines.push_back({"lamp", "on/dim"});
         outcome.seen.commands.push_back({"flip_pose", "granted"});
         outcome.seen.transitions.push_back({"lamp", "dark"});
-        outcome.seen.logs.push_back("hello there");
+        outcome.seen.logs.emplace_back("hello there");
         return outcome;
       });
   EXPECT_EQ(summary.failed, 0) << out.str();

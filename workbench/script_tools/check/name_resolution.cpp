@@ -55,6 +55,17 @@ void NameResolution::assign(const LuaToken& name) {
   }
 }
 
+void NameResolution::check_compared_name(const Expression& value, const Expression& text) {
+  if (value.meaning.kind != Meaning::Kind::name || text.literal == nullptr) return;
+  const std::set<std::string>& names = known_.names.at(value.meaning.name);
+  if (text.literal->kind == Kind::text && names.contains(text.literal->text)) return;
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  note(*text.literal, value.meaning.name + " is never " +
+                          (text.literal->kind == Kind::text ? "'" + text.literal->text + "'" : text.literal->text) +
+                          "; it is one of " + all);
+}
+
 void NameResolution::check_compared_state(const Expression& state, const Expression& text) {
   if (state.meaning.kind != Meaning::Kind::machine_state || text.literal == nullptr) return;
   if (text.literal->kind != Kind::text) return;
@@ -67,6 +78,8 @@ void NameResolution::check_compared_state(const Expression& state, const Express
 void NameResolution::compare(const Expression& left, const Expression& right) {
   check_compared_state(left, right);
   check_compared_state(right, left);
+  check_compared_name(left, right);
+  check_compared_name(right, left);
 }
 
 Meaning NameResolution::call(const Meaning& function, const LuaToken& place, std::vector<Expression> arguments,
@@ -118,6 +131,7 @@ Meaning NameResolution::of(const LuaToken& name) {
     note(name, "there is no '" + name.text + "'" + hint(name.text, candidates));
     return {};
   }
+  if (name.text == "published") return {Meaning::Kind::published, name.text, nullptr, nullptr, {}};
   if (name.text == "behaviors") return {Meaning::Kind::machines, name.text, nullptr, nullptr, {}};
   if (const auto table = known_.tables.find(name.text); table != known_.tables.end())
     return {Meaning::Kind::table, name.text, &table->second, nullptr, {}};
@@ -135,7 +149,10 @@ Meaning NameResolution::of_field(const Meaning& owner, const LuaToken& field) {
         return {};
       }
       const auto function = owner.table->functions.find(field.text);
-      if (function == owner.table->functions.end()) return {};
+      if (function == owner.table->functions.end()) {
+        if (known_.names.contains(full_name)) return {Meaning::Kind::name, full_name, nullptr, nullptr, {}};
+        return {};
+      }
       return {Meaning::Kind::function, full_name, nullptr, &function->second, {}};
     }
     case Meaning::Kind::params:
@@ -150,6 +167,10 @@ Meaning NameResolution::of_field(const Meaning& owner, const LuaToken& field) {
       note(field, "there is no behavior '" + field.text + "'" + hint(field.text, names));
       return {};
     }
+    case Meaning::Kind::published:
+      if (known_.published && !known_.published->contains(field.text))
+        note(field, "no state publishes '" + field.text + "'" + hint(field.text, listed(*known_.published)));
+      return {};
     case Meaning::Kind::machine:
       if (field.text == "state") return {Meaning::Kind::machine_state, owner.name, nullptr, nullptr, {}};
       if (field.text != "time_in_state") {
@@ -165,7 +186,7 @@ Meaning NameResolution::of_field(const Meaning& owner, const LuaToken& field) {
 void NameResolution::assign_field(const Meaning& owner, const LuaToken& field) {
   const bool is_read_only = (owner.kind == Meaning::Kind::table && owner.table->is_read_only) ||
                             owner.kind == Meaning::Kind::params || owner.kind == Meaning::Kind::machines ||
-                            owner.kind == Meaning::Kind::machine;
+                            owner.kind == Meaning::Kind::published || owner.kind == Meaning::Kind::machine;
   if (is_read_only) note(field, owner.name + "." + field.text + " is read-only");
 }
 

@@ -14,7 +14,7 @@ namespace reorient {
 
 /// What an expression stands for, as far as that is plain from the text.
 struct Meaning {
-  enum class Kind { anything, table, function, params, machines, machine, machine_state };
+  enum class Kind { anything, table, function, params, machines, machine, machine_state, published, name };
 
   Kind kind = Kind::anything;
   std::string name;                          ///< as it is called in messages; of a machine: its name
@@ -47,7 +47,7 @@ class NameResolution {
   void assign_field(const Meaning& owner, const LuaToken& field);
   /// What a call gives: known of `param` and `require` only. `place`: of the arguments.
   Meaning call(const Meaning& function, const LuaToken& place, std::vector<Expression> arguments, bool in_condition);
-  /// behaviors.NAME.state == "text", of which either side may be the text.
+  /// behaviors.NAME.state == "text", or robot.posture == "text", of which either side may be the text.
   void compare(const Expression& left, const Expression& right);
 
   /// In the order of the text.
@@ -60,6 +60,7 @@ class NameResolution {
   void check_call(const Meaning& called, const LuaToken& place, const std::vector<Expression>& arguments,
                   bool in_condition);
   void check_compared_state(const Expression& state, const Expression& text);
+  void check_compared_name(const Expression& value, const Expression& text);
   std::string hint(const std::string& wanted, const std::vector<std::string>& names);
   void note(const LuaToken& token, const std::string& message) { errors_.push_back({token.position, message}); }
 

@@ -80,7 +80,10 @@ class ScriptCheck {
     take_in(host);
     for (const MachineDefinition* machine : host.definitions()) {
       std::set<std::string>& states = states_[machine->name];
-      for (const StateDefinition& state : machine->states) states.insert(state.path);
+      for (const StateDefinition& state : machine->states) {
+        states.insert(state.path);
+        if (!state.publishes.empty()) published_.insert(state.publishes);
+      }
     }
   }
 
@@ -125,7 +128,10 @@ class ScriptCheck {
     }
     SymbolTable known = symbol_table(role);
     known.modules = modules_;
-    if (knows_all_machines_) known.states = states_;
+    if (knows_all_machines_) {
+      known.states = states_;
+      known.published = published_;
+    }
     for (DeclarationError& slip : check_names(*text, known))
       result_.findings.push_back({Severity::error, file, slip.position, std::move(slip.message)});
   }
@@ -141,6 +147,7 @@ class ScriptCheck {
   CoreParameters core_;
   ParameterRegistry core_parameters_;  ///< with the engine's own: scripts must not take their names
   std::map<std::string, std::set<std::string>> states_;
+  std::set<std::string> published_;
   bool knows_all_machines_ = true;
   std::map<std::string, TableSymbol> modules_;
   CheckResult result_;

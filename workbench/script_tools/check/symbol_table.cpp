@@ -38,6 +38,7 @@ void add_language(const ScriptLanguage& language, SymbolTable& known) {
   for (const WorldField& field : language.world()) {
     known.globals.insert(std::string(field.table));
     known.tables[std::string(field.table)].fields.insert(std::string(field.name));
+    if (field.type == WorldField::Type::name) known.names[field.full_name()] = {field.names.begin(), field.names.end()};
   }
   for (const ScriptFunction& function : language.functions()) {
     FunctionSymbol signature{{}, function.result.empty()};

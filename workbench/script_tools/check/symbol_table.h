@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct SymbolTable {
   std::map<std::string, TableSymbol> tables;
   std::map<std::string, TableSymbol> modules;           ///< by what `require` takes
   std::map<std::string, std::set<std::string>> states;  ///< paths of each machine that there is
+  std::map<std::string, std::set<std::string>> names;   ///< all that a field of the world that is a name can be
+  std::optional<std::set<std::string>> published;       ///< by some state; nothing: it is not known by which
 };
 
 /// The bindings' and the library's part of it; scenarios may name more than behaviours, tests their own words.

@@ -140,7 +140,8 @@ std::string script_annotations() {
   out << "---@meta\n-- What scripts can see and say, for the Lua language server. Generated from the declarations that "
          "make the\n"
          "-- bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.\n\n";
-  out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? boolean\n"
+  out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? "
+         "boolean\n---@field publishes? string\n"
          "---@field common? table[]\n---@field behaviors? string[]\n---@field enter? fun()\n---@field update? fun()\n"
          "---@field exit? fun()\n---@field [integer] table\n\n";
   for (const WorldTable& table : scenarios().tables()) {
@@ -205,7 +206,7 @@ std::string script_luacheck() {
     }
   }
   for (const std::string& name : globals) {
-    out << "  " << name << (name == "behaviors" ? " = { other_fields = true },\n" : " = {},\n");
+    out << "  " << name << (name == "behaviors" || name == "published" ? " = { other_fields = true },\n" : " = {},\n");
   }
   for (const auto& [table, names] : tables) out << "  " << table << " = fields(" << names << "),\n";
   out << "} }\nstds.reorient_test = { read_globals = {\n  expect = { other_fields = true },\n";

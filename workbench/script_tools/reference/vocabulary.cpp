@@ -24,7 +24,8 @@ constexpr ScriptWord kLanguage[] = {
     {"state", "state \"watching\" { enter = f, update = f, exit = f, { \"target\", when = f, lasting = 0.5 } }",
      "Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within "
      "it, then also "
-     "`initial`, `common`, and `history = true` to resume the inner state that was active last.",
+     "`initial`, `common`, and `history = true` to resume the inner state that was active last. `publishes = "
+     "\"name\"`: what others may ask for as `published.name`.",
      "---@param name string\n---@return fun(body: reorient.State): table\nfunction state(name) end"},
     {"scenario",
      "scenario \"name\" { behaviors = { \"orientation\" }, initial = \"placing\", state \"placing\" { ... } }",
@@ -40,6 +41,10 @@ constexpr ScriptWord kLanguage[] = {
      "The other machines as they stood when the frame began, read-only: `state` (path) and `time_in_state` (s).",
      "---@class reorient.Machine\n---@field state string path of the innermost active state\n"
      "---@field time_in_state number s\n\n---@type table<string, reorient.Machine>\nbehaviors = {}"},
+    {"published", "published.pose_is_searched",
+     "Whether a state with `publishes = \"pose_is_searched\"` was active when the frame began, in whatever machine; "
+     "false where nobody publishes it.",
+     "---@type table<string, boolean>\npublished = {}"},
     {"print", "print(\"flips\", memory.flips)", "Writes a line into the run's log.",
      "---@param ... any\nfunction print(...) end"},
 };
@@ -52,8 +57,9 @@ constexpr ScriptWord kTest[] = {
      "---@param behavior string\nfunction load_behavior(behavior) end"},
     {"load_scenario", "load_scenario \"turned_round\"", "Loads a scenario and its behaviours.",
      "---@param scenario string\nfunction load_scenario(scenario) end"},
-    {"set_world", "set_world { confidence = { opposite = 0.9 }, robot = { fallen = true } }",
-     "Changes the fake world, from the next frame on.",
+    {"set_world", "set_world { confidence = { opposite = 0.9 }, robot = { posture = \"lying\" } }",
+     "Changes the fake world, from the next frame on. What follows from the rest (times since a disturbance, age and "
+     "status of the confidences, whether training and evaluation go on) follows until the test sets it itself.",
      "---@param world table<string, table<string, number|boolean|string>>\nfunction set_world(world) end"},
     {"set_param", "set_param(\"orientation.lead\", \"0.3\")", "Changes a parameter as a user does live.",
      "---@param name string\n---@param value string\nfunction set_param(name, value) end"},

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kFramesPerSecond = 30.0;
 constexpr double kLongest = 3600.0;  // s, of one advance()
+constexpr double kLongAgo = 60.0;    // s, since the robot was put on the field
 
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
@@ -29,7 +30,7 @@ std::string replace_all(std::string text, const std::string& from, const std::st
 
 std::string text_field(lua_State* L, int table, const char* name) {
   lua_getfield(L, table, name);
-  const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+  std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
   return text;
 }
@@ -41,6 +42,8 @@ TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, cons
     : root_(std::move(scripts_root)), texts_(std::move(texts)), simulate_(simulate), trace_(trace) {
   parameters_.bind("arbiter", arbiter_parameters_);
   parameters_.bind("script", limits_);
+  world_.posture_for = world_.undisturbed_for = world_.confidence.age = kLongAgo;
+  world_.confidence.seen = 1.0;
 }
 
 template <auto Method>
@@ -135,12 +138,12 @@ int TestBench::load_scenario(lua_State* L) {
   return 0;
 }
 
-/// set_world { confidence = { opposite = 0.9 }, robot = { fallen = true } }
+/// set_world { confidence = { opposite = 0.9 }, robot = { posture = "lying" } }
 int TestBench::set_world(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING || lua_type(L, -1) != LUA_TTABLE) {
-      throw std::runtime_error("set_world takes tables of world fields: set_world { robot = { fallen = true } }");
+      throw std::runtime_error("set_world takes tables of world fields: set_world { robot = { posture = \"lying\" } }");
     }
     const std::string table = lua_tostring(L, -2);
     const int fields = lua_gettop(L);
@@ -163,6 +166,7 @@ int TestBench::set_world(lua_State* L) {
         write_truth(*truth_, lua_tostring(L, -2), value);
       } else {
         write_world(world_, table, lua_tostring(L, -2), value);
+        told_.insert(table + "." + lua_tostring(L, -2));
       }
     }
   }
@@ -193,9 +197,30 @@ int TestBench::advance(lua_State* L) {
   return 0;
 }
 
+/// What the core derives from the rest of the world, as far as the test has not set it itself.
+void TestBench::follow_world() {
+  const double step = world_.time_step;
+  const auto derive = [this](const char* field, auto& place, auto value) {
+    if (!told_.contains(field)) place = static_cast<std::remove_reference_t<decltype(place)>>(value);
+  };
+  const bool changed = world_.posture != last_posture_;
+  if (changed) derive("robot.posture_before", world_.posture_before, last_posture_);
+  last_posture_ = world_.posture;
+  derive("robot.posture_for", world_.posture_for, changed ? 0.0 : world_.posture_for + step);
+  derive("robot.undisturbed_for", world_.undisturbed_for, world_.disturbed() ? 0.0 : world_.undisturbed_for + step);
+  derive("evaluation.active", world_.evaluating, world_.upright() && arbiter_.last().evaluate);
+  derive("training.active", world_.training, world_.upright() && world_.pose_known && arbiter_.last().train);
+  Confidences& confidence = world_.confidence;
+  derive("confidence.age", confidence.age,
+         world_.disturbed() ? 0.0 : confidence.age + (world_.evaluating ? step : 0.0));
+  derive("confidence.seen", confidence.seen, confidence.age > 0.0 ? 1.0 : 0.0);
+  derive("confidence.status", world_.room_status, room_status(world_, RoomStatusParameters{}));
+}
+
 /// One frame as the engine runs it, with a fake world; then the scenario's.
 void TestBench::step() {
   world_.time_step = 1.0 / kFramesPerSecond;
+  follow_world();
   Behaviors& scripts = behaviors();
   scripts.tick(world_);
   const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world_);
@@ -208,7 +233,8 @@ void TestBench::step() {
   request_ = scripts.wanted().request;
   if (scenario_) {
     scripts.host().read_status(statuses_);
-    recorded_.show(names, statuses_, world_.time);
+    scripts.host().read_published(published_);
+    recorded_.show(names, statuses_, published_, world_.time);
     const ScenarioRecord& record = scenario_->tick({world_, truth_});
     seen_.note_scenario(record);
     trace_.note(scenario_->machines(), *record.names, record.transitions);
@@ -230,7 +256,7 @@ void TestBench::look_at_machines() {
 
 std::string TestBench::file_of(const std::string& script) const {
   for (const char* folder : {"behaviors/", "scenarios/", ""}) {
-    const std::string file = folder + script + (script.ends_with(".lua") ? "" : ".lua");
+    std::string file = folder + script + (script.ends_with(".lua") ? "" : ".lua");
     if (texts_.find(file) != nullptr) return file;
   }
   throw std::runtime_error("there is no script '" + script + "'");

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "engine/parameters/parameter_registry.h"
 #include "engine/script/behaviors.h"
 #include "engine/world/arbiter.h"
+#include "engine/world/room_status.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/script_tools/testing/coverage.h"
 #include "workbench/script_tools/testing/simulation.h"
@@ -72,6 +74,7 @@ class TestBench {
   void add_expectations(lua_State* L);
   Behaviors& behaviors();
   void step();
+  void follow_world();
   void look_at_machines();
   void fail(const std::string& expected, const std::string& actual);
   void fail(const std::string& text);
@@ -91,6 +94,8 @@ class TestBench {
   ArbiterParameters arbiter_parameters_;
   ScriptLimits limits_;
   World world_;
+  std::set<std::string> told_;  ///< fields that the test has set: they stay so
+  Posture last_posture_ = Posture::upright;
   std::optional<GroundTruth> truth_;
   long frame_ = 0;
   std::unique_ptr<Behaviors> behaviors_;
@@ -105,6 +110,7 @@ class TestBench {
   SeenFrames seen_;                      ///< in the last advance(); transitions: in the whole test
   std::vector<Lease> leases_;            ///< held after it
   std::vector<MachineStatus> statuses_;  ///< of the behaviours, after it
+  std::vector<NameId> published_;
   Request request_;
 };
 

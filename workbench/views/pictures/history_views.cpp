@@ -18,9 +18,9 @@ Condition condition_of(RunCondition condition) {
       return Condition::evaluation_paused;
     case RunCondition::belief_reflected:
       return Condition::belief_reflected;
-    case RunCondition::carried:
+    case RunCondition::lifted:
       return Condition::carried;
-    case RunCondition::fallen:
+    case RunCondition::down:
       return Condition::fallen;
   }
   return Condition::training;

@@ -1,0 +1,104 @@
+// What a frame believes: our own localization or somebody else's, and what reorientations do to it.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/frame.h"
+#include "engine/stage_timer.h"
+#include "engine/world/goal_view.h"
+
+namespace reorient {
+
+void FrameLoop::localize() {
+  const StageTimer timer(record_, Stage::localization);
+  const Pose2 expected = world_.pose.pose * odometry_step_;
+  if (!take_external_belief()) {
+    if (external_belief_) go_on_by_ourselves();
+    pose_filter_.predict(odometry_step_, world_.time_step);
+    pose_filter_.update(record_.percepts[kUpper], record_.percepts[kLower],
+                        room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown);
+    world_.pose = pose_filter_.belief();
+    world_.recovery_probability =
+        pose_filter_.recovery().recovery_probability(parameters_.pose_filter.injection.lost_margin);
+  }
+  if (room_) watch_belief(expected);
+}
+
+/// Then our pose filter rests.
+bool FrameLoop::take_external_belief() {
+  if (!observation_->belief) return false;
+  const std::optional<PoseBelief> belief =
+      external_reader_.read(*observation_->belief, world_.pose, parameters_.pose_filter.clusters);
+  if (!belief) return false;
+  external_belief_ = true;
+  world_.pose = *belief;
+  world_.pose_known = is_known(*belief);
+  world_.recovery_probability = 0.0;
+  return true;
+}
+
+/// The other localization says no more: ours begins where that has ended.
+void FrameLoop::go_on_by_ourselves() {
+  constexpr double kLeastPosition = 0.1, kMostPosition = 2.0;  // m
+  const double least_rotation = from_degrees(5.0);
+  const Eigen::Vector3d deviation = world_.pose.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  pose_filter_.set_initial_pose(world_.pose.pose,
+                                std::clamp(deviation.head<2>().maxCoeff(), kLeastPosition, kMostPosition),
+                                std::clamp(deviation.z(), least_rotation, kPi));
+  external_belief_ = false;
+}
+
+/// A belief that jumps is another belief: what was seen before was compared with the old one.
+void FrameLoop::watch_belief(const Pose2& expected) {
+  const PoseClusterParameters& cluster = parameters_.pose_filter.clusters;
+  const auto is_near = [&](const Pose2& pose) {
+    return (world_.pose.pose.position - pose.position).norm() < cluster.radius &&
+           std::abs(angle_difference(world_.pose.pose.rotation, pose.rotation)) < cluster.max_rotation_difference;
+  };
+  if (is_near(expected)) return;
+  if (is_near(reflect(expected))) {
+    room_->on_belief_reflected();
+  } else {
+    room_->on_reset();
+  }
+}
+
+void FrameLoop::rearrange(const CommandRecord& granted) {
+  ReorientationRecord& record = record_.reorientation.emplace();
+  record.reorientation = granted.request.reorientation;
+  record.issuer = granted.request.issuer;
+  record.belief_before = world_.pose;
+  if (record_.filled.has(Topic::pose_particles)) append_poses(record_.pose_particles.before);
+  if (external_belief_) {
+    // It is carried out elsewhere, or not: what becomes of the belief, the next observations say.
+    record.belief_after = expected_after(record.reorientation, world_.pose);
+    if (room_ && record.reorientation == Reorientation::purge_reflection) room_->on_purge();
+    return;
+  }
+  switch (granted.request.reorientation) {
+    case Reorientation::flip_pose:
+      pose_filter_.flip_pose();
+      if (room_) room_->on_flip();
+      break;
+    case Reorientation::purge_reflection:
+      pose_filter_.purge_reflection();
+      if (room_) room_->on_purge();
+      break;
+    case Reorientation::reset_orientation:
+      pose_filter_.reset_orientation();
+      if (room_) room_->on_reset();
+      break;
+  }
+  // After a reset nobody knows the orientation; a flip or a purge says that the room, or somebody, has told it.
+  world_.pose_known = granted.request.reorientation != Reorientation::reset_orientation;
+  record.belief_after = world_.pose = pose_filter_.belief();
+}
+
+void FrameLoop::append_poses(std::vector<Pose2>& poses) const {
+  if (external_belief_) {
+    external_reader_.append_poses(poses);
+  } else {
+    pose_filter_.append_poses(poses);
+  }
+}
+
+}  // namespace reorient

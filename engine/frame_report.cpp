@@ -1,0 +1,58 @@
+// What a frame leaves behind for those who watch: its record, as far as the stages have not filled it already.
+#include "engine/frame.h"
+#include "engine/stage_timer.h"
+
+namespace reorient {
+
+void FrameLoop::complete_record() {
+  const StageTimer timer(record_, Stage::record);
+  record_.names = behaviors_.host().names().table();
+  record_.inputs.body = observation_->body;
+  record_.inputs.odometry = observation_->odometry;
+  record_.inputs.body_samples = static_cast<int>(observation_->body_samples.size());
+  record_.inputs.reported_posture = observation_->reported_posture;
+  record_.inputs.external_belief = external_belief_;
+  record_.world = world_;
+  behaviors_.host().read_status(record_.machines);
+  behaviors_.host().read_published(record_.published);
+  const ScriptOutput& said = behaviors_.said();
+  record_.transitions.assign(said.transitions.begin(), said.transitions.end());
+  record_.logs.assign(said.logs.begin(), said.logs.end());
+  record_.faults.assign(said.faults.begin(), said.faults.end());
+  record_.commands.assign(arbiter_.last().commands.begin(), arbiter_.last().commands.end());
+  record_.begun.assign(arbiter_.last().begun.begin(), arbiter_.last().begun.end());
+  record_.leases.assign(behaviors_.leases().begin(), behaviors_.leases().end());
+
+  if (record_.filled.has(Topic::images)) {
+    record_.images.upper = observation_->upper ? observation_->upper->image : ImageView();
+    record_.images.lower = observation_->lower ? observation_->lower->image : ImageView();
+  }
+  if (record_.filled.has(Topic::pose_particles)) {
+    record_.pose_particles.particles.clear();
+    append_poses(record_.pose_particles.particles);
+  }
+  if (record_.filled.has(Topic::room)) fill_room();
+  if (record_.filled.has(Topic::conditions)) behaviors_.host().read_conditions(record_.conditions);
+  if (record_.filled.has(Topic::parameters) && listed_revision_ != registry_.revision()) {
+    listed_revision_ = registry_.revision();
+    record_.parameters = registry_.list();
+  }
+  if (record_.filled.has(Topic::costs)) behaviors_.host().read_costs(record_.costs.machines);
+}
+
+void FrameLoop::fill_room() {
+  if (!room_) return;
+  RoomRecord& record = record_.room;
+  record.wall = parameters_.room.wall;
+  record.half_width = parameters_.room.confidence.half_width;
+  record.goal_half_width = parameters_.room.confidence.goal_half_width;
+  record.center_of_view = room_->center_of_view();
+  record.light = room_->light();
+  record.model.assign(room_->model().tiles().begin(), room_->model().tiles().end());
+  record.perceived.clear();
+  if (record_.inputs.room_camera) record.perceived.assign(room_->perceived().begin(), room_->perceived().end());
+  record.particles.assign(room_->particles().begin(), room_->particles().end());
+  record.clusters.assign(room_->clusters().begin(), room_->clusters().end());
+}
+
+}  // namespace reorient

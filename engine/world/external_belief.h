@@ -1,0 +1,45 @@
+// The belief of somebody else's localization, read as ours is: where it is given as particles, their heaviest cluster.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/field_dimensions.h"
+#include "localization/particles/particle_set.h"
+#include "localization/particles/pose_clusters.h"
+#include "localization/pose_belief.h"
+#include "robots/robot.h"
+
+namespace reorient {
+
+/// Particles beyond this many are left out.
+inline constexpr std::size_t kMostExternalParticles = 10000;
+
+class ExternalBeliefReader {
+ public:
+  explicit ExternalBeliefReader(const FieldDimensions& field);
+
+  /// `last`: what was believed before; where particles are spread over several clusters, its own keeps its place as
+  /// with our pose filter. Nothing: that is no belief, since something in it is not finite, or is negative.
+  std::optional<PoseBelief> read(const ExternalBelief& external, const PoseBelief& last,
+                                 const PoseClusterParameters& parameters);
+
+  /// Of what was read last: its particles, or the pose where there were none.
+  void append_poses(std::vector<Pose2>& poses) const;
+
+ private:
+  bool take_particles(std::span<const ExternalBelief::Particle> particles);
+
+  Eigen::Vector2d half_size_;
+  PoseClusters clusters_;
+  ParticleSet particles_;
+  std::vector<Pose2> poses_;
+};
+
+/// Somebody can act on it: it says which way the robot looks, and more or less where.
+bool is_known(const PoseBelief& belief);
+
+/// What the belief should become once a reorientation was carried out on it.
+PoseBelief expected_after(Reorientation reorientation, const PoseBelief& belief);
+
+}  // namespace reorient

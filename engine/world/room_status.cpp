@@ -1,0 +1,21 @@
+#include "engine/world/room_status.h"
+
+namespace reorient {
+
+std::string_view to_string(RoomStatus status) {
+  constexpr std::string_view kNames[kRoomStatuses] = {"usable",    "off",  "resting", "unlearned",
+                                                      "symmetric", "lost", "fresh"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+RoomStatus room_status(const World& world, const RoomStatusParameters& p) {
+  if (!world.room_awareness) return RoomStatus::off;
+  if (!world.evaluating) return RoomStatus::resting;
+  if (world.confidence.coverage < p.coverage) return RoomStatus::unlearned;
+  if (world.confidence.distinctiveness < p.distinctiveness) return RoomStatus::symmetric;
+  if (world.recovery_probability > p.recovery_probability) return RoomStatus::lost;
+  if (world.confidence.age < p.age || world.confidence.seen < p.seen) return RoomStatus::fresh;
+  return RoomStatus::usable;
+}
+
+}  // namespace reorient

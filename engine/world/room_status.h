@@ -1,0 +1,33 @@
+// May the room speak? Whether the confidences can tell the believed pose from its reflection, and if not, why not: said
+// once, for every behaviour.
+#pragma once
+
+#include <string_view>
+
+#include "engine/world/world.h"
+
+namespace reorient {
+
+struct RoomStatusParameters {
+  double coverage = 0.3;
+  double distinctiveness = 0.05;
+  double recovery_probability = 0.3;
+  double age = 0.3;
+  double seen = 0.1;
+};
+
+template <typename Visit>
+void describe(RoomStatusParameters& p, Visit&& visit) {
+  visit("coverage", p.coverage, 0.0, 1.0, "", "share of the wall that must be learned before the room may speak");
+  visit("distinctiveness", p.distinctiveness, 0.0, 1.0, "",
+        "how much the room must differ from itself turned by half a turn");
+  visit("recovery_probability", p.recovery_probability, 0.0, 1.0, "",
+        "beyond this the pose filter counts as lost: then both poses may be wrong");
+  visit("age", p.age, 0.0, 60.0, "s", "how long views must have said something since the confidences began anew");
+  visit("seen", p.seen, 0.0, 1.0, "", "share of the wall's columns that such views must have shown since then");
+}
+
+/// The first reason in the order of RoomStatus.
+RoomStatus room_status(const World& world, const RoomStatusParameters& parameters);
+
+}  // namespace reorient

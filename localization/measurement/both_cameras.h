@@ -1,0 +1,12 @@
+// What two cameras saw of the field, as if it were one.
+#pragma once
+
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+/// Line points and posts of both, in the robot's frame. A post that both see is one: where the lower camera sees its
+/// base, it stands there. Obstacles and the boundary belong to an image; they are left out.
+void merge(const FieldPercept& upper, const FieldPercept& lower, FieldPercept& merged);
+
+}  // namespace reorient

@@ -1,0 +1,30 @@
+--- Gets up after a fall, once the robot has come to rest. A robot that somebody lifts is left alone.
+
+param {
+  rest_time = { 1.0, range = { 0, 10 }, unit = "s", doc = "how long to lie still before getting up" },
+}
+
+local function is_on_its_feet_or_lifted() return robot.posture == "upright" or robot.posture == "lifted" end
+
+behavior "get_up" {
+  priority = 90,
+  initial = "idle",
+
+  state "idle" {
+    { "lying", when = function() return robot.posture == "lying" end, because = "the robot fell" },
+  },
+
+  state "lying" {
+    update = function() walk.stand() end,
+    { "idle", when = function() return robot.posture ~= "lying" end, because = "the robot was helped up" },
+    { "getting up", after = "rest_time" },
+  },
+
+  state "getting up" {
+    update = function()
+      walk.stand()
+      motion.get_up()
+    end,
+    { "idle", when = is_on_its_feet_or_lifted, because = "the robot stands again, or somebody has lifted it" },
+  },
+}

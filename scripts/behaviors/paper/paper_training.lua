@@ -1,0 +1,44 @@
+--- The training rule of the paper, to the letter (Sections 3.3, 3.5 and 4): a robot that knows its pose and not the room
+--- stops the evaluation and turns round once to learn it; from then on the room is trained online in every frame. Only a
+--- fall, a lift or a penalty interrupts it. A wrong belief is learned as well: that is the paper's 15 % of failures.
+
+local walking = require "lib.walk"
+
+local p = param {
+  turn     = { 0.6,  range = { 0.1, 2 }, unit = "rad/s", doc = "how fast to turn while the room is learned" },
+  min_time = { 20.0, range = { 0, 600 }, unit = "s",     doc = "how long to train before the evaluation begins" },
+}
+
+local function is_disturbed() return robot.undisturbed_for == 0.0 end
+
+local function is_learned() return training.seconds >= p.min_time end
+
+behavior "paper_training" {
+  priority = 45,
+  initial = "waiting",
+  common = {
+    { "disturbed", when = is_disturbed, because = "the robot falls, is lifted or is penalized" },
+  },
+
+  state "disturbed" {
+    enter = function()
+      command.pause_training()
+      command.pause_evaluation()
+    end,
+    { "waiting", when = function() return not is_disturbed() end, because = "the robot stands on the field" },
+  },
+
+  state "waiting" {
+    enter = function() command.pause_evaluation() end,
+    { "training online", when = is_learned, because = "the room is known" },
+    { "learning", when = function() return pose.known end, because = "the pose is known and the room is not" },
+  },
+
+  state "learning" {
+    enter = function() command.pause_evaluation() end,
+    update = function() walking.turn(p.turn) end,
+    { "training online", when = is_learned, because = "the room is known" },
+  },
+
+  state "training online" {},
+}

@@ -1,0 +1,49 @@
+--- The paper's test (Section 4) with the paper's own behaviours: a robot stands beside the field and has learned the
+--- room; then somebody tells it the reflection of its pose. It should notice and flip within 200 s, or it has failed.
+--- Meant to be run with `--params paper`.
+
+local ground_truth = require "lib.ground_truth"
+
+param {
+  learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "how long the robot may learn the room" },
+  stay    = { 2.0,   range = { 0, 60 },   unit = "s", doc = "how long the belief must be right" },
+  timeout = { 200.0, range = { 1, 600 },  unit = "s", doc = "how long it may take; in the paper more counts as failed" },
+}
+
+scenario "wrong_start" {
+  behaviors = { "paper/paper_orientation", "paper/paper_training", "head_scan", "get_up", "penalty_marks" },
+  priority = 100,
+  initial = "placing",
+
+  state "placing" {
+    enter = function() ground_truth.start() end,
+    { "learning", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "learning" {
+    { "misled", after = "learn", because = "the time to learn is over" },
+  },
+
+  state "misled" {
+    initial = "wrong",
+    enter = function()
+      ground_truth.note("told the reflection")
+      experimenter.set_initial_pose(-truth.x, -truth.y, truth.rotation + math.pi)
+    end,
+    { "failed", after = "timeout", because = "the time is up" },
+
+    state "wrong" {
+      { "right",
+        when = ground_truth.is_belief_right, after = 1.0,
+        lasting = "stay", because = "the belief is right again" },
+    },
+
+    state "right" {
+      enter = function() verdict.succeed("the robot noticed that it was told the reflection of its pose") end,
+    },
+  },
+
+  state "failed" {
+    enter = function() verdict.fail("the robot still believes " .. ground_truth.error_in_words()) end,
+  },
+}

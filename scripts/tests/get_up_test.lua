@@ -1,0 +1,66 @@
+--- Tests of behaviors/get_up.lua.
+
+test("gets up after a moment of rest", function()
+  load_behavior "get_up"
+  advance(0.1)
+  expect.get_up(false)
+  set_world { robot = { posture = "lying" } }
+  advance(0.5)
+  expect.state("get_up", "lying")
+  expect.get_up(false)
+  advance(1.0)
+  expect.state("get_up", "getting up")
+  expect.get_up(true)
+  set_world { robot = { posture = "upright" } }
+  advance(0.1)
+  expect.state("get_up", "idle")
+  expect.get_up(false)
+end)
+
+test("does not kick while somebody carries it, in whatever attitude", function()
+  load_behavior "get_up"
+  set_world { robot = { posture = "lifted" } }
+  advance(3)
+  expect.state("get_up", "idle")
+  expect.get_up(false)
+end)
+
+test("leaves off when somebody lifts it", function()
+  load_behavior "get_up"
+  set_world { robot = { posture = "lying" } }
+  advance(2)
+  expect.get_up(true)
+  set_world { robot = { posture = "lifted" } }
+  advance(0.1)
+  expect.state("get_up", "idle")
+  expect.reason("get_up", "the robot stands again, or somebody has lifted it")
+  expect.get_up(false)
+end)
+
+test("rests again when it was helped up before it began", function()
+  load_behavior "get_up"
+  for _, help in ipairs { "upright", "getting_up", "lifted" } do
+    set_world { robot = { posture = "lying" } }
+    advance(0.5)
+    expect.state("get_up", "lying")
+    expect.reason("get_up", "the robot fell")
+    set_world { robot = { posture = help } }
+    advance(0.1)
+    expect.state("get_up", "idle")
+    expect.reason("get_up", "the robot was helped up")
+  end
+end)
+
+test("goes on getting up until it stands, and takes a new rest after a second fall", function()
+  load_behavior "get_up"
+  set_world { robot = { posture = "lying" } }
+  advance(6)
+  expect.state("get_up", "getting up")
+  set_world { robot = { posture = "upright" } }
+  advance(0.1)
+  expect.reason("get_up", "the robot stands again, or somebody has lifted it")
+  set_world { robot = { posture = "lying" } }
+  advance(0.5)
+  expect.state("get_up", "lying")
+  expect.get_up(false)
+end)

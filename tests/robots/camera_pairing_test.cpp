@@ -1,0 +1,58 @@
+#include "robots/camera_pairing.h"
+
+#include <gtest/gtest.h>
+
+namespace reorient {
+namespace {
+
+CameraFrame at(double time) {
+  CameraFrame frame;
+  frame.time = time;
+  return frame;
+}
+
+TEST(CameraPairing, IsDueWithAnUpperImageAndTakesTheNewestLowerOneAlong) {
+  CameraPairing pairing;
+  pairing.put_lower(at(0.970));
+  pairing.put_lower(at(0.990));
+  EXPECT_FALSE(pairing.is_due(1.0));
+  pairing.put_upper(at(1.000));
+  ASSERT_TRUE(pairing.is_due(1.0));
+  Observation observation;
+  pairing.take(observation);
+  EXPECT_EQ(observation.time, 1.000);
+  EXPECT_EQ(observation.upper->time, 1.000);
+  EXPECT_EQ(observation.lower->time, 0.990);
+  EXPECT_FALSE(pairing.is_due(2.0)) << "each image is of one frame";
+}
+
+TEST(CameraPairing, TakesALowerImageThatIsNewerThanTheUpperOne) {
+  CameraPairing pairing;
+  pairing.put_upper(at(1.000));
+  pairing.put_lower(at(1.010));
+  Observation observation;
+  pairing.take(observation);
+  EXPECT_EQ(observation.time, 1.010);
+}
+
+TEST(CameraPairing, LetsALowerImageWaitForAWhileAndThenGoAlone) {
+  CameraPairing pairing;
+  pairing.put_lower(at(1.000));
+  EXPECT_FALSE(pairing.is_due(1.040));
+  pairing.put_lower(at(1.033));
+  EXPECT_TRUE(pairing.is_due(1.051)) << "since the first one, or a fast camera would wait for ever";
+  Observation observation;
+  pairing.take(observation);
+  EXPECT_FALSE(observation.upper);
+  EXPECT_EQ(observation.time, 1.033);
+}
+
+TEST(CameraPairing, ThatWaitsForNothingGivesEachAtOnce) {
+  CameraPairing pairing(0.0);
+  EXPECT_FALSE(pairing.is_due(1.0));
+  pairing.put_lower(at(1.0));
+  EXPECT_TRUE(pairing.is_due(1.0));
+}
+
+}  // namespace
+}  // namespace reorient
