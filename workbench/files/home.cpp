@@ -21,14 +21,16 @@ std::filesystem::path find_home() {
   }
   std::error_code no_link;
   std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", no_link).parent_path();
-  while (!is_home(folder)) {
+  while (true) {
+    for (const std::filesystem::path& home : {folder, folder / "share" / "reorient"}) {
+      if (is_home(home)) return home;
+    }
     if (folder == folder.parent_path()) {
       throw std::runtime_error(
           "no folder above this program has scripts/behaviors and assets/; name it with REORIENT_HOME=FOLDER");
     }
     folder = folder.parent_path();
   }
-  return folder;
 }
 
 }  // namespace reorient

@@ -1,0 +1,9 @@
+# Run by cmake --install: copies `headers` from `source` to `destination` in the prefix, below reorient/. In the tree an include
+# says where a file is ("geometry/angle.h"); among the headers of others it has to say whose it is as well.
+file(REMOVE_RECURSE "${stage}")
+foreach(header ${headers})
+  file(READ "${source}/${header}" text)
+  string(REGEX REPLACE "(^|\n)#include \"" "\\1#include \"reorient/" text "${text}")
+  file(WRITE "${stage}/reorient/${header}" "${text}")
+endforeach()
+file(INSTALL "${stage}/reorient" DESTINATION "${CMAKE_INSTALL_PREFIX}/${destination}")
