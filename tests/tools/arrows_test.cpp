@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -30,10 +31,16 @@ class House : public testing::Test {
     std::ofstream(folder.path() / file) << text;
   }
 
+  std::string read(const std::string& file) {
+    std::ifstream stream(folder.path() / file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
   /// What the check prints, and its exit code.
-  std::string check() {
+  std::string check(const std::string& option = "") {
     std::string text;
-    FILE* const pipe = popen(((folder.path() / "tools" / "arrows").string() + " 2>&1").c_str(), "r");
+    const std::string command = (folder.path() / "tools" / "arrows").string() + " " + option + " 2>&1";
+    FILE* const pipe = popen(command.c_str(), "r");
     std::array<char, 256> buffer;
     while (fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) text += buffer.data();
     return text + "exit " + std::to_string(WEXITSTATUS(pclose(pipe)));
@@ -52,6 +59,23 @@ TEST_F(House, FailsAnIncludeThatTheTableDoesNotAllowWithItsLine) {
 TEST_F(House, IsNotFooledByAngleBrackets) {
   write("ground/stone.cpp", "#include <upper/beam.h>\n");
   EXPECT_EQ(check(), "ground/stone.cpp:1: includes upper/beam.h, but ground/ may not include upper/\nexit 1");
+}
+
+TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
+  const std::string rooms =
+      "<!-- arrows: begin -->\n| `ground/` | – |\n| `upper/` | `ground/` |\n| `attic/` | `ground/`, `upper/` |\n"
+      "| `roof/` | everything |\n<!-- arrows: end -->\n";
+  write("docs/architecture.md", rooms + "<!-- house: begin -->\nold\n<!-- house: end -->\nThe end.\n");
+  EXPECT_EQ(check(),
+            "docs/architecture.md: the picture is not that of the table; tools/arrows --draw draws it anew\nexit 1");
+  EXPECT_EQ(check("--draw"), "exit 0");
+  EXPECT_EQ(check(), "exit 0");
+  // That the attic stands on the ground follows from what stands between.
+  EXPECT_EQ(
+      read("docs/architecture.md"),
+      rooms +
+          "<!-- house: begin -->\n```mermaid\nflowchart TD\n  attic_[\"attic/\"]\n  upper_[\"upper/\"]\n"
+          "  ground_[\"ground/\"]\n  attic_ --> upper_\n  upper_ --> ground_\n```\n<!-- house: end -->\nThe end.\n");
 }
 
 TEST_F(House, FailsAnIncludeOfWhatIsNotThere) {

@@ -26,6 +26,7 @@ SymbolTable known() {
   SymbolTable names = symbol_table(ScriptRole::behavior);
   names.modules["lib.walk"] = {{"walk_to", "turn"}, {}, false};
   names.states["other"] = {"", "waiting", "going", "going/slowly"};
+  names.published = {"pose_is_searched"};
   return names;
 }
 
@@ -66,6 +67,13 @@ INSTANTIATE_TEST_SUITE_P(
              "no state 'wating' (did you mean 'waiting'?)",
              {1, 33}},
         Slip{"StateOnTheLeft", "return \"wating\" ~= behaviors.other.state", "other has no state 'wating'", {1, 8}},
+        Slip{"Published",
+             "return published.pose_is_serched",
+             "no state publishes 'pose_is_serched' (did you mean 'pose_is_searched'?)",
+             {1, 18}},
+        Slip{"WrittenFlag", "published.pose_is_searched = true", "published.pose_is_searched is read-only", {1, 11}},
+        Slip{"NamedValue", "return confidence.status == 'usible'", "'usible'", {1, 29}},
+        Slip{"NamedValueOnTheLeft", "return 'up' ~= robot.posture", "'up'", {1, 8}},
         Slip{"NewGlobal", "count = 1", "would be a global variable", {1, 1}},
         Slip{"NewGlobalFunction", "function helper() end", "would be a global variable", {1, 10}},
         Slip{"WrittenField", "robot.penalized = true", "robot.penalized is read-only", {1, 7}},
@@ -102,6 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
         "local n = 0x1p-4 + 1e-3 + 3 .. '' local m = #'x' - -n // 2", "local robot = { falen = 1 } return robot.falen",
         "local c = confidence; c = { anything = 1 }; return c.anything",
         "return behaviors.other.state == 'go' .. 'ing'",
+        "return published.pose_is_searched and robot.posture == 'lying' and confidence.status ~= 'fresh'",
         "return behaviors.other.state == 'going/slowly' and behaviors.other.time_in_state > 1",
         "return { when = function() return time_in_state() > 1 end, enter = function() command.flip_pose() end }",
         "local function pair() return 0.1, 0.2 end return function() head.look(pair()) end",
@@ -242,6 +251,13 @@ end }
   EXPECT_EQ(findings(),
             "behaviors/b.lua:3:27: error: a has no state 'there' (did you mean 'here'?)\n"
             "behaviors/b.lua:3:52: error: there is no lib.steps.counts (did you mean 'count'?)\n");
+}
+
+TEST_F(ScriptCheckTest, KnowsTheFlagsThatStatesPublish) {
+  folder.write("behaviors/a.lua", R"(behavior "a" { initial = "here", state "here" { publishes = "is_here" } })");
+  folder.write("behaviors/b.lua",
+               "behavior \"b\" { update = function() print(published.is_here, published.is_her) end }\n");
+  EXPECT_EQ(findings(), "behaviors/b.lua:1:71: error: no state publishes 'is_her' (did you mean 'is_here'?)\n");
 }
 
 TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
