@@ -1,5 +1,12 @@
+#include <csignal>
 #include <iostream>
 
 #include "program/program.h"
 
-int main(int argc, char** argv) { return reorient::run_program(argc, argv, std::cout, std::cerr); }
+int main(int argc, char** argv) {
+  // Whoever reads our output may go away (as head does), a file may grow beyond what is allowed: errors to be told,
+  // with which nothing else that a run writes must be lost.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  return reorient::run_program(argc, argv, std::cout, std::cerr);
+}

@@ -56,6 +56,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   app.add_option("--log", log_level, "what to log: debug, info, warning, error, off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
+  app.set_version_flag("--version", "reorient " REORIENT_VERSION);
   const std::array subcommands{add_run(app),    add_test(app),  add_check(app),  add_new(app),
                                add_params(app), add_graph(app), add_version(app)};
   try {
@@ -64,6 +65,9 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     CLI::App* asked = &app;
     for (CLI::App* sub : app.get_subcommands()) asked = sub;
     out << asked->help();
+    return kSuccess;
+  } catch (const CLI::CallForVersion& asked) {
+    out << asked.what() << "\n";
     return kSuccess;
   } catch (const CLI::ExtrasError& error) {
     err << "reorient: " << one_line(error.what()) << hint(app, subcommands) << " (see reorient --help)\n";
@@ -88,7 +92,10 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
 
 int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   try {
-    return parse_and_run(argc, argv, out, err);
+    const int code = parse_and_run(argc, argv, out, err);
+    if (out.flush()) return code;
+    err << "reorient: cannot write to the standard output: whoever read it is gone, or the disk is full\n";
+    return kBadInput;
   } catch (const std::exception& error) {
     err << "reorient: " << one_line(error.what()) << '\n';
     return kBadInput;

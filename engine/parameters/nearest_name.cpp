@@ -1,6 +1,7 @@
 #include "engine/parameters/nearest_name.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace reorient {
@@ -44,6 +45,7 @@ std::optional<std::string> longer_name(std::string_view wanted, std::span<const 
 std::optional<std::string> nearest_name(std::string_view wanted, std::span<const std::string> known) {
   constexpr std::size_t kLongest = 80;  // nobody mistypes more than that
   if (wanted.empty() || wanted.size() > kLongest) return std::nullopt;
+  constexpr int kFar = std::numeric_limits<int>::max();
   const int tolerated = std::max(1, static_cast<int>(wanted.size()) / 3);
   const std::string* best = nullptr;
   int best_distance = tolerated + 1;
@@ -52,7 +54,9 @@ std::optional<std::string> nearest_name(std::string_view wanted, std::span<const
   };
   for (const std::string& name : known) {
     if (name.size() > kLongest) continue;
-    int distance = edit_distance(wanted, name);
+    // As many letters more or fewer, and it cannot be near.
+    const bool may_be_near = length_difference(name) <= static_cast<std::size_t>(tolerated);
+    int distance = may_be_near ? edit_distance(wanted, name) : kFar;
     // Without its prefix a name is still recognised: "lead" for "orientation.lead".
     const std::size_t dot = name.rfind('.');
     if (dot != std::string::npos && wanted.find('.') == std::string_view::npos) {

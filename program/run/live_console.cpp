@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include <poll.h>
 #include <spdlog/fmt/fmt.h>
@@ -85,6 +86,10 @@ void LiveConsole::add_to(FrameInputs& inputs) {
   if (ended_ || quit_ || !has_input()) return;
   std::array<char, 4096> buffer;
   const ssize_t count = read(descriptor_, buffer.data(), buffer.size());
+  if (count == 0 && isatty(descriptor_) == 1) {  // Ctrl-D
+    if (std::exchange(open_, false)) out_ << std::endl;
+    return;
+  }
   if (count <= 0) {
     ended_ = count == 0 || (errno != EAGAIN && errno != EINTR);
     return;

@@ -45,7 +45,7 @@ class LiveConsole : public InputSource, public Observer {
   bool too_long_ = false;  ///< the rest of an endless line is dropped
   bool open_ = false;
   bool quit_ = false;
-  bool ended_ = false;              ///< nobody types there any more
+  bool ended_ = false;              ///< nobody can type there any more: no terminal
   bool wants_states_ = false;       ///< in the next record
   std::vector<std::string> asked_;  ///< parameters whose fate the next record tells
 };

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/utf8.h"
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
@@ -35,6 +36,15 @@ nlohmann::json to_json(const TimeQuantiles& times) {
   return {{"median", kMilliseconds * times.median},
           {"percentile_99", kMilliseconds * times.percentile_99},
           {"longest", kMilliseconds * times.longest}};
+}
+
+/// A script may say any bytes, and a file may have any name.
+void make_utf8(nlohmann::json& json) {
+  if (json.is_structured()) {
+    for (nlohmann::json& each : json) make_utf8(each);
+  } else if (json.is_string()) {
+    json = as_utf8(json.get_ref<const std::string&>());
+  }
 }
 
 template <typename Value>
@@ -77,16 +87,20 @@ void print_timeline(const Timeline& timeline, bool every_transition, std::ostrea
 }
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out) {
-  out << fmt::format("\n{}{}\n", summary.correct && summary.succeeded ? "right: " : "wrong: ", summary.verdict);
+  out << fmt::format("\n{}{}\n", summary.succeeded ? "right: " : "wrong: ", summary.verdict);
   if (summary.corrected_after) {
-    out << fmt::format("  turned round at {:.1f} s, corrected after {:.1f} s\n", *summary.belief_wrong_at,
+    out << fmt::format("  belief wrong at {:.1f} s, corrected after {:.1f} s\n", *summary.belief_wrong_at,
                        *summary.corrected_after);
   } else if (summary.belief_wrong_at) {
-    out << fmt::format("  turned round at {:.1f} s, not corrected\n", *summary.belief_wrong_at);
+    out << fmt::format("  belief wrong at {:.1f} s, not corrected\n", *summary.belief_wrong_at);
   }
   if (summary.error) {
-    out << fmt::format("  pose error {:.2f} m, {:.1f} degrees\n", summary.error->position,
+    out << fmt::format("  belief {} at the end: off by {:.2f} m, {:.1f} degrees\n",
+                       summary.correct ? "correct" : "wrong", summary.error->position,
                        to_degrees(summary.error->rotation));
+  }
+  for (const StoppedScript& script : summary.stopped) {
+    out << fmt::format("  {} was stopped: {} errors, the last: {}\n", script.script, script.errors, script.last);
   }
   out << fmt::format("  {} flips, {} purges, {} resets\n", summary.flips, summary.purges, summary.resets);
   out << fmt::format("  {:.1f} s in {} frames, {:.0f} frames per second ({:.1f} times real time)\n", summary.seconds,
@@ -143,6 +157,9 @@ void write_summary(const RunSummary& summary, const Timeline& timeline, const Ru
                                 {"reason", event.reason},
                                 {"verdict", event.verdict}});
   }
+  json["stopped"] = nlohmann::json::array();
+  for (const StoppedScript& script : summary.stopped)
+    json["stopped"].push_back({{"script", script.script}, {"errors", script.errors}, {"last", script.last}});
   json["reorientations"] = nlohmann::json::array();
   for (const JudgedReorientation& judged : summary.reorientations) {
     json["reorientations"].push_back({{"time", judged.time},
@@ -150,6 +167,7 @@ void write_summary(const RunSummary& summary, const Timeline& timeline, const Ru
                                       {"correct_before", or_null(judged.correct_before)},
                                       {"correct_after", or_null(judged.correct_after)}});
   }
+  make_utf8(json);
   write_whole_file(file, json.dump(2) + '\n');
 }
 

@@ -1,12 +1,16 @@
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
+#include "program/interruption.h"
 #include "program/program.h"
 #include "program/robots.h"
 #include "program/run/live_console.h"
@@ -52,6 +56,8 @@ void add_options(CLI::App& run, RunOptions& options) {
       ->capture_default_str();
   run.add_option("--with", options.with, "a behaviour beside those of the scenario; may be given again")
       ->allow_extra_args(false);
+  run.add_option("--without", options.without, "leave a behaviour of the scenario out; may be given again")
+      ->allow_extra_args(false);
   run.add_option("--room", options.room, "equirectangular panorama: .hdr, .png or .jpg (default: a procedural hall)");
   run.add_option("--hall-seed", options.hall, "seed of the procedural hall")->check(check_seed)->capture_default_str();
   run.add_option("--field", options.field, "field dimensions (default: assets/fields/spl.toml)");
@@ -86,7 +92,28 @@ void require_writable_outputs(const RunOptions& options) {
   if (options.pictures) require_writable_folder(options.out, "--out");
 }
 
+/// Writes what was asked for, each whatever becomes of the others; returned is one line about each that failed.
+class Outputs {
+ public:
+  template <typename Write>
+  void add(Write&& write) {
+    try {
+      write();
+    } catch (const std::exception& error) {
+      failures_.emplace_back(error.what());
+    }
+  }
+  void add_failures(std::vector<std::string> failures) {
+    std::move(failures.begin(), failures.end(), std::back_inserter(failures_));
+  }
+  const std::vector<std::string>& failures() const { return failures_; }
+
+ private:
+  std::vector<std::string> failures_;
+};
+
 int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
   // Before the scripts are read, so that no edit is missed.
   std::optional<ScriptEdits> edits;
   if (options.realtime) edits.emplace(options.scripts);
@@ -108,19 +135,20 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   if (options.pictures) parts.observers.push_back(&pictures);
   parts.observers.push_back(&progress);
   parts.in_real_time = options.realtime;
+  parts.stop = [] { return Interruption::signal() != 0; };
   if (options.realtime) {
     parts.sources = {&*edits, &console};
     parts.observers.push_back(&console);
     parts.stop = [&] {
       progress.hide(console.is_open());
-      return console.wants_to_quit();
+      return Interruption::signal() != 0 || console.wants_to_quit();
     };
     if (isatty(STDIN_FILENO) == 1)
       err << "saved scripts are taken over at once; Enter opens a prompt to tune parameters (help lists its "
              "commands)\n";
   }
   const auto start = std::chrono::steady_clock::now();
-  RunLoop(std::move(parts)).run();
+  const RunEnd end = RunLoop(std::move(parts)).run();
   progress.end();
 
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -134,17 +162,20 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
                                        .frame_time_without_rendering = frame_times.without_observing(),
                                        .reloads_accepted = log.reloads_accepted(),
                                        .reloads_rejected = log.reloads_rejected()};
-  if (options.pictures) {
-    for (const std::string& failure : pictures.write(options.out)) throw std::runtime_error(failure);
-  }
-  if (!options.save_parameters.empty()) save_parameters(simulation.parameters(), options.save_parameters);
-  const RunSummary result = summary.summary();
-  if (!options.json.empty()) write_summary(result, timeline, circumstances, options.json);
+  const RunSummary result = summary.summary(end);
+  Outputs outputs;
+  if (!options.json.empty()) outputs.add([&] { write_summary(result, timeline, circumstances, options.json); });
+  if (!options.save_parameters.empty())
+    outputs.add([&] { save_parameters(simulation.parameters(), options.save_parameters); });
+  if (options.pictures) outputs.add_failures(pictures.write(options.out));
   print_timeline(timeline, options.every_transition, out);
   if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
   if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
   print_summary(result, circumstances, out);
-  return result.correct && result.succeeded ? kSuccess : kWrong;
+  for (const std::string& failure : outputs.failures()) err << "reorient: " << failure << "\n";
+  if (!outputs.failures().empty()) return kBadInput;
+  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+  return result.succeeded ? kSuccess : kWrong;
 }
 
 }  // namespace

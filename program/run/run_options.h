@@ -15,6 +15,7 @@ struct SimulationOptions {
   std::string robot = "simulator";        ///< program/robots.h
   std::string scenario = "turned_round";  ///< scripts/scenarios/NAME.lua, or a path to a file
   std::vector<std::string> with;          ///< behaviours beside those that the scenario lists
+  std::vector<std::string> without;       ///< of those that the scenario lists
   std::filesystem::path scripts;          ///< root of the scripts
   std::filesystem::path field;            ///< TOML file; empty: that of the SPL
   std::string room;                       ///< panorama file; empty: the procedural hall

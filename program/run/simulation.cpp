@@ -1,7 +1,9 @@
 #include "program/run/simulation.h"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "engine/parameters/nearest_name.h"
 #include "program/robots.h"
 #include "workbench/files/field_file.h"
 #include "workbench/files/home.h"
@@ -18,6 +20,32 @@ std::vector<Parameter> merged(std::vector<std::vector<Parameter>> lists) {
   return all;
 }
 
+namespace {
+
+/// Throws where a behaviour would be there twice, or cannot be left out since nobody asks for it.
+std::vector<std::string> chosen_behaviors(const SimulationOptions& options, std::vector<std::string> wanted) {
+  const auto is_wanted = [&](const std::string& name) { return std::find(wanted.begin(), wanted.end(), name); };
+  for (const std::string& name : options.without) {
+    const auto found = is_wanted(name);
+    if (found == wanted.end())
+      throw std::runtime_error("--without " + name + ": scenario " + options.scenario + " has no such behavior" +
+                               did_you_mean(name, wanted));
+    wanted.erase(found);
+  }
+  std::vector<std::string> chosen;
+  for (const std::string& name : options.with) {
+    const std::string script = script_named(options.scripts, name);
+    if (is_wanted(name) != wanted.end() || std::find(chosen.begin(), chosen.end(), script) != chosen.end())
+      throw std::runtime_error("--with " + name + ": it is loaded already, by scenario " + options.scenario +
+                               " or by another --with");
+    chosen.push_back(script);
+  }
+  chosen.insert(chosen.end(), wanted.begin(), wanted.end());
+  return chosen;
+}
+
+}  // namespace
+
 Simulation::Simulation(const SimulationOptions& options) : longest_(options.seconds) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
@@ -28,8 +56,7 @@ Simulation::Simulation(const SimulationOptions& options) : longest_(options.seco
   setup.seed = options.seed;
   setup.room_awareness = options.room_awareness;
   setup.scripts = scripts;
-  for (const std::string& name : options.with) setup.behaviors.push_back(script_named(options.scripts, name));
-  for (const std::string& name : scenario_->wanted_behaviors()) setup.behaviors.push_back(name);
+  setup.behaviors = chosen_behaviors(options, scenario_->wanted_behaviors());
   setup.parameters = overrides;
   RobotOptions robot{setup.field, options.room, options.hall, options.seed, options.width, options.cameras == "both",
                      overrides};

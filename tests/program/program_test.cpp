@@ -44,6 +44,59 @@ TEST(Program, SaysItsVersion) {
   EXPECT_EQ(run.err, "");
 }
 
+TEST(Program, SaysItsVersionAsOtherProgramsDo) {
+  const ProgramRun run = run_reorient({"--version"});
+  EXPECT_EQ(run.code, kSuccess);
+  EXPECT_EQ(run.out, run_reorient({"version"}).out);
+}
+
+TEST(Program, LeavesABehaviorOut) {
+  const ProgramRun run = run_shortly({"--without", "head_scan", "--without", "goal_search"});
+  EXPECT_EQ(run.out.find("goal_search"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("orientation"), std::string::npos) << run.out;
+  const ProgramRun slip = run_shortly({"--without", "head_scann"});
+  EXPECT_EQ(slip.code, kBadInput);
+  EXPECT_NE(slip.err.find("has no such behavior (did you mean 'head_scan'?)"), std::string::npos) << slip.err;
+}
+
+TEST(Program, LoadsNoBehaviorTwice) {
+  for (const auto& words : {std::vector<std::string>{"--with", "head_scan"},
+                            {"--with", "paper/paper_training", "--with", "paper/paper_training"}}) {
+    const ProgramRun run = run_shortly(words);
+    EXPECT_EQ(run.code, kBadInput);
+    EXPECT_NE(run.err.find("loaded already"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Program, LeavesTheVerdictToTheScenario) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scripts = copy_scripts(folder.path());
+  folder.write("scripts/scenarios/easy.lua", R"(scenario "easy" { initial = "a", state "a" {
+  update = function() if clock.time > 1.0 then verdict.succeed("that is all") end end } })");
+  const ProgramRun run =
+      run_reorient({"run", "easy", "--scripts", scripts.string(), "--width", "160", "--no-pictures", "--log", "off"});
+  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // nobody told the robot where it stands
+  EXPECT_NE(run.out.find("right: that is all\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("belief wrong at the end"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("belief wrong at 0"), std::string::npos) << run.out;
+}
+
+TEST(Program, NamesTheBehaviorThatWasStopped) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scripts = copy_scripts(folder.path());
+  folder.write("scripts/behaviors/broken.lua",
+               "behavior \"broken\" { initial = \"a\", state \"a\" { update = function() local x = nil + 1 end } }");
+  folder.write("scripts/behaviors/rude.lua",
+               "behavior \"rude\" { initial = \"a\", state \"a\" { update = function() "
+               "log.info(\"\\xff \\xc3( \\x01\") end } }");
+  const std::filesystem::path json = folder.path() / "run.json";
+  const ProgramRun run =
+      run_shortly({"--scripts", scripts.string(), "--with", "broken", "--with", "rude", "--json", json.string()});
+  EXPECT_NE(run.out.find("behaviors/broken.lua was stopped: "), std::string::npos) << run.out;
+  std::ifstream file(json);
+  EXPECT_EQ(nlohmann::json::parse(file)["stopped"][0]["script"], "behaviors/broken.lua");
+}
+
 TEST(Program, RepeatsARunWithItsSeedAndNotWithAnother) {
   const std::string digest = digest_of(run_shortly({"--seed", "5"}));
   EXPECT_EQ(digest.size(), std::string("digest: 0123456789abcdef\n").size());

@@ -1,51 +1,143 @@
 #include "workbench/files/atomic_file.h"
 
+#include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace reorient {
 namespace {
 
-std::string last_error() {
-  const int code = errno;
-  return code == 0 ? "the file system refused" : std::generic_category().message(code);
+[[noreturn]] void fail() { throw std::system_error(errno, std::generic_category()); }
+
+/// A file that is open for writing. What fails is thrown as std::system_error.
+class OpenFile {
+ public:
+  OpenFile(const std::filesystem::path& file, int flags) : descriptor_(open(file.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) fail();
+  }
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  void write(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+  void set_mode(mode_t mode) const { fchmod(descriptor_, mode); }
+  /// On the disk, not only on its way: otherwise a power cut after the rename leaves an empty file.
+  void sync() const {
+    if (fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
+  }
+  void close() {
+    if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) fail();
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// Made new beside `file`, and gone again unless it was given that file's name.
+class FileBeside {
+ public:
+  explicit FileBeside(const std::filesystem::path& file) : name_(fresh_name(file)), open_(name_, kNew) {}
+  ~FileBeside() {
+    if (!kept_) unlink(name_.c_str());
+  }
+  FileBeside(const FileBeside&) = delete;
+  FileBeside& operator=(const FileBeside&) = delete;
+
+  OpenFile& open() { return open_; }
+  void rename_to(const std::filesystem::path& file) {
+    if (rename(name_.c_str(), file.c_str()) != 0) fail();
+    kept_ = true;
+  }
+
+ private:
+  /// O_EXCL: whoever put something there before, be it a link to elsewhere, is not written to.
+  static constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL;
+
+  /// Of no other process and no other call.
+  static std::filesystem::path fresh_name(const std::filesystem::path& file) {
+    static std::atomic<unsigned> count{0};
+    std::filesystem::path name = file;
+    do {
+      name = file;
+      name += "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".partial";
+    } while (std::filesystem::exists(std::filesystem::symlink_status(name)));
+    return name;
+  }
+
+  std::filesystem::path name_;
+  OpenFile open_;
+  bool kept_ = false;
+};
+
+/// What stands at the end of a chain of links, which a rename would break; a name that is not there yet is itself.
+std::filesystem::path behind_links(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(file, error)) return file;
+  std::filesystem::path target = std::filesystem::canonical(file, error);
+  return error ? file : target;
+}
+
+/// A device or a pipe: to rename another file to its name would take it away from everybody.
+bool is_special(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  return std::filesystem::is_other(status);
 }
 
 /// Whether a file of this name could be made now. Leaves none behind.
-bool can_write(const std::filesystem::path& probe) {
-  const bool writable = std::ofstream(probe).put('x').flush().good();
-  std::error_code ignored;
-  std::filesystem::remove(probe, ignored);
-  return writable;
-}
-
-std::filesystem::path beside(const std::filesystem::path& file) {
-  std::filesystem::path partial = file;
-  partial += ".partial";
-  return partial;
+bool can_write(const std::filesystem::path& file) {
+  try {
+    const std::filesystem::path target = behind_links(file);
+    if (is_special(target)) {
+      const OpenFile device(target, O_WRONLY | O_NONBLOCK);
+    } else {
+      FileBeside(target).open().write("x");
+    }
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
 }
 
 }  // namespace
 
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes) {
-  const std::filesystem::path partial = beside(file);
-  errno = 0;
-  std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  std::string failure = stream ? "" : last_error();
-  if (failure.empty()) {
-    std::error_code error;
-    std::filesystem::rename(partial, file, error);
-    if (!error) return;
-    failure = error.message();
+  try {
+    const std::filesystem::path target = behind_links(file);
+    if (is_special(target)) {
+      OpenFile device(target, O_WRONLY);
+      device.write(bytes);
+      device.close();
+      return;
+    }
+    FileBeside partial(target);
+    struct stat before {};
+    if (stat(target.c_str(), &before) == 0) partial.open().set_mode(before.st_mode & 07777U);
+    partial.open().write(bytes);
+    partial.open().sync();
+    partial.open().close();
+    partial.rename_to(target);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("cannot write '" + file.string() + "': " + error.code().message());
   }
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  throw std::runtime_error("cannot write '" + file.string() + "': " + failure);
 }
 
 std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
@@ -60,7 +152,7 @@ std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
 
 void require_writable_file(const std::filesystem::path& file, std::string_view option) {
   std::error_code failed;
-  if (!std::filesystem::is_directory(file, failed) && can_write(beside(file))) return;
+  if (!std::filesystem::is_directory(file, failed) && can_write(file)) return;
   throw std::runtime_error("cannot write '" + file.string() + "'; name another file with " + std::string(option));
 }
 

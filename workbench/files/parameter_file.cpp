@@ -1,11 +1,13 @@
 #include "workbench/files/parameter_file.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include <toml++/toml.h>
 
+#include "engine/parameters/utf8.h"
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
@@ -43,17 +45,36 @@ bool is_bare(std::string_view key) {
   return !key.empty() && key.find_first_not_of(kBare) == std::string_view::npos;
 }
 
+/// A TOML string: what is no printable letter as its code.
+std::string as_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (letter == '"' || letter == '\\') {
+      out.append(1, '\\').append(1, letter);
+    } else if (code < ' ' || code == 0x7F) {
+      out += "\\u00" + written_out({&letter, 1}).substr(2);
+    } else {
+      out += letter;
+    }
+  }
+  return out + '"';
+}
+
+/// A comment ends with its line, and holds no other control characters either.
+std::string as_comment(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char code) { return code < ' ' || code == 0x7F; }, ' ');
+  return as_utf8(text);
+}
+
 /// A dotted name as a TOML key.
 std::string as_key(std::string_view name) {
   std::string key;
   while (true) {
     const std::size_t dot = name.find('.');
     const std::string_view part = name.substr(0, dot);
-    if (is_bare(part)) {
-      key += part;
-    } else {
-      key.append(1, '"').append(part).append(1, '"');
-    }
+    key += is_bare(part) ? std::string(part) : as_string(part);
     if (dot == std::string_view::npos) return key;
     key += '.';
     name.remove_prefix(dot + 1);
@@ -82,9 +103,9 @@ void save_parameters(const std::vector<Parameter>& parameters, const std::filesy
   std::string text;
   for (const Parameter& parameter : parameters) {
     if (parameter.origin == ParameterOrigin::default_value) continue;
-    const char* const quote = parameter.kind == ParameterKind::choice ? "\"" : "";
-    text += as_key(parameter.name) + " = " + quote + to_text(parameter.value) + quote + "  # " + range_text(parameter) +
-            ": " + parameter.description + "\n";
+    const std::string value = to_text(parameter.value);
+    text += as_key(parameter.name) + " = " + (parameter.kind == ParameterKind::choice ? as_string(value) : value) +
+            "  # " + as_comment(range_text(parameter) + ": " + parameter.description) + "\n";
   }
   write_whole_file(file, text);
 }

@@ -9,6 +9,7 @@
 #include "engine/frame.h"
 #include "robots/robot_instance.h"
 #include "workbench/run/observer.h"
+#include "workbench/run/run_end.h"
 #include "workbench/scenario/scenario_host.h"
 
 namespace reorient {
@@ -32,8 +33,6 @@ struct RunParts {
   double longest = 0.0;        ///< s of the robot's time, from its first frame on; 0: no limit
   bool in_real_time = false;   ///< waits for the wall clock where the robot's own does not
 };
-
-enum class RunEnd { verdict, time_up, robot_gone, stopped };
 
 class RunLoop {
  public:

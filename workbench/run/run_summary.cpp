@@ -1,6 +1,29 @@
 #include "workbench/run/run_summary.h"
 
 namespace reorient {
+namespace {
+
+/// How a run ends of which the scenario said nothing.
+const char* words_of(RunEnd end) {
+  switch (end) {
+    case RunEnd::stopped:
+      return "interrupted";
+    case RunEnd::robot_gone:
+      return "the robot sends nothing more";
+    default:
+      return "the scenario did not end in time";
+  }
+}
+
+/// Faster than a robot walks, turns or falls from one frame to the next.
+bool is_jump(const Pose2& from, const Pose2& to) {
+  constexpr double kFar = 0.25;          // m
+  constexpr double kTurned = kPi / 6.0;  // rad
+  const PoseError step = pose_error(from, to);
+  return step.position > kFar || step.rotation > kTurned;
+}
+
+}  // namespace
 
 PoseError pose_error(const Pose2& belief, const Pose2& truth) {
   return {(belief.position - truth.position).norm(), std::abs(angle_difference(belief.rotation, truth.rotation))};
@@ -22,8 +45,22 @@ void SummaryObserver::observe(const FrameRecord& frame, const StageRecord& stage
     summary_.succeeded = stage.scenario.verdict->succeeded;
     summary_.verdict = stage.scenario.verdict->text;
   }
+  note_faults(frame.faults, frame.reloads);
+  note_faults(stage.scenario.faults, stage.scenario.reloads);
   if (frame.reorientation) judge_reorientation(frame, stage);
   if (stage.truth) judge_belief(frame, stage);
+}
+
+void SummaryObserver::note_faults(const std::vector<FaultRecord>& faults, const std::vector<ReloadRecord>& reloads) {
+  for (const ReloadRecord& reload : reloads) {
+    if (reload.accepted) faults_.erase(reload.script);
+  }
+  for (const FaultRecord& record : faults) {
+    Faults& script = faults_[record.script];
+    ++script.errors;
+    script.last = record.fault.text();
+    script.stopped = record.consequence == FaultRecord::Consequence::stopped;
+  }
 }
 
 void SummaryObserver::judge_reorientation(const FrameRecord& frame, const StageRecord& stage) {
@@ -52,15 +89,21 @@ void SummaryObserver::judge_belief(const FrameRecord& frame, const StageRecord& 
     sum_.rotation += summary_.error->rotation;
     ++summed_;
   }
-  if (summary_.correct || world.posture == Posture::lifted || truth.carried) return;
+  may_be_wrong_ =
+      may_be_wrong_ || summary_.correct || truth.carried || (last_truth_ && is_jump(*last_truth_, truth.pose));
+  last_truth_ = truth.pose;
+  if (!may_be_wrong_ || summary_.correct || world.posture == Posture::lifted || truth.carried) return;
   summary_.wrong_seconds += world.time_step;
   if (!wrong_since_ || world.time - last_wrong_ >= kStaysCorrect) wrong_since_ = world.time;
   last_wrong_ = world.time;
 }
 
-RunSummary SummaryObserver::summary() const {
+RunSummary SummaryObserver::summary(RunEnd end) const {
   RunSummary summary = summary_;
-  if (summary.verdict.empty()) summary.verdict = "the scenario did not end in time";
+  if (summary.verdict.empty()) summary.verdict = words_of(end);
+  for (const auto& [script, faults] : faults_) {
+    if (faults.stopped) summary.stopped.push_back({script, faults.errors, faults.last});
+  }
   if (summed_ > 0) {
     const auto count = static_cast<double>(summed_);
     summary.mean_error = PoseError{sum_.position / count, sum_.rotation / count};

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "workbench/run/observer.h"
+#include "workbench/run/run_end.h"
 
 namespace reorient {
 
@@ -28,12 +30,21 @@ struct JudgedReorientation {
   std::optional<bool> correct_after;
 };
 
+/// A script that was stopped for its errors and did not run again.
+struct StoppedScript {
+  std::string script;  ///< file, from the scripts' root
+  int errors = 0;      ///< since it was last loaded
+  std::string last;    ///< the last of them, with its place
+};
+
 /// The result; empty optionals where there is nothing to tell.
 struct RunSummary {
-  bool succeeded = false;                 ///< the scenario said so
-  std::string verdict;                    ///< the scenario's words
-  bool correct = false;                   ///< the belief is correct at the end
-  std::optional<double> belief_wrong_at;  ///< s, start of the last time that the belief was wrong
+  bool succeeded = false;  ///< the scenario said so
+  std::string verdict;     ///< the scenario's words, or how the run ended without any
+  bool correct = false;    ///< the belief is correct at the end
+  /// s, start of the last time that the belief was wrong after it had been correct, or after the robot was put
+  /// elsewhere.
+  std::optional<double> belief_wrong_at;
   std::optional<double> corrected_after;  ///< s from then until it was correct and stayed so
   double wrong_seconds = 0.0;             ///< for which the belief was wrong altogether, while nobody carried the robot
   std::optional<PoseError> error;         ///< at the end
@@ -44,6 +55,7 @@ struct RunSummary {
   int purges = 0;
   int resets = 0;
   std::vector<JudgedReorientation> reorientations;  ///< the first kMostJudged
+  std::vector<StoppedScript> stopped;               ///< at the end, by name
   double seconds = 0.0;                             ///< of the robot's time
   std::uint64_t frames = 0;
 
@@ -54,14 +66,23 @@ class SummaryObserver : public Observer {
  public:
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
 
-  /// Without a verdict the scenario did not end in time.
-  RunSummary summary() const;
+  /// `end`: how the run ended, if not by the scenario's verdict.
+  RunSummary summary(RunEnd end = RunEnd::time_up) const;
 
  private:
   void judge_belief(const FrameRecord& frame, const StageRecord& stage);
+  void note_faults(const std::vector<FaultRecord>& faults, const std::vector<ReloadRecord>& reloads);
   void judge_reorientation(const FrameRecord& frame, const StageRecord& stage);
 
   RunSummary summary_;
+  struct Faults {
+    int errors = 0;
+    std::string last;
+    bool stopped = false;
+  };
+  std::map<std::string, Faults> faults_;  ///< of each script that runs
+  bool may_be_wrong_ = false;             ///< the belief was correct before, or somebody moved the robot
+  std::optional<Pose2> last_truth_;
   std::optional<double> wrong_since_;  ///< start of the last stretch of wrong belief
   double last_wrong_ = 0.0;            ///< s
   PoseError sum_;                      ///< of correct beliefs' errors

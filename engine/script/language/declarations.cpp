@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
 #include "engine/script/language/machine_reader.h"
 #include "engine/script/language/world_tables.h"
 #include "engine/script/sandbox/sandbox.h"
@@ -71,6 +72,13 @@ void push_value(lua_State* L, const ParameterValue& value) {
   if (const auto* whole = std::get_if<int>(&value)) lua_pushinteger(L, *whole);
   if (const auto* yes = std::get_if<bool>(&value)) lua_pushboolean(L, *yes ? 1 : 0);
   if (const auto* text = std::get_if<std::string>(&value)) lua_pushlstring(L, text->data(), text->size());
+}
+
+/// What a parameter file and a command line can hold, so that what is tuned can be saved and loaded again.
+void require_printable(const std::string& text, const std::string& what) {
+  const bool is_control =
+      std::any_of(text.begin(), text.end(), [](unsigned char letter) { return letter < ' ' || letter == 0x7F; });
+  if (is_control || !is_utf8(text)) throw std::runtime_error(what + " is printable text in UTF-8, without line breaks");
 }
 
 }  // namespace
@@ -185,6 +193,8 @@ void Declarations::read_parameter(lua_State* L, const std::string& file) {
   parameter.key = key;
   parameter.declaration = read_parameter_declaration(L, key);
   parameter.declaration.name = stem_of(file) + "." + key;
+  require_printable(stem_of(file), "the name of a script with parameters");
+  for (const std::string& choice : parameter.declaration.choices) require_printable(choice, "a choice of param " + key);
   parse_parameter(parameter.declaration,
                   to_text(parameter.declaration.default_value));  // the default must fit its range
   for (const DeclaredParameter& other : parameters) {

@@ -1,6 +1,10 @@
 #include "workbench/files/parameter_file.h"
 
+#include <cmath>
+#include <map>
+
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "tests/temporary_folder.h"
 
@@ -71,6 +75,67 @@ TEST_F(ParameterFile, KeepsWhatDiffersFromTheDefaults) {
   EXPECT_EQ(changes[1].name, "view.noise");
   EXPECT_EQ(changes[1].value, "0.123456789012345");
   EXPECT_THROW(save_parameters({noise}, folder_.path() / "gone" / "saved.toml"), std::runtime_error);
+}
+
+/// Printable or not, ASCII or not, but UTF-8; without a dot, which parts a name.
+std::string any_text() {
+  const std::vector<std::string> letters{"a",
+                                         "Z",
+                                         "0",
+                                         "_",
+                                         "-",
+                                         " ",
+                                         "\"",
+                                         "\\",
+                                         "'",
+                                         "#",
+                                         "=",
+                                         "[",
+                                         "\n",
+                                         "\t",
+                                         "\r",
+                                         "\x01",
+                                         "\x7f",
+                                         "\xc3\xa4",
+                                         "\xe2\x82\xac",
+                                         "\xf0\x9f\xa4\x96"};
+  std::string text;
+  const int count = *rc::gen::inRange(1, 12);
+  for (int i = 0; i < count; ++i) text += *rc::gen::elementOf(letters);
+  return text;
+}
+
+RC_GTEST_FIXTURE_PROP(ParameterFile, ReadsWhatItWrote, ()) {
+  std::map<std::string, std::string> saved;
+  std::vector<Parameter> parameters;
+  const int count = *rc::gen::inRange(1, 6);
+  for (int i = 0; i < count; ++i) {
+    Parameter parameter;
+    parameter.name = any_text() + "." + any_text() + std::to_string(i);
+    parameter.description = any_text();
+    parameter.origin = ParameterOrigin::live;
+    parameter.kind = *rc::gen::elementOf(
+        std::vector{ParameterKind::real, ParameterKind::integer, ParameterKind::boolean, ParameterKind::choice});
+    if (parameter.kind == ParameterKind::real)
+      parameter.value = *rc::gen::inRange(-1000, 1000) * std::pow(10.0, *rc::gen::inRange(-30, 30));
+    if (parameter.kind == ParameterKind::integer) parameter.value = *rc::gen::arbitrary<int>();
+    if (parameter.kind == ParameterKind::boolean) parameter.value = *rc::gen::arbitrary<bool>();
+    if (parameter.kind == ParameterKind::choice) {
+      parameter.value = any_text();
+      parameter.choices = {std::get<std::string>(parameter.value), any_text()};
+    }
+    saved[parameter.name] = to_text(parameter.value);
+    parameters.push_back(parameter);
+  }
+  const std::filesystem::path file = folder_.path() / "any.toml";
+  save_parameters(parameters, file);
+  const std::vector<ParameterChange> changes = read_parameters(file);
+  RC_ASSERT(changes.size() == saved.size());
+  for (const ParameterChange& change : changes) {
+    const std::string& expected = saved.at(change.name);
+    const bool is_same = change.value == expected || std::stod(change.value) == std::stod(expected);
+    RC_ASSERT(is_same);
+  }
 }
 
 }  // namespace

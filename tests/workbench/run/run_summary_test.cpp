@@ -140,6 +140,51 @@ TEST(Summary, CountsForHowLongTheBeliefWasWrong) {
   EXPECT_NEAR(run.summary().wrong_seconds, 4.0, 1e-9);
 }
 
+TEST(Summary, DoesNotSayThatABeliefWentWrongWhichWasNeverRight) {
+  Told run;
+  run.believe(reflect(kTruth), 0.0, 10.0);
+  EXPECT_FALSE(run.summary().belief_wrong_at);
+  EXPECT_EQ(run.summary().wrong_seconds, 0.0);
+  run.believe(kTruth, 10.0, 20.0);
+  EXPECT_FALSE(run.summary().belief_wrong_at);
+  EXPECT_FALSE(run.summary().corrected_after);
+}
+
+TEST(Summary, SaysThatSomebodyPutTheRobotElsewhere) {
+  Told run;
+  run.believe(reflect(kTruth), 0.0, 1.0);
+  run.believe(reflect(kTruth), 1.0, 2.0, true);
+  run.believe(reflect(kTruth), 2.0, 3.0);
+  EXPECT_DOUBLE_EQ(run.summary().belief_wrong_at.value(), 2.0);
+}
+
+TEST(Summary, TellsHowARunEndedWithoutAVerdict) {
+  EXPECT_EQ(SummaryObserver().summary(RunEnd::stopped).verdict, "interrupted");
+  EXPECT_EQ(SummaryObserver().summary(RunEnd::robot_gone).verdict, "the robot sends nothing more");
+}
+
+TEST(Summary, NamesTheScriptsThatWereStopped) {
+  SummaryObserver observer;
+  FrameRecord frame;
+  StageRecord stage;
+  const auto fails = [&](const char* script, int line, FaultRecord::Consequence consequence) {
+    frame.faults.push_back({script, {script, line, "nil", {}}, consequence});
+    observer.observe(frame, stage);
+    frame.faults.clear();
+  };
+  fails("behaviors/a.lua", 1, FaultRecord::Consequence::none);
+  fails("behaviors/a.lua", 2, FaultRecord::Consequence::stopped);
+  fails("behaviors/b.lua", 3, FaultRecord::Consequence::stopped);
+  fails("behaviors/c.lua", 4, FaultRecord::Consequence::rolled_back);
+  frame.reloads.push_back({"behaviors/b.lua", true, {}, {}});
+  observer.observe(frame, stage);
+  const RunSummary summary = observer.summary();
+  ASSERT_EQ(summary.stopped.size(), 1U);
+  EXPECT_EQ(summary.stopped[0].script, "behaviors/a.lua");
+  EXPECT_EQ(summary.stopped[0].errors, 2);
+  EXPECT_EQ(summary.stopped[0].last, "behaviors/a.lua:2: nil");
+}
+
 TEST(Summary, WithoutGroundTruthClaimsNothing) {
   SummaryObserver observer;
   observer.observe(FrameRecord(), StageRecord());
