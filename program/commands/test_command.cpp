@@ -1,8 +1,10 @@
 // `reorient test`: scripted behaviour tests, in a fake world and on the simulator.
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <sstream>
 
+#include "program/interruption.h"
 #include "program/program.h"
 #include "program/run/simulation.h"
 #include "program/subcommand.h"
@@ -19,6 +21,7 @@ struct TestOptions {
   std::vector<std::filesystem::path> paths;
   std::filesystem::path scripts;
   bool simulator = false;
+  double timeout = 60.0;
   bool coverage = false;
   std::filesystem::path junit;
 };
@@ -40,8 +43,8 @@ class CoverageObserver : public Observer {
   CoverageTrace& trace_;
 };
 
-SimulationOutcome simulate(const std::filesystem::path& scripts, const SimulationRequest& request,
-                           CoverageTrace& trace) {
+SimulationOutcome simulate(const std::filesystem::path& scripts, const SimulationRequest& request, CoverageTrace& trace,
+                           const std::function<bool()>& stop) {
   SimulationOptions options;
   options.scenario = request.scenario;
   options.with = request.with;
@@ -58,16 +61,20 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   CoverageObserver coverage(simulation, trace);
   RunParts parts = simulation.parts();
   parts.observers = {&summary, &seen, &coverage};
+  parts.stop = stop;
   RunLoop(std::move(parts)).run();
-  return {summary.summary().correct, std::move(seen.seen)};
+  const RunSummary result = summary.summary();
+  return {result.correct, result.seconds, std::move(seen.seen)};
 }
 
 int test(const TestOptions& options, std::ostream& out) {
-  TestRun run{scripts_root(options.scripts), options.paths, {}};
+  const Interruption interruption;
+  TestRun run{
+      scripts_root(options.scripts), options.paths, {}, options.timeout, [] { return Interruption::signal() != 0; }};
   if (!options.junit.empty()) require_writable_file(options.junit, "--junit");
   if (options.simulator) {
-    run.simulate = [&run](const SimulationRequest& request, CoverageTrace& trace) {
-      return simulate(run.scripts_root, request, trace);
+    run.simulate = [&run](const SimulationRequest& request, CoverageTrace& trace, const std::function<bool()>& stop) {
+      return simulate(run.scripts_root, request, trace, stop);
     };
   }
   CoverageTrace trace;
@@ -77,6 +84,7 @@ int test(const TestOptions& options, std::ostream& out) {
     out << "\n";
     report_coverage(trace, run.scripts_root, out);
   }
+  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   return summary.failed == 0 ? kSuccess : kWrong;
 }
 
@@ -88,6 +96,9 @@ Subcommand add_test(CLI::App& program) {
   parser->add_option("paths", options->paths, "test files or folders (default: tests/ of the scripts)");
   parser->add_flag("--simulator", options->simulator, "also the tests that run whole scenarios on the simulator");
   parser->add_flag("--coverage", options->coverage, "list the states and transitions that no test took");
+  parser->add_option("--timeout", options->timeout, "seconds that a test may take; a file may take ten times as long")
+      ->check(check_seconds)
+      ->capture_default_str();
   parser->add_option("--junit", options->junit, "write the results into this file, for CI systems");
   add_scripts_option(*parser, options->scripts);
   return {parser, [options](std::ostream& out, std::ostream&) { return test(*options, out); }};

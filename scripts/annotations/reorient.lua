@@ -235,7 +235,7 @@ function print(...) end
 
 expect = {}
 
----Declares a test, with a world, a clock and scripts of its own.
+---Declares a test. Its file is run anew for it in a fresh sandbox, with a world, a clock and scripts of its own. It may take 60 s (`--timeout`) and 36 000 s of the robot's time, the tests of a file ten times that.
 ---@param name string
 ---@param run fun()
 function test(name, run) end
@@ -252,7 +252,7 @@ function load_scenario(scenario) end
 ---@param world table<string, table<string, number|boolean|string>>
 function set_world(world) end
 
----Changes a parameter as a user does live.
+---Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in the test has is a failure.
 ---@param name string
 ---@param value string
 function set_param(name, value) end

@@ -2,6 +2,7 @@
 // editor annotations are all made from it.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,7 +28,10 @@ struct WorldField {
   std::string_view unit;         ///< "m", or empty
   std::string_view description;  ///< in a few words
   Type type = Type::number;
-  std::span<const std::string_view> names;  ///< of a name: all that it can be; its value is the index
+  std::span<const std::string_view> names;                    ///< of a name: all that it can be; its value is the index
+  double minimum = -std::numeric_limits<double>::infinity();  ///< of a number
+  double maximum = std::numeric_limits<double>::infinity();
+  bool is_integer = false;  ///< of a number
 
   std::string full_name() const { return std::string(table) + "." + std::string(name); }
   std::string_view type_name() const {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -122,7 +124,18 @@ std::span<const std::string_view> names_of() {
 template <typename Value>
 WorldField described(const BoundField& field, Value* (*)(World&)) {
   WorldField result{field.table, field.name, field.unit, field.description, Type::number, {}};
-  if constexpr (std::is_same_v<Value, bool>) result.type = Type::boolean;
+  if constexpr (std::is_same_v<Value, bool>) {
+    result.type = Type::boolean;
+  } else if constexpr (std::is_integral_v<Value>) {  // a count
+    result.minimum = 0.0;
+    result.maximum = std::numeric_limits<int>::max();
+    result.is_integer = true;
+  } else if (field.unit.empty()) {  // a share, a probability
+    result.minimum = 0.0;
+    result.maximum = 1.0;
+  } else if (field.unit == "s") {
+    result.minimum = 0.0;
+  }
   if constexpr (std::is_enum_v<Value>) {
     result.type = Type::name;
     result.names = names_of<Value>();
@@ -161,7 +174,15 @@ double checked_value(const WorldField& field, const WorldValue& value) {
                                                             : " is a string";
     throw std::runtime_error(field.full_name() + wanted);
   }
-  if (field.type != Type::name) return value.number;
+  if (field.type == Type::number) {
+    const bool fits = std::isfinite(value.number) && value.number >= field.minimum && value.number <= field.maximum &&
+                      (!field.is_integer || value.number == std::floor(value.number));
+    if (fits) return value.number;
+    const std::string range = field.maximum == 1.0 ? ", from 0 to 1" : field.minimum == 0.0 ? ", not negative" : "";
+    throw std::runtime_error(field.full_name() + " is a " + (field.is_integer ? "whole" : "finite") + " number" +
+                             range);
+  }
+  if (field.type == Type::boolean) return value.number;
   const auto found = std::find(field.names.begin(), field.names.end(), value.name);
   if (found != field.names.end()) return static_cast<double>(found - field.names.begin());
   const std::vector<std::string> known(field.names.begin(), field.names.end());

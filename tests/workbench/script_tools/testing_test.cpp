@@ -1,5 +1,6 @@
 // The runner of scripted tests: what it tells, what it counts, what it hands to CI.
 #include <algorithm>
+#include <functional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@ class ScriptedTests : public ::testing::Test {
     folder.write("tests/lamp_test.lua", text);
     out.str("");
     trace = {};
-    summary = run_script_tests({folder.path(), {}, std::move(simulate)}, out, trace);
+    summary = run_script_tests({folder.path(), {}, std::move(simulate), 60.0, {}}, out, trace);
     return summary;
   }
   std::string only_failure() {
@@ -154,7 +155,7 @@ TEST_F(ScriptedTests, ExpectOfASimulationWhatHappenedInAllOfIt) {
   expect.reason("lamp", "dark")
   expect.log("hello")
 end))",
-      [&](const SimulationRequest& request, CoverageTrace&) {
+      [&](const SimulationRequest& request, CoverageTrace&, const std::function<bool()>&) {
         asked = request;
         SimulationOutcome outcome;
         outcome.is_correct = true;
@@ -178,11 +179,12 @@ end))",
 }
 
 TEST_F(ScriptedTests, FailWhenASimulationsScriptDoes) {
-  run(R"(test("t", function() simulate { scenario = "s" } end))", [](const SimulationRequest&, CoverageTrace&) {
-    SimulationOutcome outcome;
-    outcome.seen.faults.push_back({"behaviors/lamp.lua", 3, "it broke", {}});
-    return outcome;
-  });
+  run(R"(test("t", function() simulate { scenario = "s" } end))",
+      [](const SimulationRequest&, CoverageTrace&, const std::function<bool()>&) {
+        SimulationOutcome outcome;
+        outcome.seen.faults.push_back({"behaviors/lamp.lua", 3, "it broke", {}});
+        return outcome;
+      });
   EXPECT_EQ(summary.failed, 1);
   EXPECT_NE(out.str().find("behaviors/lamp.lua:3"), std::string::npos) << out.str();
 }
@@ -201,10 +203,220 @@ TEST_F(ScriptedTests, RefuseSimulationsThatMakeNoSense) {
         BadRequest{"{ scenario = 'x', seconds = 0/0 }", "seconds"},
         BadRequest{"{ scenario = 'x', params = { 1 } }", "params"}, BadRequest{"'x'", "table"}}) {
     run(std::string("test(\"t\", function() simulate(") + bad.table + ") end)",
-        [](const SimulationRequest&, CoverageTrace&) { return SimulationOutcome{}; });
+        [](const SimulationRequest&, CoverageTrace&, const std::function<bool()>&) { return SimulationOutcome{}; });
     EXPECT_EQ(summary.failed, 1) << bad.table;
     EXPECT_NE(out.str().find(bad.message), std::string::npos) << bad.table << "\n" << out.str();
   }
+}
+
+// ---- tests are other people's scripts, too
+
+TEST_F(ScriptedTests, DeclareNoTestsWhileOneRuns) {
+  run(R"(test("outer", function() test("inner", function() end) end)
+test("caught", function() for i = 1, 100 do pcall(test, "inner " .. i, function() end) end end))");
+  ASSERT_EQ(summary.cases.size(), 2U) << out.str();
+  ASSERT_EQ(summary.cases[0].failures.size(), 1U);
+  EXPECT_NE(summary.cases[0].failures[0].text.find("declare tests at the top of the file"), std::string::npos);
+  EXPECT_TRUE(summary.cases[1].failures.empty()) << out.str();
+}
+
+TEST_F(ScriptedTests, HaveNoWordsThatDeclareAnythingElse) {
+  run(R"(test("t", function()
+  expect.equal(behavior, nil)
+  expect.equal(scenario, nil)
+  expect.equal(param, nil)
+  expect.equal(keep, nil)
+  expect.equal(require, nil)
+end))");
+  EXPECT_EQ(summary.failed, 0) << out.str();
+}
+
+TEST_F(ScriptedTests, SeeNothingOfWhatOthersDid) {
+  run(R"(local count = 0
+local function is_untouched()
+  count = count + 1
+  local text = tostring(string.leak) .. tostring(expect.leak) .. tostring(leak) .. count
+  return text == "nilnilnil1"
+end
+for i = 1, 3 do
+  test("t" .. i, function()
+    expect.equal(is_untouched(), true)
+    pcall(function() string.leak = 1 end)
+    pcall(function() expect.leak = 1 end)
+    pcall(function() leak = advance end)
+    pcall(function() math.floor = nil end)
+    expect.equal(math.floor(1.5), 1)
+  end)
+end)");
+  EXPECT_EQ(summary.passed + summary.failed, 3);
+  EXPECT_EQ(summary.cases[1].failures.size(), summary.cases[0].failures.size()) << out.str();
+  for (const TestCase& test : summary.cases) {
+    for (const TestFailure& failure : test.failures) EXPECT_EQ(failure.text.find("actual false"), std::string::npos);
+  }
+}
+
+TEST_F(ScriptedTests, EndWhereTheyLetTooMuchOfTheRobotsTimePass) {
+  run(R"(test("t", function()
+  while true do
+    pcall(advance, 3600)
+  end
+end)
+test("the next", function() advance(1) end))");
+  ASSERT_EQ(summary.cases.size(), 2U);
+  ASSERT_EQ(summary.cases[0].failures.size(), 1U) << out.str();
+  EXPECT_NE(summary.cases[0].failures[0].text.find("more than 36000 s of the robot's time"), std::string::npos)
+      << out.str();
+  EXPECT_EQ(summary.passed, 1);
+}
+
+TEST_F(ScriptedTests, EndWhereTheyTakeTooLong) {
+  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  folder.write("tests/lamp_test.lua", R"(test("t", function()
+  load_behavior "lamp"
+  while true do advance(100) end
+end))");
+  summary = run_script_tests(hasty, out, trace);
+  ASSERT_EQ(summary.cases.size(), 1U);
+  ASSERT_EQ(summary.cases[0].failures.size(), 1U) << out.str();
+  EXPECT_EQ(summary.cases[0].failures[0].line, 3);
+  EXPECT_NE(summary.cases[0].failures[0].text.find("took more than 0.05 s; --timeout"), std::string::npos) << out.str();
+}
+
+TEST_F(ScriptedTests, PayForAllThatTheyLetDo) {
+  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  for (const char* work : {"reload { from = 'bright', to = 'bright' }", "pcall(load_behavior, 'lamp')",
+                           "set_world { robot = { penalized = true } }", "set_param('arbiter.rest', '1')",
+                           "expect.equal(big, big)", "pcall(load_scenario, 'none')"}) {
+    SCOPED_TRACE(work);
+    folder.write(
+        "tests/lamp_test.lua",
+        std::string("local big = {} for i = 1, 20000 do big[i] = { i } end\ntest('t', function() load_behavior "
+                    "'lamp' while true do pcall(function() ") +
+            work + " end) end end)");
+    out.str("");
+    summary = run_script_tests(hasty, out, trace);
+    EXPECT_EQ(summary.failed, 1);
+  }
+}
+
+TEST_F(ScriptedTests, EndWhereTheyFailAgainAndAgain) {
+  run("test('t', function() while true do expect.equal(1, 2) end end)");
+  ASSERT_EQ(summary.cases.size(), 1U);
+  EXPECT_EQ(summary.cases[0].failures.size(), 101U);
+  EXPECT_NE(out.str().find("ended after 100 failures"), std::string::npos);
+}
+
+TEST_F(ScriptedTests, AreNotTooManyInAFile) {
+  run("for i = 1, 1e6 do test('t', function() end) end");
+  EXPECT_EQ(summary.failed, 1);
+  EXPECT_NE(out.str().find("a file has at most 2000 tests"), std::string::npos) << out.str();
+}
+
+TEST_F(ScriptedTests, EndAllTogetherWhereAFileTakesTooLong) {
+  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  folder.write("tests/lamp_test.lua",
+               "for i = 1, 30 do test('t' .. i, function() while true do advance(100) end end) end");
+  summary = run_script_tests(hasty, out, trace);
+  EXPECT_EQ(summary.failed, 30);
+  EXPECT_NE(out.str().find("not run: the file's tests took more than 0.5 s"), std::string::npos) << out.str();
+}
+
+TEST_F(ScriptedTests, EndInTheMiddleOfASimulation) {
+  bool was_asked_to_stop = false;
+  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  hasty.simulate = [&](const SimulationRequest&, CoverageTrace&, const std::function<bool()>& stop) {
+    while (!stop()) {
+    }
+    was_asked_to_stop = true;
+    return SimulationOutcome{};
+  };
+  folder.write("tests/lamp_test.lua", "test('t', function() while true do simulate { scenario = 's' } end end)");
+  summary = run_script_tests(hasty, out, trace);
+  EXPECT_TRUE(was_asked_to_stop);
+  EXPECT_EQ(summary.failed, 1);
+  EXPECT_NE(out.str().find("--timeout"), std::string::npos) << out.str();
+}
+
+TEST_F(ScriptedTests, GiveASimulationNoMoreThanWhatIsLeftOfTheRobotsTime) {
+  std::vector<double> asked;
+  run("test('t', function() for i = 1, 3 do simulate { scenario = 's', seconds = 20000 } end end)",
+      [&](const SimulationRequest& request, CoverageTrace&, const std::function<bool()>&) {
+        asked.push_back(request.seconds);
+        SimulationOutcome outcome;
+        outcome.seconds = request.seconds;
+        return outcome;
+      });
+  EXPECT_EQ(asked, (std::vector<double>{20000.0, 16000.0}));
+  EXPECT_EQ(summary.failed, 1);
+}
+
+TEST_F(ScriptedTests, StopWhereSomebodyInterrupts) {
+  int questions = 0;
+  TestRun interrupted{folder.path(), {}, {}, 60.0, [&] { return ++questions > 100; }};
+  folder.write("tests/lamp_test.lua",
+               "test('a', function() advance(1) end)\ntest('b', function() while true do advance(100) end end)\n"
+               "test('c', function() end)");
+  summary = run_script_tests(interrupted, out, trace);
+  EXPECT_TRUE(summary.interrupted);
+  EXPECT_EQ(summary.cases.size(), 2U) << out.str();
+  EXPECT_NE(out.str().find("interrupted before the rest"), std::string::npos) << out.str();
+}
+
+struct Mistake {
+  const char* name;
+  const char* body;
+  const char* message;
+};
+std::ostream& operator<<(std::ostream& out, const Mistake& mistake) { return out << mistake.name; }
+
+class MistakesOfTests : public ScriptedTests, public ::testing::WithParamInterface<Mistake> {};
+
+TEST_P(MistakesOfTests, AreTold) {
+  folder.write("behaviors/dimmer.lua", R"(local p = param { level = { 0.5, range = { 0, 1 }, doc = "how bright" } }
+behavior "dimmer" { initial = "on", state "on" {} })");
+  run(std::string("test('t', function()\n") + GetParam().body + "\nend)");
+  EXPECT_EQ(summary.failed, 1) << out.str();
+  EXPECT_NE(out.str().find(GetParam().message), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("tests/lamp_test.lua:2"), std::string::npos) << "where\n" << out.str();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Language, MistakesOfTests,
+    ::testing::Values(
+        Mistake{"ParameterOfNobody", "set_param('dimmer.levle', '0.3')  load_behavior 'dimmer'",
+                "no parameter 'dimmer.levle' in what this test loads (did you mean 'dimmer.level'?)"},
+        Mistake{"ParameterOfWhatIsNotLoaded", "set_param('dimmer.level', '0.3')", "no parameter 'dimmer.level'"},
+        Mistake{"ParameterOutOfRange", "load_behavior 'dimmer'  set_param('dimmer.level', '3')", "dimmer.level"},
+        Mistake{"WorldField", "set_world { robot = { penalised = true } }", "did you mean 'robot.penalized'?"},
+        Mistake{"WorldTable", "set_world { robto = { penalized = true } }", "the world has no robto.penalized"},
+        Mistake{"WorldType", "set_world { robot = { penalized = 'yes' } }", "robot.penalized"},
+        Mistake{"WorldName", "set_world { robot = { posture = 'flying' } }", "robot.posture"},
+        Mistake{"WorldRange", "set_world { confidence = { current = 7 } }", "confidence.current"},
+        Mistake{"WorldNumber", "set_world { confidence = { current = 0/0 } }", "confidence.current"},
+        Mistake{"BehaviorTwice", "load_behavior 'lamp'  load_behavior 'lamp'", "'lamp' is loaded already"},
+        Mistake{"NoBehavior", "load_behavior 'lapm'", "lapm"},
+        Mistake{"TooLong", "advance(1e9)", "advance takes seconds, from 0 to 3600"},
+        Mistake{"Backwards", "advance(-1)", "advance takes seconds"},
+        Mistake{"NotANumberOfSeconds", "advance(0/0)", "a finite number expected"},
+        Mistake{"ReloadWithoutFrom", "load_behavior 'lamp'  reload { form = 'off', to = 'on' }",
+                "did you mean 'from'?"},
+        Mistake{"StateOfNobody", "load_behavior 'lamp'  expect.state('lapm', 'off')", "no behavior \"lapm\""},
+        Mistake{"StateThatIsNone", "load_behavior 'lamp'  expect.state('lamp', 'of')", "lamp has no state \"of\""},
+        Mistake{"CommandThatIsNone", "expect.no_command('flip')", "there is no command 'flip' (did you mean"},
+        Mistake{"LeaseThatIsNone", "expect.no_lease('pause_trainig')", "there is no pause 'pause_trainig'"}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+TEST_F(ScriptedTests, AreThereInAFileOfTests) {
+  run("local helper = 1\n");
+  EXPECT_EQ(summary.failed, 1);
+  EXPECT_NE(out.str().find("FAILED  tests/lamp_test.lua: declares a test\n"), std::string::npos) << out.str();
+}
+
+TEST_F(ScriptedTests, MayHaveAnyBytesInTheirNames) {
+  run("test('a\\xff\\xc3\\x28\\x01<b>\\xef\\xbf\\xbf', function() expect.equal('\\x00\\x1b', '\"') end)");
+  const std::string report = junit_report(summary);
+  EXPECT_NE(report.find("name=\"a\\xFF\\xC3(\\x01&lt;b&gt;\\xEF\\xBF\\xBF\""), std::string::npos) << report;
+  for (const char letter : report) EXPECT_TRUE(letter == '\n' || static_cast<unsigned char>(letter) >= ' ');
 }
 
 }  // namespace

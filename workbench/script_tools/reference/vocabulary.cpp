@@ -51,7 +51,9 @@ constexpr ScriptWord kLanguage[] = {
 
 constexpr ScriptWord kTest[] = {
     {"test", "test(\"flips when the opposite pose wins\", function() ... end)",
-     "Declares a test, with a world, a clock and scripts of its own.",
+     "Declares a test. Its file is run anew for it in a fresh sandbox, with a world, a clock and scripts of its own. "
+     "It may "
+     "take 60 s (`--timeout`) and 36 000 s of the robot's time, the tests of a file ten times that.",
      "---@param name string\n---@param run fun()\nfunction test(name, run) end"},
     {"load_behavior", "load_behavior \"orientation\"", "Loads a behaviour.",
      "---@param behavior string\nfunction load_behavior(behavior) end"},
@@ -61,7 +63,10 @@ constexpr ScriptWord kTest[] = {
      "Changes the fake world, from the next frame on. What follows from the rest (times since a disturbance, age and "
      "status of the confidences, whether training and evaluation go on) follows until the test sets it itself.",
      "---@param world table<string, table<string, number|boolean|string>>\nfunction set_world(world) end"},
-    {"set_param", "set_param(\"orientation.lead\", \"0.3\")", "Changes a parameter as a user does live.",
+    {"set_param", "set_param(\"orientation.lead\", \"0.3\")",
+     "Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in "
+     "the "
+     "test has is a failure.",
      "---@param name string\n---@param value string\nfunction set_param(name, value) end"},
     {"advance", "advance(1.0)", "Lets this many seconds pass, 30 frames each; at least one frame.",
      "---@param seconds number\nfunction advance(seconds) end"},

@@ -1,26 +1,37 @@
 #include "workbench/script_tools/testing/junit_report.h"
 
+#include <string_view>
+
+#include "engine/parameters/utf8.h"
+
 namespace reorient {
 namespace {
 
-std::string escaped(const std::string& text) {
+/// Two of Unicode's codes are no letters in XML 1.0.
+bool is_noncharacter(std::string_view letter) { return letter == "\xEF\xBF\xBE" || letter == "\xEF\xBF\xBF"; }
+
+/// For an element's content and an attribute in quotes. XML 1.0 has no place for most control characters, escaped or
+/// not.
+std::string as_xml(const std::string& text) {
+  const std::string utf8 = as_utf8(text);
   std::string out;
-  for (const char letter : text) {
-    switch (letter) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(letter) < ' ' && letter != '\n' ? ' ' : letter;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const char letter = utf8[i];
+    if (letter == '<') {
+      out += "&lt;";
+    } else if (letter == '>') {
+      out += "&gt;";
+    } else if (letter == '&') {
+      out += "&amp;";
+    } else if (letter == '"') {
+      out += "&quot;";
+    } else if (static_cast<unsigned char>(letter) < ' ' && letter != '\n' && letter != '\t') {
+      out += written_out({&letter, 1});
+    } else if (const std::string_view three = std::string_view(utf8).substr(i, 3); is_noncharacter(three)) {
+      out += written_out(three);
+      i += 2;
+    } else {
+      out += letter;
     }
   }
   return out;
@@ -33,11 +44,11 @@ std::string junit_report(const TestSummary& summary) {
                     std::to_string(summary.cases.size()) + "\" failures=\"" + std::to_string(summary.failed) +
                     "\" skipped=\"" + std::to_string(summary.skipped) + "\">\n";
   for (const TestCase& test : summary.cases) {
-    out += "  <testcase classname=\"" + escaped(test.file) + "\" name=\"" + escaped(test.name) + "\">\n";
+    out += "  <testcase classname=\"" + as_xml(test.file) + "\" name=\"" + as_xml(test.name) + "\">\n";
     if (test.skipped) out += "    <skipped/>\n";
     for (const TestFailure& failure : test.failures) {
-      out += "    <failure message=\"" + escaped(failure.file) + ":" + std::to_string(failure.line) + "\">" +
-             escaped(failure.text) + "</failure>\n";
+      out += "    <failure message=\"" + as_xml(failure.file) + ":" + std::to_string(failure.line) + "\">" +
+             as_xml(failure.text) + "</failure>\n";
     }
     out += "  </testcase>\n";
   }

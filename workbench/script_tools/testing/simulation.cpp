@@ -1,12 +1,25 @@
 #include "workbench/script_tools/testing/simulation.h"
 
 namespace reorient {
+namespace {
+
+/// Of each kind the latest are kept, however long it goes on.
+template <typename Seen>
+void forget_the_oldest(std::vector<Seen>& seen) {
+  constexpr std::ptrdiff_t kKept = 10'000;
+  if (seen.size() > 2 * kKept) seen.erase(seen.begin(), seen.end() - kKept);
+}
+
+}  // namespace
 
 void SeenFrames::note(const NameTable& names, std::span<const TransitionRecord> taken, std::span<const LogRecord> said,
                       std::span<const FaultRecord> failed) {
   for (const TransitionRecord& record : taken) transitions.push_back({names[record.machine], names[record.reason]});
   for (const LogRecord& record : said) logs.push_back(record.text);
   for (const FaultRecord& record : failed) faults.push_back(record.fault);
+  forget_the_oldest(transitions);
+  forget_the_oldest(logs);
+  forget_the_oldest(faults);
 }
 
 void SeenFrames::note_commands(std::span<const CommandRecord> given, std::span<const Lease> begun) {
@@ -16,11 +29,13 @@ void SeenFrames::note_commands(std::span<const CommandRecord> given, std::span<c
     commands.push_back(
         {std::string(to_string(record.request.reorientation)), std::string(to_string(record.verdict)), true});
   }
+  forget_the_oldest(commands);
 }
 
 void SeenFrames::note_scenario(const ScenarioRecord& scenario) {
   note(*scenario.names, scenario.transitions, scenario.logs, scenario.faults);
   for (const ExperimenterAction& action : scenario.actions) actions.emplace_back(to_string(action.kind));
+  forget_the_oldest(actions);
   verdict = scenario.verdict;
 }
 

@@ -40,7 +40,7 @@ struct SeenMachine {
   std::string state;
 };
 
-/// What was seen of some frames.
+/// What was seen of some frames: of each kind at least the latest ten thousand.
 struct SeenFrames {
   std::vector<SeenMachine> machines;  ///< at the end
   std::vector<SeenCommand> commands;
@@ -69,10 +69,12 @@ class SeenObserver : public Observer {
 /// What became of a whole run.
 struct SimulationOutcome {
   bool is_correct = false;  ///< the belief fits the truth at the end
+  double seconds = 0.0;     ///< of the robot's time
   SeenFrames seen;
 };
 
-/// Throws std::runtime_error with one line on a request that cannot be met.
-using Simulate = std::function<SimulationOutcome(const SimulationRequest&, CoverageTrace&)>;
+/// `stop` is asked before each frame. Throws std::runtime_error with one line on a request that cannot be met.
+using Simulate =
+    std::function<SimulationOutcome(const SimulationRequest&, CoverageTrace&, const std::function<bool()>& stop)>;
 
 }  // namespace reorient

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "engine/parameters/nearest_name.h"
 #include "engine/script/language/world_fields.h"
 #include "engine/script/sandbox/binding.h"
 #include "engine/script/sandbox/safe_library.h"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double kFramesPerSecond = 30.0;
 constexpr double kLongest = 3600.0;  // s, of one advance()
-constexpr double kLongAgo = 60.0;    // s, since the robot was put on the field
+constexpr std::size_t kMostFailures = 100;
+constexpr double kLongAgo = 60.0;  // s, since the robot was put on the field
 
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
@@ -38,8 +40,8 @@ std::string text_field(lua_State* L, int table, const char* name) {
 }  // namespace
 
 TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
-                     CoverageTrace& trace)
-    : root_(std::move(scripts_root)), texts_(std::move(texts)), simulate_(simulate), trace_(trace) {
+                     TestBudget& budget, CoverageTrace& trace)
+    : root_(std::move(scripts_root)), texts_(std::move(texts)), simulate_(simulate), budget_(budget), trace_(trace) {
   parameters_.bind("arbiter", arbiter_parameters_);
   parameters_.bind("script", limits_);
   world_.posture_for = world_.undisturbed_for = world_.confidence.age = kLongAgo;
@@ -49,11 +51,15 @@ TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, cons
 template <auto Method>
 void TestBench::add_function(lua_State* L, const char* name) {
   lua_pushlightuserdata(L, this);
-  if constexpr (std::is_same_v<decltype(Method), int (TestBench::*)(lua_State*)>) {
-    lua_pushcclosure(L, &lua::RawBound<Method>::call, 1);
-  } else {
-    lua_pushcclosure(L, &lua::Bound<Method>::call, 1);
-  }
+  const lua_CFunction call = [](lua_State* state) {
+    static_cast<TestBench*>(lua_touserdata(state, lua_upvalueindex(1)))->require_budget(state);
+    if constexpr (std::is_same_v<decltype(Method), int (TestBench::*)(lua_State*)>) {
+      return lua::RawBound<Method>::call(state);
+    } else {
+      return lua::Bound<Method>::call(state);
+    }
+  };
+  lua_pushcclosure(L, call, 1);
   lua_setfield(L, -2, name);
 }
 
@@ -100,21 +106,43 @@ Behaviors& TestBench::behaviors() {
   return *behaviors_;
 }
 
-void TestBench::fail(const std::string& text) {
+TestFailure TestBench::failure_here(const std::string& text) const {
   lua_Debug record;
   TestFailure failure{"", 0, text};
   if (lua_getstack(lua_, 1, &record) != 0 && lua_getinfo(lua_, "Sl", &record) != 0) {
     failure.file = record.source[0] == '@' ? record.source + 1 : record.source;
     failure.line = record.currentline;
   }
-  failures_.push_back(std::move(failure));
+  return failure;
 }
+
+void TestBench::fail(const std::string& text) { failures_.push_back(failure_here(text)); }
 
 void TestBench::fail(const std::string& expected, const std::string& actual) {
   fail("expected " + expected + "\n  actual " + actual);
 }
 
+/// Ends the test where it has used what it may: no pcall of a script catches that.
+void TestBench::require_budget(lua_State* L) {
+  const bool has_failed_enough = failures_.size() >= kMostFailures;
+  if (!has_failed_enough && !budget_.exceeded()) return;
+  fail(has_failed_enough ? "ended after " + std::to_string(kMostFailures) + " failures" : budget_.reason());
+  exceeded_budget_ = true;
+  Sandbox& sandbox = Sandbox::of(L);
+  sandbox.charge(sandbox.remaining() + 1);
+}
+
 std::vector<TestFailure> TestBench::finish() {
+  std::vector<std::string> known;
+  for (const Parameter& parameter : parameters_.list()) known.push_back(parameter.name);
+  if (scenario_) {
+    for (const Parameter& parameter : scenario_->parameters().list()) known.push_back(parameter.name);
+  }
+  for (auto& [name, place] : set_early_) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    place.text = "there is no parameter '" + name + "' in what this test loads" + did_you_mean(name, known);
+    failures_.push_back(std::move(place));
+  }
   for (const ScriptFault& fault : faults_)
     failures_.push_back({fault.file, fault.line, fault.message + "\n" + fault.traceback});
   if (refused_) failures_.push_back({refused_->file, refused_->line, "refused: " + refused_->message});
@@ -124,8 +152,13 @@ std::vector<TestFailure> TestBench::finish() {
 // ---- what a test does
 
 int TestBench::load_behavior(lua_State* L) {
-  last_script_ = luaL_checkstring(L, 1);
-  behaviors().host().load(script_named(root_, last_script_));
+  const std::string name = luaL_checkstring(L, 1);
+  const std::string script = script_named(root_, name);
+  ScriptHost& host = behaviors().host();
+  const std::size_t before = host.definitions().size();
+  host.load(script);
+  if (host.definitions().size() == before) throw std::runtime_error("'" + name + "' is loaded already");
+  last_script_ = name;
   look_at_machines();
   return 0;
 }
@@ -180,18 +213,25 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
     if (const std::optional<ParameterOutcome> outcome = scenario_->change(change); outcome && !outcome->refusal.empty())
       throw std::runtime_error(outcome->refusal);
   }
+  const bool is_known =
+      parameters_.find(name) != nullptr || (scenario_ && scenario_->parameters().find(name) != nullptr);
+  if (!is_known) set_early_.emplace(name, failure_here(""));
   parameters_.set_early(change);
 }
 
 /// Runs as many frames as fit into the time, one at least.
 int TestBench::advance(lua_State* L) {
   const double seconds = lua::Value<double>::read(L, 1);
-  if (seconds < 0.0 || seconds > kLongest) throw std::runtime_error("advance takes seconds, from 0 to 3600");
+  if (!(seconds >= 0.0 && seconds <= kLongest)) throw std::runtime_error("advance takes seconds, from 0 to 3600");
   std::vector<SeenTransition> before = std::move(seen_.transitions);
   seen_ = {};
   seen_.transitions = std::move(before);
   const long frames = std::max(1L, std::lround(seconds * kFramesPerSecond));
-  for (long i = 0; i < frames; ++i) step();
+  for (long i = 0; i < frames; ++i) {
+    require_budget(L);
+    step();
+    budget_.spend(1.0 / kFramesPerSecond);
+  }
   look_at_machines();
   faults_.insert(faults_.end(), seen_.faults.begin(), seen_.faults.end());
   return 0;
@@ -265,6 +305,13 @@ std::string TestBench::file_of(const std::string& script) const {
 /// reload { from = "text", to = "text", file = "lib/walk.lua" }; without a file the script that was loaded last.
 int TestBench::reload(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
+  const std::vector<std::string> known{"from", "to", "file"};
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+    const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw std::runtime_error("reload: there is no '" + name + "'" + did_you_mean(name, known));
+    if (lua_type(L, -1) != LUA_TSTRING) throw std::runtime_error("reload: " + name + " is a string");
+  }
   const std::string from = text_field(L, 1, "from");
   const std::string to = text_field(L, 1, "to");
   const std::string named = text_field(L, 1, "file");
@@ -286,12 +333,15 @@ int TestBench::reload(lua_State* L) {
 
 /// simulate { scenario = "turned_round", seed = 1, params = { ["orientation.lead"] = 0.4 } }: from beginning to end.
 int TestBench::simulate(lua_State* L) {
-  const SimulationRequest request = read_simulation_request(L, 1);
+  SimulationRequest request = read_simulation_request(L, 1);
   if (!simulate_) {
     needs_simulator_ = true;
     throw std::runtime_error("there is no simulator here");
   }
-  SimulationOutcome outcome = simulate_(request, trace_);
+  request.seconds = std::min(request.seconds, budget_.robot_seconds_left());
+  SimulationOutcome outcome = simulate_(request, trace_, [this] { return budget_.exceeded(); });
+  budget_.spend(outcome.seconds);
+  require_budget(L);
   seen_ = std::move(outcome.seen);
   faults_.insert(faults_.end(), seen_.faults.begin(), seen_.faults.end());
   lua_pushboolean(L, outcome.is_correct ? 1 : 0);

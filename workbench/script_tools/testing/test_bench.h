@@ -1,6 +1,7 @@
 // A fake world with a fake clock in which scripted tests run behaviours.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -17,6 +18,7 @@
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/script_tools/testing/coverage.h"
 #include "workbench/script_tools/testing/simulation.h"
+#include "workbench/script_tools/testing/test_budget.h"
 
 namespace reorient {
 
@@ -32,7 +34,8 @@ class TestBench {
  public:
   /// `texts`: of the scripts below the root. `simulate` may be empty: then simulate() ends the test, and
   /// needs_simulator() says why.
-  TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate, CoverageTrace& trace);
+  TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate, TestBudget& budget,
+            CoverageTrace& trace);
 
   /// Makes the functions as globals of `L`.
   void add_to(lua_State* L);
@@ -40,6 +43,8 @@ class TestBench {
   /// What went wrong so far, with errors of the scripts that the test did not expect.
   std::vector<TestFailure> finish();
   bool needs_simulator() const { return needs_simulator_; }
+  /// It was ended for that, and finish() says so.
+  bool exceeded_budget() const { return exceeded_budget_; }
 
  private:
   // What a test does.
@@ -74,10 +79,13 @@ class TestBench {
   void add_expectations(lua_State* L);
   Behaviors& behaviors();
   void step();
+  void require_budget(lua_State* L);
+  void require_state(std::string_view machine, std::string_view path);
   void follow_world();
   void look_at_machines();
   void fail(const std::string& expected, const std::string& actual);
   void fail(const std::string& text);
+  TestFailure failure_here(const std::string& text) const;
   std::string file_of(const std::string& script) const;
   bool has_lease(std::string_view name) const;
   std::string commands_seen() const;
@@ -85,12 +93,16 @@ class TestBench {
   std::filesystem::path root_;
   ScriptTexts texts_;
   const Simulate& simulate_;
+  TestBudget& budget_;
   CoverageTrace& trace_;
   bool needs_simulator_ = false;
+  bool exceeded_budget_ = false;
   lua_State* lua_ = nullptr;
 
   ParameterRegistry parameters_;
   std::vector<ParameterChange> changes_;  ///< for a scenario that is loaded later
+  /// What was set before anybody declared it, and where in the test.
+  std::map<std::string, TestFailure> set_early_;
   ArbiterParameters arbiter_parameters_;
   ScriptLimits limits_;
   World world_;

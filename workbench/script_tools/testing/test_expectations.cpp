@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
+#include "engine/parameters/nearest_name.h"
 #include "workbench/script_tools/testing/test_bench.h"
 #include "workbench/script_tools/testing/value_differences.h"
 
@@ -19,9 +21,37 @@ std::string numbers(std::initializer_list<double> values) {
   return out.str();
 }
 
+/// Of the enumeration's names; throws where `name` is none of them.
+template <typename... Enums>
+void require_name(std::string_view what, std::string_view name) {
+  std::vector<std::string> known;
+  const auto list = [&](auto first) {
+    for (int i = 0; i < enum_count(first); ++i) known.emplace_back(to_string(static_cast<decltype(first)>(i)));
+  };
+  (list(Enums{}), ...);
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  throw std::runtime_error("there is no " + std::string(what) + " '" + std::string(name) + "'" +
+                           did_you_mean(name, known));
+}
+
 }  // namespace
 
+/// Where the machine is loaded here, so that its states are known.
+void TestBench::require_state(std::string_view machine, std::string_view path) {
+  std::vector<const MachineDefinition*> all = behaviors().host().definitions();
+  if (scenario_) {
+    for (const MachineDefinition* definition : scenario_->machines()) all.push_back(definition);
+  }
+  for (const MachineDefinition* definition : all) {
+    if (definition->name != machine || definition->find(std::string(path)) >= 0) continue;
+    std::vector<std::string> paths;
+    for (const StateDefinition& state : definition->states) paths.push_back(state.path);
+    throw std::runtime_error(std::string(machine) + " has no state " + in_quotes(path) + did_you_mean(path, paths));
+  }
+}
+
 void TestBench::expect_state(std::string_view machine, std::string_view path) {
+  require_state(machine, path);
   for (const SeenMachine& seen : seen_.machines) {
     if (seen.name != machine) continue;
     if (seen.state != path)
@@ -47,6 +77,8 @@ std::string TestBench::commands_seen() const {
 }
 
 void TestBench::expect_command(std::string_view name, std::optional<std::string_view> verdict) {
+  require_name<Reorientation, Pause>("command", name);
+  if (verdict) require_name<Verdict>("verdict", *verdict);
   for (const SeenCommand& command : seen_.commands) {
     if (command.name == name && (!verdict || command.verdict == *verdict)) return;
   }
@@ -54,6 +86,7 @@ void TestBench::expect_command(std::string_view name, std::optional<std::string_
 }
 
 void TestBench::expect_no_command(std::optional<std::string_view> name) {
+  if (name) require_name<Reorientation, Pause>("command", *name);
   const bool seen = std::any_of(seen_.commands.begin(), seen_.commands.end(), [&](const SeenCommand& command) {
     return name ? command.name == *name : command.is_reorientation;
   });
@@ -66,10 +99,12 @@ bool TestBench::has_lease(std::string_view name) const {
 }
 
 void TestBench::expect_lease(std::string_view name) {
+  require_name<Pause>("pause", name);
   if (!has_lease(name)) fail(std::string(name) + " held", "not held");
 }
 
 void TestBench::expect_no_lease(std::string_view name) {
+  require_name<Pause>("pause", name);
   if (has_lease(name)) fail(std::string(name) + " not held", "held");
 }
 
@@ -102,6 +137,7 @@ void TestBench::expect_log(std::string_view text) {
 }
 
 void TestBench::expect_action(std::string_view name) {
+  require_name<ExperimenterAction::Kind>("action", name);
   std::string all;
   for (const std::string& action : seen_.actions) {
     if (action == name) return;

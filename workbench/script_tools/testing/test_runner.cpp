@@ -1,10 +1,11 @@
 #include "workbench/script_tools/testing/test_runner.h"
 
 #include <algorithm>
-#include <map>
+#include <memory>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/script/sandbox/sandbox.h"
 #include "workbench/files/atomic_file.h"
@@ -22,59 +23,111 @@ ScriptLimits test_limits() {
 }
 
 constexpr std::int64_t kInstructionsPerTest = 50'000'000;
+constexpr std::size_t kMostTests = 2000;  // of a file, which is run anew for each
 
-/// One file of tests: its Lua, and the tests that it declares.
+/// A file of tests, run from its top in a sandbox of its own. Each test gets a new one: what one does to globals, to
+/// library tables or to the file's own locals, no other sees.
 class TestFile {
  public:
-  TestFile(std::string name, const TestRun& run, const ScriptTexts& texts)
-      : name_(std::move(name)), run_(run), texts_(texts), sandbox_(test_limits()) {}
-
-  void run(const std::string& text, CoverageTrace& trace, std::vector<TestCase>& cases) {
+  TestFile(const std::string& name, const std::string& text) : name_(name), sandbox_(test_limits()) {
     lua_State* const L = sandbox_.state();
     lua_pushlightuserdata(L, this);
     lua_pushcclosure(L, &TestFile::declare, 1);
     lua_setglobal(L, "test");
     sandbox_.grant(kInstructionsPerTest);
-    std::optional<ScriptFault> fault = sandbox_.compile(text, name_);
-    if (!fault) fault = sandbox_.call(0, 0);
-    if (fault) {
-      cases.push_back({name_, "can be run", {as_failure(*fault)}, false});
-      return;
-    }
-    for (const auto& [name, function] : tests_) cases.push_back(run_test(name, function, trace));
+    fault_ = sandbox_.compile(text, name_);
+    if (!fault_) fault_ = sandbox_.call(0, 0);
+    is_declaring_ = false;
   }
+  TestFile(const TestFile&) = delete;
+  TestFile& operator=(const TestFile&) = delete;
 
- private:
-  static int declare(lua_State* L) {
-    auto& self = *static_cast<TestFile*>(lua_touserdata(L, lua_upvalueindex(1)));
-    const char* const name = luaL_checkstring(L, 1);
-    luaL_checktype(L, 2, LUA_TFUNCTION);
-    lua_settop(L, 2);
-    self.tests_.emplace_back(name, luaL_ref(L, LUA_REGISTRYINDEX));
-    return 0;
+  /// Of running it from top to bottom.
+  const std::optional<ScriptFault>& fault() const { return fault_; }
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, function] : tests_) names.push_back(name);
+    return names;
   }
 
   TestFailure as_failure(const ScriptFault& fault) const {
     return {fault.file.empty() ? name_ : fault.file, fault.line, fault.message + "\n" + fault.traceback};
   }
 
-  TestCase run_test(const std::string& name, int function, CoverageTrace& trace) {
-    TestBench bench(run_.scripts_root, texts_, run_.simulate, trace);
+  TestCase run(std::size_t which, const TestRun& run, const ScriptTexts& texts, TestBudget& file,
+               CoverageTrace& trace) {
+    const auto& [name, function] = tests_.at(which);
+    TestBudget budget(file);
+    TestBench bench(run.scripts_root, texts, run.simulate, budget, trace);
     bench.add_to(sandbox_.state());
     sandbox_.grant(kInstructionsPerTest);
     lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function);
     const std::optional<ScriptFault> fault = sandbox_.call(0, 0);
     if (bench.needs_simulator()) return {name_, name, {}, true};
     TestCase result{name_, name, bench.finish(), false};
-    if (fault) result.failures.push_back(as_failure(*fault));
+    if (fault && !bench.exceeded_budget()) result.failures.push_back(as_failure(*fault));
     return result;
   }
 
+ private:
+  static int declare(lua_State* L) {
+    auto& self = *static_cast<TestFile*>(lua_touserdata(L, lua_upvalueindex(1)));
+    if (!self.is_declaring_)
+      return luaL_error(L, "a test runs: declare tests at the top of the file, not inside of one");
+    const char* const name = luaL_checkstring(L, 1);
+    luaL_checktype(L, 2, LUA_TFUNCTION);
+    lua_settop(L, 2);
+    if (self.tests_.size() >= kMostTests)
+      return luaL_error(L, "a file has at most %d tests", static_cast<int>(kMostTests));
+    self.tests_.emplace_back(name, luaL_ref(L, LUA_REGISTRYINDEX));
+    return 0;
+  }
+
   std::string name_;
+  Sandbox sandbox_;
+  std::optional<ScriptFault> fault_;
+  bool is_declaring_ = true;
+  std::vector<std::pair<std::string, int>> tests_;  ///< name, reference to the function
+};
+
+/// All tests of one file.
+class FileRun {
+ public:
+  FileRun(std::string name, std::string text, const TestRun& run, const ScriptTexts& texts)
+      : name_(std::move(name)), text_(std::move(text)), run_(run), texts_(texts), budget_(run.timeout, run.stop) {}
+
+  /// Calls `take` with each case as soon as there is one.
+  template <typename Take>
+  void run(CoverageTrace& trace, Take&& take) {
+    auto file = std::make_unique<TestFile>(name_, text_);
+    if (file->fault()) {
+      take(TestCase{name_, "can be run", {file->as_failure(*file->fault())}, false});
+      return;
+    }
+    const std::vector<std::string> names = file->names();
+    if (names.empty()) take(failed("declares a test", "there is none: test(\"what is so\", function() ... end)"));
+    for (std::size_t i = 0; i < names.size() && !budget_.is_interrupted(); ++i) {
+      if (budget_.exceeded()) {
+        take(failed(names[i], "not run: " + budget_.reason()));
+        continue;
+      }
+      if (file == nullptr) file = std::make_unique<TestFile>(name_, text_);
+      take(file->names() == names ? file->run(i, run_, texts_, budget_, trace)
+                                  : failed(names[i], "the file declares other tests each time that it is run"));
+      file.reset();
+    }
+  }
+
+ private:
+  TestCase failed(const std::string& name, const std::string& why) const {
+    return {name_, name, {{name_, 0, why}}, false};
+  }
+
+  std::string name_;
+  std::string text_;
   const TestRun& run_;
   const ScriptTexts& texts_;
-  Sandbox sandbox_;
-  std::vector<std::pair<std::string, int>> tests_;
+  TestBudget budget_;
 };
 
 bool is_test(const std::filesystem::path& file) { return file.filename().string().ends_with("_test.lua"); }
@@ -118,7 +171,7 @@ void report(const TestCase& test, std::ostream& out) {
   const char* const result = test.skipped ? "skipped " : test.failures.empty() ? "ok      " : "FAILED  ";
   out << result << test.file << ": " << test.name << "\n";
   for (const TestFailure& failure : test.failures) {
-    out << "    " << failure.file << ":" << failure.line << ":\n" << indented(failure.text, "      ");
+    out << "    " << place_text(failure.file, failure.line, 0) << ":\n" << indented(failure.text, "      ");
   }
 }
 
@@ -129,16 +182,18 @@ TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrac
   TestSummary summary;
   const ScriptTexts texts = read_scripts(run.scripts_root);
   for (const std::filesystem::path& file : find_tests(run.paths.empty() ? all : std::span(run.paths))) {
-    const std::size_t first = summary.cases.size();
-    TestFile(path_below(run.scripts_root, file).value_or(file.string()), run, texts)
-        .run(read(file), trace, summary.cases);
-    for (std::size_t i = first; i < summary.cases.size(); ++i) {
-      const TestCase& test = summary.cases[i];
-      report(test, out);
-      ++(test.skipped ? summary.skipped : test.failures.empty() ? summary.passed : summary.failed);
-    }
+    FileRun(path_below(run.scripts_root, file).value_or(file.string()), read(file), run, texts)
+        .run(trace, [&](TestCase test) {
+          report(test, out);
+          out.flush();  // whoever watches sees each test as it ends
+          ++(test.skipped ? summary.skipped : test.failures.empty() ? summary.passed : summary.failed);
+          summary.cases.push_back(std::move(test));
+        });
+    summary.interrupted = run.stop && run.stop();
+    if (summary.interrupted) break;
   }
   out << summary.passed << " passed, " << summary.failed << " failed";
+  if (summary.interrupted) out << ", interrupted before the rest";
   if (summary.skipped > 0) out << ", " << summary.skipped << " skipped that want the simulator (--simulator)";
   out << "\n";
   return summary;

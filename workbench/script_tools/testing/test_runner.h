@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct TestSummary {
   int passed = 0;
   int failed = 0;
   int skipped = 0;
+  bool interrupted = false;  ///< there would have been more
 };
 
 /// What to run, and with what.
@@ -31,10 +33,13 @@ struct TestRun {
   std::filesystem::path scripts_root;
   std::vector<std::filesystem::path> paths;  ///< files and folders; none: all of scripts_root/tests
   Simulate simulate;                         ///< none: tests that want the simulator are skipped
+  double timeout = 60.0;                     ///< s in wall-clock time, of each test; a file has ten times that
+  std::function<bool()> stop;                ///< asked before each frame; empty: nobody interrupts
 };
 
 /// Writes one line a test and each failure with file, line, what was expected and what was seen. `trace` is filled
-/// with what the tests took. Throws std::runtime_error with one line when a path does not exist or holds no tests.
+/// with what the tests took. Each test runs in a fresh sandbox, after its file has been run anew in it. Throws
+/// std::runtime_error with one line when a path does not exist or holds no tests.
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace);
 
 }  // namespace reorient

@@ -1,0 +1,86 @@
+// The program as a process of its own, to be interrupted, starved and killed.
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace reorient {
+
+inline std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class ChildProgram {
+ public:
+  /// What it prints goes into the files out.txt and err.txt of `folder`. `prepare` runs in the child, just before.
+  ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& words,
+               const std::function<void()>& prepare = {})
+      : folder_(folder) {
+    std::vector<std::string> all{REORIENT_PROGRAM};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> argv;
+    argv.reserve(all.size() + 1);
+    for (std::string& word : all) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const std::string out = (folder / "out.txt").string(), err = (folder / "err.txt").string();
+    for (const std::string& old : {out, err}) std::filesystem::remove(old);  // or it would be read as this one's
+    process_ = fork();
+    if (process_ != 0) return;
+    setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
+    dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
+    if (prepare) prepare();
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  ~ChildProgram() {
+    if (process_ <= 0) return;
+    ::kill(process_, SIGKILL);
+    wait();
+  }
+  ChildProgram(const ChildProgram&) = delete;
+  ChildProgram& operator=(const ChildProgram&) = delete;
+
+  void kill(int signal) const { ::kill(process_, signal); }
+  std::string out() const { return read_text(folder_ / "out.txt"); }
+  std::string err() const { return read_text(folder_ / "err.txt"); }
+
+  /// Until it has said `text`, on either way; false: it ended, or half a minute passed.
+  bool await(const std::string& text) const {
+    for (int i = 0; i < 3000; ++i) {
+      if (err().find(text) != std::string::npos || out().find(text) != std::string::npos) return true;
+      siginfo_t ended{};
+      waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
+      if (ended.si_pid != 0) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+  /// Its exit code; minus the signal that ended it.
+  int wait() {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  pid_t process_ = -1;
+};
+
+}  // namespace reorient
