@@ -60,6 +60,13 @@ void sincos(std::span<const double> angles, std::span<double> sines, std::span<d
   cosines[i] = last.cos;
 }
 
+void atan2(std::span<const double> y, std::span<const double> x, std::span<double> angles) {
+  std::size_t i = 0;
+  for (; i + 2 <= angles.size(); i += 2)
+    _mm_storeu_pd(&angles[i], Sleef_cinz_atan2d2_u10sse4(_mm_loadu_pd(&y[i]), _mm_loadu_pd(&x[i])));
+  if (i < angles.size()) angles[i] = atan2(y[i], x[i]);
+}
+
 void atan2(std::span<const float> y, std::span<const float> x, std::span<float> angles) {
   std::size_t i = 0;
   for (; i + 4 <= angles.size(); i += 4)
@@ -104,6 +111,10 @@ void sincos(std::span<const double> angles, std::span<double> sines, std::span<d
     sines[i] = one.sin;
     cosines[i] = one.cos;
   }
+}
+
+void atan2(std::span<const double> y, std::span<const double> x, std::span<double> angles) {
+  for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = atan2(y[i], x[i]);
 }
 
 void atan2(std::span<const float> y, std::span<const float> x, std::span<float> angles) {

@@ -42,6 +42,7 @@ inline double hypot(double x, double y) { return std::sqrt(x * x + y * y); }
 void exp(std::span<double> values);  ///< in place
 void exp(std::span<float> values);   ///< in place
 void sincos(std::span<const double> angles, std::span<double> sines, std::span<double> cosines);
+void atan2(std::span<const double> y, std::span<const double> x, std::span<double> angles);
 void atan2(std::span<const float> y, std::span<const float> x, std::span<float> angles);
 
 }  // namespace reorient::pinned

@@ -86,6 +86,10 @@ TEST(PinnedMath, GivesTheSameBitsForManyAsForOne) {
     }
     pinned::sincos(values, sines, cosines);
     pinned::atan2(floats, across, angles);
+    const std::vector<double> up(floats.begin(), floats.end()), along(across.begin(), across.end());
+    std::vector<double> directions(up.size());
+    pinned::atan2(up, along, directions);
+    for (std::size_t i = 0; i < up.size(); ++i) EXPECT_EQ(directions[i], pinned::atan2(up[i], along[i]));
     std::vector<double> exponentials = values;
     std::vector<float> float_exponentials = floats;
     pinned::exp(exponentials);

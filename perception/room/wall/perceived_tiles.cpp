@@ -1,6 +1,7 @@
 #include "perception/room/wall/perceived_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -127,9 +128,13 @@ void PerceivedTiles::find_in_band(int band, const Isometry3& field_from_camera, 
     run.pixels.left = std::max(run.pixels.right, 0);
   };
   const double cell_width = static_cast<double>(camera_.width) / kCells;
-  std::optional<WallPoint> left = wall.meet(eye, field_from_camera.linear() * rays[0]);
+  std::array<Eigen::Vector3d, kCells + 1> directions;
+  std::array<std::optional<WallPoint>, kCells + 1> borders;
+  for (std::size_t i = 0; i < directions.size(); ++i) directions[i] = field_from_camera.linear() * rays[i];
+  wall.meet(eye, directions, borders);
   for (int cell = 0; cell < kCells; ++cell) {
-    std::optional<WallPoint> right = wall.meet(eye, field_from_camera.linear() * rays[cell + 1]);
+    const std::optional<WallPoint>& left = borders[static_cast<std::size_t>(cell)];
+    const std::optional<WallPoint>& right = borders[static_cast<std::size_t>(cell) + 1];
     constexpr double kSteepest = 64.0;  // rows across one cell: a view along the wall, where interpolation ends
     const bool misses = !left || !right || std::max(left->row, right->row) < 0.0 ||
                         std::min(left->row, right->row) >= wall.rows() || std::abs(left->row - right->row) > kSteepest;
@@ -155,7 +160,6 @@ void PerceivedTiles::find_in_band(int band, const Isometry3& field_from_camera, 
       }
       t = end > t ? end : 1.0;
     }
-    left = right;
   }
   close_run(camera_.width);
 }

@@ -1,6 +1,7 @@
 #include "perception/room/wall/wall.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/pinned_math.h"
@@ -56,15 +57,40 @@ bool Wall::surrounds(const Eigen::Vector2d& position) const {
 }
 
 std::optional<WallPoint> Wall::meet(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const {
+  std::optional<WallPoint> point;
+  meet(from, {&direction, 1}, {&point, 1});
+  return point;
+}
+
+void Wall::meet(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> directions,
+                std::span<std::optional<WallPoint>> points) const {
+  constexpr std::size_t kAtOnce = 16;
+  std::array<double, kAtOnce> x, y, azimuths;
   const Eigen::Vector2d foot = from.head<2>();
-  const Eigen::Vector2d heading = direction.head<2>();
-  if (!surrounds(foot) || !direction.allFinite() || heading.norm() <= kSteepest * direction.norm()) return std::nullopt;
-  const double steps = steps_to_circle(foot, heading, radius_);
-  const Eigen::Vector2d point = foot + steps * heading;
-  const double turns = direction_of(point) / (2.0 * kPi);
-  const double column = (turns < 0.0 ? turns + 1.0 : turns) * columns_;
-  const double row = (from.z() + steps * direction.z() - bottom_) / row_height();
-  return WallPoint{column < columns_ ? column : 0.0, row};
+  const bool is_inside = surrounds(foot);
+  for (std::size_t first = 0; first < points.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, points.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3d& direction = directions[first + i];
+      const Eigen::Vector2d heading = direction.head<2>();
+      std::optional<WallPoint>& point = points[first + i];
+      point.reset();
+      x[i] = y[i] = 0.0;
+      if (!is_inside || !direction.allFinite() || heading.norm() <= kSteepest * direction.norm()) continue;
+      const double steps = steps_to_circle(foot, heading, radius_);
+      const Eigen::Vector2d place = foot + steps * heading;
+      x[i] = place.x();
+      y[i] = place.y();
+      point = WallPoint{0.0, (from.z() + steps * direction.z() - bottom_) / row_height()};
+    }
+    pinned::atan2(std::span(y.data(), count), std::span(x.data(), count), std::span(azimuths.data(), count));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!points[first + i]) continue;
+      const double turns = azimuths[i] / (2.0 * kPi);
+      const double column = (turns < 0.0 ? turns + 1.0 : turns) * columns_;
+      points[first + i]->column = column < columns_ ? column : 0.0;
+    }
+  }
 }
 
 std::optional<double> Wall::azimuth_seen(const Eigen::Vector2d& from, double direction) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -70,6 +71,9 @@ class Wall {
   /// Where a ray from a point inside meets the wall, which goes on above and below the tiles; nothing for a vertical
   /// ray, and none from outside.
   std::optional<WallPoint> meet(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
+  /// The same for many rays from one point, at half the time. As many points as directions.
+  void meet(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> directions,
+            std::span<std::optional<WallPoint>> points) const;
 
   /// Azimuth of the wall where a horizontal ray meets it, rad in (-pi, pi]; nothing from outside.
   std::optional<double> azimuth_seen(const Eigen::Vector2d& from, double direction) const;
