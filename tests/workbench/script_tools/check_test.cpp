@@ -260,6 +260,18 @@ TEST_F(ScriptCheckTest, KnowsTheFlagsThatStatesPublish) {
   EXPECT_EQ(findings(), "behaviors/b.lua:1:71: error: no state publishes 'is_her' (did you mean 'is_here'?)\n");
 }
 
+TEST_F(ScriptCheckTest, RefusesChoicesThatNoParameterFileCanHold) {
+  for (const char* choice : {"a\\nb", "\\x1b[31m", "\\xff", "\\127"}) {
+    SCOPED_TRACE(choice);
+    folder.write("behaviors/a.lua",
+                 std::string("local p = param { mode = { \"") + choice + "\", choices = { \"" + choice +
+                     "\" }, doc = \"x\" } }\nbehavior \"a\" { update = function() print(p.mode) end }\n");
+    EXPECT_NE(findings().find("a choice of param mode is printable text in UTF-8, without line breaks"),
+              std::string::npos)
+        << findings();
+  }
+}
+
 TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
   folder.write("lib/unused.lua", "return { x = robt }\n");
   folder.write("scenarios/s.lua", "scenario \"s\" { update = function() print(truth.z) end }\n");
