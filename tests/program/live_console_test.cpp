@@ -1,6 +1,9 @@
 // What a person types while the robot runs.
 #include "program/run/live_console.h"
 
+#include <array>
+#include <csignal>
+#include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -8,6 +11,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/engine/frame_fixture.h"
@@ -177,6 +183,64 @@ TEST_F(LiveConsoleTest, DropsALineThatHasNoEnd) {
 TEST_F(LiveConsoleTest, SurvivesBytesThatAreNoText) {
   type(std::string("set \0\x80\xFF 1\n", 10));
   EXPECT_NE(poll(), "");
+}
+
+/// A run in real time at a terminal of its own.
+class TerminalRun {
+ public:
+  TerminalRun() {
+    process_ = forkpty(&terminal_, nullptr, nullptr, nullptr);
+    if (process_ != 0) return;
+    setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
+    execl(REORIENT_PROGRAM, REORIENT_PROGRAM, "--log", "off", "run", "patrol", "--realtime", "--width", "160",
+          "--no-pictures", nullptr);
+    _exit(127);
+  }
+  ~TerminalRun() {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+    close(terminal_);
+  }
+  TerminalRun(const TerminalRun&) = delete;
+  TerminalRun& operator=(const TerminalRun&) = delete;
+
+  void type(const std::string& keys) const { ASSERT_EQ(write(terminal_, keys.data(), keys.size()), std::ssize(keys)); }
+  /// Whether `text` is shown within half a minute, after what was awaited before.
+  bool await(const std::string& text) {
+    for (int i = 0; i < 3000; ++i) {
+      if (const std::size_t place = shown_.find(text); place != std::string::npos) {
+        shown_.erase(0, place + text.size());
+        return true;
+      }
+      pollfd waiting{terminal_, POLLIN, 0};
+      if (poll(&waiting, 1, 10) != 1) continue;
+      std::array<char, 4096> buffer;
+      const ssize_t count = read(terminal_, buffer.data(), buffer.size());
+      if (count <= 0) return false;  // the run has ended
+      shown_.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    return false;
+  }
+
+ private:
+  int terminal_ = -1;
+  pid_t process_ = -1;
+  std::string shown_;
+};
+
+TEST(AtATerminal, CtrlDClosesThePromptAndTheRunGoesOn) {
+  TerminalRun run;
+  ASSERT_TRUE(run.await("real time"));
+  for (int i = 0; i < 2; ++i) {
+    run.type("\n");
+    ASSERT_TRUE(run.await("> ")) << i;
+    run.type("\x04");
+    ASSERT_TRUE(run.await("real time")) << i;  // the progress line is back
+  }
+  run.type("states\n");
+  EXPECT_TRUE(run.await("penalty_marks"));
+  run.type("quit\n");
+  EXPECT_TRUE(run.await("digest: "));
 }
 
 }  // namespace
