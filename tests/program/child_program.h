@@ -54,7 +54,9 @@ class ChildProgram {
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  void kill(int signal) const { ::kill(process_, signal); }
+  void kill(int signal) const {
+    if (process_ > 0) ::kill(process_, signal);  // to signal -1 would be to signal everybody
+  }
   std::string out() const { return read_text(folder_ / "out.txt"); }
   std::string err() const { return read_text(folder_ / "err.txt"); }
 
