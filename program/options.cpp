@@ -1,10 +1,8 @@
 #include "program/options.h"
 
-#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
-#include "engine/parameters/nearest_name.h"
 #include "workbench/files/home.h"
 #include "workbench/files/parameter_file.h"
 
@@ -45,18 +43,6 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
     changes.push_back({assignment.substr(0, equals), assignment.substr(equals + 1), ParameterOrigin::command_line, ""});
   }
   return changes;
-}
-
-void require_known(const std::vector<ParameterChange>& overrides, const std::vector<Parameter>& parameters) {
-  std::vector<std::string> names;
-  names.reserve(parameters.size());
-  for (const Parameter& parameter : parameters) names.push_back(parameter.name);
-  for (const ParameterChange& change : overrides) {
-    if (std::find(names.begin(), names.end(), change.name) != names.end()) continue;
-    throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "there is no parameter '" +
-                             change.name + "' (set by the " + std::string(to_string(change.origin)) + ")" +
-                             did_you_mean(change.name, names));
-  }
 }
 
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts) {

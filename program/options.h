@@ -20,9 +20,6 @@ struct ParameterOptions {
 void add_parameter_options(CLI::App& parser, ParameterOptions& options);
 /// Throws std::runtime_error with one line where a file cannot be read or an assignment is none.
 std::vector<ParameterChange> overrides_of(const ParameterOptions& options);
-/// Throws std::runtime_error with one line for the first override whose name none of the parameters has.
-void require_known(const std::vector<ParameterChange>& overrides, const std::vector<Parameter>& parameters);
-
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts);
 /// `told`, or scripts/ of the project where nothing was told.
 std::filesystem::path scripts_root(const std::filesystem::path& told);

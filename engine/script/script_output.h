@@ -25,10 +25,11 @@ struct LogRecord {
   NameId machine = 0;
   NameId state = 0;
   std::string text;
+  int dropped = 0;  ///< lines after this one in the frame, beyond what a machine may log
 };
 template <typename Visit>
 void fields(Visit&& visit, LogRecord& record) {
-  visit(record.machine, record.state, record.text);
+  visit(record.machine, record.state, record.text, record.dropped);
 }
 
 /// A run-time error, and what the host did about it.

@@ -1,12 +1,14 @@
 // `reorient params`: every tunable number with its value and who set it.
 #include <memory>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/frame.h"
 #include "program/options.h"
+#include "program/parameter_modules.h"
 #include "program/program.h"
 #include "program/robots.h"
 #include "program/run/simulation.h"
@@ -39,9 +41,7 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
 }
 
 /// Of the engine with all behaviours, of all scenarios, and of every robot.
-std::vector<Parameter> all_parameters(const std::filesystem::path& root,
-                                      const std::vector<ParameterChange>& overrides) {
-  const ScriptTexts texts = read_scripts(root);
+std::vector<Parameter> all_parameters(const ScriptTexts& texts, const std::vector<ParameterChange>& overrides) {
   FrameSetup setup;
   setup.scripts = texts;
   setup.behaviors = texts.in_folder("behaviors");
@@ -58,8 +58,13 @@ std::vector<Parameter> all_parameters(const std::filesystem::path& root,
 
 int params(const ParamsOptions& options, std::ostream& out) {
   const std::vector<ParameterChange> overrides = overrides_of(options.overrides);
-  const std::vector<Parameter> all = all_parameters(scripts_root(options.scripts), overrides);
-  require_known(overrides, all);
+  const ScriptTexts texts = read_scripts(scripts_root(options.scripts));
+  const std::vector<Parameter> all = all_parameters(texts, overrides);
+  std::set<std::string> loaded;
+  for (const char* folder : {"behaviors", "scenarios"}) {
+    for (const std::string& file : texts.in_folder(folder)) loaded.insert(module_of_script(file));
+  }
+  const std::vector<ParameterChange> kept = kept_for_others(overrides, {all, loaded, all_modules(texts)});
   std::vector<Parameter> wanted = all;
   std::erase_if(wanted, [&](const Parameter& parameter) {
     return parameter.name.find(options.filter) == std::string::npos ||
@@ -68,7 +73,7 @@ int params(const ParamsOptions& options, std::ostream& out) {
   if (wanted.empty() && !options.changed)
     throw std::runtime_error("no parameter has '" + options.filter + "' in its name; reorient params lists all");
   list(wanted, out);
-  if (!options.save.empty()) save_parameters(all, options.save);
+  if (!options.save.empty()) save_parameters(all, kept, options.save);
   return kSuccess;
 }
 

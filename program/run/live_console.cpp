@@ -144,7 +144,7 @@ std::string LiveConsole::obey(std::string_view line, const std::vector<std::stri
       return {};
     }
     if (words[0] == "save" && words.size() == 2) {
-      save_parameters(parameters_(), words[1]);
+      save_parameters(parameters_(), {}, words[1]);
       return "  written; --params " + words[1] + " loads it\n";
     }
     if (words[0] == "save") return "  write: save FILE\n";

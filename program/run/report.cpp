@@ -1,8 +1,6 @@
 #include "program/run/report.h"
 
-#include <algorithm>
 #include <ostream>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -12,20 +10,6 @@
 
 namespace reorient {
 namespace {
-
-constexpr std::uint64_t kBusy = 20;  // transitions in a run beyond which a behaviour's are left out of the timeline
-
-/// What is shown of the timeline.
-std::vector<TimelineEvent> shown_events(const Timeline& timeline, bool every_transition) {
-  std::vector<TimelineEvent> rows = timeline.commands();
-  for (const auto& [name, machine] : timeline.machines()) {
-    if (!every_transition && machine.transition_count > kBusy) continue;
-    rows.insert(rows.end(), machine.transitions.begin(), machine.transitions.end());
-  }
-  // Within a frame the changes of state come before the commands that they led to.
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.order < b.order; });
-  return rows;
-}
 
 nlohmann::json to_json(const Pose2& pose) {
   return {{"x", pose.position.x()}, {"y", pose.position.y()}, {"rotation", pose.rotation}};
@@ -54,38 +38,6 @@ nlohmann::json or_null(const std::optional<Value>& value) {
 
 }  // namespace
 
-void print_timeline(const Timeline& timeline, bool every_transition, std::ostream& out) {
-  const std::vector<TimelineEvent> rows = shown_events(timeline, every_transition);
-  std::size_t behavior = 9, state = 5, command = 7, reason = 6;
-  for (const TimelineEvent& row : rows) {
-    behavior = std::max(behavior, row.machine.size());
-    state = std::max(state, row.state.size());
-    command = std::max(command, row.command.size());
-    reason = std::max(reason, row.reason.size());
-  }
-  out << fmt::format("{:>8}  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", "time", "behaviour", behavior, "state", state,
-                     "command", command, "reason", reason, "verdict");
-  for (const TimelineEvent& row : rows) {
-    std::string line = fmt::format("{:>6.2f} s  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}", row.time, row.machine, behavior,
-                                   row.state, state, row.command, command, row.reason, reason, row.verdict);
-    line.erase(line.find_last_not_of(' ') + 1);
-    out << line << '\n';
-  }
-  for (const auto& [name, machine] : timeline.machines()) {
-    if (!every_transition && machine.transition_count > kBusy) {
-      out << fmt::format("          {}: {} changes of state, shown with --every-transition\n", name,
-                         machine.transition_count);
-    } else if (machine.transition_count > machine.transitions.size()) {
-      out << fmt::format("          {}: {} older changes of state are not kept\n", name,
-                         machine.transition_count - machine.transitions.size());
-    }
-    if (machine.command_count > machine.commands.size()) {
-      out << fmt::format("          {}: {} older commands are not kept\n", name,
-                         machine.command_count - machine.commands.size());
-    }
-  }
-}
-
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out) {
   out << fmt::format("\n{}{}\n", summary.succeeded ? "right: " : "wrong: ", summary.verdict);
   if (summary.corrected_after) {
@@ -109,7 +61,7 @@ void print_summary(const RunSummary& summary, const RunCircumstances& circumstan
   out << "digest: " << circumstances.digest << '\n';
 }
 
-void write_summary(const RunSummary& summary, const Timeline& timeline, const RunCircumstances& circumstances,
+void write_summary(const RunSummary& summary, const CommandHistory& commands, const RunCircumstances& circumstances,
                    const std::filesystem::path& file) {
   nlohmann::json json{
       {"scenario", circumstances.scenario},
@@ -149,7 +101,7 @@ void write_summary(const RunSummary& summary, const Timeline& timeline, const Ru
   if (summary.frames > 0) json["belief"] = to_json(summary.belief.pose);
   if (summary.truth) json["truth"] = to_json(summary.truth->pose);
   json["commands"] = nlohmann::json::array();
-  for (const TimelineEvent& event : timeline.commands()) {
+  for (const TimelineEvent& event : commands.commands()) {
     json["commands"].push_back({{"time", event.time},
                                 {"issuer", event.machine},
                                 {"state", event.state},
@@ -157,6 +109,7 @@ void write_summary(const RunSummary& summary, const Timeline& timeline, const Ru
                                 {"reason", event.reason},
                                 {"verdict", event.verdict}});
   }
+  json["commands_dropped"] = commands.dropped();
   json["stopped"] = nlohmann::json::array();
   for (const StoppedScript& script : summary.stopped)
     json["stopped"].push_back({{"script", script.script}, {"errors", script.errors}, {"last", script.last}});

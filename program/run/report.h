@@ -25,14 +25,10 @@ struct RunCircumstances {
   int reloads_rejected = 0;
 };
 
-/// Commands and changes of state in the order of time. Behaviours that change their state all the time are named in
-/// one line at the end, unless `every_transition`; so is what was too long ago to be kept.
-void print_timeline(const Timeline& timeline, bool every_transition, std::ostream& out);
-
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out);
 
 /// Writes beside the file first, then renames. Throws std::runtime_error where that fails.
-void write_summary(const RunSummary& summary, const Timeline& timeline, const RunCircumstances& circumstances,
+void write_summary(const RunSummary& summary, const CommandHistory& commands, const RunCircumstances& circumstances,
                    const std::filesystem::path& file);
 
 }  // namespace reorient

@@ -17,6 +17,7 @@
 #include "program/run/report.h"
 #include "program/run/run_observers.h"
 #include "program/run/simulation.h"
+#include "program/run/timeline_printer.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/parameter_file.h"
@@ -24,7 +25,6 @@
 #include "workbench/run/digest_observer.h"
 #include "workbench/run/frame_times.h"
 #include "workbench/run/run_summary.h"
-#include "workbench/run/timeline.h"
 #include "workbench/views/pictures/run_pictures.h"
 
 namespace reorient {
@@ -83,7 +83,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--seconds", options.seconds, "longest run, in the robot's seconds")
       ->check(check_seconds)
       ->capture_default_str();
-  run.add_flag("--every-transition", options.every_transition, "show busy behaviours' transitions as well");
+  run.add_flag("--every-transition", options.every_transition, "show in the timeline what repeats itself, too");
 }
 
 void require_writable_outputs(const RunOptions& options) {
@@ -122,16 +122,17 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   require_writable_outputs(options);
 
   SummaryObserver summary;
-  Timeline timeline;
+  CommandHistory commands;
   FrameTimes frame_times;
   DigestObserver digest;
   RunPictures pictures;
   RunLog log;
   Progress progress(err);
+  TimelinePrinter timeline(out, options.every_transition, [&] { progress.make_room(); });
   LiveConsole console(STDIN_FILENO, out, &simulation.scenario(), [&] { return simulation.parameters(); });
 
   RunParts parts = simulation.parts();
-  parts.observers = {&summary, &timeline, &frame_times, &digest, &log};
+  parts.observers = {&summary, &commands, &frame_times, &digest, &log, &timeline};
   if (options.pictures) parts.observers.push_back(&pictures);
   parts.observers.push_back(&progress);
   parts.in_real_time = options.realtime;
@@ -164,11 +165,11 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
                                        .reloads_rejected = log.reloads_rejected()};
   const RunSummary result = summary.summary(end);
   Outputs outputs;
-  if (!options.json.empty()) outputs.add([&] { write_summary(result, timeline, circumstances, options.json); });
+  if (!options.json.empty()) outputs.add([&] { write_summary(result, commands, circumstances, options.json); });
   if (!options.save_parameters.empty())
-    outputs.add([&] { save_parameters(simulation.parameters(), options.save_parameters); });
+    outputs.add(
+        [&] { save_parameters(simulation.parameters(), simulation.kept_parameters(), options.save_parameters); });
   if (options.pictures) outputs.add_failures(pictures.write(options.out));
-  print_timeline(timeline, options.every_transition, out);
   if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
   if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
   print_summary(result, circumstances, out);

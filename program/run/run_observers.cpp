@@ -8,11 +8,18 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "engine/script/language/script_actions.h"
+
 namespace reorient {
 namespace {
 
 void log_scripts(const NameTable& names, const std::vector<LogRecord>& logs, const std::vector<FaultRecord>& faults) {
-  for (const LogRecord& record : logs) spdlog::info("{}: {}", names[record.machine], record.text);
+  for (const LogRecord& record : logs) {
+    spdlog::info("{}: {}", names[record.machine], record.text);
+    if (record.dropped > 0)
+      spdlog::warn("{}: {} more lines in this frame were dropped; a machine may log {}", names[record.machine],
+                   record.dropped, ScriptActions::kMostPerFrame);
+  }
   for (const FaultRecord& fault : faults) {
     using Consequence = FaultRecord::Consequence;
     const char* consequence = fault.consequence == Consequence::rolled_back ? "; the previous version runs again"
@@ -58,6 +65,12 @@ void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
                       terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states, time / passed,
                       terminal_ ? "" : "\n")
        << std::flush;
+}
+
+void Progress::make_room() {
+  if (!terminal_ || hidden_) return;
+  err_ << "\r\033[K" << std::flush;
+  next_ = 0.0;
 }
 
 void Progress::end() {

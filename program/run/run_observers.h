@@ -16,6 +16,8 @@ class Progress : public Observer {
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
   /// While it is hidden the terminal belongs to somebody else.
   void hide(bool hidden) { hidden_ = hidden; }
+  /// For a line of somebody else; the progress line is drawn again below it.
+  void make_room();
   void end();
 
  private:

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/parameter_modules.h"
 #include "program/robots.h"
 #include "workbench/files/field_file.h"
 #include "workbench/files/home.h"
@@ -44,6 +45,12 @@ std::vector<std::string> chosen_behaviors(const SimulationOptions& options, std:
   return chosen;
 }
 
+std::set<std::string> loaded_modules(const SimulationOptions& options, const std::vector<std::string>& behaviors) {
+  std::set<std::string> modules{module_of_script(options.scenario)};
+  for (const std::string& behavior : behaviors) modules.insert(module_of_script(behavior));
+  return modules;
+}
+
 }  // namespace
 
 Simulation::Simulation(const SimulationOptions& options) : longest_(options.seconds) {
@@ -58,17 +65,28 @@ Simulation::Simulation(const SimulationOptions& options) : longest_(options.seco
   setup.scripts = scripts;
   setup.behaviors = chosen_behaviors(options, scenario_->wanted_behaviors());
   setup.parameters = overrides;
+  ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
   RobotOptions robot{setup.field, options.room, options.hall, options.seed, options.width, options.cameras == "both",
                      overrides};
   robot_parameters_ = robot_parameters(options.robot, robot);
   engine_ = std::make_unique<FrameLoop>(std::move(setup));
-  require_known(overrides, parameters());
+  modules.parameters = parameters();
+  kept_parameters_ = kept_for_others(overrides, modules);
   robot_ = make_robot(options.robot, robot);
 }
 
 RunParts Simulation::parts() {
   RunParts parts{robot_, *engine_, scenario_.get(), &behaviors_, {}, {}, {}, longest_, false};
   return parts;
+}
+
+std::vector<ParameterChange> Simulation::kept_parameters() const {
+  const std::vector<Parameter> declared = parameters();
+  std::vector<ParameterChange> kept = kept_parameters_;
+  std::erase_if(kept, [&](const ParameterChange& change) {
+    return std::any_of(declared.begin(), declared.end(), [&](const auto& one) { return one.name == change.name; });
+  });
+  return kept;
 }
 
 std::vector<Parameter> Simulation::parameters() const {

@@ -26,6 +26,8 @@ class Simulation {
   ScenarioHost& scenario() { return *scenario_; }
   /// Of the engine, the scenario and the robot, by name, as they are now.
   std::vector<Parameter> parameters() const;
+  /// What parameter files hold for scripts and robots that are not in this run, and still are not.
+  std::vector<ParameterChange> kept_parameters() const;
 
  private:
   RecordedBehaviors behaviors_;
@@ -33,6 +35,7 @@ class Simulation {
   RobotInstance robot_;
   std::vector<Parameter> robot_parameters_;
   std::unique_ptr<FrameLoop> engine_;
+  std::vector<ParameterChange> kept_parameters_;
   double longest_;  ///< s
 };
 

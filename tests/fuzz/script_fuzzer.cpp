@@ -21,6 +21,7 @@
 
 #include "engine/parameters/parameter_registry.h"
 #include "engine/script/behaviors.h"
+#include "engine/script/language/script_actions.h"
 #include "engine/script/machine/machine_definition.h"
 #include "engine/script/script_error.h"
 #include "workbench/scenario/scenario_host.h"
@@ -33,8 +34,7 @@ namespace reorient {
 namespace {
 
 constexpr const char* kHonest = R"(KIND "honest_one" { update = function() log.info("alive") end })";
-constexpr int kFrames = 12;                 // between two edits
-constexpr std::size_t kMostPerFrame = 100;  // script_actions.cpp
+constexpr int kFrames = 12;  // between two edits
 constexpr std::size_t kMemorySlack = 64 * 1024;
 constexpr std::int64_t kInstructionSlack = 10'000;  // exits and what C functions did before they were charged
 constexpr double kLongestTick = 0.25;               // s of processor time, with sanitizers
@@ -177,7 +177,9 @@ class Trial {
  private:
   void look_at(const ScriptOutput& output) {
     require(!output.logs.empty() && output.logs.front().text == "alive", "the honest script goes on");
-    require(output.logs.size() <= kMostPerFrame, "log lines are bounded");
+    std::map<NameId, std::size_t> logged;
+    for (const LogRecord& record : output.logs)
+      require(++logged[record.machine] <= ScriptActions::kMostPerFrame, "log lines are bounded");
     std::map<NameId, int> transitions;
     for (const TransitionRecord& record : output.transitions) {
       require(++transitions[record.machine] == 1, "at most one transition for a machine in a frame");
@@ -243,7 +245,9 @@ class BehaviorTrial : private BehaviorLanguageFirst, public Trial {
 
   void look_at_actions() const override {
     const BehaviorOutput& wanted = language_of_behaviors.output();
-    require(wanted.commands.size() <= kMostPerFrame, "commands are bounded");
+    std::map<NameId, std::size_t> commanded;
+    for (const ReorientationRequest& request : wanted.commands)
+      require(++commanded[request.issuer.machine] <= ScriptActions::kMostPerFrame, "commands are bounded");
     // What a version issued before it was rolled back is from its own states, which are gone.
     for (const ReorientationRequest& request : wanted.commands) {
       if (!rolled_back()) require_state(request.issuer.machine, request.issuer.state);
@@ -277,7 +281,8 @@ class ScenarioTrial : private ScenarioLanguageFirst, public Trial {
 
   void look_at_actions() const override {
     const ScenarioActions& actions = language_of_scenarios.actions();
-    require(actions.actions().size() <= kMostPerFrame, "actions are bounded");
+    require(actions.actions().size() <= ScriptActions::kMostPerFrame * host().definitions().size(),
+            "actions are bounded");
     for (const ExperimenterAction& action : actions.actions()) {
       require(action.pose.position.allFinite() && std::isfinite(action.pose.rotation) && std::isfinite(action.stops),
               "an action is finite");

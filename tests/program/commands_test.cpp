@@ -157,6 +157,49 @@ TEST_F(CommandsTest, ARunSavesWhatWasTuned) {
   EXPECT_EQ(run_shortly({"--save-params", path("no/folder/x")}).code, kBadInput);
 }
 
+TEST_F(CommandsTest, OneFileOfParametersServesARobotInAllItsScenarios) {
+  const std::string team = path("team.toml"), saved = path("saved.toml");
+  folder_.write("team.toml", "[turned_round]\nlearn = 30\n[kidnapped]\nlearn = 20\n[careful]\nname = \"0\"\n");
+  std::ofstream(scripts_ / "behaviors/careful.lua") << "behavior \"careful\" {}\n";
+  const ProgramRun ran = run_shortly({"--scripts", scripts_.string(), "--params", team, "--save-params", saved});
+  EXPECT_EQ(ran.code, kWrong) << ran.err;  // after three seconds
+  const std::string text = read_whole_file(saved).value_or("");
+  EXPECT_NE(text.find("turned_round.learn = 30 "), std::string::npos) << text;
+  EXPECT_NE(text.find("kidnapped.learn = 20  # not used in the run that saved this\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("careful.name = 0 "), std::string::npos) << text;
+  // What is saved serves the other scenario, and what is misspelt there is a mistake as ever.
+  EXPECT_EQ(run_shortly({"kidnapped", "--scripts", scripts_.string(), "--params", saved}).code, kWrong);
+  folder_.write("team.toml", "[kidnapped]\nleran = 20\n");
+  EXPECT_EQ(run_shortly({"--scripts", scripts_.string(), "--params", team}).code, kWrong);
+  const ProgramRun misspelt = run_shortly({"kidnapped", "--scripts", scripts_.string(), "--params", team});
+  EXPECT_EQ(misspelt.code, kBadInput);
+  EXPECT_NE(misspelt.err.find("team.toml:2: there is no parameter 'kidnapped.leran'"), std::string::npos)
+      << misspelt.err;
+  EXPECT_NE(misspelt.err.find("did you mean 'kidnapped.learn'?"), std::string::npos) << misspelt.err;
+}
+
+TEST_F(CommandsTest, AModuleThatIsLoadedWithoutParametersHasNone) {
+  std::ofstream(scripts_ / "behaviors/careful.lua") << "behavior \"careful\" {}\n";
+  folder_.write("team.toml", "[careful]\nlead = 1\n");
+  const std::vector<std::string> words{"--scripts", scripts_.string(), "--params", path("team.toml")};
+  EXPECT_EQ(run_shortly(words).code, kWrong);
+  std::vector<std::string> with = words;
+  with.insert(with.end(), {"--with", "careful"});
+  EXPECT_EQ(run_shortly(with).code, kBadInput);
+}
+
+TEST_F(CommandsTest, EndsSoonWhereNobodyKnowsAHundredThousandParameters) {
+  std::string strangers, misspelt = "[head_scan]\n";
+  for (int i = 0; i < 100'000; ++i) {
+    strangers += "[stranger" + std::to_string(i) + "]\nkey = 1\n";
+    misspelt += "key" + std::to_string(i) + " = 1\n";
+  }
+  folder_.write("strangers.toml", strangers);
+  folder_.write("misspelt.toml", misspelt);
+  EXPECT_EQ(run({"params", "--params", path("strangers.toml")}).code, kSuccess);
+  EXPECT_EQ(run({"params", "--params", path("misspelt.toml")}).code, kBadInput);
+}
+
 TEST_F(CommandsTest, TestWritesAReportAndCoverage) {
   const std::string file = path("report.xml");
   const ProgramRun tested = run({"test", "--coverage", "--junit", file, (scripts_ / "tests/get_up_test.lua").string()});

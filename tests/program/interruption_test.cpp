@@ -58,6 +58,7 @@ TEST_P(InterruptedBy, TellsAndWritesWhatThereIs) {
     ChildProgram run(folder.path(),
                      words(realtime ? std::vector<std::string>{"--realtime"} : std::vector<std::string>{}));
     ASSERT_TRUE(run.await("patrol: "));
+    ASSERT_TRUE(run.await("> waiting (start)\n")) << "the timeline is there while the run goes on";
     run.kill(GetParam());
     EXPECT_EQ(run.wait(), 128 + GetParam());
     EXPECT_NE(run.out().find("wrong: interrupted\n"), std::string::npos) << run.out();

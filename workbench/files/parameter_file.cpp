@@ -1,6 +1,8 @@
 #include "workbench/files/parameter_file.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -61,6 +63,15 @@ std::string as_string(std::string_view text) {
   return out + '"';
 }
 
+/// A value of which only the text is known, so that it is read as this text again.
+std::string as_value(const std::string& text) {
+  if (text == "true" || text == "false") return text;
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return is_number && to_text(number) == text ? text : as_string(text);
+}
+
 /// A comment ends with its line, and holds no other control characters either.
 std::string as_comment(std::string text) {
   std::replace_if(
@@ -99,7 +110,8 @@ std::vector<ParameterChange> read_parameters(const std::filesystem::path& file) 
   return changes;
 }
 
-void save_parameters(const std::vector<Parameter>& parameters, const std::filesystem::path& file) {
+void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
+                     const std::filesystem::path& file) {
   std::string text;
   for (const Parameter& parameter : parameters) {
     if (parameter.origin == ParameterOrigin::default_value) continue;
@@ -107,6 +119,8 @@ void save_parameters(const std::vector<Parameter>& parameters, const std::filesy
     text += as_key(parameter.name) + " = " + (parameter.kind == ParameterKind::choice ? as_string(value) : value) +
             "  # " + as_comment(range_text(parameter) + ": " + parameter.description) + "\n";
   }
+  for (const ParameterChange& change : kept)
+    text += as_key(change.name) + " = " + as_value(change.value) + "  # not used in the run that saved this\n";
   write_whole_file(file, text);
 }
 

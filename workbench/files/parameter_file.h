@@ -12,8 +12,9 @@ namespace reorient {
 /// why.
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file);
 
-/// Writes those that differ from their defaults (beside the file first, then renamed). Throws std::runtime_error when
-/// it cannot.
-void save_parameters(const std::vector<Parameter>& parameters, const std::filesystem::path& file);
+/// Writes those that differ from their defaults, and `kept`: values that a file had for modules that are not there
+/// (beside the file first, then renamed). Throws std::runtime_error when it cannot.
+void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
+                     const std::filesystem::path& file);
 
 }  // namespace reorient

@@ -1,58 +1,74 @@
 #include "workbench/run/timeline.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace reorient {
 namespace {
 
-void keep(std::deque<TimelineEvent>& events, std::uint64_t& count, TimelineEvent event) {
-  events.push_back(std::move(event));
-  ++count;
-  if (events.size() > Timeline::kMostOfAMachine) events.pop_front();
+void append_transitions(const NameTable& names, const std::vector<TransitionRecord>& transitions, double time,
+                        std::vector<TimelineEvent>& events) {
+  for (const TransitionRecord& record : transitions) {
+    const std::string& from = names[record.from];
+    const std::string change = (from.empty() ? "> " : from + " > ") + names[record.to];
+    events.push_back({time, names[record.machine], change, "", names[record.reason], "", false});
+  }
+}
+
+TimelineEvent command_event(const NameTable& names, const Issuer& issuer, std::string_view command, Verdict verdict,
+                            double time) {
+  TimelineEvent event{time, names[issuer.machine], names[issuer.state], std::string(command), names[issuer.reason], "",
+                      false};
+  event.verdict = to_string(verdict);
+  return event;
 }
 
 }  // namespace
 
-void Timeline::observe(const FrameRecord& frame, const StageRecord& stage) {
+std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const StageRecord& stage) {
   const double time = frame.world.time;
-  note_transitions(*frame.names, frame.transitions, time);
+  std::vector<TimelineEvent> events;
+  append_transitions(*frame.names, frame.transitions, time, events);
   for (const Lease& lease : frame.begun)
-    note_command(*frame.names, lease.issuer, to_string(lease.pause), to_string(Verdict::granted), time);
+    events.push_back(command_event(*frame.names, lease.issuer, to_string(lease.pause), Verdict::granted, time));
   for (const CommandRecord& command : frame.commands) {
-    note_command(*frame.names, command.request.issuer, to_string(command.request.reorientation),
-                 to_string(command.verdict), time);
+    events.push_back(command_event(*frame.names, command.request.issuer, to_string(command.request.reorientation),
+                                   command.verdict, time));
+    events.back().reorients = command.verdict == Verdict::granted;
   }
-  note_transitions(*stage.scenario.names, stage.scenario.transitions, time);
+  append_transitions(*stage.scenario.names, stage.scenario.transitions, time, events);
+  return events;
 }
 
-MachineEvents& Timeline::events_of(const std::string& machine) {
+void CommandHistory::observe(const FrameRecord& frame, const StageRecord& stage) {
+  for (TimelineEvent& event : timeline_events(frame, stage)) {
+    if (event.command.empty()) continue;
+    Commands& commands = commands_of(event.machine);
+    commands.kept.emplace_back(count_++, std::move(event));
+    ++commands.count;
+    if (commands.kept.size() > kMostOfAMachine) commands.kept.pop_front();
+  }
+}
+
+CommandHistory::Commands& CommandHistory::commands_of(const std::string& machine) {
   const auto found = machines_.find(machine);
   if (found != machines_.end() || machines_.size() < kMostMachines) return machines_[machine];
   return machines_["(others)"];
 }
 
-void Timeline::note_transitions(const NameTable& names, const std::vector<TransitionRecord>& transitions, double time) {
-  for (const TransitionRecord& record : transitions) {
-    MachineEvents& events = events_of(names[record.machine]);
-    keep(events.transitions, events.transition_count,
-         {time, order_++, names[record.machine], names[record.from] + " > " + names[record.to], "",
-          names[record.reason], ""});
-  }
+std::vector<TimelineEvent> CommandHistory::commands() const {
+  std::vector<std::pair<std::uint64_t, TimelineEvent>> all;
+  for (const auto& [name, commands] : machines_) all.insert(all.end(), commands.kept.begin(), commands.kept.end());
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<TimelineEvent> events;
+  for (auto& [place, event] : all) events.push_back(std::move(event));
+  return events;
 }
 
-void Timeline::note_command(const NameTable& names, const Issuer& issuer, std::string_view command,
-                            std::string_view verdict, double time) {
-  MachineEvents& events = events_of(names[issuer.machine]);
-  keep(events.commands, events.command_count,
-       {time, order_++, names[issuer.machine], names[issuer.state], std::string(command), names[issuer.reason],
-        std::string(verdict)});
-}
-
-std::vector<TimelineEvent> Timeline::commands() const {
-  std::vector<TimelineEvent> all;
-  for (const auto& [name, events] : machines_) all.insert(all.end(), events.commands.begin(), events.commands.end());
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.order < b.order; });
-  return all;
+std::uint64_t CommandHistory::dropped() const {
+  std::uint64_t dropped = 0;
+  for (const auto& [name, commands] : machines_) dropped += commands.count - commands.kept.size();
+  return dropped;
 }
 
 }  // namespace reorient

@@ -1,5 +1,4 @@
-// The events of a run in words: commands, pauses and changes of state. It takes a bounded memory: of each machine the
-// latest events are kept, the older ones only counted.
+// The events of a run in words: commands, pauses and changes of state.
 #pragma once
 
 #include <cstdint>
@@ -13,42 +12,40 @@
 namespace reorient {
 
 struct TimelineEvent {
-  double time = 0.0;        ///< s
-  std::uint64_t order = 0;  ///< among all events
+  double time = 0.0;  ///< s
   std::string machine;
   std::string state;    ///< path; of a change: "from > to"
   std::string command;  ///< empty: a change of state
   std::string reason;
   std::string verdict;
+  bool reorients = false;  ///< a granted flip, purge or reset
 };
 
-/// What one machine did.
-struct MachineEvents {
-  std::deque<TimelineEvent> transitions;  ///< the latest
-  std::deque<TimelineEvent> commands;     ///< the latest, pauses among them
-  std::uint64_t transition_count = 0;
-  std::uint64_t command_count = 0;
-};
+/// Of one frame, in their order: a change of state comes before the commands that it led to.
+std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const StageRecord& stage);
 
-class Timeline : public Observer {
+/// The commands and pauses of a run. It takes a bounded memory: of each machine the latest are kept, the older ones
+/// only counted.
+class CommandHistory : public Observer {
  public:
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
 
-  const std::map<std::string, MachineEvents>& machines() const { return machines_; }
-  /// All commands that are kept, in the order of time.
+  /// All that are kept, in the order of time.
   std::vector<TimelineEvent> commands() const;
+  std::uint64_t dropped() const;  ///< how many are not kept
 
-  static constexpr std::size_t kMostOfAMachine = 500;  ///< of each kind
-  static constexpr std::size_t kMostMachines = 200;    ///< names may change with every edit
+  static constexpr std::size_t kMostOfAMachine = 500;
+  static constexpr std::size_t kMostMachines = 200;  ///< names may change with every edit
 
  private:
-  MachineEvents& events_of(const std::string& machine);
-  void note_transitions(const NameTable& names, const std::vector<TransitionRecord>& transitions, double time);
-  void note_command(const NameTable& names, const Issuer& issuer, std::string_view command, std::string_view verdict,
-                    double time);
+  struct Commands {
+    std::deque<std::pair<std::uint64_t, TimelineEvent>> kept;  ///< with their place among all
+    std::uint64_t count = 0;
+  };
+  Commands& commands_of(const std::string& machine);
 
-  std::map<std::string, MachineEvents> machines_;
-  std::uint64_t order_ = 0;
+  std::map<std::string, Commands> machines_;
+  std::uint64_t count_ = 0;
 };
 
 }  // namespace reorient

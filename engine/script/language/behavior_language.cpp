@@ -49,7 +49,7 @@ void BehaviorActions::begin_frame(ScriptOutput& output, double time) {
 
 void BehaviorActions::reorient_by(Reorientation reorientation) {
   require_acting();
-  if (output_.commands.size() >= kMostPerFrame) throw std::runtime_error("too many commands in one frame");
+  count_action();
   output_.commands.push_back({reorientation, issuer(), machine().definition().priority});
 }
 

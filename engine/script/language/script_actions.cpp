@@ -8,6 +8,21 @@ void ScriptActions::require_acting() const {
   if (phase_ == Phase::looking) throw std::runtime_error("a condition only looks; act in enter, update or exit");
 }
 
+void ScriptActions::speak(Machine* machine, int state, Phase phase) {
+  if (machine != nullptr && machine != counted_) {
+    counted_ = machine;
+    logged_ = acted_ = 0;
+  }
+  machine_ = machine;
+  state_ = state;
+  phase_ = phase;
+}
+
+void ScriptActions::count_action() {
+  if (acted_++ >= kMostPerFrame)
+    throw std::runtime_error("too many actions in one frame: at most " + std::to_string(kMostPerFrame));
+}
+
 Issuer ScriptActions::issuer() const {
   const MachineDefinition& definition = machine_->definition();
   return {definition.name_id, definition.states[state_].path_id, machine_->reason()};
@@ -15,9 +30,13 @@ Issuer ScriptActions::issuer() const {
 
 void ScriptActions::inform(std::string_view text) {
   require_acting();
-  if (output_->logs.size() >= kMostPerFrame) return;
   const Issuer who = issuer();
-  output_->logs.push_back({who.machine, who.state, std::string(text)});
+  std::vector<LogRecord>& logs = output_->logs;
+  if (logged_++ < kMostPerFrame) {
+    logs.push_back({who.machine, who.state, std::string(text), 0});
+  } else {
+    ++logs.back().dropped;  // its own: machines tick one after the other
+  }
 }
 
 double ScriptActions::time_in_state() {

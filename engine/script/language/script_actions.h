@@ -24,23 +24,23 @@ class ScriptActions {
   virtual void begin_frame(ScriptOutput& output, double time) {
     output_ = &output;
     time_ = time;
+    counted_ = nullptr;
   }
 
   /// Who speaks from now on.
-  void speak(Machine* machine, int state, Phase phase) {
-    machine_ = machine;
-    state_ = state;
-    phase_ = phase;
-  }
+  void speak(Machine* machine, int state, Phase phase);
   void fall_silent() { speak(nullptr, 0, Phase::loading); }
+
+  /// Log lines, and commands or actions, of each machine: one that is out of its mind silences no other.
+  static constexpr std::size_t kMostPerFrame = 100;
 
   void inform(std::string_view text);
   double time_in_state();
 
  protected:
-  static constexpr std::size_t kMostPerFrame = 100;  ///< log lines, commands, actions of all scripts
-
   void require_acting() const;
+  /// Throws where a machine has done too much in this frame.
+  void count_action();
   Machine& machine() const { return *machine_; }
   int state() const { return state_; }
   double time() const { return time_; }
@@ -52,6 +52,10 @@ class ScriptActions {
   Machine* machine_ = nullptr;
   int state_ = 0;
   Phase phase_ = Phase::loading;
+
+  const Machine* counted_ = nullptr;  ///< whose log lines and actions these are; machines tick one after the other
+  std::size_t logged_ = 0;
+  std::size_t acted_ = 0;
 };
 
 }  // namespace reorient

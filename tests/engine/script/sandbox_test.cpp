@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"DeclaresLater", "behavior \"second\" {}", "while it is loaded"},
         Attack{"NotANumber", "head.look(0 / 0, 0)", "finite number"},
         Attack{"EndlessSpeed", "walk.velocity(math.huge, 0, 0)", "finite number"},
-        Attack{"CommandFlood", "while true do command.flip_pose() end", "too many commands"},
+        Attack{"CommandFlood", "while true do command.flip_pose() end", "too many actions"},
         Attack{"LogFlood", "while true do log.info(\"x\") end", kBudget},
         Attack{"UnknownBehavior", "local _ = behaviors.honets.state", "did you mean 'honest'"},
         Attack{"UnknownField", "local _ = robot.penalised",
@@ -145,6 +145,28 @@ TEST_F(Sandboxed, NothingLeadsOut) {
 TEST_F(Sandboxed, BytecodeIsRefused) {
   EXPECT_NE(refusal(std::string("\x1bLuaT\x00\x19\x93\r\n", 10)).message.find("attempt to load a binary chunk"),
             std::string::npos);
+}
+
+TEST_F(Sandboxed, AChattyScriptSilencesNoOtherAndIsToldWhatWasDropped) {
+  load("chatty", updating("for i = 1, 150 do log.info(i) end"));
+  load("quiet", R"(behavior "quiet" { update = function() log.info("heard") end })");
+  tick();
+  const std::vector<LogRecord>& said = behaviors().said().logs;
+  ASSERT_EQ(said.size(), ScriptActions::kMostPerFrame + 1);
+  EXPECT_EQ(said[ScriptActions::kMostPerFrame - 1].dropped, 150 - static_cast<int>(ScriptActions::kMostPerFrame));
+  EXPECT_EQ(said.back().text, "heard");
+  EXPECT_EQ(said.back().dropped, 0);
+  tick();
+  EXPECT_EQ(behaviors().said().logs.size(), ScriptActions::kMostPerFrame + 1) << "counted anew in each frame";
+}
+
+TEST_F(Sandboxed, AFloodOfCommandsIsNoErrorOfTheNextScript) {
+  load("evil", updating("for i = 1, 150 do command.flip_pose() end"));
+  load("honest", R"(behavior "honest" { update = function() command.flip_pose() end })");
+  const SeenTick& output = tick();
+  ASSERT_EQ(output.faults.size(), 1u);
+  EXPECT_EQ(output.faults[0].script, "behaviors/evil.lua");
+  EXPECT_EQ(output.commands.back().machine, "honest");
 }
 
 TEST_F(Sandboxed, AnErrorInExitDoesNotKeepTheMachineInTheState) {

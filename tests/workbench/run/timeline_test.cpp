@@ -1,4 +1,4 @@
-// Events in words, of which a bounded number is kept.
+// The events of a run in words, of which a bounded number of commands is kept.
 #include "workbench/run/timeline.h"
 
 #include <gtest/gtest.h>
@@ -14,56 +14,61 @@ class TimelineTest : public ::testing::Test {
     frame.names = names.table();
   }
   NameId id(const std::string& name) { return names.intern(name); }
+  Issuer issuer() { return {id("orientation"), id("correcting"), id("the opposite pose won")}; }
+  TransitionRecord transition(const std::string& machine) {
+    return {id(machine), id("watching"), id("correcting"), id("the opposite pose won"), 0};
+  }
 
   Names names;
   FrameRecord frame;
   StageRecord stage;
-  Timeline timeline;
+  CommandHistory history;
 };
 
 TEST_F(TimelineTest, TellsChangesOfStatePausesAndCommandsInTheirOrder) {
   frame.world.time = 4.0;
-  const Issuer issuer{id("orientation"), id("correcting"), id("the opposite pose won")};
-  frame.transitions.push_back({id("orientation"), id("watching"), id("correcting"), issuer.reason, 0});
-  frame.begun.push_back({Pause::training, issuer});
-  frame.commands.push_back({{Reorientation::flip_pose, issuer, 50.0}, Verdict::too_soon});
-  timeline.observe(frame, stage);
-  const MachineEvents& events = timeline.machines().at("orientation");
-  ASSERT_EQ(events.transitions.size(), 1u);
-  EXPECT_EQ(events.transitions[0].state, "watching > correcting");
-  EXPECT_EQ(events.transitions[0].reason, "the opposite pose won");
-  EXPECT_EQ(events.transitions[0].time, 4.0);
-  const std::vector<TimelineEvent> commands = timeline.commands();
-  ASSERT_EQ(commands.size(), 2u);
-  EXPECT_EQ(commands[0].command, "pause_training");
-  EXPECT_EQ(commands[0].verdict, "granted");
-  EXPECT_EQ(commands[1].command, "flip_pose");
-  EXPECT_EQ(commands[1].verdict, "too_soon");
-  EXPECT_EQ(commands[1].state, "correcting");
+  frame.transitions.push_back(transition("orientation"));
+  frame.begun.push_back({Pause::training, issuer()});
+  frame.commands.push_back({{Reorientation::flip_pose, issuer(), 50.0}, Verdict::too_soon});
+  const std::vector<TimelineEvent> events = timeline_events(frame, stage);
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].state, "watching > correcting");
+  EXPECT_EQ(events[0].reason, "the opposite pose won");
+  EXPECT_EQ(events[0].time, 4.0);
+  EXPECT_EQ(events[1].command, "pause_training");
+  EXPECT_EQ(events[1].verdict, "granted");
+  EXPECT_EQ(events[2].command, "flip_pose");
+  EXPECT_EQ(events[2].verdict, "too_soon");
+  EXPECT_EQ(events[2].state, "correcting");
+  history.observe(frame, stage);
+  ASSERT_EQ(history.commands().size(), 2u);
+  EXPECT_EQ(history.commands()[0].command, "pause_training");
+  EXPECT_EQ(history.dropped(), 0u);
 }
 
-TEST_F(TimelineTest, KeepsTheLatestOfEachMachineAndCountsTheRest) {
-  frame.transitions.push_back({id("orientation"), id("watching"), id("correcting"), 0, 0});
-  timeline.observe(frame, stage);
-  frame.transitions[0].machine = id("busy");
+TEST_F(TimelineTest, KeepsTheLatestCommandsOfEachMachineAndCountsTheRest) {
+  frame.begun.push_back({Pause::training, issuer()});
+  history.observe(frame, stage);
+  frame.begun[0].issuer.machine = id("busy");
   for (int i = 0; i < 10'000; ++i) {
     frame.world.time = i;
-    timeline.observe(frame, stage);
+    history.observe(frame, stage);
   }
-  const MachineEvents& busy = timeline.machines().at("busy");
-  EXPECT_EQ(busy.transitions.size(), Timeline::kMostOfAMachine);
-  EXPECT_EQ(busy.transition_count, 10'000u);
-  EXPECT_EQ(busy.transitions.back().time, 9'999.0);
-  EXPECT_EQ(timeline.machines().at("orientation").transitions.size(), 1u) << "a busy machine hides no other";
+  const std::vector<TimelineEvent> commands = history.commands();
+  ASSERT_EQ(commands.size(), CommandHistory::kMostOfAMachine + 1);
+  EXPECT_EQ(commands.front().machine, "orientation") << "a busy machine hides no other";
+  EXPECT_EQ(commands.back().time, 9'999.0);
+  EXPECT_EQ(history.dropped(), 10'000u - CommandHistory::kMostOfAMachine);
 }
 
 TEST_F(TimelineTest, TakesABoundedMemoryHoweverManyMachinesThereWere) {
   for (int i = 0; i < 1000; ++i) {
-    frame.transitions = {{id("edited_" + std::to_string(i)), 0, 0, 0, 0}};
+    frame.begun = {{Pause::training, {id("edited_" + std::to_string(i)), 0, 0}}};
     frame.names = names.table();
-    timeline.observe(frame, stage);
+    history.observe(frame, stage);
   }
-  EXPECT_LE(timeline.machines().size(), Timeline::kMostMachines + 1);
+  // One of each machine that has a place of its own, and the latest of the others.
+  EXPECT_LE(history.commands().size(), CommandHistory::kMostMachines + CommandHistory::kMostOfAMachine);
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+#include "program/parameter_modules.h"
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include <spdlog/spdlog.h>
+
+#include "engine/parameters/nearest_name.h"
+#include "program/robots.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kMostWarnings = 10;
+
+void warn_of_strangers(const std::map<std::string, std::string>& sources, const ParameterModules& modules) {
+  const std::vector<std::string> known(modules.anywhere.begin(), modules.anywhere.end());
+  std::size_t told = 0;
+  for (const auto& [module, source] : sources) {
+    if (told++ == kMostWarnings) break;
+    spdlog::warn(
+        "{}: no script and no part of the program is called '{}'{}; its values are kept, but nobody reads them", source,
+        module, did_you_mean(module, known));
+  }
+  if (sources.size() > kMostWarnings) spdlog::warn("and {} more such tables", sources.size() - kMostWarnings);
+}
+
+}  // namespace
+
+std::string module_of(std::string_view parameter) {
+  const std::size_t dot = parameter.rfind('.');
+  return std::string(parameter.substr(0, dot == std::string_view::npos ? 0 : dot));
+}
+
+std::string module_of_script(std::string_view file) { return std::filesystem::path(file).stem().string(); }
+
+std::set<std::string> all_modules(const ScriptTexts& scripts) {
+  std::set<std::string> modules;
+  for (const std::string& file : scripts.files()) modules.insert(module_of_script(file));
+  for (const std::string& robot : robot_names()) {
+    for (const Parameter& parameter : robot_parameters(robot, {})) modules.insert(module_of(parameter.name));
+  }
+  return modules;
+}
+
+std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>& overrides,
+                                             const ParameterModules& modules) {
+  std::set<std::string> names, loaded = modules.loaded;
+  for (const Parameter& parameter : modules.parameters) {
+    names.insert(parameter.name);
+    loaded.insert(module_of(parameter.name));
+  }
+  std::map<std::string, ParameterChange> kept;   // the last one of a name holds
+  std::map<std::string, std::string> strangers;  // module and where it is named first
+  for (const ParameterChange& change : overrides) {
+    if (names.contains(change.name)) continue;
+    const std::string module = module_of(change.name);
+    if (change.origin != ParameterOrigin::file || module.empty() || loaded.contains(module)) {
+      throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "there is no parameter '" +
+                               change.name + "' (set by the " + std::string(to_string(change.origin)) + ")" +
+                               did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end())));
+    }
+    if (!modules.anywhere.contains(module)) strangers.try_emplace(module, change.source);
+    kept.insert_or_assign(change.name, change);
+  }
+  warn_of_strangers(strangers, modules);
+  std::vector<ParameterChange> all;
+  for (auto& [name, change] : kept) all.push_back(std::move(change));
+  return all;
+}
+
+}  // namespace reorient

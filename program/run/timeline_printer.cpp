@@ -1,0 +1,56 @@
+#include "program/run/timeline_printer.h"
+
+#include <ostream>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+namespace reorient {
+
+std::string to_text(const TimelineEvent& event) {
+  const std::string what = event.command.empty() ? event.state : event.command + " " + event.verdict;
+  return event.reason.empty() ? what : what + " (" + event.reason + ")";
+}
+
+TimelinePrinter::TimelinePrinter(std::ostream& out, bool every_event, std::function<void()> make_room)
+    : out_(out), every_event_(every_event), make_room_(std::move(make_room)) {}
+
+bool TimelinePrinter::is_news(const TimelineEvent& event) {
+  if (every_event_) return true;
+  if (last_.size() >= kMostRemembered && event.time >= tidied_ + 1.0) {
+    std::erase_if(last_, [&](const auto& each) { return event.time - each.second >= kRepeats; });
+    tidied_ = event.time;
+  }
+  const std::string key = event.machine + '\n' + to_text(event);
+  const auto found = last_.find(key);
+  if (found == last_.end() && last_.size() >= kMostRemembered) return false;
+  const bool is_recent = found != last_.end() && event.time - found->second < kRepeats;
+  last_[key] = event.time;
+  return !is_recent;
+}
+
+void TimelinePrinter::observe(const FrameRecord& frame, const StageRecord& stage) {
+  bool printed = false;
+  for (const TimelineEvent& event : timeline_events(frame, stage)) {
+    if (!is_news(event) && !event.reorients) {
+      const bool has_room = repeated_.contains(event.machine) || repeated_.size() < CommandHistory::kMostMachines;
+      ++repeated_[has_room ? event.machine : "(others)"];
+      continue;
+    }
+    if (!std::exchange(printed, true) && make_room_) make_room_();
+    if (!std::exchange(has_header_, true)) out_ << "    time  behaviour             what it did (why)\n";
+    out_ << fmt::format("{:>6.2f} s  {:<20}  {}\n", event.time, event.machine, to_text(event));
+  }
+  if (printed) out_.flush();
+}
+
+void TimelinePrinter::finish(const FrameRecord& /*last*/, const StageRecord& /*stage*/) {
+  if (repeated_.empty()) return;
+  if (make_room_) make_room_();
+  for (const auto& [machine, count] : repeated_) {
+    out_ << fmt::format("          {:<20}  {} events that came again within {:.0f} s; --every-transition shows them\n",
+                        machine, count, kRepeats);
+  }
+}
+
+}  // namespace reorient

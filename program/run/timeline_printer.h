@@ -1,0 +1,44 @@
+// The timeline for a person, line by line as it happens.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <string>
+
+#include "workbench/run/timeline.h"
+
+namespace reorient {
+
+/// Prints a line for each event. What repeats itself soon, as a head that looks from side to side, is printed once and
+/// then counted: it would hide what matters. A granted flip, purge or reset is always printed.
+class TimelinePrinter : public Observer {
+ public:
+  /// `make_room`: called before a line is printed where others have written into the terminal's last line; may be
+  /// empty.
+  TimelinePrinter(std::ostream& out, bool every_event, std::function<void()> make_room = {});
+
+  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void finish(const FrameRecord& last, const StageRecord& stage) override;
+
+  static constexpr double kRepeats = 10.0;  ///< s after which the same event is news again
+  static constexpr std::size_t kMostRemembered =
+      10'000;  ///< events; with all of them recent, new ones are counted only
+
+ private:
+  bool is_news(const TimelineEvent& event);
+
+  std::ostream& out_;
+  bool every_event_;
+  std::function<void()> make_room_;
+  bool has_header_ = false;
+  double tidied_ = 0.0;                            ///< s, when what is no longer recent was forgotten
+  std::map<std::string, double> last_;             ///< s; of each event that is remembered, when it came last
+  std::map<std::string, std::uint64_t> repeated_;  ///< by machine: events that were not printed
+};
+
+/// "flip_pose granted (the opposite pose won)", "watching > correcting (the opposite pose won)"
+std::string to_text(const TimelineEvent& event);
+
+}  // namespace reorient

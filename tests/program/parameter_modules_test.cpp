@@ -1,0 +1,75 @@
+// Values for modules that are not there.
+#include "program/parameter_modules.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+namespace reorient {
+namespace {
+
+class ParameterModulesTest : public ::testing::Test {
+ protected:
+  ParameterModulesTest() {
+    Parameter lead;
+    lead.name = "orientation.lead";
+    modules.parameters = {lead};
+    modules.loaded = {"orientation", "silent"};
+    modules.anywhere = {"orientation", "silent", "goal_search", "body"};
+    spdlog::set_default_logger(
+        std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
+    spdlog::set_pattern("%v");
+  }
+  ~ParameterModulesTest() override { spdlog::set_default_logger(before); }
+
+  ParameterChange in_file(const std::string& name, const std::string& value = "1") const {
+    return {name, value, ParameterOrigin::file, "team.toml:7"};
+  }
+  std::string refusal(const ParameterChange& change) const {
+    try {
+      kept_for_others({change}, modules);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  ParameterModules modules;
+  std::ostringstream log;
+  std::shared_ptr<spdlog::logger> before = spdlog::default_logger();
+};
+
+TEST_F(ParameterModulesTest, KeepsWhatAnotherRunMayLoad) {
+  const std::vector<ParameterChange> kept = kept_for_others(
+      {in_file("orientation.lead"), in_file("goal_search.speed", "2"), in_file("goal_search.speed", "3")}, modules);
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].name, "goal_search.speed");
+  EXPECT_EQ(kept[0].value, "3") << "the last one of a name holds";
+  EXPECT_EQ(log.str(), "");
+}
+
+TEST_F(ParameterModulesTest, WarnsOnceOfAModuleThatNoRunCouldLoad) {
+  EXPECT_EQ(kept_for_others({in_file("goal_saerch.speed"), in_file("goal_saerch.time")}, modules).size(), 2u);
+  EXPECT_EQ(
+      log.str(),
+      "team.toml:7: no script and no part of the program is called 'goal_saerch' (did you mean 'goal_search'?); its "
+      "values are kept, but nobody reads them\n");
+}
+
+TEST_F(ParameterModulesTest, RefusesWhatAModuleThatIsThereDoesNotHave) {
+  EXPECT_EQ(
+      refusal(in_file("orientation.laed")),
+      "team.toml:7: there is no parameter 'orientation.laed' (set by the file) (did you mean 'orientation.lead'?)");
+  EXPECT_NE(refusal(in_file("silent.lead")), "accepted");
+  EXPECT_NE(refusal(in_file("lead")), "accepted") << "a name without a module";
+}
+
+TEST_F(ParameterModulesTest, RefusesWhatTheCommandLineSetsInVain) {
+  EXPECT_NE(refusal({"goal_search.speed", "1", ParameterOrigin::command_line, ""}), "accepted");
+}
+
+}  // namespace
+}  // namespace reorient
