@@ -3,6 +3,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "engine/parameters/nearest_name.h"
 #include "workbench/files/home.h"
 #include "workbench/files/parameter_file.h"
 
@@ -14,18 +15,23 @@ void add_parameter_options(CLI::App& parser, ParameterOptions& options) {
   parser
       .add_option("--params", options.files,
                   "TOML file with overrides, or the name of one in assets/parameters: paper; may be given again")
+      ->check(check_not_empty)
       ->allow_extra_args(false);
 }
 
 namespace {
 
-/// "paper" is assets/parameters/paper.toml; everything else is a path.
+constexpr std::string_view kParameterFiles[] = {".toml"};
+
 std::filesystem::path parameter_file(const std::filesystem::path& named) {
-  const bool is_name = !named.has_parent_path() && !named.has_extension();
-  if (!is_name || std::filesystem::exists(named)) return named;
-  std::filesystem::path preset = find_home() / "assets" / "parameters" / named;
-  preset += ".toml";
-  return std::filesystem::exists(preset) ? preset : named;
+  std::filesystem::path file = asset_file("parameters", named, kParameterFiles);
+  std::error_code error;
+  if (!std::filesystem::exists(file, error) && !named.has_parent_path() && !named.has_extension()) {
+    throw std::runtime_error("--params " + named.string() + ": there is no such file, and none of this name in " +
+                             "assets/parameters" +
+                             did_you_mean(named.string(), asset_names("parameters", kParameterFiles)));
+  }
+  return file;
 }
 
 }  // namespace
@@ -46,7 +52,8 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
 }
 
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts) {
-  parser.add_option("--scripts", scripts, "root of the scripts (default: scripts/ of the project)");
+  parser.add_option("--scripts", scripts, "root of the scripts (default: scripts/ of the project)")
+      ->check(check_not_empty);
 }
 
 std::filesystem::path scripts_root(const std::filesystem::path& told) {
@@ -58,6 +65,10 @@ std::string check_seed(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error == std::errc() && end == text.data() + text.size()) return {};
   return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
+}
+
+std::string check_not_empty(const std::string& text) {
+  return text.empty() ? "is empty; give it a value or leave it out" : "";
 }
 
 std::string check_seconds(const std::string& text) {

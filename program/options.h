@@ -27,6 +27,8 @@ std::filesystem::path scripts_root(const std::filesystem::path& told);
 // CLI11 by itself takes a negative or too large number for a seed and wraps it round, and lets NaN through a range.
 // These return what is wrong, or nothing.
 std::string check_seed(const std::string& text);
+/// An empty word is rather a variable of the shell without a value than a wish for the default.
+std::string check_not_empty(const std::string& text);
 std::string check_seconds(const std::string& text);
 
 }  // namespace reorient

@@ -57,9 +57,12 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
     if (names.contains(change.name)) continue;
     const std::string module = module_of(change.name);
     if (change.origin != ParameterOrigin::file || module.empty() || loaded.contains(module)) {
+      const bool may_be_loaded = !loaded.contains(module) && modules.anywhere.contains(module);
+      const std::string hint = may_be_loaded
+                                   ? "; this run does not load '" + module + "' (--with loads a behavior)"
+                                   : did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end()));
       throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "there is no parameter '" +
-                               change.name + "' (set by the " + std::string(to_string(change.origin)) + ")" +
-                               did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end())));
+                               change.name + "' (set by the " + std::string(to_string(change.origin)) + ")" + hint);
     }
     if (!modules.anywhere.contains(module)) strangers.try_emplace(module, change.source);
     kept.insert_or_assign(change.name, change);

@@ -1,7 +1,9 @@
 #include "program/program.h"
 
 #include <array>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <span>
@@ -14,6 +16,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "program/subcommand.h"
+#include "workbench/files/home.h"
 
 namespace reorient {
 namespace {
@@ -38,13 +41,35 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// Where the first word is no subcommand but looks like one.
+/// What may have been meant by a word that nobody expected: an option, a subcommand, or a scenario to run.
 std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
-  const std::vector<std::string> unknown = app.remaining();
+  const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty()) return {};
-  std::vector<std::string> names;
-  for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.parser->get_name());
-  return did_you_mean(unknown.front(), names);
+  std::vector<const CLI::App*> asked{&app};
+  for (const CLI::App* sub : app.get_subcommands()) asked.push_back(sub);
+  std::vector<std::string> known;
+  if (unknown.front().starts_with("-")) {
+    for (const CLI::App* parser : asked) {
+      for (const CLI::Option* option : parser->get_options()) {
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+      }
+    }
+    return did_you_mean(unknown.front().substr(0, unknown.front().find('=')), known);
+  }
+  if (asked.size() > 1) return {};
+  std::error_code error;
+  if (std::filesystem::exists(find_home() / "scripts" / "scenarios" / (unknown.front() + ".lua"), error))
+    return " (did you mean 'reorient run " + unknown.front() + "'?)";
+  for (const Subcommand& subcommand : subcommands) known.push_back(subcommand.parser->get_name());
+  return did_you_mean(unknown.front(), known);
+}
+
+/// NO_COLOR: https://no-color.org
+spdlog::color_mode color_mode(const std::string& asked) {
+  if (asked == "always") return spdlog::color_mode::always;
+  const char* const no_color = std::getenv("NO_COLOR");
+  const bool is_unwanted = asked == "never" || (no_color != nullptr && *no_color != '\0');
+  return is_unwanted ? spdlog::color_mode::never : spdlog::color_mode::automatic;
 }
 
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
@@ -55,6 +80,10 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   std::string log_level = "info";
   app.add_option("--log", log_level, "what to log: debug, info, warning, error, off")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
+  std::string color = "auto";
+  app.add_option("--color", color, "of log lines: auto is on a terminal, unless NO_COLOR is set")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   app.set_version_flag("--version", "reorient " REORIENT_VERSION);
   const std::array subcommands{add_run(app),    add_test(app),  add_check(app),  add_new(app),
@@ -76,11 +105,11 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     err << "reorient: " << one_line(error.what()) << " (see reorient --help)\n";
     return kBadInput;
   }
-  spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>("reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>(
+      "reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(color_mode(color))));
   spdlog::set_level(spdlog::level::from_str(log_level));
   // On a terminal a log line takes the place of the progress line, which is drawn again below it.
-  spdlog::set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[K[%T] [%^%l%$] %v" : "[%T] [%l] %v");
+  spdlog::set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[K[%T] [%^%l%$] %v" : "[%T] [%^%l%$] %v");
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }

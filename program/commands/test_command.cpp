@@ -52,6 +52,9 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   options.seed = request.seed;
   options.width = request.width;
   options.seconds = request.seconds;
+  options.room = file_named_by_script(scripts, request.room);
+  options.hall_seed = request.hall_seed;
+  options.field = file_named_by_script(scripts, request.field);
   options.room_awareness = request.room_awareness;
   for (const auto& [name, value] : request.parameters)
     options.parameters.assignments.emplace_back(name).append("=").append(value);

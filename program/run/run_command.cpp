@@ -44,10 +44,6 @@ class ScriptEdits : public InputSource {
   ScriptFiles files_;
 };
 
-std::string room_name(const RunOptions& options) {
-  return options.room.empty() ? fmt::format("procedural hall {}", options.hall) : options.room;
-}
-
 void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("scenario", options.scenario, "scripts/scenarios/NAME.lua, or a path to a file")
       ->capture_default_str();
@@ -58,9 +54,15 @@ void add_options(CLI::App& run, RunOptions& options) {
       ->allow_extra_args(false);
   run.add_option("--without", options.without, "leave a behaviour of the scenario out; may be given again")
       ->allow_extra_args(false);
-  run.add_option("--room", options.room, "equirectangular panorama: .hdr, .png or .jpg (default: a procedural hall)");
-  run.add_option("--hall-seed", options.hall, "seed of the procedural hall")->check(check_seed)->capture_default_str();
-  run.add_option("--field", options.field, "field dimensions (default: assets/fields/spl.toml)");
+  CLI::Option* const room = run.add_option(
+      "--room", options.room, "equirectangular panorama: .hdr, .png or .jpg (default: the scenario's, else a hall)");
+  room->check(check_not_empty);
+  run.add_option("--hall-seed", options.hall_seed, "of the procedural hall (default: the scenario's, else 1)")
+      ->check(check_seed)
+      ->excludes(room);
+  run.add_option("--field", options.field,
+                 "field dimensions, a file or the name of one in assets/fields (default: spl)")
+      ->check(check_not_empty);
   run.add_option("--seed", options.seed, "of all noise; one seed, one digest")
       ->check(check_seed)
       ->capture_default_str();
@@ -75,11 +77,12 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("!--no-room-awareness", options.room_awareness, "switch the view of the room off");
   add_parameter_options(run, options.parameters);
   run.add_option("--save-params", options.save_parameters,
-                 "write what differs from the defaults at the end into this file");
+                 "write what differs from the defaults at the end into this file")
+      ->check(check_not_empty);
   add_scripts_option(run, options.scripts);
-  run.add_option("--out", options.out, "folder for the pictures")->capture_default_str();
+  run.add_option("--out", options.out, "folder for the pictures")->check(check_not_empty)->capture_default_str();
   run.add_flag("!--no-pictures", options.pictures, "write no pictures");
-  run.add_option("--json", options.json, "write the summary into this file, for programs");
+  run.add_option("--json", options.json, "write the summary into this file, for programs")->check(check_not_empty);
   run.add_option("--seconds", options.seconds, "longest run, in the robot's seconds")
       ->check(check_seconds)
       ->capture_default_str();
@@ -154,7 +157,7 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
 
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const RunCircumstances circumstances{.scenario = options.scenario,
-                                       .room = room_name(options),
+                                       .room = simulation.venue().name(),
                                        .seed = options.seed,
                                        .room_awareness = options.room_awareness,
                                        .wall_seconds = took.count(),

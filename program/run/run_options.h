@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,10 @@ struct SimulationOptions {
   std::vector<std::string> with;          ///< behaviours beside those that the scenario lists
   std::vector<std::string> without;       ///< of those that the scenario lists
   std::filesystem::path scripts;          ///< root of the scripts
-  std::filesystem::path field;            ///< TOML file; empty: that of the SPL
-  std::string room;                       ///< panorama file; empty: the procedural hall
-  std::uint64_t hall = 1;                 ///< seed of the procedural hall
+  // Where it takes place; what is left open here is up to the scenario (program/run/venue.h).
+  std::filesystem::path field;             ///< TOML file, or the name of a shipped one
+  std::string room;                        ///< panorama file, or the name of a shipped one
+  std::optional<std::uint64_t> hall_seed;  ///< of the procedural hall
   std::uint64_t seed = 1;
   int width = 320;                ///< of the camera image, pixels; the height is 3/4 of it
   std::string cameras = "upper";  ///< or "both"

@@ -6,8 +6,8 @@
 #include "engine/parameters/nearest_name.h"
 #include "program/parameter_modules.h"
 #include "program/robots.h"
+#include "program/script_names.h"
 #include "workbench/files/field_file.h"
-#include "workbench/files/home.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -23,25 +23,31 @@ std::vector<Parameter> merged(std::vector<std::vector<Parameter>> lists) {
 
 namespace {
 
-/// Throws where a behaviour would be there twice, or cannot be left out since nobody asks for it.
-std::vector<std::string> chosen_behaviors(const SimulationOptions& options, std::vector<std::string> wanted) {
-  const auto is_wanted = [&](const std::string& name) { return std::find(wanted.begin(), wanted.end(), name); };
+/// The files of the behaviours to load. Throws where one would be there twice, or cannot be left out since nobody asks
+/// for it.
+std::vector<std::string> chosen_behaviors(const SimulationOptions& options, const ScriptTexts& texts,
+                                          const std::vector<std::string>& wanted) {
+  std::vector<std::string> rest;
+  for (const std::string& name : wanted) rest.push_back(script_file("behaviors", name));
   for (const std::string& name : options.without) {
-    const auto found = is_wanted(name);
-    if (found == wanted.end())
+    const auto found =
+        std::find(rest.begin(), rest.end(), script_file("behaviors", script_named(options.scripts, name)));
+    if (found == rest.end())
       throw std::runtime_error("--without " + name + ": scenario " + options.scenario + " has no such behavior" +
                                did_you_mean(name, wanted));
-    wanted.erase(found);
+    rest.erase(found);
   }
   std::vector<std::string> chosen;
   for (const std::string& name : options.with) {
-    const std::string script = script_named(options.scripts, name);
-    if (is_wanted(name) != wanted.end() || std::find(chosen.begin(), chosen.end(), script) != chosen.end())
-      throw std::runtime_error("--with " + name + ": it is loaded already, by scenario " + options.scenario +
-                               " or by another --with");
-    chosen.push_back(script);
+    const std::string file = behavior_file(options.scripts, texts, name);
+    for (const std::vector<std::string>& loaded : {rest, chosen}) {
+      if (std::find(loaded.begin(), loaded.end(), file) != loaded.end())
+        throw std::runtime_error("--with " + name + ": it is loaded already, by scenario " + options.scenario +
+                                 " or by another --with");
+    }
+    chosen.push_back(file);
   }
-  chosen.insert(chosen.end(), wanted.begin(), wanted.end());
+  chosen.insert(chosen.end(), rest.begin(), rest.end());
   return chosen;
 }
 
@@ -56,17 +62,18 @@ std::set<std::string> loaded_modules(const SimulationOptions& options, const std
 Simulation::Simulation(const SimulationOptions& options) : longest_(options.seconds) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
-  scenario_ =
-      std::make_unique<ScenarioHost>(scripts, script_named(options.scripts, options.scenario), overrides, behaviors_);
+  scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),
+                                             overrides, behaviors_);
+  venue_ = venue_of(options, scenario_->setting());
   FrameSetup setup;
-  setup.field = load_field(options.field.empty() ? find_home() / "assets" / "fields" / "spl.toml" : options.field);
+  setup.field = load_field(venue_.field);
   setup.seed = options.seed;
   setup.room_awareness = options.room_awareness;
   setup.scripts = scripts;
-  setup.behaviors = chosen_behaviors(options, scenario_->wanted_behaviors());
+  setup.behaviors = chosen_behaviors(options, scripts, scenario_->wanted_behaviors());
   setup.parameters = overrides;
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
-  RobotOptions robot{setup.field, options.room, options.hall, options.seed, options.width, options.cameras == "both",
+  RobotOptions robot{setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
                      overrides};
   robot_parameters_ = robot_parameters(options.robot, robot);
   engine_ = std::make_unique<FrameLoop>(std::move(setup));

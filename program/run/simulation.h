@@ -6,6 +6,7 @@
 
 #include "engine/frame.h"
 #include "program/run/run_options.h"
+#include "program/run/venue.h"
 #include "robots/robot_instance.h"
 #include "workbench/run/run_loop.h"
 #include "workbench/scenario/scenario_host.h"
@@ -22,6 +23,7 @@ class Simulation {
   /// For a RunLoop, to which observers and sources are added.
   RunParts parts();
 
+  const Venue& venue() const { return venue_; }
   FrameLoop& engine() { return *engine_; }
   ScenarioHost& scenario() { return *scenario_; }
   /// Of the engine, the scenario and the robot, by name, as they are now.
@@ -32,6 +34,7 @@ class Simulation {
  private:
   RecordedBehaviors behaviors_;
   std::unique_ptr<ScenarioHost> scenario_;
+  Venue venue_;
   RobotInstance robot_;
   std::vector<Parameter> robot_parameters_;
   std::unique_ptr<FrameLoop> engine_;

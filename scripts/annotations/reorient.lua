@@ -9,6 +9,9 @@
 ---@field publishes? string
 ---@field common? table[]
 ---@field behaviors? string[]
+---@field room? string
+---@field hall_seed? integer
+---@field field? string
 ---@field enter? fun()
 ---@field update? fun()
 ---@field exit? fun()
@@ -207,7 +210,7 @@ function behavior(name) end
 ---@return fun(body: reorient.State): table
 function state(name) end
 
----Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the field. `behaviors`: which to load. It alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It runs after each frame.
+---Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the field. `behaviors`: which to load. `room = "rooms/lab.hdr"` (a panorama, from the scripts' root, or the name of one in assets/rooms) or `hall_seed = 3`, and `field` likewise: where it takes place, unless the command line says it. It alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It runs after each frame.
 ---@param name string
 ---@return fun(body: reorient.State)
 function scenario(name) end
@@ -265,8 +268,8 @@ function advance(seconds) end
 ---@param edit { from: string, to: string, file: string? }
 function reload(edit) end
 
----Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.
----@param run { scenario: string, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, params: table<string, any>? }
+---Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped unless `reorient test --simulator`.
+---@param run { scenario: string, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, any>? }
 ---@return boolean is_correct
 function simulate(run) end
 

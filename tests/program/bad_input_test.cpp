@@ -94,7 +94,9 @@ TEST_F(BadInput, AnOptionsValueThatIsNoneIsNamedWithTheOption) {
 
 TEST_F(BadInput, ARoomThatIsMissingIsNamed) { expect_refused_run({"--room", path("gone.hdr")}, {"gone.hdr"}); }
 
-TEST_F(BadInput, ARoomThatIsAFolderIsNamed) { expect_refused_run({"--room", folder_.path().string()}, {"not a file"}); }
+TEST_F(BadInput, ARoomThatIsAFolderIsNamed) {
+  expect_refused_run({"--room", folder_.path().string()}, {"is a folder; name a file"});
+}
 
 TEST_F(BadInput, ARoomThatIsEmptyIsNamed) { expect_refused_run({"--room", file("hall.hdr", "")}, {"hall.hdr"}); }
 
@@ -162,8 +164,42 @@ TEST_F(BadInput, AParameterFileWithAnUnknownNameOrAWrongValueIsRefused) {
 TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) { expect_refused_run({"--field", path("gone.toml")}, {"gone.toml"}); }
 
 TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {
-  expect_refused_run({"gone"}, {"scenarios/gone.lua"});
+  expect_refused_run({"gone"}, {"no scenario 'gone'", "there are fallen, kidnapped"});
   expect_refused_run({path("gone.lua")}, {"gone.lua"});
+}
+
+TEST_F(BadInput, TheNearestRightScriptIsNamed) {
+  expect_refused_run({"kidnaped"}, {"did you mean 'kidnapped'?"});
+  expect_refused_run({"scenarios/kidnapped"}, {"did you mean 'kidnapped'?"});
+  expect_refused_run({"orientation"}, {"'orientation' is a behavior, and a scenario is wanted here"});
+  expect_refused_run({"behaviors/orientation.lua"}, {"is a behavior, and a scenario is wanted here"});
+  expect_refused_run({"--with", "kidnapped"}, {"'kidnapped' is a scenario, and a behavior is wanted here"});
+  expect_refused_run({"--with", "oreintation"}, {"did you mean 'orientation'?"});
+  expect_refused_run({"--with", "behaviors/head_scan.lua"}, {"is loaded already"});
+  expect_refused_run({file("mine.lua", "")}, {"outside of the scripts' root", "--scripts"});
+  expect_refused_run({"--set", "kidnapped.learn=3"}, {"this run does not load 'kidnapped'"});
+}
+
+TEST_F(BadInput, TheNearestRightFileIsNamed) {
+  file("hall_of_the_north.hdr", "");
+  expect_refused_run({"--room", folder_.path().string()}, {"as in", "hall_of_the_north.hdr"});
+  expect_refused_run({"--room", path("hall_of_the_nroth.hdr")}, {"did you mean 'hall_of_the_north.hdr'?"});
+  expect_refused_run({"--field", "slp"}, {"did you mean 'spl'?"});
+  expect_refused_run({"--params", "papre"}, {"did you mean 'paper'?"});
+  expect_refused_run({"--json", path("gone/run.json")}, {"No such file or directory"});
+}
+
+TEST_F(BadInput, TheNearestRightWordIsNamed) {
+  expect_refused({"kidnapped"}, {"did you mean 'reorient run kidnapped'?"});
+  expect_refused_run({"--hall-sed", "3"}, {"did you mean '--hall-seed'?"});
+  expect_refused({"--colr=never"}, {"did you mean '--color'?"});
+  expect_refused_run({"--room", "x.hdr", "--hall-seed", "2"}, {"--room excludes --hall-seed"});
+}
+
+TEST_F(BadInput, AnEmptyWordIsNoWishForTheDefault) {
+  for (const char* option : {"--room", "--field", "--params", "--scripts", "--json", "--save-params", "--out"})
+    expect_refused_run({option, ""}, {option, "is empty"});
+  expect_refused_run({""}, {"no scenario ''"});
 }
 
 TEST_F(BadInput, AFolderOfScriptsThatIsMissingIsNamed) {

@@ -1,4 +1,5 @@
 // reorient check, graph, new, params and test, as a person calls them.
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -198,6 +199,50 @@ TEST_F(CommandsTest, EndsSoonWhereNobodyKnowsAHundredThousandParameters) {
   folder_.write("misspelt.toml", misspelt);
   EXPECT_EQ(run({"params", "--params", path("strangers.toml")}).code, kSuccess);
   EXPECT_EQ(run({"params", "--params", path("misspelt.toml")}).code, kBadInput);
+}
+
+TEST_F(CommandsTest, AScenarioChoosesWhereItTakesPlaceUnlessTheCommandLineDoes) {
+  const std::string scenario =
+      R"(scenario "elsewhere" { behaviors = { "head_scan" }, WHERE initial = "a", state "a" {} })";
+  const auto write = [&](const std::string& where) {
+    std::string text = scenario;
+    text.replace(text.find("WHERE"), 5, where);
+    folder_.write("scripts/scenarios/elsewhere.lua", text);
+  };
+  const auto digest = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"elsewhere", "--scripts", scripts_.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramRun ran = run_shortly(words);
+    EXPECT_EQ(ran.code, kWrong) << ran.err;
+    return ran.out.substr(std::min(ran.out.find("digest: "), ran.out.size()));
+  };
+  write("");
+  const std::string first = digest({}), second = digest({"--hall-seed", "2"});
+  EXPECT_NE(first, second);
+  write("hall_seed = 2, field = \"fields/mine.toml\",");
+  std::filesystem::create_directory(scripts_ / "fields");
+  std::filesystem::copy(kProjectFolder / "assets/fields/spl.toml", scripts_ / "fields/mine.toml");
+  EXPECT_EQ(digest({}), second);
+  EXPECT_EQ(digest({"--hall-seed", "1"}), first);
+  write("room = \"rooms/gone.hdr\",");
+  const ProgramRun refused = run_shortly({"elsewhere", "--scripts", scripts_.string()});
+  EXPECT_EQ(refused.code, kBadInput);
+  EXPECT_NE(refused.err.find("scripts/rooms/gone.hdr' does not exist"), std::string::npos) << refused.err;
+  write("room = \"rooms/gone.hdr\", hall_seed = 2,");
+  EXPECT_NE(run_shortly({"elsewhere", "--scripts", scripts_.string()}).err.find("a room or a hall_seed, not both"),
+            std::string::npos);
+}
+
+TEST_F(CommandsTest, ASimulatedTestChoosesWhereItTakesPlace) {
+  const auto result = [&](const std::string& where) {
+    folder_.write("scripts/tests/place_test.lua",
+                  "test(\"a\", function() simulate { scenario = \"turned_round\", seconds = 0.1, " + where + " } end)");
+    return run({"test", "--simulator", (scripts_ / "tests/place_test.lua").string()});
+  };
+  EXPECT_EQ(result("hall_seed = 2, field = \"spl\"").code, kSuccess);
+  EXPECT_NE(result("room = \"gone.hdr\"").out.find("gone.hdr' does not exist"), std::string::npos);
+  EXPECT_NE(result("hall_seed = -1").out.find("hall_seed has no value that fits"), std::string::npos);
+  EXPECT_NE(result("room = \"a.hdr\", hall_seed = 1").out.find("not both"), std::string::npos);
 }
 
 TEST_F(CommandsTest, TestWritesAReportAndCoverage) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
 
@@ -34,6 +35,21 @@ TEST(Program, GuessesWhichSubcommandWasMeant) {
   const ProgramRun run = run_reorient({"chek"});
   EXPECT_EQ(run.code, kBadInput);
   EXPECT_NE(run.err.find("did you mean 'check'?"), std::string::npos) << run.err;
+}
+
+TEST(Program, ColorsItsLogWhereItIsAskedTo) {
+  const TemporaryFolder folder;
+  const std::string strange = folder.write("strange.toml", "[stranger]\nkey = 1\n").string();
+  const auto colored = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"params", "head_scan", "--params", strange});
+    ChildProgram program(folder.path(), words);
+    EXPECT_EQ(program.wait(), kSuccess);
+    EXPECT_NE(program.err().find("'stranger'"), std::string::npos);
+    return program.err().find('\033') != std::string::npos;
+  };
+  EXPECT_FALSE(colored({})) << "there is no terminal";
+  EXPECT_TRUE(colored({"--color", "always"}));
+  EXPECT_FALSE(colored({"--color", "never"}));
 }
 
 TEST(Program, SaysItsVersion) {

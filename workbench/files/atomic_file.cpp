@@ -102,8 +102,8 @@ bool is_special(const std::filesystem::path& file) {
   return std::filesystem::is_other(status);
 }
 
-/// Whether a file of this name could be made now. Leaves none behind.
-bool can_write(const std::filesystem::path& file) {
+/// Why no file of this name could be made now; nothing: it could. Leaves none behind.
+std::optional<std::string> why_not_writable(const std::filesystem::path& file) {
   try {
     const std::filesystem::path target = behind_links(file);
     if (is_special(target)) {
@@ -111,9 +111,9 @@ bool can_write(const std::filesystem::path& file) {
     } else {
       FileBeside(target).open().write("x");
     }
-    return true;
-  } catch (const std::system_error&) {
-    return false;
+    return std::nullopt;
+  } catch (const std::system_error& error) {
+    return error.code().message();
   }
 }
 
@@ -152,15 +152,19 @@ std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
 
 void require_writable_file(const std::filesystem::path& file, std::string_view option) {
   std::error_code failed;
-  if (!std::filesystem::is_directory(file, failed) && can_write(file)) return;
-  throw std::runtime_error("cannot write '" + file.string() + "'; name another file with " + std::string(option));
+  const bool is_folder = std::filesystem::is_directory(file, failed);
+  const std::optional<std::string> reason = is_folder ? "it is a folder" : why_not_writable(file);
+  if (!reason) return;
+  throw std::runtime_error("cannot write '" + file.string() + "': " + *reason + "; name another file with " +
+                           std::string(option));
 }
 
 void require_writable_folder(const std::filesystem::path& folder, std::string_view option) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  if (!failed && can_write(folder / ".reorient-probe")) return;
-  throw std::runtime_error("cannot write into '" + folder.string() + "'; name another folder with " +
+  const std::optional<std::string> reason = failed ? failed.message() : why_not_writable(folder / ".reorient-probe");
+  if (!reason) return;
+  throw std::runtime_error("cannot write into '" + folder.string() + "': " + *reason + "; name another folder with " +
                            std::string(option));
 }
 

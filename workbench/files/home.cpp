@@ -1,5 +1,6 @@
 #include "workbench/files/home.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -31,6 +32,31 @@ std::filesystem::path find_home() {
     }
     folder = folder.parent_path();
   }
+}
+
+std::filesystem::path asset_file(std::string_view folder, const std::filesystem::path& named,
+                                 std::span<const std::string_view> extensions) {
+  std::error_code error;
+  const bool is_name = !named.has_parent_path() && !named.has_extension();
+  if (!is_name || std::filesystem::exists(named, error)) return named;
+  for (const std::string_view extension : extensions) {
+    std::filesystem::path asset = find_home() / "assets" / folder / named;
+    asset += extension;
+    if (std::filesystem::is_regular_file(asset, error)) return asset;
+  }
+  return named;
+}
+
+std::vector<std::string> asset_names(std::string_view folder, std::span<const std::string_view> extensions) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(find_home() / "assets" / folder, error)) {
+    const std::string extension = entry.path().extension().string();
+    if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
+      names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace reorient

@@ -2,11 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace reorient {
 
 /// The folder that holds scripts/ and assets/: $REORIENT_HOME, else the first one above the running program that is the
 /// project's or an installation's, which has them in share/reorient. Throws std::runtime_error where there is none.
 std::filesystem::path find_home();
+
+/// "paper" as assets/parameters/paper.toml, where there is one with one of the extensions; everything else is a path.
+std::filesystem::path asset_file(std::string_view folder, const std::filesystem::path& named,
+                                 std::span<const std::string_view> extensions);
+/// The names of those that there are.
+std::vector<std::string> asset_names(std::string_view folder, std::span<const std::string_view> extensions);
 
 }  // namespace reorient

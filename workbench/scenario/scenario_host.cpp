@@ -42,6 +42,11 @@ std::vector<std::string> ScenarioHost::wanted_behaviors() const {
   return all;
 }
 
+ScenarioSetting ScenarioHost::setting() const {
+  const std::vector<const MachineDefinition*> machines = host_.definitions();
+  return machines.empty() ? ScenarioSetting() : machines.front()->setting;
+}
+
 const ScenarioRecord& ScenarioHost::tick(const ScenarioView& view) {
   values_.clear();
   append_scenario_world(view.world, view.truth, values_);

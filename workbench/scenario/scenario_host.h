@@ -73,6 +73,9 @@ class ScenarioHost {
   /// The behaviours that it wants to be loaded.
   std::vector<std::string> wanted_behaviors() const;
 
+  /// Where it takes place.
+  ScenarioSetting setting() const;
+
   /// Once a frame, after it. The result is valid until the next call.
   const ScenarioRecord& tick(const ScenarioView& view);
   const ScenarioRecord& record() const { return record_; }

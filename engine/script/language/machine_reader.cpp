@@ -18,7 +18,8 @@ const char kStateName = 'n';
 const char kStateLine = 'l';
 
 constexpr const char* kMachineKeys[] = {"priority", "initial", "common", "enter", "update", "exit"};
-constexpr const char* kScenarioKeys[] = {"priority", "initial", "common", "enter", "update", "exit", "behaviors"};
+constexpr const char* kScenarioKeys[] = {"priority", "initial",   "common", "enter",     "update",
+                                         "exit",     "behaviors", "room",   "hall_seed", "field"};
 constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit", "publishes"};
 constexpr const char* kTransitionKeys[] = {"when", "lasting", "after", "because"};
 
@@ -67,6 +68,7 @@ void MachineReader::read(int table, int line) {
   if (machine_.is_scenario) {
     check_keys(table, kScenarioKeys);
     read_behaviors(table);
+    read_setting(table);
   } else {
     check_keys(table, kMachineKeys);
   }
@@ -261,6 +263,18 @@ void MachineReader::read_behaviors(int table) {
     lua_pop(lua_, 1);
   }
   lua_pop(lua_, 1);
+}
+
+void MachineReader::read_setting(int table) {
+  machine_.setting.room = read_text(table, "room");
+  machine_.setting.field = read_text(table, "field");
+  const int type = raw_field(lua_, table, "hall_seed");
+  const bool fits = lua_isinteger(lua_, -1) != 0 && lua_tointeger(lua_, -1) >= 0;
+  if (fits) machine_.setting.hall_seed = static_cast<std::uint64_t>(lua_tointeger(lua_, -1));
+  lua_pop(lua_, 1);
+  if (type != LUA_TNIL && !fits) note_at("hall_seed", "hall_seed is a whole number from 0 on");
+  if (machine_.setting.hall_seed && !machine_.setting.room.empty())
+    note_at("hall_seed", "a scenario has a room or a hall_seed, not both");
 }
 
 void MachineReader::check_keys(int table, std::span<const char* const> known) {

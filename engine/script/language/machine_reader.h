@@ -42,6 +42,7 @@ class MachineReader {
   std::string read_flag(int table);
   double read_priority(int table);
   void read_behaviors(int table);
+  void read_setting(int table);
   void check_keys(int table, std::span<const char* const> known);
   void note(const std::string& message) { errors_.push_back({position_, message}); }
   /// At the key in question, where that is to be found.

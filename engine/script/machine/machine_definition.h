@@ -1,6 +1,8 @@
 // A state machine as data: what a script declared, before anything runs.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,13 @@ struct StateDefinition {
   TextPosition position;
 };
 
+/// Where a scenario takes place; what it leaves open is up to the run.
+struct ScenarioSetting {
+  std::string room;                        ///< panorama file; from the scripts' root, or the name of a shipped one
+  std::optional<std::uint64_t> hall_seed;  ///< of a procedural hall; not together with a room
+  std::string field;                       ///< as the room
+};
+
 struct MachineDefinition {
   std::string name;
   NameId name_id = kNoName;
@@ -61,6 +70,7 @@ struct MachineDefinition {
   double priority = 0.0;
   bool is_scenario = false;
   std::vector<std::string> behaviors;   ///< that a scenario wants to be loaded
+  ScenarioSetting setting;              ///< of a scenario
   std::vector<StateDefinition> states;  ///< the first is the machine itself; parents before children
   std::vector<TransitionDefinition> transitions;
 

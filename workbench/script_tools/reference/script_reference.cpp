@@ -142,7 +142,8 @@ std::string script_annotations() {
          "-- bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.\n\n";
   out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? "
          "boolean\n---@field publishes? string\n"
-         "---@field common? table[]\n---@field behaviors? string[]\n---@field enter? fun()\n---@field update? fun()\n"
+         "---@field common? table[]\n---@field behaviors? string[]\n---@field room? string\n"
+         "---@field hall_seed? integer\n---@field field? string\n---@field enter? fun()\n---@field update? fun()\n"
          "---@field exit? fun()\n---@field [integer] table\n\n";
   for (const WorldTable& table : scenarios().tables()) {
     out << "---" << table.description << "\n---@class reorient." << table.name << "\n";

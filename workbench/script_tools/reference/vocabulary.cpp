@@ -31,7 +31,11 @@ constexpr ScriptWord kLanguage[] = {
      "scenario \"name\" { behaviors = { \"orientation\" }, initial = \"placing\", state \"placing\" { ... } }",
      "Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the "
      "field. "
-     "`behaviors`: which to load. It alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It "
+     "`behaviors`: which to load. `room = \"rooms/lab.hdr\"` (a panorama, from the scripts' root, or the name of one "
+     "in "
+     "assets/rooms) or `hall_seed = 3`, and `field` likewise: where it takes place, unless the command line says it. "
+     "It "
+     "alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It "
      "runs after each frame.",
      "---@param name string\n---@return fun(body: reorient.State)\nfunction scenario(name) end"},
     {"require", "local walking = require \"lib.walk\"",
@@ -76,9 +80,10 @@ constexpr ScriptWord kTest[] = {
     {"simulate", "simulate { scenario = \"turned_round\", seed = 1, params = { [\"orientation.lead\"] = 0.4 } }",
      "Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected "
      "behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, "
-     "320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.",
+     "320, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped "
+     "unless `reorient test --simulator`.",
      "---@param run { scenario: string, with: string[]?, seed: integer?, width: integer?, seconds: number?, "
-     "room_awareness: boolean?, "
+     "room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, "
      "params: table<string, any>? }\n---@return boolean is_correct\nfunction simulate(run) end"},
     {"expect.state", "expect.state(\"orientation\", \"watching\")", "The machine is in this state (path).",
      "---@param machine string\n---@param path string\nfunction expect.state(machine, path) end"},

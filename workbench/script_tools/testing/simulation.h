@@ -21,6 +21,10 @@ struct SimulationRequest {
   std::uint64_t seed = 1;
   int width = 160;         ///< of the camera image, pixels
   double seconds = 600.0;  ///< of the robot's time, at most
+  // Where it takes place, as in a scenario: empty leaves it to that.
+  std::string room;
+  std::optional<std::uint64_t> hall_seed;
+  std::string field;
   bool room_awareness = true;
   std::vector<std::pair<std::string, std::string>> parameters;  ///< name, value
 };

@@ -69,6 +69,24 @@ bool read_scenario(lua_State* L, SimulationRequest& request) {
   return true;
 }
 
+bool read_room(lua_State* L, SimulationRequest& request) {
+  if (lua_type(L, -1) != LUA_TSTRING) return false;
+  request.room = lua_tostring(L, -1);
+  return !request.room.empty();
+}
+
+bool read_hall_seed(lua_State* L, SimulationRequest& request) {
+  const std::optional<lua_Integer> seed = whole_number(L, 0, LUA_MAXINTEGER);
+  if (seed) request.hall_seed = static_cast<std::uint64_t>(*seed);
+  return seed.has_value();
+}
+
+bool read_field_file(lua_State* L, SimulationRequest& request) {
+  if (lua_type(L, -1) != LUA_TSTRING) return false;
+  request.field = lua_tostring(L, -1);
+  return !request.field.empty();
+}
+
 bool read_room_awareness(lua_State* L, SimulationRequest& request) {
   if (!lua_isboolean(L, -1)) return false;
   request.room_awareness = lua_toboolean(L, -1) != 0;
@@ -83,7 +101,8 @@ struct Field {
 constexpr Field kFields[] = {{"scenario", read_scenario}, {"with", read_with},
                              {"seed", read_seed},         {"width", read_width},
                              {"seconds", read_seconds},   {"room_awareness", read_room_awareness},
-                             {"params", read_parameters}};
+                             {"room", read_room},         {"hall_seed", read_hall_seed},
+                             {"field", read_field_file},  {"params", read_parameters}};
 
 void read_field(lua_State* L, const std::string& key, SimulationRequest& request) {
   std::vector<std::string> known;
@@ -107,6 +126,8 @@ SimulationRequest read_simulation_request(lua_State* L, int table) {
   }
   if (request.scenario.empty())
     throw std::runtime_error("simulate needs a scenario: simulate { scenario = \"turned_round\" }");
+  if (request.hall_seed && !request.room.empty())
+    throw std::runtime_error("simulate takes a room or a hall_seed, not both");
   return request;
 }
 

@@ -1,0 +1,64 @@
+#include "program/script_names.h"
+
+#include <stdexcept>
+#include <vector>
+
+#include "engine/parameters/nearest_name.h"
+#include "workbench/files/script_files.h"
+
+namespace reorient {
+namespace {
+
+struct Kind {
+  const char* word;
+  const char* folder;
+};
+constexpr Kind kScenario{"scenario", "scenarios"};
+constexpr Kind kBehavior{"behavior", "behaviors"};
+
+/// "paper/paper_orientation" of "behaviors/paper/paper_orientation.lua".
+std::string name_of(const Kind& kind, const std::string& file) {
+  return std::filesystem::path(file).lexically_relative(kind.folder).replace_extension().generic_string();
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 12;
+  std::string list;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i) list += (i > 0 ? ", " : "") + names[i];
+  return list + (names.size() > kMost ? ", ..." : "");
+}
+
+std::string named(const Kind& kind, const Kind& other, const std::filesystem::path& root, const ScriptTexts& texts,
+                  const std::string& name) {
+  const std::string file = script_file(kind.folder, script_named(root, name));
+  const std::string stem = std::filesystem::path(name).stem().string();
+  const bool is_other = file.starts_with(std::string(other.folder) + "/") ||
+                        (texts.find(file) == nullptr && texts.find(script_file(other.folder, stem)) != nullptr);
+  if (is_other) {
+    throw std::runtime_error("'" + name + "' is a " + other.word + ", and a " + kind.word +
+                             " is wanted here: reorient run SCENARIO --with BEHAVIOR");
+  }
+  if (texts.find(file) != nullptr) return file;
+  std::error_code error;
+  if (name.ends_with(".lua") && std::filesystem::is_regular_file(name, error)) {
+    throw std::runtime_error("'" + name + "' lies outside of the scripts' root " + root.string() + "; copy it into " +
+                             (root / kind.folder).string() + ", or name its own root with --scripts");
+  }
+  std::vector<std::string> known;
+  for (const std::string& one : texts.in_folder(kind.folder)) known.push_back(name_of(kind, one));
+  std::string hint = did_you_mean(stem, known);
+  if (hint.empty() && !known.empty()) hint = "; there are " + list_of(known);
+  throw std::runtime_error("there is no " + std::string(kind.word) + " '" + name + "' below " + root.string() + hint);
+}
+
+}  // namespace
+
+std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
+  return named(kScenario, kBehavior, root, texts, name);
+}
+
+std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
+  return named(kBehavior, kScenario, root, texts, name);
+}
+
+}  // namespace reorient
