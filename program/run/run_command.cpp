@@ -1,10 +1,9 @@
-#include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <spdlog/fmt/fmt.h>
@@ -95,26 +94,6 @@ void require_writable_outputs(const RunOptions& options) {
   if (options.pictures) require_writable_folder(options.out, "--out");
 }
 
-/// Writes what was asked for, each whatever becomes of the others; returned is one line about each that failed.
-class Outputs {
- public:
-  template <typename Write>
-  void add(Write&& write) {
-    try {
-      write();
-    } catch (const std::exception& error) {
-      failures_.emplace_back(error.what());
-    }
-  }
-  void add_failures(std::vector<std::string> failures) {
-    std::move(failures.begin(), failures.end(), std::back_inserter(failures_));
-  }
-  const std::vector<std::string>& failures() const { return failures_; }
-
- private:
-  std::vector<std::string> failures_;
-};
-
 int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   // Before the scripts are read, so that no edit is missed.
@@ -167,17 +146,22 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
                                        .reloads_accepted = log.reloads_accepted(),
                                        .reloads_rejected = log.reloads_rejected()};
   const RunSummary result = summary.summary(end);
-  Outputs outputs;
-  if (!options.json.empty()) outputs.add([&] { write_summary(result, commands, circumstances, options.json); });
-  if (!options.save_parameters.empty())
-    outputs.add(
-        [&] { save_parameters(simulation.parameters(), simulation.kept_parameters(), options.save_parameters); });
-  if (options.pictures) outputs.add_failures(pictures.write(options.out));
+  std::vector<std::string> failures;
+  if (!options.json.empty())
+    try_to_write(failures, [&] { write_summary(result, commands, circumstances, options.json); });
+  if (!options.save_parameters.empty()) {
+    try_to_write(failures, [&] {
+      save_parameters(simulation.parameters(), simulation.kept_parameters(), options.save_parameters);
+    });
+  }
+  if (options.pictures) {
+    for (std::string& failure : pictures.write(options.out)) failures.push_back(std::move(failure));
+  }
   if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
   if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
   print_summary(result, circumstances, out);
-  for (const std::string& failure : outputs.failures()) err << "reorient: " << failure << "\n";
-  if (!outputs.failures().empty()) return kBadInput;
+  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
+  if (!failures.empty()) return kBadInput;
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   return result.succeeded ? kSuccess : kWrong;
 }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -137,6 +138,14 @@ void write_whole_file(const std::filesystem::path& file, std::string_view bytes)
     partial.rename_to(target);
   } catch (const std::system_error& error) {
     throw std::runtime_error("cannot write '" + file.string() + "': " + error.code().message());
+  }
+}
+
+void try_to_write(std::vector<std::string>& failures, const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const std::exception& error) {
+    failures.emplace_back(error.what());
   }
 }
 

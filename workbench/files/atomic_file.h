@@ -2,14 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace reorient {
 
 /// Throws std::runtime_error with one line; then the file is as it was before.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// One of several outputs, whatever becomes of the others: where `write` throws, `failures` gets one line more.
+void try_to_write(std::vector<std::string>& failures, const std::function<void()>& write);
 
 /// Nothing: it cannot be read.
 std::optional<std::string> read_whole_file(const std::filesystem::path& file);

@@ -1,7 +1,6 @@
 #include "workbench/views/pictures/run_pictures.h"
 
-#include <exception>
-
+#include "workbench/files/atomic_file.h"
 #include "workbench/views/pictures/canvas/png_file.h"
 #include "workbench/views/pictures/history_views.h"
 #include "workbench/views/pictures/record_views.h"
@@ -25,11 +24,7 @@ void RunPictures::keep(const FrameRecord& frame, const StageRecord& stage) {
 std::vector<std::string> RunPictures::write(const std::filesystem::path& folder) const {
   std::vector<std::string> failures;
   const auto write = [&](const char* name, const pictures::Picture& picture) {
-    try {
-      pictures::write_png(folder / name, picture);
-    } catch (const std::exception& error) {
-      failures.emplace_back(error.what());
-    }
+    try_to_write(failures, [&] { pictures::write_png(folder / name, picture); });
   };
   if (moment_) {
     write("world_view.png", draw_world_view(pictures::world_view_of(moment_->frame, moment_->stage)));
