@@ -70,7 +70,7 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   return {result.correct, result.seconds, std::move(seen.seen)};
 }
 
-int test(const TestOptions& options, std::ostream& out) {
+int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   TestRun run{
       scripts_root(options.scripts), options.paths, {}, options.timeout, [] { return Interruption::signal() != 0; }};
@@ -82,11 +82,16 @@ int test(const TestOptions& options, std::ostream& out) {
   }
   CoverageTrace trace;
   const TestSummary summary = run_script_tests(run, out, trace);
-  if (!options.junit.empty()) write_whole_file(options.junit, junit_report(summary));
+  std::vector<std::string> failures;
+  if (!options.junit.empty()) try_to_write(failures, [&] { write_whole_file(options.junit, junit_report(summary)); });
   if (options.coverage) {
     out << "\n";
-    report_coverage(trace, run.scripts_root, out);
+    try_to_write(failures, [&] {
+      for (std::string& failure : report_coverage(trace, run.scripts_root, out)) failures.push_back(std::move(failure));
+    });
   }
+  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
+  if (!failures.empty()) return kBadInput;
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   return summary.failed == 0 ? kSuccess : kWrong;
 }
@@ -104,7 +109,7 @@ Subcommand add_test(CLI::App& program) {
       ->capture_default_str();
   parser->add_option("--junit", options->junit, "write the results into this file, for CI systems");
   add_scripts_option(*parser, options->scripts);
-  return {parser, [options](std::ostream& out, std::ostream&) { return test(*options, out); }};
+  return {parser, [options](std::ostream& out, std::ostream& err) { return test(*options, out, err); }};
 }
 
 }  // namespace reorient

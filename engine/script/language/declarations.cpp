@@ -178,7 +178,8 @@ void Declarations::refuse(const std::string& file, std::vector<DeclarationError>
                    [](const auto& left, const auto& right) { return is_before(left.position, right.position); });
   faults.clear();
   for (const DeclarationError& error : errors)
-    faults.push_back({file, error.position.line, error.message, {}, error.position.column});
+    faults.push_back(
+        {error.file.empty() ? file : error.file, error.position.line, error.message, {}, error.position.column});
   const std::size_t more = faults.size() - 1;
   throw std::runtime_error(faults.front().text() +
                            (more > 0 ? " (and " + std::to_string(more) + " more; reorient check shows all)" : ""));
@@ -262,14 +263,16 @@ int Declarations::state(lua_State* L) {
   if (name.empty() || name.find('/') != std::string::npos) throw std::runtime_error("a state needs a name without '/'");
   lua_pushlightuserdata(L, this);
   lua_pushvalue(L, 1);
-  lua_pushinteger(L, place_of(L, 1).line);
-  lua_pushcclosure(L, &Declarations::bound<&Declarations::state_body>, 3);
+  const Place place = place_of(L, 1);
+  lua_pushinteger(L, place.line);
+  lua_pushlstring(L, place.file.data(), place.file.size());
+  lua_pushcclosure(L, &Declarations::bound<&Declarations::state_body>, 4);
   return 1;
 }
 
 int Declarations::state_body(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  mark_state(L, 1, lua_upvalueindex(2), lua_upvalueindex(3));
+  mark_state(L, 1, {lua_upvalueindex(2), lua_upvalueindex(3), lua_upvalueindex(4)});
   lua_settop(L, 1);
   return 1;
 }
@@ -297,7 +300,7 @@ int Declarations::machine_body(lua_State* L) {
   std::vector<std::string> names;
   for (const DeclaredParameter& parameter : parameters) names.push_back(parameter.declaration.name);
   std::vector<DeclarationError> errors;
-  MachineReader(L, definition, names, places_of_(definition.file), errors)
+  MachineReader(L, definition, names, places_of_, errors)
       .read(1, static_cast<int>(lua_tointeger(L, lua_upvalueindex(3))));
   for (DeclarationError& error : resolve(definition)) errors.push_back(std::move(error));
   refuse(definition.file, std::move(errors));

@@ -31,7 +31,6 @@ struct KeptMemory {
 
 class Declarations {
  public:
-  using PlacesOf = std::function<const SourceLocations&(const std::string& file)>;
   using Preview = std::function<ParameterValue(const ParameterDeclaration&)>;
 
   /// `places_of` a loaded file's declarations; `preview`: a parameter's value as it will be.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "engine/parameters/nearest_name.h"
 
@@ -16,6 +18,7 @@ constexpr std::size_t kMostTransitions = 2000;  // one table can stand in many s
 // Keys that no script can write: their addresses.
 const char kStateName = 'n';
 const char kStateLine = 'l';
+const char kStateFile = 'f';
 
 constexpr const char* kMachineKeys[] = {"priority", "initial", "common", "enter", "update", "exit"};
 constexpr const char* kScenarioKeys[] = {"priority", "initial",   "common", "enter",     "update",
@@ -45,26 +48,35 @@ int raw_field(lua_State* L, int index, const char* name) {
   return lua_rawget(L, table);
 }
 
-void mark_state(lua_State* L, int table, int name, int line) {
-  lua_pushvalue(L, name);
+void mark_state(lua_State* L, int table, StateMark mark) {
+  lua_pushvalue(L, mark.name);
   lua_rawsetp(L, table, &kStateName);
-  lua_pushvalue(L, line);
+  lua_pushvalue(L, mark.line);
   lua_rawsetp(L, table, &kStateLine);
+  lua_pushvalue(L, mark.file);
+  lua_rawsetp(L, table, &kStateFile);
 }
 
 MachineReader::MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                             const SourceLocations& places, std::vector<DeclarationError>& errors)
-    : lua_(L), machine_(machine), parameters_(parameters), places_(places), errors_(errors) {}
+                             const PlacesOf& places_of, std::vector<DeclarationError>& errors)
+    : lua_(L), machine_(machine), parameters_(parameters), places_of_(places_of), errors_(errors) {}
+
+const SourceLocations& MachineReader::places() {
+  const SourceLocations*& known = places_[here_.file];
+  if (known == nullptr) known = &places_of_(here_.file);
+  return *known;
+}
 
 void MachineReader::note_at(const std::string& key, const std::string& message) {
-  errors_.push_back({places_.key(key, position_, end_).value_or(position_), message});
+  errors_.push_back({places().key(key, here_.position, here_.end).value_or(here_.position), message, here_.file});
 }
 
 void MachineReader::read(int table, int line) {
-  SourceLocations::Table place = places_.table(machine_.is_scenario ? "scenario" : "behavior", machine_.name, line);
-  position_ = place.position;
-  end_ = places_.end_of(place);
-  machine_.position = position_;
+  here_.file = machine_.file;
+  SourceLocations::Table place = places().table(machine_.is_scenario ? "scenario" : "behavior", machine_.name, line);
+  here_.position = place.position;
+  here_.end = places().end_of(place);
+  machine_.position = here_.position;
   if (machine_.is_scenario) {
     check_keys(table, kScenarioKeys);
     read_behaviors(table);
@@ -74,7 +86,8 @@ void MachineReader::read(int table, int line) {
   }
   machine_.priority = read_priority(table);
   machine_.states.emplace_back();
-  machine_.states.back().position = position_;
+  machine_.states.back().file = here_.file;
+  machine_.states.back().position = here_.position;
   read_state(table, 0, place);
 }
 
@@ -114,27 +127,28 @@ void MachineReader::read_item(int item, int state, SourceLocations::Table& place
 
 void MachineReader::read_inner_state(int item, int parent) {
   if (machine_.states.size() >= kMostStates) throw std::runtime_error("too many states");
-  const TextPosition position_before = position_;
-  const TextPosition end_before = end_;
+  const Here outside = here_;
+  lua_rawgetp(lua_, item, &kStateFile);
   lua_rawgetp(lua_, item, &kStateLine);
   lua_rawgetp(lua_, item, &kStateName);
   StateDefinition inner;
   inner.name = lua_tostring(lua_, -1);
-  SourceLocations::Table place = places_.table("state", inner.name, static_cast<int>(lua_tointeger(lua_, -2)));
-  lua_pop(lua_, 2);
-  position_ = place.position;
-  end_ = places_.end_of(place);
+  here_.file = lua_tostring(lua_, -3);
+  SourceLocations::Table place = places().table("state", inner.name, static_cast<int>(lua_tointeger(lua_, -2)));
+  lua_pop(lua_, 3);
+  here_.position = place.position;
+  here_.end = places().end_of(place);
   const std::string& outer = machine_.states[parent].path;
   inner.path = outer.empty() ? inner.name : outer + "/" + inner.name;
   inner.parent = parent;
-  inner.position = position_;
+  inner.file = here_.file;
+  inner.position = here_.position;
   check_keys(item, kStateKeys);
   const int index = static_cast<int>(machine_.states.size());
   machine_.states.push_back(std::move(inner));
   machine_.states[parent].children.push_back(index);
   read_state(item, index, place);
-  position_ = position_before;
-  end_ = end_before;
+  here_ = outside;
 }
 
 void MachineReader::read_common(int table, int state, SourceLocations::Table& place) {
@@ -156,7 +170,7 @@ void MachineReader::read_common(int table, int state, SourceLocations::Table& pl
 
 void MachineReader::read_transition(int table, int state, bool common, SourceLocations::Table& place) {
   if (machine_.transitions.size() >= kMostTransitions) throw std::runtime_error("too many transitions");
-  const TextPosition position_before = position_;
+  const TextPosition outside = here_.position;
   TransitionDefinition transition;
   transition.from = state;
   transition.common = common;
@@ -164,8 +178,10 @@ void MachineReader::read_transition(int table, int state, bool common, SourceLoc
   if (has_target) transition.target = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
   if (transition.target.empty()) return note("a transition begins with the name of the state that it leads to");
-  position_ = places_.transition(place, transition.target, common);
-  transition.position = position_;
+  const std::optional<TextPosition> written = places().transition(place, transition.target, common);
+  if (!written) transition.maker = maker_of(table);
+  here_.position = written.value_or(place.position);
+  transition.position = here_.position;
   check_keys(table, kTransitionKeys);
   transition.when = read_function(table, "when");
   transition.lasting = read_dwell(table, "lasting");
@@ -173,7 +189,23 @@ void MachineReader::read_transition(int table, int state, bool common, SourceLoc
   transition.because = read_text(table, "because");
   machine_.states[state].transitions.push_back(static_cast<int>(machine_.transitions.size()));
   machine_.transitions.push_back(std::move(transition));
-  position_ = position_before;
+  here_.position = outside;
+}
+
+/// Lua does not say where a table was made, but where its functions were. Empty: in the file that is being read, or
+/// nobody knows.
+std::string MachineReader::maker_of(int transition) {
+  for (const char* const key : {"when", "lasting", "after"}) {
+    if (raw_field(lua_, transition, key) != LUA_TFUNCTION) {
+      lua_pop(lua_, 1);
+      continue;
+    }
+    lua_Debug function;
+    lua_getinfo(lua_, ">S", &function);
+    const std::string_view source = function.source;
+    if (source.starts_with('@') && source.substr(1) != here_.file) return std::string(source.substr(1));
+  }
+  return {};
 }
 
 Dwell MachineReader::read_dwell(int table, const char* key) {

@@ -1,6 +1,7 @@
 // From the tables of a `behavior` or `scenario` to a MachineDefinition.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,20 +17,33 @@ namespace reorient {
 /// Pushes the field of the table at `index`, without metamethods, and returns its type.
 int raw_field(lua_State* L, int index, const char* name);
 
-/// Notes in the table at `table` that it is a state, with its name and line (stack indices of both).
-void mark_state(lua_State* L, int table, int name, int line);
+/// Stack indices of what a state is called and where it is written.
+struct StateMark {
+  int name = 0;
+  int line = 0;
+  int file = 0;
+};
+/// Notes in the table at `table` that it is a state.
+void mark_state(lua_State* L, int table, StateMark mark);
 
 class MachineReader {
  public:
-  /// `parameters`: full names of what `lasting` and `after` may refer to; `places`: of the machine's file. What is
+  /// `parameters`: full names of what `lasting` and `after` may refer to; `places_of`: the script's files. What is
   /// wrong is appended to `errors`; reading goes on, so that one look shows all.
   MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                const SourceLocations& places, std::vector<DeclarationError>& errors);
+                const PlacesOf& places_of, std::vector<DeclarationError>& errors);
 
   /// Reads the machine's table, which Lua met in this line. Throws std::runtime_error where there is far too much.
   void read(int table, int line);
 
  private:
+  /// The state or transition that is being read, and where it is written.
+  struct Here {
+    std::string file;
+    TextPosition position;
+    TextPosition end;
+  };
+
   void read_state(int table, int state, SourceLocations::Table& place);
   void read_item(int item, int state, SourceLocations::Table& place);
   void read_inner_state(int item, int parent);
@@ -44,17 +58,20 @@ class MachineReader {
   void read_behaviors(int table);
   void read_setting(int table);
   void check_keys(int table, std::span<const char* const> known);
-  void note(const std::string& message) { errors_.push_back({position_, message}); }
+  /// Of the file that is being read.
+  const SourceLocations& places();
+  std::string maker_of(int transition);
+  void note(const std::string& message) { errors_.push_back({here_.position, message, here_.file}); }
   /// At the key in question, where that is to be found.
   void note_at(const std::string& key, const std::string& message);
 
   lua_State* lua_;
   MachineDefinition& machine_;
   std::span<const std::string> parameters_;
-  const SourceLocations& places_;
+  const PlacesOf& places_of_;
+  std::map<std::string, const SourceLocations*> places_;  ///< those that were asked for: asking has its price
   std::vector<DeclarationError>& errors_;
-  TextPosition position_;  ///< of the state or transition that is being read
-  TextPosition end_;       ///< where it ends
+  Here here_;
   int depth_ = 0;
 };
 

@@ -48,15 +48,15 @@ std::string derived_reason(const TransitionDefinition& transition) {
 void resolve_initial(MachineDefinition& machine, StateDefinition& state, std::vector<DeclarationError>& errors) {
   if (state.children.empty()) {
     if (!state.initial_name.empty())
-      errors.push_back({state.position, title(state) + " has an initial state but no states"});
+      errors.push_back({state.position, title(state) + " has an initial state but no states", state.file});
     return;
   }
   if (state.initial_name.empty()) {
     if (state.children.size() == 1) {
       state.initial = state.children.front();
     } else {
-      errors.push_back(
-          {state.position, title(state) + " has several states: say which is the first, initial = \"...\""});
+      errors.push_back({state.position, title(state) + " has several states: say which is the first, initial = \"...\"",
+                        state.file});
     }
     return;
   }
@@ -65,8 +65,10 @@ void resolve_initial(MachineDefinition& machine, StateDefinition& state, std::ve
   if (state.initial >= 0) return;
   std::vector<std::string> names;
   for (const int child : state.children) names.push_back(machine.states[child].name);
-  errors.push_back({state.position, title(state) + " begins in " + quoted(state.initial_name) +
-                                        ", which is not one of its states" + did_you_mean(state.initial_name, names)});
+  errors.push_back({state.position,
+                    title(state) + " begins in " + quoted(state.initial_name) + ", which is not one of its states" +
+                        did_you_mean(state.initial_name, names),
+                    state.file});
 }
 
 void check_duplicates(const MachineDefinition& machine, const StateDefinition& state,
@@ -75,7 +77,7 @@ void check_duplicates(const MachineDefinition& machine, const StateDefinition& s
     const StateDefinition& child = machine.states[state.children[i]];
     for (std::size_t j = 0; j < i; ++j) {
       if (machine.states[state.children[j]].name != child.name) continue;
-      errors.push_back({child.position, "there are two states " + quoted(child.path)});
+      errors.push_back({child.position, "there are two states " + quoted(child.path), child.file});
       break;
     }
   }
@@ -84,20 +86,22 @@ void check_duplicates(const MachineDefinition& machine, const StateDefinition& s
 void resolve_transition(MachineDefinition& machine, TransitionDefinition& transition,
                         std::vector<DeclarationError>& errors) {
   const std::string from = title(machine.states[transition.from]);
+  const std::string& file = machine.states[transition.from].file;
   transition.to = find_target(machine, transition.from, transition.target);
   if (transition.to < 0) {
     constexpr std::size_t kMostHints = 20;  // to look for similar names among many takes long
     const std::string hint =
         errors.size() < kMostHints ? did_you_mean(transition.target, state_names(machine)) : std::string();
     errors.push_back(
-        {transition.position, from + " leads to " + quoted(transition.target) + ", which is not a state" + hint});
+        {transition.position, from + " leads to " + quoted(transition.target) + ", which is not a state" + hint, file});
   }
   const bool timed = transition.after.kind != Dwell::Kind::none;
   if (transition.when == LUA_NOREF && transition.lasting.kind != Dwell::Kind::none) {
-    errors.push_back({transition.position, from + ": 'lasting' needs a 'when'; for a time alone write 'after'"});
+    errors.push_back({transition.position, from + ": 'lasting' needs a 'when'; for a time alone write 'after'", file});
   } else if (transition.when == LUA_NOREF && !timed) {
     errors.push_back({transition.position,
-                      from + " leads to " + quoted(transition.target) + " on no condition: give 'when' or 'after'"});
+                      from + " leads to " + quoted(transition.target) + " on no condition: give 'when' or 'after'",
+                      file});
   }
   if (transition.because.empty()) transition.because = derived_reason(transition);
 }

@@ -32,9 +32,10 @@ struct TransitionDefinition {
   Dwell after;           ///< how long since `from` was entered
   std::string because;   ///< the reason, never empty once validated
   NameId because_id = kNoName;
-  bool common = false;  ///< checked before the others, and not while the target is active already
-  std::string key;      ///< names it across reloads
-  TextPosition position;
+  bool common = false;    ///< checked before the others, and not while the target is active already
+  std::string key;        ///< names it across reloads
+  TextPosition position;  ///< in the file of `from`
+  std::string maker;      ///< another file, one of whose functions made it; empty: it is written where it stands
 };
 
 struct StateDefinition {
@@ -52,6 +53,7 @@ struct StateDefinition {
   std::string publishes;  ///< what others may read while it is active; empty: nothing
   NameId publishes_id = kNoName;
   std::vector<int> transitions;  ///< `common` ones first
+  std::string file;              ///< in which it is written: the machine's, or a library's
   TextPosition position;
 };
 
@@ -83,6 +85,7 @@ struct MachineDefinition {
 struct DeclarationError {
   TextPosition position;
   std::string message;
+  std::string file{};  ///< empty: the one that is looked at
 };
 
 /// Gives every name in it its number.

@@ -41,10 +41,10 @@ SourceLocations::Table SourceLocations::table(std::string_view word, std::string
   return {{line, 0}};
 }
 
-TextPosition SourceLocations::transition(Table& table, std::string_view target, bool common) const {
+std::optional<TextPosition> SourceLocations::transition(Table& table, std::string_view target, bool common) const {
   std::size_t& cursor = common ? table.common_cursor : table.cursor;
   constexpr int kMostMisses = 8;
-  if (table.begin == 0 || cursor == 0 || table.misses > kMostMisses) return table.position;
+  if (table.begin == 0 || cursor == 0 || table.misses > kMostMisses) return std::nullopt;
   // A transition's brace lies in the state's own table, that of an `common` one table deeper.
   const int depth = tokens_[table.begin - 1].depth + (common ? 2 : 1);
   for (std::size_t i = cursor; i + 2 < table.end; ++i) {
@@ -56,7 +56,7 @@ TextPosition SourceLocations::transition(Table& table, std::string_view target, 
     return tokens_[i + 1].position;
   }
   ++table.misses;
-  return table.position;
+  return std::nullopt;
 }
 
 TextPosition SourceLocations::end_of(const Table& table) const {

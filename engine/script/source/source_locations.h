@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,8 +29,8 @@ class SourceLocations {
   /// `word`: state, behavior, scenario; `line`: where Lua called it.
   Table table(std::string_view word, std::string_view name, int line) const;
 
-  /// Where the next transition of the table to `target` stands; the table's own place where it is not to be found.
-  TextPosition transition(Table& table, std::string_view target, bool common) const;
+  /// Where the next transition of the table to `target` stands; nothing where it was not written there.
+  std::optional<TextPosition> transition(Table& table, std::string_view target, bool common) const;
 
   TextPosition end_of(const Table& table) const;
 
@@ -44,5 +46,8 @@ class SourceLocations {
   std::vector<LuaToken> tokens_;
   std::vector<std::size_t> closing_;  ///< per token: where the brace that opens there closes
 };
+
+/// Those of each file that a script is made of.
+using PlacesOf = std::function<const SourceLocations&(const std::string& file)>;
 
 }  // namespace reorient

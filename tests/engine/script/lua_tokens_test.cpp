@@ -90,21 +90,21 @@ TEST(SourceLocations, FindsTransitionsOfOneNameInTheirOrder) {
   { "y", after = 3 },
 })");
   SourceLocations::Table machine = places.table("behavior", "b", 1);
-  EXPECT_EQ(places.transition(machine, "x", true).line, 2);
-  EXPECT_EQ(places.transition(machine, "y", false).line, 7);
+  EXPECT_EQ(places.transition(machine, "x", true)->line, 2);
+  EXPECT_EQ(places.transition(machine, "y", false)->line, 7);
   SourceLocations::Table x = places.table("state", "x", 3);
-  EXPECT_EQ(places.transition(x, "y", false).column, 7);
-  EXPECT_EQ(places.transition(x, "y", false).column, 26);
-  EXPECT_EQ(places.transition(x, "y", false).column, x.position.column) << "there is no third one";
+  EXPECT_EQ(places.transition(x, "y", false)->column, 7);
+  EXPECT_EQ(places.transition(x, "y", false)->column, 26);
+  EXPECT_FALSE(places.transition(x, "y", false)) << "there is no third one";
   SourceLocations::Table inner = places.table("state", "inner", 5);
-  EXPECT_EQ(places.transition(inner, "y", false).line, 5);
+  EXPECT_EQ(places.transition(inner, "y", false)->line, 5);
 }
 
 TEST(SourceLocations, SettlesForTheLineOfWhatAFunctionMade) {
   const SourceLocations places("state \"a\" (make())\nstate(name) {}\n");
   SourceLocations::Table made = places.table("state", "a", 1);
   EXPECT_EQ(made.position.column, 7);
-  EXPECT_EQ(places.transition(made, "b", false).line, 1);
+  EXPECT_FALSE(places.transition(made, "b", false));
   const SourceLocations::Table unknown = places.table("state", "b", 2);
   EXPECT_EQ(unknown.position.line, 2);
   EXPECT_EQ(unknown.position.column, 0);

@@ -191,6 +191,33 @@ TEST_F(ScriptTransitions, AConditionOnlyLooks) {
   EXPECT_TRUE(commands.empty());
 }
 
+TEST_F(ScriptTransitions, WhatIsWrongInALibrarysStateIsToldWhereItIsWritten) {
+  folder.write("lib/states.lua", R"(return {
+  pause = function() return state "pause" { { "nowhere", after = 1 } } end,
+})");
+  const ScriptFault fault = refusal(R"(local states = require "lib.states"
+behavior "refused" { state "a" { states.pause() } })");
+  EXPECT_EQ(fault.text(), "lib/states.lua:2:47: state 'a/pause' leads to 'nowhere', which is not a state")
+      << fault.text();
+}
+
+TEST_F(ScriptTransitions, ATransitionKnowsTheLibraryWhoseFunctionMadeIt) {
+  folder.write("lib/ways.lua", R"(return {
+  is_down = function() return false end,
+  to = function(target) return { target, when = function() return true end } end,
+})");
+  load("made", R"(local ways = require "lib.ways"
+behavior "made" {
+  initial = "a",
+  state "a" { { "b", when = ways.is_down }, ways.to("b") },
+  state "b" {},
+})");
+  const std::vector<TransitionDefinition>& made = host().definitions().front()->transitions;
+  ASSERT_EQ(made.size(), 2U);
+  EXPECT_EQ(made[0].maker, "") << "it only asks the library";
+  EXPECT_EQ(made[1].maker, "lib/ways.lua");
+}
+
 TEST_F(ScriptTransitions, AFileMayDeclareSeveralMachines) {
   load(
       "b",

@@ -43,7 +43,7 @@ class ScriptedTests : public ::testing::Test {
   }
   std::string coverage() const {
     std::ostringstream text;
-    report_coverage(trace, folder.path(), text);
+    EXPECT_TRUE(report_coverage(trace, folder.path(), text).empty());
     return text.str();
   }
 
@@ -100,12 +100,100 @@ TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyTook) {
             "lamp: 3 of 4 states, 1 of 3 transitions\n"
             "  behaviors/lamp.lua:8:11: never entered: on/bright\n"
             "  behaviors/lamp.lua:6:7: never taken: on > off (light)\n"
-            "  behaviors/lamp.lua:7:21: never taken: on/dim > on/bright (after 1.0 s)\n");
+            "  behaviors/lamp.lua:7:21: never taken: on/dim > on/bright (after 1.0 s)\n"
+            "in all: 3 of 4 states (75 %), 1 of 3 transitions (33 %) of the 1 machine that tests loaded\n");
 }
 
-TEST_F(ScriptedTests, CountBehaviorsThatNoTestLoads) {
+TEST_F(ScriptedTests, TellMachinesThatNoTestLoadsInOneLineEach) {
+  folder.write("scenarios/night.lua", R"(scenario "night" { state "dark" {} })");
   run(R"(test("t", function() end))");
-  EXPECT_NE(coverage().find("lamp: 0 of 4 states, 0 of 3 transitions\n"), std::string::npos) << coverage();
+  EXPECT_EQ(coverage(),
+            "lamp: no test loaded it\n"
+            "night: no test loaded it\n"
+            "in all: 0 of 5 states (0 %), 0 of 3 transitions (0 %): no test loaded a machine\n");
+  run(R"(test("t", function() load_behavior "lamp" advance(0.1) end))");
+  EXPECT_TRUE(
+      coverage().ends_with("night: no test loaded it\n"
+                           "in all: 1 of 4 states (25 %), 0 of 3 transitions (0 %) of the 1 machine that tests "
+                           "loaded; 1 of 5 states (20 %), 0 of 3 transitions (0 %) of all 2 machines\n"))
+      << coverage();
+}
+
+/// A library whose functions make a transition, a state and a whole machine.
+void write_makers(const TemporaryFolder& folder) {
+  folder.write("lib/makers.lua", R"(local makers = {}
+function makers.when_penalized(target)
+  return { target, when = function() return robot.penalized end, because = "penalized" }
+end
+function makers.pause(target)
+  return state "pause" { { target, after = 1 } }
+end
+function makers.blinker(name)
+  behavior(name) { initial = "on", state "on" { { "off", after = 1 } }, state "off" { { "on", after = 1 } } }
+end
+return makers)");
+}
+
+TEST_F(ScriptedTests, TellWhatALibraryMakesAsAShareAndNotLineByLine) {
+  write_makers(folder);
+  folder.write("behaviors/guest.lua", R"(local makers = require "lib.makers"
+behavior "guest" {
+  initial = "here",
+  common = { makers.when_penalized("pause") },
+  state "here" { { "away", after = 5 }, makers.when_penalized("away") },
+  state "away" { { "here", after = 5 } },
+  makers.pause("here"),
+})");
+  folder.write("behaviors/sign.lua", R"(require("lib.makers").blinker("sign"))");
+  run(R"(test("t", function()
+  load_behavior "guest"
+  load_behavior "sign"
+  advance(0.1)
+  set_world { robot = { penalized = true } }
+  advance(0.1)
+end))");
+  EXPECT_EQ(summary.failed, 0) << out.str();
+  EXPECT_EQ(coverage(),
+            "guest: 1 of 2 states, 0 of 2 transitions\n"
+            "  behaviors/guest.lua:6:9: never entered: away\n"
+            "  behaviors/guest.lua:5:20: never taken: here > away (after 5 s)\n"
+            "  behaviors/guest.lua:6:20: never taken: away > here (after 5 s)\n"
+            "  made by lib/makers.lua: 1 of 1 states, 1 of 3 transitions\n"
+            "sign: 0 of 0 states, 0 of 0 transitions\n"
+            "  made by lib/makers.lua: 1 of 2 states, 0 of 2 transitions\n"
+            "lamp: no test loaded it\n"
+            "in all: 1 of 2 states (50 %), 0 of 2 transitions (0 %) of the 2 machines that tests loaded; "
+            "made in them by libraries: 2 of 3 states (66 %), 1 of 5 transitions (20 %); "
+            "1 of 6 states (16 %), 0 of 5 transitions (0 %) of all 3 machines\n");
+}
+
+TEST_F(ScriptedTests, CountATransitionThatOnlyAsksALibraryAsTheBehaviorsOwn) {
+  folder.write("lib/asked.lua", "return { never = function() return false end }");
+  folder.write("behaviors/asking.lua", R"(local asked = require "lib.asked"
+behavior "asking" { state "a" { { "b", when = asked.never }, state "b" { { "a", after = 1 } } } })");
+  run(R"(test("t", function() load_behavior "asking" advance(0.1) end))");
+  EXPECT_NE(coverage().find("  behaviors/asking.lua:2:35: never taken: a > a/b (its condition held)\n"),
+            std::string::npos)
+      << coverage();
+  EXPECT_EQ(coverage().find("lib/asked.lua"), std::string::npos) << coverage();
+}
+
+TEST_F(ScriptedTests, DoNotTakeAMachineForAnotherFilesOfTheSameName) {
+  folder.write("behaviors/old/lamp.lua", R"(behavior "lamp" { state "off" {} })");
+  run(R"(test("t", function() load_behavior "lamp" advance(0.1) end))");
+  EXPECT_NE(coverage().find("lamp: no test loaded it\n"), std::string::npos) << coverage();
+}
+
+TEST_F(ScriptedTests, LeaveAScriptThatCannotBeLoadedOutOfTheCoverageAndSayWhy) {
+  folder.write("behaviors/broken.lua", "behavior \"broken\" {");
+  run(R"(test("t", function() load_behavior "lamp" advance(0.1) end))");
+  std::ostringstream text;
+  const std::vector<std::string> failures = report_coverage(trace, folder.path(), text);
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_TRUE(failures[0].starts_with("behaviors/broken.lua is not in the coverage: behaviors/broken.lua:1"))
+      << failures[0];
+  EXPECT_NE(text.str().find("lamp: 1 of 4 states"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("\nin all: "), std::string::npos) << text.str();
 }
 
 TEST_F(ScriptedTests, CountWhatWasTakenAfterAnEditToo) {
@@ -118,7 +206,10 @@ TEST_F(ScriptedTests, CountWhatWasTakenAfterAnEditToo) {
   set_world { robot = { penalized = false } }
   advance(0.1)
 end))");
-  EXPECT_EQ(coverage(), "lamp: 4 of 4 states, 3 of 3 transitions\n") << out.str();
+  EXPECT_EQ(coverage(),
+            "lamp: 4 of 4 states, 3 of 3 transitions\n"
+            "in all: 4 of 4 states (100 %), 3 of 3 transitions (100 %) of the 1 machine that tests loaded\n")
+      << out.str();
 }
 
 TEST_F(ScriptedTests, WriteAReportForCi) {

@@ -37,10 +37,10 @@ std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine)
   for (std::size_t i = 1; i < machine.states.size(); ++i) {
     const StateDefinition& state = machine.states[i];
     if (!reached[i]) {
-      found.push_back({state.position, "state '" + state.path + "' is never reached"});
+      found.push_back({state.position, "state '" + state.path + "' is never reached", state.file});
     } else if (!machine.is_scenario && state.children.empty() && machine.states[state.parent].children.size() > 1 &&
                !has_way_out(machine, static_cast<int>(i))) {
-      found.push_back({state.position, "state '" + state.path + "' has no way out"});
+      found.push_back({state.position, "state '" + state.path + "' has no way out", state.file});
     }
   }
   return found;

@@ -105,7 +105,7 @@ class ScriptCheck {
   void take_in(const ScriptHost& host) {
     for (const MachineDefinition* machine : host.definitions()) {
       for (DeclarationError& warning : machine_warnings(*machine))
-        result_.findings.push_back({Severity::warning, machine->file, warning.position, std::move(warning.message)});
+        result_.findings.push_back({Severity::warning, warning.file, warning.position, std::move(warning.message)});
     }
     for (auto& [module, fields] : host.module_fields()) modules_[module] = {fields, {}, false};
   }

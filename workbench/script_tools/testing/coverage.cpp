@@ -1,9 +1,11 @@
 #include "workbench/script_tools/testing/coverage.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <ostream>
 
 #include "engine/script/language/behavior_language.h"
+#include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
@@ -11,71 +13,179 @@
 namespace reorient {
 namespace {
 
-std::string place(const MachineDefinition& machine, TextPosition position) {
-  return place_text(machine.file, position.line, position.column);
-}
-
-/// The machine as a whole is no state that one would count.
-bool is_counted(const StateDefinition& state) { return !state.path.empty(); }
-
-void report(const MachineDefinition& machine, const CoverageTrace& trace, std::ostream& out) {
-  std::string left_out;
-  int states = 0, entered = 0;
-  for (const StateDefinition& state : machine.states) {
-    if (!is_counted(state)) continue;
-    ++states;
-    if (trace.entered(machine.name, state.path)) {
-      ++entered;
-    } else {
-      left_out += "  " + place(machine, state.position) + ": never entered: " + state.path + "\n";
-    }
-  }
+/// How many there are, and how many of them the tests took.
+struct Share {
   int taken = 0;
-  for (const TransitionDefinition& transition : machine.transitions) {
-    if (trace.took(machine.name, transition.key)) {
-      ++taken;
-      continue;
-    }
-    const std::string& from = machine.states[transition.from].path;
-    left_out += "  " + place(machine, transition.position) + ": never taken: " + (from.empty() ? "any state" : from) +
-                " > " + machine.states[transition.to].path + " (" + transition.because + ")\n";
+  int all = 0;
+
+  void count(bool is_taken) {
+    ++all;
+    taken += is_taken ? 1 : 0;
   }
-  out << machine.name << ": " << entered << " of " << states << " states, " << taken << " of "
-      << machine.transitions.size() << " transitions\n"
-      << left_out;
+  void add(Share other) {
+    taken += other.taken;
+    all += other.all;
+  }
+};
+
+std::string text(Share share) { return std::to_string(share.taken) + " of " + std::to_string(share.all); }
+
+/// Rounded down: 100 % means all.
+std::string percent(Share share) {
+  return share.all == 0 ? "" : " (" + std::to_string(100 * share.taken / share.all) + " %)";
 }
+
+struct Shares {
+  Share states;
+  Share transitions;
+
+  void add(const Shares& other) {
+    states.add(other.states);
+    transitions.add(other.transitions);
+  }
+};
+
+std::string text(const Shares& shares) {
+  return text(shares.states) + " states, " + text(shares.transitions) + " transitions";
+}
+
+std::string with_percents(const Shares& shares) {
+  return text(shares.states) + " states" + percent(shares.states) + ", " + text(shares.transitions) + " transitions" +
+         percent(shares.transitions);
+}
+
+std::string machines(int count) { return std::to_string(count) + (count == 1 ? " machine" : " machines"); }
+
+/// One machine as the tests left it.
+struct MachineCoverage {
+  Shares own;                             ///< of what is written in the script's own file
+  std::map<std::string, Shares> by_file;  ///< of what other files make in it
+  std::string left_out;                   ///< of its own, a line each
+
+  Shares& of(const std::string& file, const std::string& script) { return file == script ? own : by_file[file]; }
+};
+
+std::string place(const StateDefinition& state, TextPosition position) {
+  return "  " + place_text(state.file, position.line, position.column);
+}
+
+/// `script`: the file that was loaded for it; `trace`: nullptr where no test ran it.
+MachineCoverage coverage_of(const MachineDefinition& machine, const std::string& script, const MachineTrace* trace) {
+  MachineCoverage found;
+  for (const StateDefinition& state : machine.states) {
+    if (state.path.empty()) continue;  // the machine as a whole is no state that one would count
+    const bool is_entered = trace != nullptr && trace->states.contains(state.path);
+    found.of(state.file, script).states.count(is_entered);
+    if (!is_entered && state.file == script)
+      found.left_out += place(state, state.position) + ": never entered: " + state.path + "\n";
+  }
+  for (const TransitionDefinition& transition : machine.transitions) {
+    const StateDefinition& from = machine.states[transition.from];
+    const std::string& maker = transition.maker.empty() ? from.file : transition.maker;
+    const bool is_taken = trace != nullptr && trace->transitions.contains(transition.key);
+    found.of(maker, script).transitions.count(is_taken);
+    if (!is_taken && maker == script)
+      found.left_out += place(from, transition.position) +
+                        ": never taken: " + (from.path.empty() ? "any state" : from.path) + " > " +
+                        machine.states[transition.to].path + " (" + transition.because + ")\n";
+  }
+  return found;
+}
+
+class CoverageReport {
+ public:
+  CoverageReport(const CoverageTrace& trace, std::ostream& out) : trace_(trace), out_(out) {}
+
+  void add(const MachineDefinition& machine, const std::string& script) {
+    const MachineTrace* const trace = trace_.find(machine);
+    const MachineCoverage found = coverage_of(machine, script, trace);
+    ++count_;
+    all_.add(found.own);
+    if (trace == nullptr) {
+      not_run_ += machine.name + ": no test loaded it\n";
+      return;
+    }
+    ++run_count_;
+    run_.add(found.own);
+    out_ << machine.name << ": " << text(found.own) << "\n" << found.left_out;
+    for (const auto& [file, shares] : found.by_file) {
+      out_ << "  made by " << file << ": " << text(shares) << "\n";
+      made_.add(shares);
+    }
+  }
+
+  void finish() {
+    out_ << not_run_ << "in all: ";
+    if (run_count_ == 0) {
+      out_ << with_percents(all_) << ": no test loaded a machine\n";
+      return;
+    }
+    out_ << with_percents(run_) << " of the " << machines(run_count_) << " that tests loaded";
+    if (made_.states.all + made_.transitions.all > 0) out_ << "; made in them by libraries: " << with_percents(made_);
+    if (count_ > run_count_) out_ << "; " << with_percents(all_) << " of all " << machines(count_);
+    out_ << "\n";
+  }
+
+ private:
+  const CoverageTrace& trace_;
+  std::ostream& out_;
+  std::string not_run_;
+  int count_ = 0;
+  int run_count_ = 0;
+  Shares all_;
+  Shares run_;   ///< of those machines that tests ran
+  Shares made_;  ///< in these, by other files
+};
 
 }  // namespace
 
 void CoverageTrace::note(std::span<const MachineDefinition* const> machines, const NameTable& names,
                          std::span<const TransitionRecord> transitions) {
   for (const TransitionRecord& record : transitions) {
+    const auto found = std::find_if(machines.begin(), machines.end(), [&](const MachineDefinition* machine) {
+      return machine->name_id == record.machine;
+    });
+    if (found == machines.end()) continue;
+    const MachineDefinition& machine = **found;
+    MachineTrace& trace = machines_[{machine.file, machine.name}];
     for (std::string path = names[record.to]; !path.empty();) {
-      states_.insert({names[record.machine], path});
+      trace.states.insert(path);
       const std::size_t slash = path.rfind('/');
       path.resize(slash == std::string::npos ? 0 : slash);
     }
-    for (const MachineDefinition* machine : machines) {
-      const auto index = static_cast<std::size_t>(record.transition);
-      const bool is_its_own = machine->name_id == record.machine && record.transition >= 0;
-      if (is_its_own && index < machine->transitions.size())
-        transitions_.insert({machine->name, machine->transitions[index].key});
-    }
+    const auto index = static_cast<std::size_t>(record.transition);
+    if (record.transition >= 0 && index < machine.transitions.size())
+      trace.transitions.insert(machine.transitions[index].key);
   }
 }
 
-void report_coverage(const CoverageTrace& trace, const std::filesystem::path& scripts_root, std::ostream& out) {
+const MachineTrace* CoverageTrace::find(const MachineDefinition& machine) const {
+  const auto found = machines_.find({machine.file, machine.name});
+  return found == machines_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> report_coverage(const CoverageTrace& trace, const std::filesystem::path& scripts_root,
+                                         std::ostream& out) {
   const ScriptTexts texts = read_scripts(scripts_root);
   BehaviorLanguage behavior_language;
   ScenarioLanguage scenario_language;
+  CoverageReport report(trace, out);
+  std::vector<std::string> failures;
   for (ScriptLanguage* language : std::initializer_list<ScriptLanguage*>{&behavior_language, &scenario_language}) {
     for (const std::string& file : texts.in_folder(language->folder())) {
       ParameterRegistry parameters;
       ScriptHost host(texts, *language, parameters);
-      host.load(file);
-      for (const MachineDefinition* machine : host.definitions()) report(*machine, trace, out);
+      try {
+        host.load(file);
+      } catch (const ScriptError& error) {
+        failures.push_back(file + " is not in the coverage: " + error.what());
+        continue;
+      }
+      for (const MachineDefinition* machine : host.definitions()) report.add(*machine, file);
     }
   }
+  report.finish();
+  return failures;
 }
 
 }  // namespace reorient
