@@ -31,6 +31,7 @@ constexpr const char* kExamples = R"(Examples:
   reorient check                            mistakes in scripts, with line and column
   reorient test --coverage                  the scripted behaviour tests, and what they leave out
   reorient graph orientation                its states as a Mermaid diagram
+  reorient reference                        what scripts can see and say, your own libraries among it
 Exit codes: 0 success (the robot ended right, all tests passed, nothing is wrong); 1 failure; 2 invalid input.)";
 
 std::string one_line(std::string text) {
@@ -86,8 +87,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   app.set_version_flag("--version", "reorient " REORIENT_VERSION);
-  const std::array subcommands{add_run(app),    add_test(app),  add_check(app),  add_new(app),
-                               add_params(app), add_graph(app), add_version(app)};
+  const std::array subcommands{add_run(app),    add_test(app),  add_check(app),     add_new(app),
+                               add_params(app), add_graph(app), add_reference(app), add_version(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -113,7 +114,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }
-  err << "reorient: name a subcommand: run, test, check, new, params, graph or version (see reorient --help)\n";
+  err << "reorient: name a subcommand: run, test, check, new, params, graph, reference or version (see reorient "
+         "--help)\n";
   return kBadInput;
 }
 

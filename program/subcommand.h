@@ -20,6 +20,7 @@ Subcommand add_test(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_graph(CLI::App& program);
 Subcommand add_params(CLI::App& program);
+Subcommand add_reference(CLI::App& program);
 Subcommand add_new(CLI::App& program);
 Subcommand add_version(CLI::App& program);
 

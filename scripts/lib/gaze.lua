@@ -12,16 +12,24 @@ local p = param {
 
 local gaze = {}
 
---- How far (rad) the head has to turn from where it is until a point of the field is straight ahead of it.
+--- How far the head has to turn from where it is until a point of the field is straight ahead of it.
+---@param x number m
+---@param y number m
+---@return number angle rad, never negative
 function gaze.angle_to(x, y)
   local _, bearing = walking.distance_and_bearing(x, y)
   return math.abs(bearing - robot.head_yaw)
 end
 
 --- Whether the robot looks at a point of the field, by the pose that it believes in.
+---@param x number m
+---@param y number m
+---@return boolean
 function gaze.is_at(x, y) return gaze.angle_to(x, y) < p.near end
 
 --- One frame's look at a point of the field; the body turns while the neck alone does not reach it, else it stands.
+---@param x number m
+---@param y number m
 function gaze.at(x, y)
   local _, bearing = walking.distance_and_bearing(x, y)
   head.look(math.max(-p.reach, math.min(p.reach, bearing)), p.pitch, p.speed)

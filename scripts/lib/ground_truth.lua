@@ -9,7 +9,9 @@ local p = param {
 
 local ground_truth = {}
 
---- Where a robot stands beside the field before a match: at the height of its own penalty mark, looking into the field.
+--- Where a robot stands beside the field before a match (m, m, rad): at the height of its own penalty mark, looking into
+--- the field.
+---@type { x: number, y: number, rotation: number }
 ground_truth.START = { x = -3.2, y = -3.5, rotation = math.pi / 2 }
 
 --- Puts the robot down at the start and tells it so.
@@ -19,30 +21,39 @@ function ground_truth.start()
   experimenter.set_initial_pose(start.x, start.y, start.rotation)
 end
 
---- How far the believed pose is from the true one: m, rad.
+--- How far the believed pose is from the true one.
+---@return number distance m
+---@return number turn rad, never negative
 function ground_truth.error()
   local dx, dy = truth.x - pose.x, truth.y - pose.y
   return math.sqrt(dx * dx + dy * dy), math.abs(walking.normalize(truth.rotation - pose.rotation))
 end
 
+--- Whether both errors are small enough to call the belief right.
+---@return boolean
 function ground_truth.is_belief_right()
   local distance, turn = ground_truth.error()
   return distance <= p.near and turn <= p.turned
 end
 
 --- The error in words, for logs and verdicts.
+---@return string
 function ground_truth.error_in_words()
   local distance, turn = ground_truth.error()
   return string.format("%.2f m and %.0f degrees off", distance, math.deg(turn))
 end
 
---- Whether the robot really stands within `distance` (m) of a penalty mark: -1 is the one of its own half, 1 the other.
+--- Whether the robot really stands near a penalty mark.
+---@param side number -1 for the mark of its own half, 1 for the other
+---@param distance number m
+---@return boolean
 function ground_truth.is_on_mark(side, distance)
   local dx, dy = truth.x - side * field.penalty_mark_x, truth.y
   return dx * dx + dy * dy < distance * distance
 end
 
 --- Writes truth and belief into the log.
+---@param what string what happened just now
 function ground_truth.note(what)
   log.info(string.format("%s: truth (%.2f, %.2f, %.0f deg), belief (%.2f, %.2f, %.0f deg)", what,
     truth.x, truth.y, math.deg(truth.rotation), pose.x, pose.y, math.deg(pose.rotation)))

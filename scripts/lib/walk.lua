@@ -12,6 +12,8 @@ local p = param {
 local walk_library = {}
 
 --- The same direction in (-pi, pi].
+---@param angle number rad
+---@return number angle rad
 function walk_library.normalize(angle)
   local turned = angle % (2 * math.pi)
   if turned > math.pi then turned = turned - 2 * math.pi end
@@ -20,16 +22,28 @@ end
 
 local function clamp(value, limit) return math.max(-limit, math.min(limit, value)) end
 
---- Distance (m) and bearing (rad, to the left of where the robot looks) of a point on the field.
+--- How far away a point on the field is, and where from the robot.
+---@param x number m
+---@param y number m
+---@return number distance m
+---@return number bearing rad, to the left of where the robot looks
 function walk_library.distance_and_bearing(x, y)
   local dx, dy = x - pose.x, y - pose.y
   return math.sqrt(dx * dx + dy * dy), walk_library.normalize(math.atan(dy, dx) - pose.rotation)
 end
 
---- Whether the robot believes that it stands within `distance` (m) of a point.
+--- Whether the robot believes that it stands near a point.
+---@param x number m
+---@param y number m
+---@param distance number m
+---@return boolean
 function walk_library.is_near(x, y, distance) return (walk_library.distance_and_bearing(x, y)) <= distance end
 
---- One frame's walk towards (x, y); there it turns to `rotation`, if one is given. True: it has arrived.
+--- One frame's walk towards a point; there it turns to `rotation`, if one is given.
+---@param x number m
+---@param y number m
+---@param rotation? number rad
+---@return boolean has_arrived
 function walk_library.walk_to(x, y, rotation)
   local distance, bearing = walk_library.distance_and_bearing(x, y)
   if distance > p.near then
@@ -51,7 +65,8 @@ function walk_library.walk_to(x, y, rotation)
   return true
 end
 
---- Turns on the spot with `speed` (rad/s, to the left).
+--- One frame's turn on the spot.
+---@param speed number rad/s, to the left
 function walk_library.turn(speed) walk.velocity(0.0, 0.0, speed) end
 
 return walk_library

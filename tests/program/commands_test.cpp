@@ -79,6 +79,19 @@ TEST_F(CommandsTest, GraphRefusesWhatItDoesNotKnow) {
   EXPECT_EQ(run({"graph", "orientation", "--format", "png"}).code, kBadInput);
 }
 
+TEST_F(CommandsTest, ReferenceHoldsOnesOwnLibrariesToo) {
+  std::ofstream(scripts_ / "lib/mine.lua")
+      << "--- Mine.\n\nlocal mine = {}\n\n--- Blinks.\n---@param times number how often\n"
+         "function mine.blink(times) end\n\nreturn mine\n";
+  const ProgramRun page = run({"reference"});
+  EXPECT_EQ(page.code, kSuccess) << page.err;
+  EXPECT_TRUE(page.out.starts_with("# Script reference\n"));
+  EXPECT_NE(page.out.find("| `blink(times)` | `times: number` how often |  | Blinks. |\n"), std::string::npos);
+  EXPECT_EQ(run({"reference", "--format", "annotations", "--out", path("a.lua")}).out, "");
+  EXPECT_NE(read_whole_file(path("a.lua")).value_or("").find("function library.blink(times) end\n"), std::string::npos);
+  EXPECT_EQ(run({"reference", "--format", "html"}).code, kBadInput);
+}
+
 TEST_F(CommandsTest, ANewBehaviorPassesItsCheckAndItsTest) {
   ASSERT_EQ(run({"new", "behavior", "ball_search"}).code, kSuccess);
   const ProgramRun checked = run({"check", "--strict"});

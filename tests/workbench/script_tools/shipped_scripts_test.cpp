@@ -1,7 +1,9 @@
 // The scripted tests of the shipped behaviours, and what the shipped files must look like.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -9,6 +11,7 @@
 
 #include "engine/parameters/parameter_registry.h"
 #include "engine/script/behaviors.h"
+#include "engine/script/script_host.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/behavior_page.h"
@@ -35,12 +38,15 @@ void expect_committed(const std::filesystem::path& file, const std::string& gene
   EXPECT_EQ(read(file), generated) << file << " is stale: set REORIENT_REGENERATE=1 and run this test to write it anew";
 }
 
-TEST(GeneratedFiles, TheReferenceIsThatOfTheBindings) {
-  expect_committed(std::filesystem::path(REORIENT_SOURCE_DIR) / "docs" / "script-reference.md", script_reference());
+std::vector<LibraryModule> shipped_libraries() { return library_modules(read_scripts(kScripts)); }
+
+TEST(GeneratedFiles, TheReferenceIsThatOfTheBindingsAndTheLibraries) {
+  expect_committed(std::filesystem::path(REORIENT_SOURCE_DIR) / "docs" / "script-reference.md",
+                   script_reference(shipped_libraries()));
 }
 
-TEST(GeneratedFiles, TheEditorAnnotationsAreThoseOfTheBindings) {
-  expect_committed(kScripts / "annotations" / "reorient.lua", script_annotations());
+TEST(GeneratedFiles, TheEditorAnnotationsAreThoseOfTheBindingsAndTheLibraries) {
+  expect_committed(kScripts / "annotations" / "reorient.lua", script_annotations(shipped_libraries()));
 }
 
 TEST(GeneratedFiles, TheLuacheckConfigurationIsThatOfTheBindings) {
@@ -83,6 +89,48 @@ TEST(GeneratedFiles, ThePagesOfBehaviorsShowTheirStatesAndParameters) {
     ++pages;
   }
   EXPECT_GE(pages, 9);
+}
+
+/// What each library offers when it runs, by its name.
+std::map<std::string, std::set<std::string>> offered_by_libraries() {
+  ScriptTexts texts = read_scripts(kScripts);
+  std::string probe;
+  for (const LibraryModule& module : shipped_libraries()) probe += "require \"" + module.name + "\"\n";
+  texts.apply({"scenarios/probe.lua", ScriptText{probe + "scenario \"probe\" {}", ""}});
+  ScenarioLanguage language;
+  ParameterRegistry parameters;
+  ScriptHost host(texts, language, parameters);
+  host.load("probe");
+  return host.module_fields();
+}
+
+void expect_documented(const LibraryMember& member) {
+  EXPECT_FALSE(member.doc.description.empty());
+  for (const std::string& parameter : member.parameters) {
+    const DocTag* const tag = member.doc.parameter(parameter);
+    EXPECT_TRUE(tag != nullptr && !tag->type.empty()) << "---@param " << parameter << " TYPE is missing";
+  }
+  for (const DocTag& tag : member.doc.parameters) {
+    EXPECT_EQ(std::count(member.parameters.begin(), member.parameters.end(), tag.name), 1)
+        << "it takes no '" << tag.name << "'";
+  }
+  EXPECT_TRUE(member.is_function || !member.doc.type.empty()) << "---@type TYPE is missing";
+}
+
+TEST(ShippedScripts, DocumentAllThatTheirLibrariesOffer) {
+  const std::map<std::string, std::set<std::string>> offered = offered_by_libraries();
+  const std::vector<LibraryModule> modules = shipped_libraries();
+  ASSERT_GE(modules.size(), 3U);
+  for (const LibraryModule& module : modules) {
+    EXPECT_FALSE(module.description.empty()) << module.name;
+    std::set<std::string> documented;
+    for (const LibraryMember& member : module.members) {
+      SCOPED_TRACE(module.name + "." + member.name);
+      documented.insert(member.name);
+      expect_documented(member);
+    }
+    EXPECT_EQ(documented, offered.at(module.name)) << module.name;
+  }
 }
 
 TEST(ShippedScripts, PassLuacheck) {

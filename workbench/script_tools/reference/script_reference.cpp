@@ -8,6 +8,7 @@
 
 #include "engine/script/language/behavior_language.h"
 #include "workbench/scenario/scenario_language.h"
+#include "workbench/script_tools/reference/library_reference.h"
 #include "workbench/script_tools/reference/vocabulary.h"
 
 namespace reorient {
@@ -94,11 +95,11 @@ std::set<std::string> first_names(std::span<const ScriptWord> words) {
 
 }  // namespace
 
-std::string script_reference() {
+std::string script_reference(std::span<const LibraryModule> libraries) {
   std::ostringstream out;
   out << "# Script reference\n"
-         "Generated from the declarations that make the bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes "
-         "it anew.\n\n"
+         "Generated from the declarations that make the bindings, and from the libraries' doc comments; do not edit.\n"
+         "`REORIENT_REGENERATE=1 ./test` writes it anew; `./reorient reference` writes one with your own libraries.\n\n"
          "A behaviour is a file under `scripts/behaviors/`, a scenario one under `scripts/scenarios/`, what several "
          "share lies "
          "under\n`scripts/lib/`. Lengths are metres, angles radians, times seconds; x forward, y left.\n\n## Words\n";
@@ -120,6 +121,8 @@ std::string script_reference() {
   write_functions(out, behaviors());
   out << "### In scenarios\n";
   write_functions(out, scenarios());
+  out << "## Libraries\nWhat `require` gives, as the doc comments in `scripts/lib/` say.\n\n";
+  write_libraries(out, libraries);
   out << "## From Lua's own library\n";
   for (const LibraryRow& row : library_rows()) {
     out << "- `" << (row.table.empty() ? "base" : row.table) << "`: " << row.names << "\n";
@@ -135,11 +138,12 @@ std::string script_reference() {
   return text;
 }
 
-std::string script_annotations() {
+std::string script_annotations(std::span<const LibraryModule> libraries) {
   std::ostringstream out;
   out << "---@meta\n-- What scripts can see and say, for the Lua language server. Generated from the declarations that "
          "make the\n"
-         "-- bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.\n\n";
+         "-- bindings, and from the libraries' doc comments; do not edit. `REORIENT_REGENERATE=1 ./test` writes it "
+         "anew.\n\n";
   out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? "
          "boolean\n---@field publishes? string\n"
          "---@field common? table[]\n---@field behaviors? string[]\n---@field room? string\n"
@@ -170,7 +174,12 @@ std::string script_annotations() {
     out << "function " << (function.table.empty() ? "" : function.table + ".") << function.name << "(" << arguments
         << ") end\n\n";
   }
-  for (const ScriptWord& word : language_words()) out << "---" << word.description << "\n" << word.annotation << "\n\n";
+  write_library_annotations(out, libraries);
+  for (const ScriptWord& word : language_words()) {
+    out << "---" << word.description << "\n";
+    if (word.name == "require") write_require_overloads(out, libraries);
+    out << word.annotation << "\n\n";
+  }
   out << "expect = {}\n\n";
   for (const ScriptWord& word : test_words()) out << "---" << word.description << "\n" << word.annotation << "\n\n";
   std::string text = out.str();

@@ -1,16 +1,20 @@
-// What scripts can see and say, for people, editors and linters; all made from the declarations that also make the
-// bindings. The committed files are docs/script-reference.md, scripts/annotations/reorient.lua and scripts/.luacheckrc.
+// What scripts can see and say, for people, editors and linters: made from the declarations that also make the
+// bindings, and from the doc comments of libraries. The committed files are docs/script-reference.md,
+// scripts/annotations/reorient.lua and scripts/.luacheckrc.
 #pragma once
 
+#include <span>
 #include <string>
+
+#include "workbench/script_tools/reference/library_docs.h"
 
 namespace reorient {
 
 /// Markdown.
-std::string script_reference();
+std::string script_reference(std::span<const LibraryModule> libraries);
 
 /// Definitions for the Lua language server (---@meta).
-std::string script_annotations();
+std::string script_annotations(std::span<const LibraryModule> libraries);
 
 /// Configuration of luacheck.
 std::string script_luacheck();

@@ -1,0 +1,46 @@
+// `reorient reference`: what scripts can see and say, with the libraries below the scripts' root.
+#include <memory>
+#include <ostream>
+
+#include "program/options.h"
+#include "program/program.h"
+#include "program/subcommand.h"
+#include "workbench/files/atomic_file.h"
+#include "workbench/files/script_files.h"
+#include "workbench/script_tools/reference/script_reference.h"
+
+namespace reorient {
+namespace {
+
+struct ReferenceOptions {
+  std::filesystem::path scripts;
+  std::string format = "markdown";
+  std::filesystem::path out;
+};
+
+int reference(const ReferenceOptions& options, std::ostream& out) {
+  const std::vector<LibraryModule> libraries = library_modules(read_scripts(scripts_root(options.scripts)));
+  const std::string text = options.format == "markdown" ? script_reference(libraries) : script_annotations(libraries);
+  if (options.out.empty()) {
+    out << text;
+  } else {
+    write_whole_file(options.out, text);
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+Subcommand add_reference(CLI::App& program) {
+  const auto options = std::make_shared<ReferenceOptions>();
+  CLI::App* const parser =
+      program.add_subcommand("reference", "what scripts can see and say, your own libraries among it")->fallthrough();
+  parser->add_option("--format", options->format, "markdown, or annotations (for the Lua language server)")
+      ->check(CLI::IsMember({"markdown", "annotations"}))
+      ->capture_default_str();
+  parser->add_option("--out", options->out, "write into this file, not to the terminal");
+  add_scripts_option(*parser, options->scripts);
+  return {parser, [options](std::ostream& out, std::ostream&) { return reference(*options, out); }};
+}
+
+}  // namespace reorient
