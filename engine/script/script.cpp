@@ -254,8 +254,9 @@ double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
   const double seconds = lua_tonumber(sandbox_.state(), -1);
   lua_pop(sandbox_.state(), 1);
   if (is_number && seconds >= 0.0) return seconds;
-  throw ScriptError({machine.definition().file,
-                     machine.definition().states[static_cast<std::size_t>(state)].position.line,
+  const StateDefinition& definition = machine.definition().states[static_cast<std::size_t>(state)];
+  throw ScriptError({definition.file,
+                     definition.position.line,
                      "a function for lasting or after must give a number of seconds, 0 or more",
                      {},
                      0});

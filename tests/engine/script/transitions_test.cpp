@@ -201,6 +201,17 @@ behavior "refused" { state "a" { states.pause() } })");
       << fault.text();
 }
 
+TEST_F(ScriptTransitions, ATimeThatIsNoneInALibrarysStateIsToldThereToo) {
+  folder.write("lib/states.lua", R"(return {
+  pause = function() return state "pause" { { "pause", after = function() return "long" end } } end,
+})");
+  load("waits", "local states = require \"lib.states\"\n\n\nbehavior \"waits\" { states.pause() }");
+  ticks(2);
+  ASSERT_FALSE(faults.empty());
+  EXPECT_EQ(faults.front().fault.file, "lib/states.lua");
+  EXPECT_EQ(faults.front().fault.line, 2);
+}
+
 TEST_F(ScriptTransitions, ATransitionKnowsTheLibraryWhoseFunctionMadeIt) {
   folder.write("lib/ways.lua", R"(return {
   is_down = function() return false end,
