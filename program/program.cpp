@@ -31,6 +31,7 @@ constexpr const char* kExamples = R"(Examples:
   reorient check                            mistakes in scripts, with line and column
   reorient test --coverage                  the scripted behaviour tests, and what they leave out
   reorient graph orientation                its states as a Mermaid diagram
+  reorient graph kidnapped --with-behaviors a scenario and all that it loads, with who looks at whom
   reorient reference                        what scripts can see and say, your own libraries among it
 Exit codes: 0 success (the robot ended right, all tests passed, nothing is wrong); 1 failure; 2 invalid input.)";
 

@@ -1,4 +1,5 @@
 // `reorient graph`: state machines as pictures for Mermaid or Graphviz.
+#include <algorithm>
 #include <initializer_list>
 #include <memory>
 #include <ostream>
@@ -14,46 +15,105 @@
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/graph/machine_graph.h"
+#include "workbench/script_tools/graph/machines_graph.h"
 
 namespace reorient {
 namespace {
 
 struct GraphOptions {
-  std::string script;
-  std::filesystem::path scripts;
+  std::vector<std::string> scripts;
+  bool with_behaviors = false;
+  std::filesystem::path scripts_root;
   std::string format = "mermaid";
   std::filesystem::path out;
 };
 
-std::string draw(const MachineDefinition& machine, const std::string& format) {
-  return format == "dot" ? to_dot(machine) : to_mermaid(machine);
-}
+struct NamedScript {
+  std::string file;
+  ScriptKind kind = ScriptKind::behavior;
 
-/// "orientation" or "turned_round": whichever of a behaviour and a scenario there is; the behaviour first.
-std::string draw_script(const std::filesystem::path& root, const GraphOptions& options) {
-  const ScriptTexts texts = read_scripts(root);
-  const std::string wanted = script_named(root, options.script);
-  std::vector<std::string> known;
-  BehaviorLanguage behaviors;
-  ScenarioLanguage scenarios;
-  for (ScriptLanguage* language : std::initializer_list<ScriptLanguage*>{&behaviors, &scenarios}) {
-    for (const std::string& file : texts.in_folder(language->folder())) {
-      known.push_back(std::filesystem::path(file).stem().string());
-      if (known.back() != wanted && file != wanted) continue;
-      ParameterRegistry parameters;
-      ScriptHost host(texts, *language, parameters);
-      host.load(file);
-      std::string text;
-      for (const MachineDefinition* machine : host.definitions()) text += draw(*machine, options.format);
-      return text;
+  bool operator==(const NamedScript&) const = default;
+};
+
+/// The scripts that are asked for, as they are found below the root, and their machines.
+class DrawnScripts {
+ public:
+  explicit DrawnScripts(const std::filesystem::path& root) : root_(root), texts_(read_scripts(root)) {
+    for (const ScriptLanguage* language : std::initializer_list<const ScriptLanguage*>{&behaviors_, &scenarios_}) {
+      for (const std::string& file : texts_.in_folder(language->folder())) all_.push_back({file, language->kind()});
     }
   }
-  throw std::runtime_error("there is no behavior or scenario '" + options.script + "' below " + root.string() +
-                           did_you_mean(options.script, known));
+
+  const ScriptTexts& texts() const { return texts_; }
+  const std::vector<MachineDefinition>& machines() const { return machines_; }
+
+  /// "orientation", "behaviors/orientation.lua", or a path to that file. Each once.
+  void add(const std::string& name) { add(find(name)); }
+
+  /// Throws std::runtime_error where there is no scenario among them.
+  void add_behaviors_of_scenarios() {
+    std::vector<std::string> behaviors;
+    bool has_scenario = false;
+    for (const MachineDefinition& machine : machines_) {
+      has_scenario |= machine.is_scenario;
+      behaviors.insert(behaviors.end(), machine.behaviors.begin(), machine.behaviors.end());
+    }
+    if (!has_scenario) throw std::runtime_error("--with-behaviors is for scenarios; a behavior loads no others");
+    for (const std::string& behavior : behaviors)
+      add({script_file(behaviors_.folder(), behavior), ScriptKind::behavior});
+  }
+
+ private:
+  NamedScript find(const std::string& name) const {
+    const std::string wanted = script_named(root_, name);
+    std::vector<NamedScript> found, of_that_stem;
+    std::vector<std::string> known;
+    for (const NamedScript& script : all_) {
+      const std::string_view folder = script.kind == ScriptKind::behavior ? behaviors_.folder() : scenarios_.folder();
+      known.push_back(std::filesystem::path(script.file).stem().string());
+      if (script.file == script_file(folder, wanted)) found.push_back(script);
+      if (known.back() == wanted) of_that_stem.push_back(script);
+    }
+    if (found.empty()) found = std::move(of_that_stem);
+    if (found.size() == 1) return found.front();
+    if (found.empty())
+      throw std::runtime_error("there is no behavior or scenario '" + name + "' below " + root_.string() +
+                               did_you_mean(name, known));
+    throw std::runtime_error("'" + name + "' may be " + found[0].file + " or " + found[1].file + ": name the file");
+  }
+
+  void add(const NamedScript& script) {
+    if (std::find(added_.begin(), added_.end(), script) != added_.end()) return;
+    added_.push_back(script);
+    ScriptLanguage& language =
+        script.kind == ScriptKind::behavior ? static_cast<ScriptLanguage&>(behaviors_) : scenarios_;
+    ParameterRegistry parameters;
+    ScriptHost host(texts_, language, parameters);
+    host.load(script.file);
+    for (const MachineDefinition* machine : host.definitions()) machines_.push_back(*machine);
+  }
+
+  std::filesystem::path root_;
+  ScriptTexts texts_;
+  BehaviorLanguage behaviors_;
+  ScenarioLanguage scenarios_;
+  std::vector<NamedScript> all_;
+  std::vector<NamedScript> added_;
+  std::vector<MachineDefinition> machines_;
+};
+
+std::string draw(const DrawnScripts& scripts, bool as_dot) {
+  const std::vector<MachineDefinition>& machines = scripts.machines();
+  if (machines.size() == 1) return as_dot ? to_dot(machines.front()) : to_mermaid(machines.front());
+  const std::vector<MachineLink> links = machine_links(machines, scripts.texts());
+  return as_dot ? to_dot(machines, links) : to_mermaid(machines, links);
 }
 
 int graph(const GraphOptions& options, std::ostream& out) {
-  const std::string text = draw_script(scripts_root(options.scripts), options);
+  DrawnScripts scripts(scripts_root(options.scripts_root));
+  for (const std::string& name : options.scripts) scripts.add(name);
+  if (options.with_behaviors) scripts.add_behaviors_of_scenarios();
+  const std::string text = draw(scripts, options.format == "dot");
   if (options.out.empty()) {
     out << text;
   } else {
@@ -67,13 +127,15 @@ int graph(const GraphOptions& options, std::ostream& out) {
 Subcommand add_graph(CLI::App& program) {
   const auto options = std::make_shared<GraphOptions>();
   CLI::App* const parser =
-      program.add_subcommand("graph", "draw a script's states, for Mermaid or Graphviz")->fallthrough();
-  parser->add_option("script", options->script, "name of a behavior or scenario, or its file")->required();
+      program.add_subcommand("graph", "draw the states of scripts, for Mermaid or Graphviz")->fallthrough();
+  parser->add_option("scripts", options->scripts, "names of behaviors and scenarios, or files: in one picture")
+      ->required();
+  parser->add_flag("--with-behaviors", options->with_behaviors, "also the behaviors that a scenario loads");
   parser->add_option("--format", options->format, "mermaid (README files show it) or dot (Graphviz)")
       ->check(CLI::IsMember({"mermaid", "dot"}))
       ->capture_default_str();
   parser->add_option("--out", options->out, "write into this file, not to the terminal");
-  add_scripts_option(*parser, options->scripts);
+  add_scripts_option(*parser, options->scripts_root);
   return {parser, [options](std::ostream& out, std::ostream&) { return graph(*options, out); }};
 }
 

@@ -67,6 +67,40 @@ TEST_F(CommandsTest, GraphDrawsABehaviorAndAScenario) {
   EXPECT_EQ(run({"graph", (scripts_ / "behaviors/orientation.lua").string()}).code, kSuccess);
 }
 
+TEST_F(CommandsTest, GraphDrawsAScenarioWithAllItsBehaviorsInOnePicture) {
+  const ProgramRun drawn = run({"graph", "kidnapped", "--with-behaviors"});
+  EXPECT_EQ(drawn.code, kSuccess) << drawn.err;
+  EXPECT_TRUE(drawn.out.starts_with("flowchart TB\n  subgraph kidnapped_machine[\"kidnapped\"]\n")) << drawn.out;
+  for (const char* line : {"  subgraph head_scan_machine[\"head_scan\"]\n",
+                           "  goal_search_searching -.->|\"pose_is_searched\"| penalty_marks_waiting\n",
+                           "  penalty_marks_on_the_mark -.->|\"state\"| kidnapped_elsewhere_lost\n"})
+    EXPECT_NE(drawn.out.find(line), std::string::npos) << line << drawn.out;
+  EXPECT_EQ(run({"graph", "orientation", "--with-behaviors"}).code, kBadInput);
+}
+
+TEST_F(CommandsTest, GraphDrawsSeveralScriptsInOnePicture) {
+  const ProgramRun drawn = run({"graph", "goal_search", "penalty_marks", "goal_search"});
+  EXPECT_EQ(drawn.code, kSuccess) << drawn.err;
+  EXPECT_NE(drawn.out.find("  goal_search_searching -.->|\"pose_is_searched\"| penalty_marks_waiting\n"),
+            std::string::npos)
+      << drawn.out;
+  EXPECT_EQ(drawn.out.find("  subgraph goal_search_machine"), drawn.out.rfind("  subgraph goal_search_machine"));
+  EXPECT_TRUE(run({"graph", "goal_search", "goal_search"}).out.starts_with("stateDiagram-v2\n"));
+  EXPECT_TRUE(run({"graph", "goal_search", "get_up", "--format", "dot"}).out.starts_with("digraph machines {\n"));
+}
+
+TEST_F(CommandsTest, GraphAsksForTheFileWhereANameMeansTwo) {
+  std::ofstream(scripts_ / "scenarios/orientation.lua") << "scenario \"other\" { state \"here\" {} }\n";
+  const ProgramRun drawn = run({"graph", "orientation"});
+  EXPECT_EQ(drawn.code, kBadInput);
+  EXPECT_NE(
+      drawn.err.find("'orientation' may be behaviors/orientation.lua or scenarios/orientation.lua: name the file"),
+      std::string::npos)
+      << drawn.err;
+  EXPECT_NE(run({"graph", "scenarios/orientation.lua"}).out.find("here"), std::string::npos);
+  EXPECT_EQ(run({"graph", "paper/paper_training"}).out, run({"graph", "paper_training"}).out);
+}
+
 TEST_F(CommandsTest, GraphWritesAFile) {
   EXPECT_EQ(run({"graph", "orientation", "--out", path("o.mmd")}).out, "");
   EXPECT_EQ(read_whole_file(path("o.mmd")), run({"graph", "orientation"}).out);

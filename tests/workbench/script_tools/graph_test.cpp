@@ -1,8 +1,15 @@
 // State machines as text for Mermaid and Graphviz.
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/engine/script/script_fixture.h"
 #include "workbench/script_tools/graph/machine_graph.h"
+#include "workbench/script_tools/graph/machines_graph.h"
+#include "workbench/script_tools/graph/script_sights.h"
 
 namespace reorient {
 namespace {
@@ -75,6 +82,140 @@ TEST_F(GraphTest, KeepsStatesApartWhoseNamesDifferInASignOnly) {
   const std::string text = to_mermaid(*host().definitions().front());
   EXPECT_NE(text.find("state \"a b\" as a_b\n"), std::string::npos) << text;
   EXPECT_NE(text.find("state \"a_b\" as a_b_2\n"), std::string::npos) << text;
+}
+
+class GraphOfSeveral : public ScriptTest {
+ protected:
+  /// A machine that publishes, and one that looks: over a local function, a library, and by itself.
+  void load_two() {
+    load("seeker", R"(behavior "seeker" {
+  initial = "resting",
+  state "resting" { { "searching", after = 1 } },
+  state "searching" {
+    publishes = "is_searched",
+    state "near" { { "far", after = 1 } },
+    state "far" {},
+    initial = "near",
+  },
+})");
+    folder.write("lib/manners.lua", R"(local manners = {}
+local function is_far() return behaviors.seeker.state == "searching/far" end
+function manners.is_polite() return not is_far() end
+function manners.is_rude() return published.nothing end
+return manners)");
+    load("walker", R"(local manners = require "lib.manners"
+local function must_wait() return published["is_searched"] end
+behavior "walker" {
+  initial = "walking",
+  common = { { "down", when = function() return robot.posture == "lying" end, because = "fell" } },
+  state "walking" { { "waiting", when = must_wait, because = "<search> \"now\"" } },
+  state "waiting" {
+    { "walking", when = function() return manners.is_polite() and behaviors.seeker.time_in_state > 2 end },
+  },
+  state "down" { { "walking", when = function() return "resting" ~= behaviors.seeker.state end } },
+})");
+  }
+  std::vector<MachineDefinition> machines() {
+    std::vector<MachineDefinition> all;
+    for (const MachineDefinition* machine : host().definitions()) all.push_back(*machine);
+    return all;
+  }
+  std::vector<MachineLink> links() { return machine_links(machines(), host().texts()); }
+};
+
+TEST_F(GraphOfSeveral, FindsWhereAMachineLooksAtAnother) {
+  load_two();
+  const std::map<int, std::set<Sight>> seen = sights_of(machines()[1], host().texts());
+  const std::set<Sight> walking{{"", "is_searched", ""}};
+  const std::set<Sight> waiting{{"seeker", "state", "searching/far"}, {"seeker", "time_in_state", ""}};
+  const std::set<Sight> down{{"seeker", "state", "resting"}};
+  EXPECT_EQ(seen, (std::map<int, std::set<Sight>>{{1, walking}, {2, waiting}, {3, down}}));
+}
+
+TEST_F(GraphOfSeveral, LeavesFieldsStringsAndCommentsOfTheSameNamesAlone) {
+  load("blind", R"(local t = { published = { is_searched = true }, behaviors = 1 }
+-- published.is_searched
+behavior "blind" {
+  initial = "a",
+  state "a" { { "b", when = function() return t.published.is_searched and "published.x" == "" end } },
+  state "b" { { "a", when = function() return published[t.behaviors] end } },
+})");
+  EXPECT_TRUE(sights_of(machines().front(), host().texts()).empty());
+}
+
+TEST_F(GraphOfSeveral, TellsASightInAStateThatALocalNameHoldsOnce) {
+  load("held", R"(local held = state "held" { { "other", when = function() return published.flag end } }
+behavior "held" { initial = "held", held, state "other" { { "held", after = 1 } } })");
+  const std::map<int, std::set<Sight>> seen = sights_of(machines().front(), host().texts());
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen.begin()->first, 1);
+}
+
+TEST_F(GraphOfSeveral, FindsFunctionsThatCallEachOther) {
+  load("round", R"(local even
+local function odd(n) return n > 0 and even(n - 1) or published.flag end
+even = function(n) return n == 0 or odd(n - 1) end
+behavior "round" { state "a" { { "a", when = function() return even(3) end } } })");
+  EXPECT_EQ(sights_of(machines().front(), host().texts()), (std::map<int, std::set<Sight>>{{1, {{"", "flag", ""}}}}));
+}
+
+TEST_F(GraphOfSeveral, IsAMermaidFlowchartWithDashedLinks) {
+  load_two();
+  EXPECT_EQ(to_mermaid(machines(), links()), R"(flowchart TB
+  subgraph seeker_machine["seeker"]
+    seeker_start((" ")) --> seeker_resting
+    seeker_resting("resting")
+    subgraph seeker_searching["searching"]
+      seeker_searching_start((" ")) --> seeker_searching_near
+      seeker_searching_near("near")
+      seeker_searching_far("far")
+    end
+    seeker_resting -->|"after 1 s"| seeker_searching
+    seeker_searching_near -->|"after 1 s"| seeker_searching_far
+  end
+  subgraph walker_machine["walker"]
+    walker_any_state(["any state"])
+    walker_start((" ")) --> walker_walking
+    walker_walking("walking")
+    walker_waiting("waiting")
+    walker_down("down")
+    walker_any_state -->|"fell"| walker_down
+    walker_walking -->|"#lt;search#gt; 'now'"| walker_waiting
+    walker_waiting -->|"its condition held"| walker_walking
+    walker_down -->|"its condition held"| walker_walking
+  end
+  seeker_searching -.->|"is_searched"| walker_walking
+  seeker_searching_far -.->|"state"| walker_waiting
+  seeker_machine -.->|"time_in_state"| walker_waiting
+  seeker_resting -.->|"state"| walker_down
+)");
+}
+
+TEST_F(GraphOfSeveral, IsAGraphvizDigraphWithDashedLinks) {
+  load_two();
+  const std::string text = to_dot(machines(), links());
+  EXPECT_TRUE(text.starts_with("digraph machines {\n  compound=true;\n")) << text;
+  EXPECT_NE(text.find("  subgraph cluster_seeker_machine {\n    label=\"seeker\";\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  seeker_searching_near -> walker_walking [label=\"is_searched\", style=dashed, "
+                      "constraint=false, ltail=cluster_seeker_searching];\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("  seeker_resting -> walker_waiting [label=\"time_in_state\", style=dashed, constraint=false, "
+                      "ltail=cluster_seeker_machine];\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST_F(GraphOfSeveral, KeepsMachinesAndStatesApartWhoseNamesRunTogether) {
+  load(
+      "a",
+      R"(behavior "a" { initial = "b c", state "b c" { { "b_c", after = 1 } }, state "b_c" { { "b c", after = 1 } } })");
+  load("a_b", R"(behavior "a_b" { state "c" {} })");
+  load("bare", R"(behavior "bare" {})");
+  const std::string text = to_mermaid(machines(), links());
+  for (const char* line : {"    a_b_c(\"b c\")\n", "    a_b_c_2(\"b_c\")\n", "    a_b_c_3(\"c\")\n",
+                           "  subgraph bare_machine[\"bare\"]\n  end\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 
 }  // namespace

@@ -1,53 +1,21 @@
 #include "workbench/script_tools/graph/machine_graph.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "workbench/script_tools/graph/graph_text.h"
 
 namespace reorient {
 namespace {
-
-constexpr const char* kAnyState = "any_state";
 
 /// One identifier a state: its path in letters, digits and _; numbered where two paths would become the same.
 std::vector<std::string> identifiers(const MachineDefinition& machine) {
   std::vector<std::string> all;
   for (const StateDefinition& state : machine.states) {
-    std::string id = state.path.empty() ? kAnyState : state.path;
-    std::replace_if(
-        id.begin(), id.end(), [](unsigned char c) { return std::isalnum(c) == 0 || c >= 128; }, '_');
+    std::string id = state_identifier(state);
     if (std::find(all.begin(), all.end(), id) != all.end()) id += "_" + std::to_string(all.size());
     all.push_back(std::move(id));
   }
   return all;
-}
-
-/// The reason, and how long it takes.
-std::string label(const TransitionDefinition& transition) {
-  std::string text = transition.because;
-  if (transition.lasting.kind != Dwell::Kind::none) text += " [for " + transition.lasting.text + "]";
-  const std::string after = "after " + transition.after.text;
-  if (transition.after.kind != Dwell::Kind::none && text != after) text += " [" + after + "]";
-  return text;
-}
-
-std::string replaced(std::string text, char from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, 1, to);
-  return text;
-}
-
-/// Nothing in it ends a line, a label or a statement of Mermaid's.
-std::string mermaid_text(const std::string& text) {
-  return replaced(replaced(replaced(replaced(text, '#', "#35;"), '"', "'"), '\n', " "), ':', "#58;");
-}
-
-std::string dot_text(const std::string& text) {
-  return '"' + replaced(replaced(replaced(text, '\\', "\\\\"), '"', "\\\""), '\n', " ") + '"';
-}
-
-bool leaves_machine(const MachineDefinition& machine) {
-  return std::any_of(machine.transitions.begin(), machine.transitions.end(),
-                     [](const TransitionDefinition& transition) { return transition.from == 0; });
 }
 
 struct MermaidWriter {
@@ -88,12 +56,9 @@ struct DotWriter {
     }
   }
 
-  /// Graphviz draws edges between nodes only: that of a cluster stands for it and is cut off at its border.
-  int innermost(int state) const {
-    while (machine.states[state].initial >= 0) state = machine.states[state].initial;
-    return state;
-  }
+  int innermost(int state) const { return innermost_state(machine, state); }
 
+  /// An edge of a cluster is cut off at its border.
   std::string ends(int from, int to) const {
     std::string cut;
     if (from != 0 && from != innermost(from)) cut += ", ltail=cluster_" + id[from];
@@ -107,10 +72,10 @@ struct DotWriter {
 std::string to_mermaid(const MachineDefinition& machine) {
   MermaidWriter writer{machine, identifiers(machine), "stateDiagram-v2\n"};
   writer.write_states(0, "  ");
-  if (leaves_machine(machine)) writer.out += std::string("  state \"any state\" as ") + kAnyState + "\n";
+  if (has_common_way(machine)) writer.out += "  state \"any state\" as " + writer.id[0] + "\n";
   for (const TransitionDefinition& transition : machine.transitions) {
     writer.out += "  " + writer.id[transition.from] + " --> " + writer.id[transition.to] + " : " +
-                  mermaid_text(label(transition)) + "\n";
+                  mermaid_text(transition_label(transition)) + "\n";
   }
   return writer.out;
 }
@@ -119,8 +84,7 @@ std::string to_dot(const MachineDefinition& machine) {
   DotWriter writer{machine, identifiers(machine), "digraph " + dot_text(machine.name) + " {\n"};
   std::string& out = writer.out;
   out += "  compound=true;\n  node [shape=box, style=rounded];\n  start [shape=point];\n";
-  if (leaves_machine(machine))
-    out += std::string("  ") + kAnyState + " [label=\"any state\", style=\"rounded,dashed\"];\n";
+  if (has_common_way(machine)) out += "  " + writer.id[0] + " [label=\"any state\", style=\"rounded,dashed\"];\n";
   writer.write_states(0, "  ");
   if (const int initial = machine.states[0].initial; initial >= 0) {
     const std::string cut = writer.ends(0, initial);
@@ -130,7 +94,7 @@ std::string to_dot(const MachineDefinition& machine) {
   for (const TransitionDefinition& transition : machine.transitions) {
     const int from = transition.from == 0 ? 0 : writer.innermost(transition.from);
     out += "  " + writer.id[from] + " -> " + writer.id[writer.innermost(transition.to)] +
-           " [label=" + dot_text(label(transition)) + (transition.common ? ", style=dashed" : "") +
+           " [label=" + dot_text(transition_label(transition)) + (transition.common ? ", style=dashed" : "") +
            writer.ends(transition.from, transition.to) + "];\n";
   }
   return out + "}\n";
