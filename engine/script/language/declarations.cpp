@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 
@@ -67,6 +68,15 @@ void check_keys(lua_State* L, int table, const std::vector<std::string>& known) 
   }
 }
 
+/// What parameters of another kind have, and this one would not heed.
+void refuse_keys(lua_State* L, int table, const std::string& what, std::initializer_list<const char*> keys) {
+  for (const char* const key : keys) {
+    const int type = raw_field(L, table, key);
+    lua_pop(L, 1);
+    if (type != LUA_TNIL) throw std::runtime_error(what + " and has no " + key);
+  }
+}
+
 void push_value(lua_State* L, const ParameterValue& value) {
   if (const auto* real = std::get_if<double>(&value)) lua_pushnumber(L, *real);
   if (const auto* whole = std::get_if<int>(&value)) lua_pushinteger(L, *whole);
@@ -128,12 +138,14 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
     declaration.kind = ParameterKind::boolean;
     declaration.default_value = lua_toboolean(L, -1) != 0;
     lua_pop(L, 1);
+    refuse_keys(L, table, "param " + name + " is true or false", {"range", "choices", "integer"});
     return declaration;
   }
   if (type == LUA_TSTRING) {
     declaration.kind = ParameterKind::choice;
     declaration.default_value = std::string(lua_tostring(L, -1));
     lua_pop(L, 1);
+    refuse_keys(L, table, "param " + name + " begins with a string, so it is a choice", {"range", "integer"});
     if (raw_field(L, table, "choices") != LUA_TTABLE)
       throw std::runtime_error("param " + name + " needs choices = { ... }");
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
@@ -149,11 +161,13 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
   if (type != LUA_TNUMBER) throw std::runtime_error("param " + name + " begins with its default: { 0.5, range = ... }");
   const double number = lua_tonumber(L, -1);
   lua_pop(L, 1);
+  refuse_keys(L, table, "param " + name + " is a number", {"choices"});
   raw_field(L, table, "integer");
   const bool whole = lua_toboolean(L, -1) != 0;
   lua_pop(L, 1);
   if (raw_field(L, table, "range") != LUA_TTABLE)
     throw std::runtime_error("param " + name + " needs range = { least, greatest }");
+  if (lua_rawlen(L, -1) != 2) throw std::runtime_error("the range of param " + name + " is { least, greatest }");
   declaration.minimum = raw_number(L, lua_gettop(L), 1, "range");
   declaration.maximum = raw_number(L, lua_gettop(L), 2, "range");
   lua_pop(L, 1);
@@ -164,6 +178,7 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
     throw std::runtime_error("param " + name + " is too large for a whole number");
   }
   if (whole) {
+    if (number != std::floor(number)) throw std::runtime_error("the default of param " + name + " is a whole number");
     declaration.kind = ParameterKind::integer;
     declaration.default_value = static_cast<int>(number);
   } else {

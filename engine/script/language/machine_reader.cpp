@@ -100,7 +100,8 @@ void MachineReader::read_state(int table, int state, SourceLocations::Table& pla
   definition.update = read_function(table, "update");
   definition.exit = read_function(table, "exit");
   definition.publishes = read_flag(table);
-  raw_field(lua_, table, "history");
+  const int history = raw_field(lua_, table, "history");
+  if (history != LUA_TNIL && history != LUA_TBOOLEAN) note_at("history", "history is true or false");
   definition.history = lua_toboolean(lua_, -1) != 0;
   lua_pop(lua_, 1);
   read_common(table, state, place);

@@ -202,6 +202,26 @@ TEST_F(ScriptCheckTest, WarnsOfStatesThatAreNeverReachedAndOfThoseWithoutAWayOut
   EXPECT_EQ(check().count(Finding::Severity::error), 0);
 }
 
+TEST_F(ScriptCheckTest, RefusesWhatAParameterOfItsKindWouldNotHeed) {
+  folder.write("behaviors/odd.lua", R"(param {
+  switch = { true, range = { 0, 1 }, doc = "x" },
+  choice = { "a", choices = { "a" }, range = { 0, 1 }, doc = "x" },
+  number = { 1, range = { 0, 1 }, choices = { "a" }, doc = "x" },
+  whole  = { 0.5, range = { 0, 1 }, integer = true, doc = "x" },
+  wide   = { 1, range = { 0, 1, 2 }, doc = "x" },
+}
+behavior "odd" { state "a" { history = "yes" } }
+)");
+  EXPECT_EQ(findings(),
+            "behaviors/odd.lua:2:3: error: param switch is true or false and has no range\n"
+            "behaviors/odd.lua:3:3: error: param choice begins with a string, so it is a choice and has no range\n"
+            "behaviors/odd.lua:4:3: error: param number is a number and has no choices\n"
+            "behaviors/odd.lua:5:3: error: the default of param whole is a whole number\n"
+            "behaviors/odd.lua:6:3: error: the range of param wide is { least, greatest }\n");
+  folder.write("behaviors/odd.lua", "behavior \"odd\" { state \"a\" { history = \"yes\" } }\n");
+  EXPECT_EQ(findings(), "behaviors/odd.lua:1:30: error: history is true or false\n");
+}
+
 TEST_F(ScriptCheckTest, LetsAStateWithInnerLifeLastForEver) {
   folder.write("behaviors/settled.lua", R"(behavior "settled" {
   initial = "young",
