@@ -222,6 +222,40 @@ behavior "odd" { state "a" { history = "yes" } }
   EXPECT_EQ(findings(), "behaviors/odd.lua:1:30: error: history is true or false\n");
 }
 
+TEST_F(ScriptCheckTest, WarnsOfAnInitialStateWhenEveryWayInLeadsPastIt) {
+  folder.write("behaviors/odd.lua", R"(behavior "odd" {
+  initial = "one",
+  state "one" { { "two/late", after = 1 } },
+  state "two" { initial = "early", { "one", after = 9 }, state "early" { { "late", after = 1 } }, state "late" {} },
+}
+)");
+  EXPECT_EQ(findings(), "behaviors/odd.lua:4:64: warning: state 'two/early' is never reached\n");
+}
+
+TEST_F(ScriptCheckTest, WarnsOfATransitionIntoAStateAroundIt) {
+  folder.write("behaviors/odd.lua", R"(behavior "odd" {
+  initial = "outer",
+  state "outer" {
+    initial = "a",
+    common = { { "outer", after = 5 } },
+    state "a" { { "b", after = 1 } },
+    state "b" { { "outer", after = 1 } },
+  },
+}
+)");
+  EXPECT_EQ(findings(),
+            "behaviors/odd.lua:5:18: warning: the transition to 'outer' is never taken: 'outer' is active all the "
+            "while; name a state in it, or one beside it\n"
+            "behaviors/odd.lua:7:11: warning: state 'outer/b' has no way out\n"
+            "behaviors/odd.lua:7:19: warning: the transition to 'outer' is never taken: 'outer' is active all the "
+            "while; name a state in it, or one beside it\n");
+}
+
+TEST_F(ScriptCheckTest, KnowsThatAStateMayLeadToItself) {
+  folder.write("behaviors/again.lua", R"(behavior "again" { initial = "a", state "a" { { "a", after = 1 } } })");
+  EXPECT_EQ(findings(), "");
+}
+
 TEST_F(ScriptCheckTest, LetsAStateWithInnerLifeLastForEver) {
   folder.write("behaviors/settled.lua", R"(behavior "settled" {
   initial = "young",
