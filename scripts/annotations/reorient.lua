@@ -236,6 +236,27 @@ published = {}
 ---@param ... any
 function print(...) end
 
+---@alias reorient.CommandName "flip_pose"|"purge_reflection"|"reset_orientation"|"pause_training"|"pause_evaluation"
+---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
+---@alias reorient.PauseName "pause_training"|"pause_evaluation"
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"
+---@alias reorient.MachineName string
+---@alias reorient.StatePath string
+---@alias reorient.BehaviorScript string
+---@alias reorient.ScenarioScript string
+---@alias reorient.ParameterName string
+
+---@class reorient.World
+---@field clock? table<string, number|boolean|string>
+---@field robot? table<string, number|boolean|string>
+---@field pose? table<string, number|boolean|string>
+---@field confidence? table<string, number|boolean|string>
+---@field training? table<string, number|boolean|string>
+---@field evaluation? table<string, number|boolean|string>
+---@field seen? table<string, number|boolean|string>
+---@field field? table<string, number|boolean|string>
+---@field truth? table<string, number|boolean|string>
+
 expect = {}
 
 ---Declares a test. Its file is run anew for it in a fresh sandbox, with a world, a clock and scripts of its own. It may take 60 s (`--timeout`) and 36 000 s of the robot's time, the tests of a file ten times that.
@@ -244,19 +265,19 @@ expect = {}
 function test(name, run) end
 
 ---Loads a behaviour.
----@param behavior string
+---@param behavior reorient.BehaviorScript
 function load_behavior(behavior) end
 
 ---Loads a scenario and its behaviours.
----@param scenario string
+---@param scenario reorient.ScenarioScript
 function load_scenario(scenario) end
 
 ---Changes the fake world, from the next frame on. What follows from the rest (times since a disturbance, age and status of the confidences, whether training and evaluation go on) follows until the test sets it itself.
----@param world table<string, table<string, number|boolean|string>>
+---@param world reorient.World
 function set_world(world) end
 
 ---Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in the test has is a failure.
----@param name string
+---@param name reorient.ParameterName
 ---@param value string
 function set_param(name, value) end
 
@@ -268,36 +289,36 @@ function advance(seconds) end
 ---@param edit { from: string, to: string, file: string? }
 function reload(edit) end
 
----Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped unless `reorient test --simulator`.
----@param run { scenario: string, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, any>? }
+---Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.
+---@param run { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, params: table<string, any>? }
 ---@return boolean is_correct
 function simulate(run) end
 
 ---The machine is in this state (path).
----@param machine string
----@param path string
+---@param machine reorient.MachineName
+---@param path reorient.StatePath
 function expect.state(machine, path) end
 
 ---The machine's last transition had this reason.
----@param machine string
+---@param machine reorient.MachineName
 ---@param text string
 function expect.reason(machine, text) end
 
 ---The command was issued during the last `advance`, with this verdict if one is named (granted, outranked, too_soon, not_allowed).
----@param name string
----@param verdict? string
+---@param name reorient.CommandName
+---@param verdict? reorient.Verdict
 function expect.command(name, verdict) end
 
 ---The command, or any reorientation, was not issued during the last `advance`.
----@param name? string
+---@param name? reorient.CommandName
 function expect.no_command(name) end
 
 ---Some state holds this pause now.
----@param name string
+---@param name reorient.PauseName
 function expect.lease(name) end
 
 ---No state holds this pause now.
----@param name string
+---@param name reorient.PauseName
 function expect.no_lease(name) end
 
 ---The head is asked to turn there (yaw, pitch, rad).
@@ -320,7 +341,7 @@ function expect.get_up(wanted) end
 function expect.log(text) end
 
 ---The scenario did this during the last `advance`.
----@param name string
+---@param name reorient.ActionName
 function expect.action(name) end
 
 ---The scenario's verdict, and a part of its text.

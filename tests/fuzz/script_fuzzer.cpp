@@ -27,7 +27,7 @@
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
-#include "workbench/script_tools/check/name_check.h"
+#include "workbench/script_tools/check/text_check.h"
 #include "workbench/script_tools/graph/machine_graph.h"
 
 namespace reorient {
@@ -319,14 +319,14 @@ ScriptTexts texts_with_honest_one(const std::string& folder, const std::string& 
 
 /// What `reorient check` does: it takes any text, and points into it.
 void check_without_running(const std::string& text) {
-  static const SymbolTable known = symbol_table(ScriptRole::behavior);
+  static const SymbolTable known = symbol_table(ScriptRole::behavior, std::nullopt);
   const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
   TextPosition before;
-  for (const DeclarationError& error : check_names(text, known)) {
-    require(error.position.line >= 1 && error.position.line <= lines && error.position.column >= 1,
+  for (const Finding& finding : check_text(text, known).findings) {
+    require(finding.position.line >= 1 && finding.position.line <= lines && finding.position.column >= 1,
             "a mistake stands in the text");
-    require(!is_before(error.position, before), "mistakes are told in their order");
-    before = error.position;
+    require(!is_before(finding.position, before), "mistakes are told in their order");
+    before = finding.position;
   }
 }
 

@@ -13,12 +13,15 @@
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
-#include "workbench/script_tools/check/name_check.h"
+#include "workbench/script_tools/check/symbol_table.h"
+#include "workbench/script_tools/check/text_check.h"
 
 namespace reorient {
 namespace {
 
 using Severity = Finding::Severity;
+
+constexpr std::string_view kExtension = ".lua";
 
 auto order(const Finding& finding) {
   return std::tie(finding.file, finding.position.line, finding.position.column, finding.message);
@@ -37,6 +40,18 @@ std::vector<std::string> tests_in(const std::filesystem::path& root) {
   return files;
 }
 
+/// "lib/walk.lua" is required as "lib.walk".
+std::string module_name(std::string file) {
+  file.resize(file.size() - kExtension.size());
+  std::replace(file.begin(), file.end(), '/', '.');
+  return file;
+}
+
+std::string file_of(std::string module) {
+  std::replace(module.begin(), module.end(), '.', '/');
+  return module.append(kExtension);
+}
+
 class ScriptCheck {
  public:
   explicit ScriptCheck(const std::filesystem::path& root) : root_(root), texts_(read_scripts(root)) {
@@ -46,10 +61,13 @@ class ScriptCheck {
   CheckResult run() {
     load_together(texts_.in_folder("behaviors"));
     for (const std::string& scenario : texts_.in_folder("scenarios")) load_with_behaviors(scenario);
-    for (const std::string& file : texts_.in_folder("behaviors")) look_at_names(file, ScriptRole::behavior);
-    for (const std::string& file : texts_.in_folder("scenarios")) look_at_names(file, ScriptRole::scenario);
-    for (const std::string& file : texts_.in_folder("lib")) look_at_names(file, ScriptRole::library);
-    for (const std::string& file : tests_in(root_)) look_at_names(file, ScriptRole::test);
+    declared_.behavior_scripts = names_of_scripts("behaviors");
+    declared_.scenario_scripts = names_of_scripts("scenarios");
+    // Libraries first: others call their functions.
+    for (const std::string& file : texts_.in_folder("lib")) look_at_library(file);
+    for (const std::string& file : texts_.in_folder("behaviors")) look_at_text(file, ScriptRole::behavior);
+    for (const std::string& file : texts_.in_folder("scenarios")) look_at_text(file, ScriptRole::scenario);
+    for (const std::string& file : tests_in(root_)) look_at_text(file, ScriptRole::test);
     std::vector<Finding>& all = result_.findings;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
     // A behaviour that several scenarios load is told once.
@@ -64,12 +82,22 @@ class ScriptCheck {
       result_.findings.push_back({Severity::error, fault.file, {fault.line, fault.column}, fault.message});
   }
 
+  /// By which they can be loaded: "paper/paper_orientation", "behaviors/paper/paper_orientation.lua".
+  std::set<std::string> names_of_scripts(const std::string& folder) const {
+    std::set<std::string> names;
+    for (const std::string& file : texts_.in_folder(folder)) {
+      names.insert(file);
+      names.insert(file.substr(folder.size() + 1, file.size() - folder.size() - 1 - kExtension.size()));
+    }
+    return names;
+  }
+
   void load(ScriptHost& host, const std::string& file) {
     try {
       host.load(file);
     } catch (const ScriptError& error) {
       note(error);
-      if (file.starts_with("behaviors/")) knows_all_machines_ = false;
+      (file.starts_with("behaviors/") ? knows_behaviors_ : knows_scenarios_) = false;
     }
   }
 
@@ -78,13 +106,7 @@ class ScriptCheck {
     ScriptHost host(texts_, language, core_parameters_);
     for (const std::string& file : behaviors) load(host, file);
     take_in(host);
-    for (const MachineDefinition* machine : host.definitions()) {
-      std::set<std::string>& states = states_[machine->name];
-      for (const StateDefinition& state : machine->states) {
-        states.insert(state.path);
-        if (!state.publishes.empty()) published_.insert(state.publishes);
-      }
-    }
+    take_in(core_parameters_);
   }
 
   void load_with_behaviors(const std::string& scenario) {
@@ -93,6 +115,7 @@ class ScriptCheck {
     ScriptHost host(texts_, scenario_language, parameters);
     load(host, scenario);
     take_in(host);
+    take_in(parameters);
     BehaviorLanguage behavior_language;
     ScriptHost behaviors(texts_, behavior_language, core_parameters_);
     for (const MachineDefinition* machine : host.definitions()) {
@@ -106,11 +129,34 @@ class ScriptCheck {
     for (const MachineDefinition* machine : host.definitions()) {
       for (DeclarationError& warning : machine_warnings(*machine))
         result_.findings.push_back({Severity::warning, warning.file, warning.position, std::move(warning.message)});
+      auto& machines = machine->is_scenario ? declared_.scenarios : declared_.behaviors;
+      for (const StateDefinition& state : machine->states) {
+        machines[machine->name].insert(state.path);
+        if (!state.publishes.empty()) declared_.published.insert(state.publishes);
+      }
     }
-    for (auto& [module, fields] : host.module_fields()) modules_[module] = {fields, {}, false};
+    for (auto& [module, fields] : host.module_fields()) {
+      auto table = std::make_shared<TableSymbol>(TableSymbol{module, "there is no " + module + ".", {}, false});
+      for (const std::string& field : fields) table->fields[field];
+      modules_[module] = std::move(table);
+    }
   }
 
-  void look_at_names(const std::string& file, ScriptRole role) {
+  void take_in(const ParameterRegistry& parameters) {
+    for (const Parameter& parameter : parameters.list()) declared_.parameters.insert(parameter.name);
+  }
+
+  /// After the libraries that it requires itself.
+  void look_at_library(const std::string& file) {
+    const ScriptText* const text = texts_.find(file);
+    if (text == nullptr || !looked_at_.insert(file).second) return;
+    for (const LuaToken& token : lua_tokens(text->text)) {
+      if (token.kind == LuaToken::Kind::text && modules_.contains(token.text)) look_at_library(file_of(token.text));
+    }
+    look_at_text(file, ScriptRole::library);
+  }
+
+  void look_at_text(const std::string& file, ScriptRole role) {
     ++result_.files;
     const std::optional<std::string> text = text_of(file, role);
     if (!text) {
@@ -126,14 +172,31 @@ class ScriptCheck {
       result_.findings.push_back({Severity::error, file, {fault->line, column}, fault->message});
       return;
     }
-    SymbolTable known = symbol_table(role);
-    known.modules = modules_;
-    if (knows_all_machines_) {
-      known.states = states_;
-      known.published = published_;
+    // Where a script cannot be loaded, there may be other names than these. Only tests name scenarios.
+    const bool knows_all = knows_behaviors_ && (knows_scenarios_ || role != ScriptRole::test);
+    SymbolTable known = symbol_table(role, knows_all ? std::optional(declared_) : std::nullopt);
+    for (const auto& [module, table] : modules_) {
+      known.modules[module] = {kTable, table};
+      const ScriptText* const library = texts_.find(file_of(module));
+      known.modules_use_metatables |= library != nullptr && library->text.find("setmetatable") != std::string::npos;
     }
-    for (DeclarationError& slip : check_names(*text, known))
-      result_.findings.push_back({Severity::error, file, slip.position, std::move(slip.message)});
+    TextCheck check = check_text(*text, known);
+    for (Finding& finding : check.findings) {
+      finding.file = file;
+      result_.findings.push_back(std::move(finding));
+    }
+    if (role == ScriptRole::library) take_in(module_name(file), check.functions);
+  }
+
+  /// What a library's text says of its functions.
+  void take_in(const std::string& module, const std::map<std::string, FunctionSymbol>& functions) {
+    const auto found = modules_.find(module);
+    if (found == modules_.end()) return;
+    for (const auto& [name, function] : functions) {
+      const auto field = found->second->fields.find(name);
+      if (field == found->second->fields.end()) continue;
+      field->second = {kFunction, nullptr, std::make_shared<const FunctionSymbol>(function)};
+    }
   }
 
   std::optional<std::string> text_of(const std::string& file, ScriptRole role) const {
@@ -146,10 +209,11 @@ class ScriptCheck {
   ScriptTexts texts_;
   CoreParameters core_;
   ParameterRegistry core_parameters_;  ///< with the engine's own: scripts must not take their names
-  std::map<std::string, std::set<std::string>> states_;
-  std::set<std::string> published_;
-  bool knows_all_machines_ = true;
-  std::map<std::string, TableSymbol> modules_;
+  DeclaredNames declared_;
+  bool knows_behaviors_ = true;  ///< all could be loaded
+  bool knows_scenarios_ = true;
+  std::map<std::string, std::shared_ptr<TableSymbol>> modules_;
+  std::set<std::string> looked_at_;  ///< libraries
   CheckResult result_;
 };
 

@@ -3,24 +3,11 @@
 
 #include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "engine/script/source/lua_tokens.h"
+#include "workbench/script_tools/check/finding.h"
 
 namespace reorient {
-
-struct Finding {
-  enum class Severity { error, warning };
-
-  Severity severity = Severity::error;
-  std::string file;  ///< from the scripts' root
-  TextPosition position;
-  std::string message;
-
-  /// "behaviors/orientation.lua:12:5: error: message"
-  std::string text() const;
-};
 
 struct CheckResult {
   int files = 0;                  ///< that were looked at

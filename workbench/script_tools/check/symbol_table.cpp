@@ -1,75 +1,166 @@
 #include "workbench/script_tools/check/symbol_table.h"
 
-#include <sstream>
+#include <utility>
 
 #include "engine/script/language/behavior_language.h"
 #include "workbench/scenario/scenario_language.h"
+#include "workbench/script_tools/check/type_symbols.h"
 #include "workbench/script_tools/reference/vocabulary.h"
 
 namespace reorient {
 namespace {
 
-void add_library(SymbolTable& known) {
-  for (const LibraryRow& row : library_rows()) {
-    std::istringstream names{std::string(row.names)};
-    for (std::string name; names >> name;) {
-      if (row.table.empty()) {
-        known.globals.insert(name);
-      } else {
-        known.globals.insert(std::string(row.table));
-        known.tables[std::string(row.table)].fields.insert(name);
+std::shared_ptr<const std::set<std::string>> shared(std::set<std::string> names) {
+  return std::make_shared<const std::set<std::string>>(std::move(names));
+}
+
+std::shared_ptr<TableSymbol> new_table(const std::string& name) {
+  return std::make_shared<TableSymbol>(TableSymbol{name, "there is no " + name + ".", {}, true});
+}
+
+/// A text that is one of these.
+Symbol one_of(std::set<std::string> names) { return {kString, nullptr, nullptr, shared(std::move(names))}; }
+
+Symbol field_symbol(const WorldField& field) {
+  if (field.type == WorldField::Type::name) return one_of({field.names.begin(), field.names.end()});
+  return {field.type == WorldField::Type::boolean ? kBoolean : kNumber};
+}
+
+/// Tables are made while they are filled; then they are the globals'.
+class Vocabulary {
+ public:
+  explicit Vocabulary(const std::optional<DeclaredNames>& declared) : declared_(declared) {
+    for (const NameType& type : name_types())
+      named_[std::string(type.type)] =
+          type.names.empty() ? Symbol{kString} : one_of({type.names.begin(), type.names.end()});
+    named_[std::string(kWorldType)] = world_changes();
+    if (!declared) return;
+    for (const auto* machines : {&declared->behaviors, &declared->scenarios})
+      states_.insert(machines->begin(), machines->end());
+    std::set<std::string> machines;
+    for (const auto& machine : states_) machines.insert(machine.first);
+    named_["reorient.MachineName"] = one_of(std::move(machines));
+    named_["reorient.BehaviorScript"] = one_of(declared->behavior_scripts);
+    named_["reorient.ScenarioScript"] = one_of(declared->scenario_scripts);
+    named_["reorient.ParameterName"] = one_of(declared->parameters);
+  }
+
+  void add_library() {
+    for (const LibraryRow& row : library_rows()) {
+      for (const std::string_view text : row.signatures) add_signature(text);
+    }
+  }
+
+  void add_words(std::span<const ScriptWord> words) {
+    for (const ScriptWord& word : words) {
+      if (word.is_function()) add_signature(word.signature);
+    }
+  }
+
+  /// Which of the functions act, so that a condition must not call them: what gives nothing back is called for its
+  /// effect.
+  void add_language(const ScriptLanguage& language) {
+    for (const WorldField& field : language.world())
+      table(std::string(field.table)).fields[std::string(field.name)] = field_symbol(field);
+    for (const ScriptFunction& function : language.functions()) {
+      FunctionSymbol symbol =
+          symbol_of_function({function.table, function.name, function.arguments, function.result}, named_);
+      symbol.acts = function.result.empty();
+      add(function.table, function.name, std::move(symbol));
+    }
+  }
+
+  void add_machines() {
+    Symbol behaviors{kTable};
+    Symbol published{kTable};
+    if (declared_) {
+      auto machines = new_table("behaviors");
+      machines->missing = "there is no behavior '";
+      for (const auto& [name, states] : declared_->behaviors) {
+        auto machine = new_table("behaviors." + name);
+        machine->fields = {{"state", one_of(states)}, {"time_in_state", {kNumber}}};
+        machines->fields[name] = {kTable, std::move(machine)};
       }
+      behaviors.table = std::move(machines);
+      auto flags = new_table("published");
+      flags->missing = "no state publishes '";
+      for (const std::string& flag : declared_->published) flags->fields[flag] = {kBoolean};
+      published.table = std::move(flags);
     }
+    globals_.fields["behaviors"] = std::move(behaviors);
+    globals_.fields["published"] = std::move(published);
   }
-}
 
-void add_words(std::span<const ScriptWord> words, SymbolTable& known) {
-  for (const ScriptWord& word : words) {
-    const std::string name(word.name);
-    const std::size_t dot = name.find('.');
-    known.globals.insert(name.substr(0, dot));
-    if (dot != std::string::npos) known.tables[name.substr(0, dot)].fields.insert(name.substr(dot + 1));
-  }
-}
+  void forget(const std::string& word) { globals_.fields.erase(word); }
 
-/// Which of the functions act, so that a condition must not call them: what gives nothing back is called for its
-/// effect.
-void add_language(const ScriptLanguage& language, SymbolTable& known) {
-  for (const WorldField& field : language.world()) {
-    known.globals.insert(std::string(field.table));
-    known.tables[std::string(field.table)].fields.insert(std::string(field.name));
-    if (field.type == WorldField::Type::name) known.names[field.full_name()] = {field.names.begin(), field.names.end()};
+  SymbolTable take() {
+    for (auto& [name, table] : tables_) globals_.fields[name] = {kTable, std::move(table)};
+    return {std::move(globals_), {}, std::move(states_), false};
   }
-  for (const ScriptFunction& function : language.functions()) {
-    FunctionSymbol signature{{}, function.result.empty()};
-    for (const ArgumentDoc& argument : function.arguments) signature.argument_types.push_back(argument.type);
-    if (function.table.empty()) {
-      known.globals.insert(function.name);
-      known.functions[function.name] = std::move(signature);
-    } else {
-      known.globals.insert(function.table);
-      known.tables[function.table].fields.insert(function.name);
-      known.tables[function.table].functions[function.name] = std::move(signature);
+
+ private:
+  TableSymbol& table(const std::string& name) {
+    std::shared_ptr<TableSymbol>& found = tables_[name];
+    if (found == nullptr) found = new_table(name);
+    return *found;
+  }
+
+  void add(const std::string& table_name, const std::string& name, FunctionSymbol function) {
+    TableSymbol& owner = table_name.empty() ? globals_ : table(table_name);
+    owner.fields[name] = {kFunction, nullptr, std::make_shared<const FunctionSymbol>(std::move(function))};
+  }
+
+  /// Of a function, or "math.pi: number".
+  void add_signature(std::string_view text) {
+    if (text.find('(') != std::string_view::npos) {
+      const Signature signature = read_signature(text);
+      add(signature.table, signature.name, symbol_of_function(signature, named_));
+      return;
     }
+    const std::size_t dot = text.find('.');
+    const std::size_t colon = text.find(':');
+    table(std::string(text.substr(0, dot))).fields[std::string(text.substr(dot + 1, colon - dot - 1))] =
+        symbol_of_type(text.substr(colon + 1), named_);
   }
-}
+
+  /// What `set_world` takes: any of the tables with any of their fields.
+  static Symbol world_changes() {
+    auto world = std::make_shared<TableSymbol>(TableSymbol{"the world", "the world has no table '", {}, true});
+    std::map<std::string_view, std::shared_ptr<TableSymbol>> tables;
+    const ScenarioLanguage language;
+    for (const WorldField& field : language.world()) {
+      std::shared_ptr<TableSymbol>& table = tables[field.table];
+      if (table == nullptr) table = new_table(std::string(field.table));
+      table->fields[std::string(field.name)] = field_symbol(field);
+    }
+    for (auto& [name, table] : tables) world->fields[std::string(name)] = {kTable, std::move(table)};
+    return {kTable, std::move(world)};
+  }
+
+  const std::optional<DeclaredNames>& declared_;
+  NamedTypes named_;
+  TableSymbol globals_{"", "there is no '", {}, true};
+  std::map<std::string, std::shared_ptr<TableSymbol>> tables_;
+  std::map<std::string, std::set<std::string>> states_;
+};
 
 }  // namespace
 
-SymbolTable symbol_table(ScriptRole role) {
-  SymbolTable known;
-  add_library(known);
+SymbolTable symbol_table(ScriptRole role, const std::optional<DeclaredNames>& declared) {
+  Vocabulary known(declared);
+  known.add_library();
   if (role == ScriptRole::test) {
-    add_words(test_words(), known);
-    return known;
+    known.add_words(test_words());
+    return known.take();
   }
-  add_words(language_words(), known);
-  if (role == ScriptRole::behavior) known.globals.erase("scenario");
-  if (role == ScriptRole::scenario) known.globals.erase("behavior");
+  known.add_words(language_words());
+  known.add_machines();
+  if (role == ScriptRole::behavior) known.forget("scenario");
+  if (role == ScriptRole::scenario) known.forget("behavior");
   // A library serves both: what only one of them has is known there too.
-  if (role != ScriptRole::scenario) add_language(BehaviorLanguage(), known);
-  if (role != ScriptRole::behavior) add_language(ScenarioLanguage(), known);
-  return known;
+  if (role != ScriptRole::scenario) known.add_language(BehaviorLanguage());
+  if (role != ScriptRole::behavior) known.add_language(ScenarioLanguage());
+  return known.take();
 }
 
 }  // namespace reorient

@@ -1,39 +1,73 @@
-// What a script may name, for whoever checks scripts without running them.
+// What a script may name, and what is known of it, for whoever checks scripts without running them.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "workbench/script_tools/check/value_types.h"
+
 namespace reorient {
 
-/// A function that scripts may call.
-struct FunctionSymbol {
-  std::vector<std::string> argument_types;  ///< "number", "boolean", "string"; with a "?" where it may be left out
-  bool acts = false;                        ///< so that conditions must not call it
+struct FunctionSymbol;
+struct TableSymbol;
+
+/// A name, a field, an argument.
+struct Symbol {
+  ValueTypes types = kAnything;
+  std::shared_ptr<const TableSymbol> table = nullptr;
+  std::shared_ptr<const FunctionSymbol> function = nullptr;
+  std::shared_ptr<const std::set<std::string>> names = nullptr;  ///< all that a string can be
 };
 
-/// A global table, or what a module returns.
 struct TableSymbol {
-  std::set<std::string> fields;
-  std::map<std::string, FunctionSymbol> functions;  ///< of those fields whose arguments are known
+  std::string name;                      ///< as messages call it: "robot", "lib.walk"
+  std::string missing;                   ///< "there is no behavior '": how a message begins that a field is not there
+  std::map<std::string, Symbol> fields;  ///< all of them
   bool is_read_only = true;
 };
 
+struct ArgumentSymbol {
+  std::string name;
+  Symbol value;
+  bool may_be_left_out = false;
+  bool is_state = false;  ///< of the machine that the argument before names
+};
+
+/// As many values as you like.
+inline constexpr std::size_t kMany = 1'000'000;
+
+/// A function that scripts may call.
+struct FunctionSymbol {
+  std::vector<ArgumentSymbol> arguments;
+  std::optional<ArgumentSymbol> more;  ///< of "...", each
+  ValueTypes result = kAnything;       ///< the first one
+  std::size_t most_results = kMany;
+  bool acts = false;  ///< so that conditions must not call it
+};
+
+/// What the scripts of a folder declare themselves.
+struct DeclaredNames {
+  /// Paths of the states of each machine.
+  std::map<std::string, std::set<std::string>> behaviors, scenarios;
+  std::set<std::string> published;  ///< by some state
+  std::set<std::string> parameters;
+  std::set<std::string> behavior_scripts, scenario_scripts;  ///< by which they can be loaded
+};
+
 struct SymbolTable {
-  std::set<std::string> globals;  ///< all of them: tables, functions, the words of the language
-  std::map<std::string, FunctionSymbol> functions;
-  std::map<std::string, TableSymbol> tables;
-  std::map<std::string, TableSymbol> modules;           ///< by what `require` takes
-  std::map<std::string, std::set<std::string>> states;  ///< paths of each machine that there is
-  std::map<std::string, std::set<std::string>> names;   ///< all that a field of the world that is a name can be
-  std::optional<std::set<std::string>> published;       ///< by some state; nothing: it is not known by which
+  TableSymbol globals;                                  ///< tables, functions, the words of the language
+  std::map<std::string, Symbol> modules;                ///< by what `require` takes
+  std::map<std::string, std::set<std::string>> states;  ///< of each machine that there is
+  bool modules_use_metatables = false;                  ///< so that a table of theirs can stand for a number
 };
 
 /// The bindings' and the library's part of it; scenarios may name more than behaviours, tests their own words.
+/// `declared`: nothing where it is not known what else there is.
 enum class ScriptRole { behavior, scenario, library, test };
-SymbolTable symbol_table(ScriptRole role);
+SymbolTable symbol_table(ScriptRole role, const std::optional<DeclaredNames>& declared);
 
 }  // namespace reorient

@@ -9,14 +9,14 @@
 #include "engine/script/language/behavior_language.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/library_reference.h"
+#include "workbench/script_tools/reference/signature.h"
 #include "workbench/script_tools/reference/vocabulary.h"
 
 namespace reorient {
 namespace {
 
 std::string signature(const ScriptFunction& function) {
-  std::string text = function.table.empty() ? function.name : function.table + "." + function.name;
-  text += "(";
+  std::string text = function.full_name() + "(";
   for (std::size_t i = 0; i < function.arguments.size(); ++i) {
     const bool optional = function.arguments[i].type.ends_with('?');
     text += (i > 0 ? ", " : "") + function.arguments[i].name + (optional ? "?" : "");
@@ -52,7 +52,16 @@ std::vector<const ScriptFunction*> all_functions() {
 
 void write_words(std::ostream& out, std::span<const ScriptWord> words) {
   for (const ScriptWord& word : words) {
-    out << "### `" << word.name << "`\n```lua\n" << word.usage << "\n```\n" << word.description << "\n\n";
+    out << "### `" << word.name() << "`\n```lua\n" << word.usage << "\n```\n" << word.description << "\n\n";
+  }
+}
+
+void write_annotations(std::ostream& out, std::span<const ScriptWord> words, std::span<const LibraryModule> libraries) {
+  for (const ScriptWord& word : words) {
+    out << "---" << word.description << "\n";
+    if (word.name() == "require") write_require_overloads(out, libraries);
+    out << (word.annotation.empty() ? to_annotation(read_signature(word.signature)) : std::string(word.annotation))
+        << "\n\n";
   }
 }
 
@@ -70,6 +79,16 @@ void write_world(std::ostream& out) {
   }
 }
 
+/// Without the table's.
+std::vector<std::string> names_in(const LibraryRow& row) {
+  std::vector<std::string> names;
+  for (std::string_view signature : row.signatures) {
+    if (!row.table.empty()) signature.remove_prefix(row.table.size() + 1);
+    names.emplace_back(signature.substr(0, signature.find_first_of("(:")));
+  }
+  return names;
+}
+
 void write_functions(std::ostream& out, const ScriptLanguage& language) {
   out << "| function | what it does |\n|---|---|\n";
   for (const ScriptFunction& function : language.functions()) {
@@ -79,17 +98,17 @@ void write_functions(std::ostream& out, const ScriptLanguage& language) {
   out << "\n";
 }
 
-std::string quoted_list(std::string_view names) {
-  std::istringstream words{std::string(names)};
+/// "\"abs\", \"acos\""
+std::string quoted_list(std::span<const std::string> names, std::string_view separator = ", ") {
   std::string list;
-  for (std::string word; words >> word;) list.append(list.empty() ? "\"" : ", \"").append(word).append(1, '"');
+  for (const std::string& name : names) list.append(list.empty() ? "" : separator).append("\"" + name + "\"");
   return list;
 }
 
 /// The globals that the words stand for: "expect.state" is the table expect.
 std::set<std::string> first_names(std::span<const ScriptWord> words) {
   std::set<std::string> names;
-  for (const ScriptWord& word : words) names.insert(std::string(word.name.substr(0, word.name.find('.'))));
+  for (const ScriptWord& word : words) names.insert(std::string(word.name().substr(0, word.name().find('.'))));
   return names;
 }
 
@@ -125,7 +144,9 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
   write_libraries(out, libraries);
   out << "## From Lua's own library\n";
   for (const LibraryRow& row : library_rows()) {
-    out << "- `" << (row.table.empty() ? "base" : row.table) << "`: " << row.names << "\n";
+    out << "- `" << (row.table.empty() ? "base" : row.table) << "`:";
+    for (const std::string& name : names_in(row)) out << " " << name;
+    out << "\n";
   }
   out << "\n`pairs` goes through numbers and then names in their order, so that each run is the same. Table functions "
          "take tables "
@@ -162,26 +183,20 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
   for (const ScriptFunction* one : all_functions()) {
     const ScriptFunction& function = *one;
     if (!function.table.empty() && tables.insert(function.table).second) out << function.table << " = {}\n\n";
-    out << "---" << function.description << "\n";
-    std::string arguments;
-    for (const ArgumentDoc& argument : function.arguments) {
-      const bool optional = argument.type.ends_with('?');
-      const std::string type = optional ? argument.type.substr(0, argument.type.size() - 1) : argument.type;
-      out << "---@param " << argument.name << (optional ? "? " : " ") << type << "\n";
-      arguments += (arguments.empty() ? "" : ", ") + argument.name;
-    }
-    if (!function.result.empty()) out << "---@return " << function.result << "\n";
-    out << "function " << (function.table.empty() ? "" : function.table + ".") << function.name << "(" << arguments
-        << ") end\n\n";
+    out << "---" << function.description << "\n"
+        << to_annotation({function.table, function.name, function.arguments, function.result}) << "\n\n";
   }
   write_library_annotations(out, libraries);
-  for (const ScriptWord& word : language_words()) {
-    out << "---" << word.description << "\n";
-    if (word.name == "require") write_require_overloads(out, libraries);
-    out << word.annotation << "\n\n";
+  write_annotations(out, language_words(), libraries);
+  for (const NameType& type : name_types()) {
+    const std::string names = quoted_list(type.names, "|");
+    out << "---@alias " << type.type << " " << (names.empty() ? "string" : names) << "\n";
   }
-  out << "expect = {}\n\n";
-  for (const ScriptWord& word : test_words()) out << "---" << word.description << "\n" << word.annotation << "\n\n";
+  out << "\n---@class " << kWorldType << "\n";
+  for (const WorldTable& table : scenarios().tables())
+    out << "---@field " << table.name << "? table<string, number|boolean|string>\n";
+  out << "\nexpect = {}\n\n";
+  write_annotations(out, test_words(), libraries);
   std::string text = out.str();
   text.pop_back();
   return text;
@@ -210,9 +225,9 @@ std::string script_luacheck() {
          "stds.reorient = { read_globals = {\n";
   for (const LibraryRow& row : library_rows()) {
     if (row.table.empty()) {
-      out << "  " << quoted_list(row.names) << ",\n";
+      out << "  " << quoted_list(names_in(row)) << ",\n";
     } else {
-      out << "  " << row.table << " = fields(" << quoted_list(row.names) << "),\n";
+      out << "  " << row.table << " = fields(" << quoted_list(names_in(row)) << "),\n";
     }
   }
   for (const std::string& name : globals) {

@@ -1,0 +1,17 @@
+// Valid behaviours, drawn by dice.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace reorient {
+
+/// The text of a behaviour that can be loaded and runs without an error, with most of what scripts may do: parameters,
+/// memory, nested states, functions with and without optional arguments, metatables, closures. `number` is in its name
+/// and is its seed.
+std::string generated_script(std::uint64_t number);
+
+/// "generated_17"
+std::string generated_name(std::uint64_t number);
+
+}  // namespace reorient

@@ -1,0 +1,262 @@
+// Calls: what is called, with which arguments, and what comes of it.
+#include <algorithm>
+#include <string_view>
+
+#include "workbench/script_tools/check/script_reading.h"
+
+namespace reorient {
+namespace {
+
+using syntax::Expression;
+
+std::string count_text(std::size_t count) {
+  return count == 0 ? "no argument" : std::to_string(count) + (count == 1 ? " argument" : " arguments");
+}
+
+/// "head.look(yaw, pitch, speed?)"
+std::string usage(const std::string& name, const FunctionSymbol& function) {
+  std::string text;
+  for (const ArgumentSymbol& argument : function.arguments)
+    text.append(text.empty() ? "" : ", ").append(argument.name).append(argument.may_be_left_out ? "?" : "");
+  if (function.more) text.append(text.empty() ? "..." : ", ...");
+  return name + "(" + text + ")";
+}
+
+/// "argument 1 of head.look", which is that with index 0.
+std::string argument_name(std::size_t index, const std::string& function) {
+  return std::string("argument ").append(std::to_string(index + 1)).append(" of ").append(function);
+}
+
+/// Those that go through a table and do not write to it.
+bool only_looks(const std::string& function) { return function == "pairs" || function == "ipairs"; }
+
+bool is_text(const Meaning& value) { return value.literal != nullptr && value.literal->kind == LuaToken::Kind::text; }
+
+std::string listed(const std::set<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) {
+    if (!name.empty()) all.append(all.empty() ? "" : ", ").append(name);
+  }
+  return all;
+}
+
+}  // namespace
+
+Meaning ScriptReading::read_call(const Meaning& called, const syntax::Suffix& call) {
+  std::vector<Meaning> arguments = read_all(call.arguments);
+  check_callable(called, *call.place);
+  if (called.function != nullptr && arguments.size() == 1) {
+    if (called.name == "param") return declared_parameters(arguments.front());
+    if (called.name == "keep") {
+      arguments.front().name.clear();
+      return arguments.front();
+    }
+    if (called.name == "require" && is_text(arguments.front())) {
+      const std::string& module = arguments.front().literal->text;
+      const auto found = known_.modules.find(module);
+      if (found != known_.modules.end()) return meaning_of(found->second, module);
+    }
+  }
+  for (const Meaning& argument : arguments) {
+    if (called.function != nullptr && only_looks(called.name) && argument.own_table != nullptr) {
+      learned.tables[argument.own_table].is_walked = true;
+    } else {
+      let_go(argument);
+    }
+  }
+  return result_of(called, *call.place, arguments);
+}
+
+/// owner:name(...): the owner is the first argument.
+Meaning ScriptReading::read_method_call(const Meaning& owner, const syntax::Suffix& call) {
+  std::vector<Meaning> arguments = read_all(call.arguments);
+  for (const Meaning& argument : arguments) let_go(argument);
+  Meaning method;
+  const auto strings = known_.globals.fields.find("string");
+  const bool is_string = unless_nil(owner.types) == kString && strings != known_.globals.fields.end();
+  if (owner.table != nullptr) {
+    method = field_of(owner, *call.place);
+    if (method.function != nullptr) {
+      note(*call.place, method.name + " is called with a dot, not with ':': " + usage(method.name, *method.function));
+      method.function = nullptr;
+    }
+  } else {
+    method = field_of(is_string ? meaning_of(strings->second, "string") : owner, *call.place);
+  }
+  check_callable(method, *call.place);
+  let_go(owner);
+  arguments.insert(arguments.begin(), owner);
+  return result_of(method, *call.place, arguments);
+}
+
+Meaning ScriptReading::result_of(const Meaning& called, const LuaToken& place, const std::vector<Meaning>& arguments) {
+  Meaning result;
+  result.most_values = kMany;
+  if (!called.name.empty()) result.name = called.name + "()";
+  const FunctionSymbol* const function = signature_of(called);
+  if (function == nullptr) return result;
+  if (function->acts) {
+    frames_.back().learned.acts = true;
+    if (in_condition_) note(place, called.name + " acts, and a condition only looks: call it in enter, update or exit");
+  }
+  check_arguments(called, *function, place, arguments);
+  if (called.function != nullptr && called.name == "string.format") check_format(place, arguments);
+  result.types = function->result;
+  result.most_values = function->most_results;
+  return result;
+}
+
+void ScriptReading::check_callable(const Meaning& called, const LuaToken& place) {
+  need(called, kFunction | kTable);
+  const ValueTypes types = unless_nil(called.types);
+  if ((types & kFunction) != 0 || !is_without_metatable(called)) return;
+  const std::string who = called.name.empty() ? "this" : called.name;
+  std::string right = called.name.empty() ? "" : ": write it without ( )";
+  if (called.table != nullptr) {
+    std::string functions;
+    for (const auto& [name, field] : called.table->fields) {
+      if (field.function != nullptr)
+        functions.append(functions.empty() ? "" : ", ")
+            .append(usage(std::string(who).append(".").append(name), *field.function));
+    }
+    right = functions.empty() ? ": name one of its fields" : ": call " + functions;
+  }
+  note(place, who + " is " + with_article(types) + ", not a function" + right);
+}
+
+void ScriptReading::check_arguments(const Meaning& called, const FunctionSymbol& function, const LuaToken& place,
+                                    const std::vector<Meaning>& arguments) {
+  const std::string who = called.name.empty() ? "this function" : called.name;
+  const std::vector<ArgumentSymbol>& wanted = function.arguments;
+  if (arguments.size() > wanted.size() && !function.more) {
+    note(place, who + " takes " + count_text(wanted.size()) + ", not " + std::to_string(arguments.size()) + ": " +
+                    usage(who, function));
+    return;
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const ArgumentSymbol& argument = i < wanted.size() ? wanted[i] : *function.more;
+    check_argument(argument_name(i, who), argument, arguments[i], place);
+    if (argument.is_state && i > 0) check_state(arguments[i - 1], arguments[i]);
+  }
+  const std::size_t given = arguments.empty() ? 0 : arguments.size() - 1 + arguments.back().most_values;
+  std::size_t needed = wanted.size();
+  while (needed > 0 && wanted[needed - 1].may_be_left_out) --needed;
+  if (given < needed)
+    note(place, who + " needs " + count_text(needed) + ", not " + std::to_string(given) + ": " + usage(who, function));
+}
+
+void ScriptReading::check_argument(const std::string& what, const ArgumentSymbol& wanted, const Meaning& given,
+                                   const LuaToken& place) {
+  ValueTypes fitting = wanted.value.types | (wanted.may_be_left_out ? kNil : 0);
+  if ((fitting & kNil) == 0) need(given, fitting);
+  if ((fitting & kString) != 0) fitting |= kNumber;  // Lua turns numbers into text where text is wanted
+  const ValueTypes types = unless_nil(given.types);
+  if ((types & fitting) == 0 && is_without_metatable(given) && !may_hold_a_number(given, fitting)) {
+    note(given.literal != nullptr ? *given.literal : place,
+         what + " is " + with_article(wanted.value.types) + ", not " + with_article(types));
+  } else if (wanted.value.names != nullptr && is_text(given)) {
+    check_name(what, *wanted.value.names, *given.literal);
+  } else if (wanted.value.table != nullptr && given.own_table != nullptr && given.name.empty()) {
+    check_contents(wanted.value, *given.own_table);
+  }
+}
+
+/// One argument for each directive of the format, and a number where one is printed.
+void ScriptReading::check_format(const LuaToken& place, const std::vector<Meaning>& arguments) {
+  if (arguments.empty() || !is_text(arguments.front())) return;
+  const std::string& format = arguments.front().literal->text;
+  std::size_t wanted = 0;
+  for (std::size_t at = format.find('%'); at != std::string::npos; at = format.find('%', at + 1)) {
+    at = format.find_first_not_of("-+ #0123456789.", at + 1);
+    if (at == std::string::npos) break;  // Lua refuses it
+    if (format[at] == '%') continue;
+    ++wanted;
+    const bool is_text_like = std::string_view("sqp").find(format[at]) != std::string_view::npos;
+    if (is_text_like || wanted >= arguments.size()) continue;
+    check_argument(argument_name(wanted, "string.format"), {"", {kNumber}, false}, arguments[wanted], place);
+  }
+  const std::size_t given = arguments.size() - 2 + arguments.back().most_values;
+  if (given < wanted || arguments.size() - 1 > wanted)
+    note(place, "string.format needs " + count_text(wanted) + " for its format, not " +
+                    std::to_string(given < wanted ? given : arguments.size() - 1));
+}
+
+/// A text with escapes is believed.
+void ScriptReading::check_name(const std::string& what, const std::set<std::string>& names, const LuaToken& text) {
+  if (names.contains(text.text) || text.text.find('\\') != std::string::npos) return;
+  constexpr std::size_t kMostListed = 12;
+  std::string right = hint(text.text, {names.begin(), names.end()});
+  if (right.empty() && names.size() <= kMostListed && !names.empty()) right = "; it is one of " + listed(names);
+  note(text, what + " is never '" + text.text + "'" + right);
+}
+
+/// What is written into a table that is handed over, as far as it is plain.
+void ScriptReading::check_contents(const Symbol& wanted, const Expression& table) {
+  for (const syntax::Field& field : table.fields) {
+    if (field.key == nullptr) continue;
+    const auto found = wanted.table->fields.find(field.key->text);
+    if (found == wanted.table->fields.end()) {
+      note_missing(*wanted.table, *field.key);
+      continue;
+    }
+    const std::string name = (wanted.table->name.empty() ? "" : wanted.table->name + ".") + field.key->text;
+    if (field.value.kind == Expression::Kind::literal) {
+      const Meaning value = read_literal(*field.value.token);
+      if ((found->second.types & value.types) == 0) {
+        note(*field.value.token,
+             name + " is " + with_article(found->second.types) + ", not " + with_article(value.types));
+      } else if (found->second.names != nullptr) {
+        check_name(name, *found->second.names, *field.value.token);
+      }
+    } else if (field.value.kind == Expression::Kind::table && found->second.table != nullptr) {
+      check_contents(found->second, field.value);
+    }
+  }
+}
+
+/// A test may edit a script first, reload { from = ..., to = "state ..." }, so that the state is there by then.
+void ScriptReading::check_state(const Meaning& machine, const Meaning& path) {
+  if (!is_text(machine) || !is_text(path)) return;
+  const auto states = known_.states.find(machine.literal->text);
+  if (states == known_.states.end() || states->second.contains(path.literal->text)) return;
+  if (is_edited_in(path.literal->text)) return;
+  note(*path.literal, machine.literal->text + " has no state '" + path.literal->text + "'" +
+                          hint(path.literal->text, {states->second.begin(), states->second.end()}));
+}
+
+bool ScriptReading::is_edited_in(const std::string& path) const {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const std::vector<LuaToken>& tokens = script_.tokens;
+  for (std::size_t i = 2; i < tokens.size(); ++i) {
+    const bool is_edit = tokens[i - 2].is(LuaToken::Kind::name, "to") && tokens[i - 1].is_symbol("=");
+    if (is_edit && tokens[i].text.find(name) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// A read-only table of the present values, each of the type of its default.
+Meaning ScriptReading::declared_parameters(const Meaning& declarations) {
+  Meaning values{kTable, "param"};
+  const auto facts = before_.tables.find(declarations.own_table);
+  if (facts == before_.tables.end() || facts->second.is_open) return values;
+  TableSymbol& table = parameter_tables_.emplace_back();
+  table.name = "param";
+  table.missing = "there is no param '";
+  for (const auto& [name, field] : facts->second.fields) {
+    if (field.writes > 0) table.fields[name];
+  }
+  for (const syntax::Field& field : declarations.own_table->fields) {
+    if (field.key == nullptr || field.value.kind != Expression::Kind::table) continue;
+    const std::vector<syntax::Field>& parts = field.value.fields;
+    const auto value = std::find_if(parts.begin(), parts.end(), [](const syntax::Field& part) {
+      return part.key == nullptr && part.computed_key.empty();
+    });
+    if (value == parts.end() || value->value.kind != Expression::Kind::literal) continue;
+    const ValueTypes types = read_literal(*value->value.token).types;
+    table.fields[field.key->text].types = (types & kBoolean) != 0 ? kBoolean : types;
+  }
+  values.table = &table;
+  return values;
+}
+
+}  // namespace reorient

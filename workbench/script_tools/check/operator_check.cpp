@@ -1,0 +1,158 @@
+// Operators: what they take, and comparisons that can never hold.
+#include <string_view>
+
+#include "workbench/script_tools/check/script_reading.h"
+
+namespace reorient {
+namespace {
+
+using syntax::Expression;
+
+/// As messages call a value.
+std::string subject(const Meaning& value) {
+  if (!value.name.empty()) return value.name;
+  if (value.literal == nullptr) return "this";
+  return value.literal->kind == LuaToken::Kind::text ? "'" + value.literal->text + "'" : value.literal->text;
+}
+
+bool is_logic(std::string_view operation) { return operation == "and" || operation == "or"; }
+
+bool is_comparison(std::string_view operation) {
+  return operation == "==" || operation == "~=" || operation == "<" || operation == ">" || operation == "<=" ||
+         operation == ">=";
+}
+
+}  // namespace
+
+void ScriptReading::want(const Meaning& value, ValueTypes wanted, const LuaToken& place, const std::string& who) {
+  need(value, wanted);
+  const ValueTypes types = unless_nil(value.types);
+  if ((types & wanted) != 0 || !is_without_metatable(value) || may_hold_a_number(value, wanted)) return;
+  const bool is_uncalled = types == kFunction && !value.name.empty();
+  note(place, subject(value) + " is " + with_article(types) + ", and " + who + " takes " + with_article(wanted) +
+                  (is_uncalled ? ": call it, " + value.name + "()" : ""));
+}
+
+/// Lua reads a number out of a text where it wants one; of texts that are written down that is asked too much.
+bool ScriptReading::may_hold_a_number(const Meaning& value, ValueTypes wanted) {
+  const bool is_any_text = value.literal == nullptr && value.names == nullptr;
+  return (wanted & kNumber) != 0 && (value.types & kString) != 0 && is_any_text;
+}
+
+Meaning ScriptReading::read_unary(const Expression& expression) {
+  const Meaning value = read(expression.operands.front());
+  const LuaToken& place = *expression.operands.front().token;
+  if (expression.token->text == "not") {
+    check_truth(value, place);
+    return {kBoolean};
+  }
+  if (expression.token->text == "#") {
+    want(value, kTable | kString, place, "'#'");
+  } else {
+    want(value, kNumber, place, "'" + expression.token->text + "'");
+  }
+  return {is_without_metatable(value) ? kNumber : kAnything};
+}
+
+Meaning ScriptReading::read_operation(const Expression& expression) {
+  const std::string& operation = expression.operators.front()->text;
+  if (is_logic(operation)) return read_logic(expression);
+  if (is_comparison(operation)) return read_comparison(expression);
+  const bool joins = operation == "..";
+  bool is_plain = true;
+  for (std::size_t i = 0; i < expression.operands.size(); ++i) {
+    const Meaning value = read(expression.operands[i]);
+    is_plain = is_plain && is_without_metatable(value);
+    const LuaToken& nearest = *expression.operators[i == 0 ? 0 : i - 1];
+    want(value, joins ? kNumber | kString : kNumber, *expression.operands[i].token, "'" + nearest.text + "'");
+  }
+  if (!is_plain) return {};
+  return {joins ? kString : kNumber};
+}
+
+/// What stands behind `and` and `or` is perhaps not looked at.
+Meaning ScriptReading::read_logic(const Expression& expression) {
+  const bool is_and = expression.operators.front()->text == "and";
+  Meaning value = read(expression.operands.front());
+  let_go(value);
+  ValueTypes types = value.types;
+  for (std::size_t i = 1; i < expression.operands.size(); ++i) {
+    check_truth(value, *expression.operands[i - 1].token);
+    const Perhaps perhaps(*this);
+    value = read(expression.operands[i]);
+    let_go(value);
+    types = (is_and ? types & kFalsy : types & ~kFalsy) | value.types;
+  }
+  return {types};
+}
+
+Meaning ScriptReading::read_comparison(const Expression& expression) {
+  Meaning left = read(expression.operands.front());
+  for (std::size_t i = 0; i < expression.operators.size(); ++i) {
+    const LuaToken& operation = *expression.operators[i];
+    const Expression& right_side = expression.operands[i + 1];
+    const Meaning right = read(right_side);
+    if (operation.text == "==" || operation.text == "~=") {
+      compare(*right_side.token, left, right);
+    } else {
+      compare_order(*right_side.token, left, right);
+    }
+    left = Meaning{kBoolean};
+  }
+  return {kBoolean};
+}
+
+void ScriptReading::compare(const LuaToken& place, const Meaning& left, const Meaning& right) {
+  check_compared_name(left, right);
+  check_compared_name(right, left);
+  const ValueTypes of_left = left.types & ~kNil;
+  const ValueTypes of_right = right.types & ~kNil;
+  if (of_left == 0 || of_right == 0 || (of_left & of_right) != 0) return;
+  if ((of_left & ~kBoolean) == 0 && (of_right & ~kBoolean) == 0) return;  // true == false
+  note(place, subject(left) + " is " + with_article(of_left) + ", which is never equal to " + with_article(of_right));
+}
+
+void ScriptReading::check_compared_name(const Meaning& value, const Meaning& text) {
+  if (value.names == nullptr || text.literal == nullptr || text.literal->kind != LuaToken::Kind::text) return;
+  check_name(value.name, *value.names, *text.literal);
+}
+
+void ScriptReading::compare_order(const LuaToken& place, const Meaning& left, const Meaning& right) {
+  constexpr ValueTypes kOrdered = kNumber | kString;
+  const ValueTypes of_left = unless_nil(left.types);
+  const ValueTypes of_right = unless_nil(right.types);
+  need(left, (of_right & ~kOrdered) == 0 ? of_right : kAnything);
+  need(right, (of_left & ~kOrdered) == 0 ? of_left : kAnything);
+  for (const Meaning* side : {&left, &right}) {
+    const ValueTypes types = unless_nil(side->types);
+    if ((types & kOrdered) != 0 || !is_without_metatable(*side)) continue;
+    return want(*side, kOrdered, place, "a comparison");
+  }
+  const bool both_are_known = ((of_left | of_right) & ~kOrdered) == 0;
+  if (both_are_known && (of_left & of_right) == 0)
+    note(place,
+         subject(left) + " is " + with_article(of_left) + " and cannot be compared with " + with_article(of_right));
+}
+
+void ScriptReading::read_condition(const Expression& expression) { check_condition(expression, read(expression)); }
+
+/// Also of `a() and b`, which is b in the end.
+void ScriptReading::check_condition(const Expression& expression, const Meaning& value) {
+  check_truth(value, *expression.token);
+  const Expression* last = &expression;
+  while (last->kind == Expression::Kind::operation && is_logic(last->operators.front()->text))
+    last = &last->operands.back();
+  if (last == &expression || last->kind != Expression::Kind::name) return;
+  if (const Local* const local = find_local(last->token->text)) check_truth(local->meaning, *last->token);
+}
+
+void ScriptReading::check_truth(const Meaning& value, const LuaToken& place) {
+  // Of functions that are not the script's or a module's, it may ask whether they are there.
+  const bool is_of_scripts =
+      value.own_function != nullptr || known_.modules.contains(value.name.substr(0, value.name.rfind('.')));
+  if (value.types != kFunction || !is_of_scripts || value.name.empty()) return;
+  note(place, value.name + " is a function, which is always true: call it, " + value.name + "()",
+       Finding::Severity::warning);
+}
+
+}  // namespace reorient

@@ -1,0 +1,152 @@
+// One reading of a script from top to bottom: what its values are, and what cannot be meant.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "workbench/script_tools/check/finding.h"
+#include "workbench/script_tools/check/lua_syntax.h"
+#include "workbench/script_tools/check/script_facts.h"
+#include "workbench/script_tools/check/symbol_table.h"
+
+namespace reorient {
+
+/// What an expression stands for, as far as that is plain from the text.
+struct Meaning {
+  Meaning(ValueTypes its_types = kAnything, std::string its_name = {}) : types(its_types), name(std::move(its_name)) {}
+
+  ValueTypes types;
+  std::string name;                                ///< as messages call it; empty: it has none
+  const TableSymbol* table = nullptr;              ///< of a table that others made
+  const FunctionSymbol* function = nullptr;        ///< whose arguments are known
+  const std::set<std::string>* names = nullptr;    ///< all that a string can be
+  const syntax::Expression* own_table = nullptr;   ///< the script's: its constructor
+  const syntax::Function* own_function = nullptr;  ///< the script's
+  const LuaToken* parameter = nullptr;             ///< of a function of the script: its declaration
+  const LuaToken* literal = nullptr;               ///< where it is one token: a text, a number, true, false or nil
+  std::size_t most_values = 1;                     ///< a call or ... may stand for several
+};
+
+/// Believes what `before` says, and learns the same anew: so a function that stands below its caller is known to a
+/// second reading.
+class ScriptReading {
+ public:
+  /// All must outlive the reading.
+  ScriptReading(const syntax::Script& script, const SymbolTable& known, const ScriptFacts& before)
+      : script_(script), known_(known), before_(before) {}
+
+  void read();
+
+  ScriptFacts learned;
+  std::vector<Finding> findings;
+
+ private:
+  struct Local {
+    const LuaToken* declaration = nullptr;
+    Meaning meaning;
+  };
+  /// A function whose body is being read.
+  struct Frame {
+    const syntax::Function* function = nullptr;
+    FunctionSymbol learned;
+    bool is_condition = false;
+    bool is_certain = true;  ///< what is read now is done whenever the function is called
+  };
+  /// While it lives, what is read is done perhaps.
+  struct Perhaps {
+    explicit Perhaps(ScriptReading& owner) : frame(owner.frames_.back()), was_certain(frame.is_certain) {
+      frame.is_certain = false;
+    }
+    ~Perhaps() { frame.is_certain = was_certain; }
+    Perhaps(const Perhaps&) = delete;
+    Perhaps& operator=(const Perhaps&) = delete;
+    Frame& frame;
+    bool was_certain;
+  };
+
+  // Statements: script_reading.cpp.
+  void read_block(const syntax::Block& block);
+  void read_scope(const syntax::Block& block);
+  void read_statement(const syntax::Statement& statement);
+  void read_local(const syntax::Statement& statement);
+  void read_function_statement(const syntax::Statement& statement);
+  void read_assignment(const syntax::Statement& statement);
+  void read_branch(const syntax::Statement& statement);
+  void read_loop(const syntax::Statement& statement);
+  void read_for(const syntax::Statement& statement);
+  void read_return(const syntax::Statement& statement);
+  void assign(const syntax::Expression& target, const Meaning& value);
+  void assign_name(const LuaToken& name, const Meaning& value);
+  void write_field(const Meaning& owner, const LuaToken& field, const Meaning& value);
+  Meaning read_function(const syntax::Function& function, bool is_condition);
+  void declare(const LuaToken* name, Meaning meaning = {});
+  Local* find_local(std::string_view name);
+  void tell_unread_fields(const TableFacts& table);
+
+  // Expressions: expression_reading.cpp.
+  Meaning read(const syntax::Expression& expression);
+  std::vector<Meaning> read_all(const std::vector<syntax::Expression>& expressions);
+  Meaning read_literal(const LuaToken& token) const;
+  Meaning read_table(const syntax::Expression& expression);
+  Meaning read_name(const LuaToken& name);
+  std::vector<std::string> all_names() const;
+  Meaning read_suffixed(const syntax::Expression& expression, std::size_t count);
+  Meaning field_of(const Meaning& owner, const LuaToken& field);
+  void note_missing(const TableSymbol& table, const LuaToken& field);
+  Meaning own_field_of(const Meaning& owner, const LuaToken& field);
+  Meaning item_of(const Meaning& owner, const syntax::Expression& key);
+  Meaning meaning_of(const Symbol& symbol, std::string name) const;
+  void let_go(const Meaning& value);
+
+  // Operators: operator_check.cpp.
+  Meaning read_unary(const syntax::Expression& expression);
+  Meaning read_operation(const syntax::Expression& expression);
+  Meaning read_logic(const syntax::Expression& expression);
+  Meaning read_comparison(const syntax::Expression& expression);
+  void compare(const LuaToken& place, const Meaning& left, const Meaning& right);
+  void compare_order(const LuaToken& place, const Meaning& left, const Meaning& right);
+  void check_compared_name(const Meaning& value, const Meaning& text);
+  void want(const Meaning& value, ValueTypes wanted, const LuaToken& place, const std::string& who);
+  void read_condition(const syntax::Expression& expression);
+  void check_condition(const syntax::Expression& expression, const Meaning& value);
+  void check_truth(const Meaning& value, const LuaToken& place);
+
+  // Calls: call_check.cpp.
+  Meaning read_call(const Meaning& called, const syntax::Suffix& call);
+  Meaning read_method_call(const Meaning& owner, const syntax::Suffix& call);
+  Meaning result_of(const Meaning& called, const LuaToken& place, const std::vector<Meaning>& arguments);
+  void check_callable(const Meaning& called, const LuaToken& place);
+  void check_arguments(const Meaning& called, const FunctionSymbol& function, const LuaToken& place,
+                       const std::vector<Meaning>& arguments);
+  void check_argument(const std::string& what, const ArgumentSymbol& wanted, const Meaning& given,
+                      const LuaToken& place);
+  void check_name(const std::string& what, const std::set<std::string>& names, const LuaToken& text);
+  void check_contents(const Symbol& wanted, const syntax::Expression& table);
+  void check_format(const LuaToken& place, const std::vector<Meaning>& arguments);
+  void check_state(const Meaning& machine, const Meaning& path);
+  bool is_edited_in(const std::string& path) const;
+  Meaning declared_parameters(const Meaning& declarations);
+
+  void need(const Meaning& value, ValueTypes wanted);
+  static bool may_hold_a_number(const Meaning& value, ValueTypes wanted);
+  bool is_without_metatable(const Meaning& value) const;
+  const FunctionSymbol* signature_of(const Meaning& value) const;
+  /// To look for similar names takes long, and who has many mistakes reads the first ones.
+  bool has_hints_left() const { return hints_ < 20; }
+  std::string hint(std::string_view wanted, const std::vector<std::string>& names);
+  void note(const LuaToken& place, std::string message, Finding::Severity severity = Finding::Severity::error);
+
+  const syntax::Script& script_;
+  const SymbolTable& known_;
+  const ScriptFacts& before_;
+  std::vector<std::vector<Local>> scopes_;
+  std::deque<Frame> frames_;  ///< references into it last; the first one is the script itself
+  std::deque<TableSymbol> parameter_tables_;
+  bool uses_metatables_ = true;
+  bool in_condition_ = false;
+  int hints_ = 0;  ///< given so far
+};
+
+}  // namespace reorient
