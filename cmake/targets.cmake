@@ -6,6 +6,9 @@ set(REORIENT_WARNINGS
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   list(APPEND REORIENT_WARNINGS -Wno-restrict)  # false alarms in std::string (GCC bug 105651)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  list(APPEND REORIENT_WARNINGS -Wno-unknown-pragmas)  # "GCC ivdep", a hint of which it knows nothing
+endif()
 # Every x86-64 robot and desktop since 2009 has SSE4.2; a preset may ask for a particular processor instead.
 # No product and sum become one rounding: the same bits on every processor (geometry/pinned_math.h).
 set(REORIENT_ARCHITECTURE -ffp-contract=off)

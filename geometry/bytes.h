@@ -135,7 +135,7 @@ class ByteWriter : public NestedBytes {
   template <typename... T>
   void write(const std::variant<T...>& value) {
     write(static_cast<std::uint8_t>(value.index()));
-    std::visit([this](const auto& held) { write(held); }, value);
+    std::visit([this](const auto& held) { this->write(held); }, value);
   }
   template <typename Scalar, int Rows, int Columns, int Options>
   void write(const Eigen::Matrix<Scalar, Rows, Columns, Options>& matrix) {
