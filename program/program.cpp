@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
 #include "program/subcommand.h"
 #include "workbench/files/home.h"
 
@@ -34,14 +35,6 @@ constexpr const char* kExamples = R"(Examples:
   reorient graph kidnapped --with-behaviors a scenario and all that it loads, with who looks at whom
   reorient reference                        what scripts can see and say, your own libraries among it
 Exit codes: 0 success (the robot ended right, all tests passed, nothing is wrong); 1 failure; 2 invalid input.)";
-
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n') c = ' ';
-  }
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
-}
 
 /// What may have been meant by a word that nobody expected: an option, a subcommand, or a scenario to run.
 std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
@@ -101,10 +94,10 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     out << asked.what() << "\n";
     return kSuccess;
   } catch (const CLI::ExtrasError& error) {
-    err << "reorient: " << one_line(error.what()) << hint(app, subcommands) << " (see reorient --help)\n";
+    err << "reorient: " << as_line(error.what()) << hint(app, subcommands) << " (see reorient --help)\n";
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    err << "reorient: " << one_line(error.what()) << " (see reorient --help)\n";
+    err << "reorient: " << as_line(error.what()) << " (see reorient --help)\n";
     return kBadInput;
   }
   spdlog::set_default_logger(std::make_shared<spdlog::logger>(
@@ -129,7 +122,7 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
     err << "reorient: cannot write to the standard output: whoever read it is gone, or the disk is full\n";
     return kBadInput;
   } catch (const std::exception& error) {
-    err << "reorient: " << one_line(error.what()) << '\n';
+    err << "reorient: " << as_line(error.what()) << '\n';
     return kBadInput;
   }
 }

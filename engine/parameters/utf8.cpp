@@ -45,6 +45,22 @@ std::string as_utf8(std::string_view text) {
   return out;
 }
 
+std::string as_line(std::string_view text) {
+  std::string out;
+  for (const char letter : as_utf8(text)) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (letter == '\n' || letter == '\t') {
+      out += ' ';
+    } else if (code < ' ' || code == 0x7F) {
+      out += written_out({&letter, 1});
+    } else {
+      out += letter;
+    }
+  }
+  while (out.ends_with(' ')) out.pop_back();
+  return out;
+}
+
 std::string written_out(std::string_view bytes) {
   constexpr char kDigits[] = "0123456789ABCDEF";
   std::string out;

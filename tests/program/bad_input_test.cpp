@@ -161,6 +161,11 @@ TEST_F(BadInput, AParameterFileWithAnUnknownNameOrAWrongValueIsRefused) {
   expect_refused_run({"--params", file("mine.toml", "[pose_filter]\nparticles = [50]\n")}, {"mine.toml:2"});
 }
 
+TEST_F(BadInput, AParameterFileCannotWriteOnTheTerminal) {
+  expect_refused_run({"--params", file("mine.toml", "\"\\u001b[2Jname\\nagain\" = 1\n")},
+                     {"mine.toml:1", "'\\x1B[2Jname again'"});
+}
+
 TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) { expect_refused_run({"--field", path("gone.toml")}, {"gone.toml"}); }
 
 TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {

@@ -6,17 +6,26 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <toml++/toml.h>
 
 #include "engine/parameters/utf8.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/toml_text.h"
 
 namespace reorient {
 namespace {
 
-std::string place(const std::filesystem::path& file, const toml::source_region& where) {
-  return file.string() + ":" + std::to_string(where.begin.line);
+constexpr int kDeepest = 16;  // tables in each other
+constexpr std::size_t kMostParameters = 10'000;
+
+[[noreturn]] void fail(const std::string& source, std::string_view why) {
+  throw std::runtime_error(as_line(source + ": " + std::string(why)));
+}
+
+std::string place(const std::string& name, const toml::source_region& where) {
+  return name + ":" + std::to_string(where.begin.line);
 }
 
 std::optional<std::string> text_of(const toml::node& node) {
@@ -27,20 +36,33 @@ std::optional<std::string> text_of(const toml::node& node) {
   return std::nullopt;
 }
 
-void read_table(const std::filesystem::path& file, const toml::table& table, const std::string& prefix,
-                std::vector<ParameterChange>& changes) {
-  for (const auto& [key, node] : table) {
-    const std::string name = prefix + std::string(key.str());
-    const std::string source = place(file, node.source());
-    if (const toml::table* inner = node.as_table()) {
-      read_table(file, *inner, name + ".", changes);
-      continue;
+/// What a file says, table by table.
+class Reading {
+ public:
+  explicit Reading(std::string name) : name_(std::move(name)) {}
+
+  void read(const toml::table& table, const std::string& prefix = "", int depth = 0) {
+    for (const auto& [key, node] : table) {
+      const std::string parameter = prefix + std::string(key.str());
+      const std::string source = place(name_, node.source());
+      if (const toml::table* inner = node.as_table()) {
+        if (depth >= kDeepest) fail(source, "tables lie too deeply in each other; a name is like orientation.lead");
+        read(*inner, parameter + ".", depth + 1);
+        continue;
+      }
+      const std::optional<std::string> text = text_of(node);
+      if (!text) fail(source, "a parameter is a number, true, false or a name in quotes");
+      if (changes_.size() >= kMostParameters)
+        fail(source, "more than " + std::to_string(kMostParameters) + " parameters; no program has so many");
+      changes_.push_back({parameter, *text, ParameterOrigin::file, source});
     }
-    const std::optional<std::string> text = text_of(node);
-    if (!text) throw std::runtime_error(source + ": a parameter is a number, true, false or a name in quotes");
-    changes.push_back({name, *text, ParameterOrigin::file, source});
   }
-}
+  std::vector<ParameterChange> changes() && { return std::move(changes_); }
+
+ private:
+  std::string name_;
+  std::vector<ParameterChange> changes_;
+};
 
 bool is_bare(std::string_view key) {
   constexpr std::string_view kBare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
@@ -96,22 +118,25 @@ std::string as_key(std::string_view name) {
 
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file) {
   std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing)) {
-    throw std::runtime_error(file.string() + ": there is no such parameter file");
-  }
-  toml::table table;
-  try {
-    table = toml::parse_file(file.string());
-  } catch (const toml::parse_error& error) {
-    throw std::runtime_error(place(file, error.source()) + ": " + std::string(error.description()));
-  }
-  std::vector<ParameterChange> changes;
-  read_table(file, table, "", changes);
-  return changes;
+  if (!std::filesystem::is_regular_file(file, missing)) fail(file.string(), "there is no such parameter file");
+  const std::optional<std::string> text = read_toml_text(file);
+  if (!text) fail(file.string(), "it cannot be read; check its permissions");
+  return parse_parameters(*text, file.string());
 }
 
-void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
-                     const std::filesystem::path& file) {
+std::vector<ParameterChange> parse_parameters(std::string_view text, const std::string& name) {
+  if (const std::optional<TomlExcess> excess = excess_in_toml(text))
+    fail(name + ":" + std::to_string(excess->line), excess->why);
+  Reading reading(name);
+  try {
+    reading.read(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    fail(place(name, error.source()), error.description());
+  }
+  return std::move(reading).changes();
+}
+
+std::string parameter_text(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept) {
   std::string text;
   for (const Parameter& parameter : parameters) {
     if (parameter.origin == ParameterOrigin::default_value) continue;
@@ -121,7 +146,12 @@ void save_parameters(const std::vector<Parameter>& parameters, const std::vector
   }
   for (const ParameterChange& change : kept)
     text += as_key(change.name) + " = " + as_value(change.value) + "  # not used in the run that saved this\n";
-  write_whole_file(file, text);
+  return text;
+}
+
+void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
+                     const std::filesystem::path& file) {
+  write_whole_file(file, parameter_text(parameters, kept));
 }
 
 }  // namespace reorient

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/parameters/parameter.h"
@@ -12,8 +14,14 @@ namespace reorient {
 /// why.
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file);
 
-/// Writes those that differ from their defaults, and `kept`: values that a file had for modules that are not there
-/// (beside the file first, then renamed). Throws std::runtime_error when it cannot.
+/// The same from the file's text; `name` is for the sources and for the message.
+std::vector<ParameterChange> parse_parameters(std::string_view text, const std::string& name);
+
+/// Those that differ from their defaults, and `kept`: values that a file had for modules that are not there. As such a
+/// file.
+std::string parameter_text(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept);
+
+/// Writes that (beside the file first, then renamed). Throws std::runtime_error when it cannot.
 void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
                      const std::filesystem::path& file);
 

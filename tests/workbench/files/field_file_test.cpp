@@ -79,6 +79,18 @@ TEST(FieldFile, ThatIsNoTomlIsRefusedWithItsLine) {
   EXPECT_NE(complaint_about(std::string("\0\xff\x01", 3)), "");
 }
 
+TEST(FieldFile, WithAKeyOfAHundredThousandPartsDoesNotExhaustTheStack) {
+  std::string key = "a";
+  for (int i = 0; i < 100'000; ++i) key += ".a";
+  EXPECT_NE(complaint_about("\n" + key + " = 1").find("line 2: the line is longer than 1000 letters"),
+            std::string::npos);
+}
+
+TEST(FieldFile, TellsAnUnknownKeyOnOneLine) {
+  const std::string text = complaint_about("\"\\u001b[2J\\n\" = 1");
+  EXPECT_NE(text.find("'\\x1B[2J ' is not a key of a field"), std::string::npos) << text;
+}
+
 TEST(FieldFile, WithoutAKeyIsRefusedWithTheKeysName) {
   EXPECT_NE(complaint_about("").find("'length' is missing"), std::string::npos);
 }

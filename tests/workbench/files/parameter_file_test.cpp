@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "engine/parameters/utf8.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
@@ -49,6 +50,60 @@ TEST_F(ParameterFile, TellsItsMistakesWithFileAndLine) {
   EXPECT_EQ(refusal(""), "accepted");
   EXPECT_THROW(read_parameters(folder_.path() / "gone.toml"), std::runtime_error);
   EXPECT_THROW(read_parameters(folder_.path()), std::runtime_error);
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+TEST_F(ParameterFile, WithAKeyOfAHundredThousandPartsDoesNotExhaustTheStack) {
+  EXPECT_TRUE(refusal("x = 1\na" + repeated(".a", 100'000) + " = 1\n")
+                  .ends_with("p.toml:2: the line is longer than 1000 letters; break it into several"));
+  EXPECT_NE(refusal("[a" + repeated(".a", 100'000) + "]\n").find("p.toml:1: the line is longer"), std::string::npos);
+  // Line by line, as deep as the parser goes.
+  const std::string level = "{a" + repeated(".a", 490) + " = [\n";
+  EXPECT_NE(refusal("a = [\n" + repeated(level, 120)).find("p.toml:"), std::string::npos);
+}
+
+TEST_F(ParameterFile, OfTablesThatLieTooDeeplyInEachOtherIsRefused) {
+  EXPECT_EQ(refusal("a" + repeated(".a", 15) + " = 1\n"), "accepted");
+  EXPECT_NE(refusal("\na" + repeated(".a", 400) + " = 1\n").find("p.toml:2: tables lie too deeply"), std::string::npos);
+}
+
+TEST_F(ParameterFile, OfAHundredThousandKeysIsRefused) {
+  std::string keys;
+  for (int i = 0; i < 100'000; ++i) keys += "k" + std::to_string(i) + "=1\n";
+  EXPECT_NE(refusal(keys).find("more than 10000 parameters"), std::string::npos);
+}
+
+TEST_F(ParameterFile, ThatIsLargerThanAnybodyWritesIsRefused) {
+  EXPECT_NE(refusal(repeated("# a comment, of which there is no end\n", 30'000)).find("p.toml:1: the file is larger"),
+            std::string::npos);
+}
+
+TEST_F(ParameterFile, HasLettersBeyondAsciiInQuotesAndCommentsOnly) {
+  for (const char* text : {"a = 1 # \xc2\xa1",
+                           "\xef\xbb\xbf"
+                           "a = 1",
+                           "\"\xc2\xa1\" = '\xc2\xa1'", "a = \"\\\"\xc2\xa1\"",
+                           "a = \"\"\"\n\xc2\xa1\"\"\"\"\" # \xc2\xa1", "a = '''\xc2\xa1'\n''\xc2\xa1'''"}) {
+    EXPECT_EQ(refusal(text), "accepted") << text;
+  }
+  for (const char* text :
+       {"\na = 1 \xc2\xa1", "\n\xc2\xa1 = 1", "\ntuned\xef\xb3\xbf{ lead = 1", "a = '''\n''' \xc2\xa0"})
+    EXPECT_NE(refusal(text).find("p.toml:2: a letter that is not ASCII"), std::string::npos) << text;
+}
+
+TEST_F(ParameterFile, TellsMistakesOnOneLineWhateverBytesThereAre) {
+  for (const std::string& text : {std::string("\"\\u001b[2J\\n\" = []\n"), std::string("a\x1b = 1"),
+                                  std::string("a = \x07"), std::string("\xff\xfe"), std::string("a = 'x\0'", 9)}) {
+    const std::string message = refusal(text);
+    EXPECT_NE(message, "accepted");
+    for (const char letter : message) EXPECT_GE(static_cast<unsigned char>(letter), ' ') << message;
+    EXPECT_TRUE(is_utf8(message));
+  }
 }
 
 TEST_F(ParameterFile, KeepsWhatDiffersFromTheDefaults) {

@@ -1,0 +1,85 @@
+#include "workbench/files/toml_text.h"
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kLargest = 1024 * 1024;  // bytes
+/// The parser calls itself once for each part of a dotted key. A line bounds how many of them there are, and with them
+/// the stack that it takes; its own limit is one of brackets alone.
+constexpr std::size_t kLongestLine = 1000;  // bytes
+
+TomlExcess excess_at(std::string_view text, std::size_t place, std::string why) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(place);
+  return {1 + static_cast<int>(std::count(text.begin(), end, '\n')), std::move(why)};
+}
+
+std::optional<std::size_t> long_line(std::string_view text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > kLongestLine) return begin;
+    begin = end + 1;
+  }
+  return std::nullopt;
+}
+
+/// Where the string ends whose opening quotes, one or three of them, stand at `begin`.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const std::string three(3, quote);
+  const bool has_lines = text.substr(begin).starts_with(three);
+  for (std::size_t i = begin + (has_lines ? 3 : 1); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (!has_lines && (text[i] == quote || text[i] == '\n')) {
+      return i + 1;
+    } else if (has_lines && text.substr(i).starts_with(three)) {
+      // One or two more are the string's own last letters.
+      for (i += 3; i < text.size() && text[i] == quote;) ++i;
+      return i;
+    }
+  }
+  return text.size();
+}
+
+/// The first byte beyond ASCII that stands neither in quotes nor in a comment. TOML has none, and the parser's
+/// behaviour is undefined for some (toml++ 3.3.0: U+00A1).
+std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
+  const std::string_view mark = "\xEF\xBB\xBF";  // of the byte order, which some editors write
+  for (std::size_t i = text.starts_with(mark) ? mark.size() : 0; i < text.size();) {
+    if (static_cast<unsigned char>(text[i]) > 0x7F) return i;
+    if (text[i] == '"' || text[i] == '\'') {
+      i = end_of_string(text, i);
+    } else if (text[i] == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else {
+      ++i;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> read_toml_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(kLargest + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad() || !in.is_open()) return std::nullopt;
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+std::optional<TomlExcess> excess_in_toml(std::string_view text) {
+  if (text.size() > kLargest) return excess_at(text, 0, "the file is larger than 1 MiB; name another one");
+  if (const std::optional<std::size_t> place = long_line(text))
+    return excess_at(text, *place, "the line is longer than 1000 letters; break it into several");
+  if (const std::optional<std::size_t> place = letter_beyond_ascii(text))
+    return excess_at(text, *place, "a letter that is not ASCII; put the name in quotes");
+  return std::nullopt;
+}
+
+}  // namespace reorient

@@ -1,0 +1,22 @@
+// The text of a TOML file as somebody can have meant it. The parser goes as deep and takes as much as the text says, so
+// it must not be given just anything.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace reorient {
+
+/// At most a little more than what may be parsed. Nothing: the file cannot be read.
+std::optional<std::string> read_toml_text(const std::filesystem::path& file);
+
+struct TomlExcess {
+  int line = 1;
+  std::string why;
+};
+/// What keeps the text from being parsed; nothing: it may be.
+std::optional<TomlExcess> excess_in_toml(std::string_view text);
+
+}  // namespace reorient
