@@ -44,6 +44,14 @@ bool begins_with(std::span<const std::uint8_t> bytes, std::initializer_list<std:
   return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
+/// How many bytes the rows of a PNG take at least when they are inflated. `bytes` begins with a sound IHDR chunk.
+std::size_t inflated_size(const png_image& png, std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kDepth = 24, kColorType = 25;  // where they stand in the file
+  constexpr std::array<std::size_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
+  const std::size_t bits = std::size_t{bytes[kDepth]} * kChannels.at(bytes[kColorType]);
+  return png.height * (1 + (png.width * bits + 7) / 8);
+}
+
 LinearImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -54,6 +62,10 @@ LinearImage decode_png(std::span<const std::uint8_t> bytes, const std::string& n
   constexpr png_uint_32 kSane = 1u << 20;
   check_panorama_size(static_cast<int>(std::min(png.width, kSane)), static_cast<int>(std::min(png.height, kSane)),
                       name);
+  // Deflate makes at most 1032 bytes of one: for what cannot be there no memory is taken.
+  constexpr std::size_t kMostOfOne = 1032;
+  if (inflated_size(png, bytes) / kMostOfOne > bytes.size())
+    fail(name, "ends too early, it is incomplete: fetch or export it again");
   png.format = PNG_FORMAT_LINEAR_RGB;
   std::vector<png_uint_16> light(3 * static_cast<std::size_t>(png.width) * png.height);
   if (png_image_finish_read(&png, nullptr, light.data(), 0, nullptr) == 0) {
@@ -77,6 +89,14 @@ std::array<float, 256> linear_from_srgb() {
   return table;
 }
 
+/// A progressive picture is decoded once for each of its scans, and a scan of few bytes may stand for all pixels.
+void check_scans(std::span<const std::uint8_t> jpeg, const std::string& name) {
+  constexpr int kMost = 50;
+  int scans = 0;
+  for (std::size_t i = 1; i < jpeg.size(); ++i) scans += jpeg[i - 1] == 0xff && jpeg[i] == 0xda ? 1 : 0;
+  if (scans > kMost) fail(name, "has more than " + std::to_string(kMost) + " scans: export it again");
+}
+
 LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
   const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), tjDestroy);
   if (!decoder) fail(name, "cannot be decoded: out of memory");
@@ -90,6 +110,7 @@ LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& 
     fail(name, std::string("is not a readable JPEG (") + tjGetErrorStr2(decoder.get()) + "): export it again");
   }
   check_panorama_size(width, height, name);
+  check_scans(bytes, name);
   std::vector<std::uint8_t> shown(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   if (tjDecompress2(decoder.get(), bytes.data(), size, shown.data(), width, 0, height, TJPF_RGB, TJFLAG_ACCURATEDCT) !=
       0) {

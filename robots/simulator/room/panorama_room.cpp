@@ -22,8 +22,9 @@ LinearImage halve(const LinearImage& fine) {
   LinearImage coarse(fine.width / 2, fine.height / 2);
   for (int y = 0; y < coarse.height; ++y) {
     for (int x = 0; x < coarse.width; ++x) {
-      coarse.at(x, y) = 0.25f * (fine.at(2 * x, 2 * y) + fine.at(2 * x + 1, 2 * y) + fine.at(2 * x, 2 * y + 1) +
-                                 fine.at(2 * x + 1, 2 * y + 1));
+      // Each quarter for itself: the sum of the four brightest lights that there can be is infinite.
+      coarse.at(x, y) = 0.25f * fine.at(2 * x, 2 * y) + 0.25f * fine.at(2 * x + 1, 2 * y) +
+                        0.25f * fine.at(2 * x, 2 * y + 1) + 0.25f * fine.at(2 * x + 1, 2 * y + 1);
     }
   }
   return coarse;
@@ -117,13 +118,17 @@ Texture bake_level(const Viewpoint& viewpoint, const RoomShape& shape, double he
 }  // namespace
 
 Room load_room(const std::string& path, const RoomShape& shape) {
+  check(shape);  // before a large file is read in vain
+  return room_from(read_panorama(path), path, shape);
+}
+
+Room room_from(LinearImage panorama, const std::string& name, const RoomShape& shape) {
   check(shape);
-  LinearImage panorama = read_panorama(path);
   while (panorama.width > kWidest) panorama = halve(panorama);
   normalize(panorama);
   const Viewpoint viewpoint(panorama, shape);
   Room room;
-  room.name = path;
+  room.name = name;
   room.shape = shape;
   room.walls = bake_walls(viewpoint, shape);
   room.ceiling = bake_level(viewpoint, shape, shape.height);

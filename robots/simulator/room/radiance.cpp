@@ -65,7 +65,7 @@ Layout read_header(Reader& reader) {
     const std::string_view line = reader.line();
     if (line.empty()) break;
     if (line.starts_with("FORMAT=") && line.find("rle_rgbe") == std::string_view::npos) {
-      reader.fail("has the unknown pixel " + std::string(line.substr(0, 40)) + ": export it as 32-bit_rle_rgbe");
+      reader.fail("has pixels of an unknown format: export it as 32-bit_rle_rgbe");
     }
   }
   const std::string_view resolution = reader.line();

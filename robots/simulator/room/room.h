@@ -47,6 +47,9 @@ struct Room {
 /// Throws std::runtime_error with one line that names the file and what to do about it.
 Room load_room(const std::string& path, const RoomShape& shape);
 
+/// The same from the panorama itself.
+Room room_from(LinearImage panorama, const std::string& name, const RoomShape& shape);
+
 /// The room that the program ships: a sports hall on a tournament day, another one for every seed. Its four walls
 /// differ from each other, so that half a turn can always be told.
 Room procedural_hall(std::uint64_t seed, const RoomShape& shape);

@@ -1,8 +1,10 @@
 #include "robots/simulator/room/panorama.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -41,11 +43,11 @@ std::vector<std::uint8_t> encode_png(const std::vector<std::uint8_t>& pixels) {
   return bytes;
 }
 
-std::vector<std::uint8_t> encode_jpeg(const std::vector<std::uint8_t>& pixels) {
+std::vector<std::uint8_t> encode_jpeg(const std::vector<std::uint8_t>& pixels, int flags = 0) {
   const std::unique_ptr<void, decltype(&tjDestroy)> encoder(tjInitCompress(), tjDestroy);
   unsigned char* data = nullptr;
   unsigned long size = 0;
-  tjCompress2(encoder.get(), pixels.data(), kWidth, 0, kHeight, TJPF_RGB, &data, &size, TJSAMP_444, 95, 0);
+  tjCompress2(encoder.get(), pixels.data(), kWidth, 0, kHeight, TJPF_RGB, &data, &size, TJSAMP_444, 95, flags);
   std::vector<std::uint8_t> bytes(data, data + size);
   tjFree(data);
   return bytes;
@@ -93,6 +95,38 @@ TEST(Panorama, RefusesTruncatedPictures) {
   jpeg.resize(10);
   expect_refused(png, "again");
   expect_refused(jpeg, "again");
+}
+
+/// The picture with its last scan once more, again and again.
+std::vector<std::uint8_t> with_scans(std::vector<std::uint8_t> jpeg, int more) {
+  const std::uint8_t begin[] = {0xff, 0xda};
+  const auto last = std::find_end(jpeg.begin(), jpeg.end(), std::begin(begin), std::end(begin));
+  const std::vector<std::uint8_t> scan(last, jpeg.end() - 2);  // without the mark of the picture's end
+  for (int i = 0; i < more; ++i) jpeg.insert(jpeg.end() - 2, scan.begin(), scan.end());
+  return jpeg;
+}
+
+TEST(Panorama, RefusesAJpegOfAThousandScans) {
+  expect_refused(with_scans(encode_jpeg(two_greys(30, 200), TJFLAG_PROGRESSIVE), 1000), "more than 50 scans");
+  EXPECT_EQ(decode_panorama(encode_jpeg(two_greys(30, 200), TJFLAG_PROGRESSIVE), "test").width, kWidth);
+}
+
+TEST(Panorama, RefusesSizesForWhichThereAreTooFewBytes) {
+  const std::string seeds = REORIENT_SOURCE_DIR "/tests/fuzz/seeds/room/";
+  EXPECT_NE(message_of([&] { read_panorama(seeds + "declares_huge_size.png"); }).find("again"), std::string::npos);
+  EXPECT_NE(message_of([&] { read_panorama(seeds + "bomb.png"); }).find("ends too early"), std::string::npos);
+  for (const std::string size : {"-Y 1073741824 +X 2147483647", "-Y 99999999999 +X 199999999998", "-Y -16 +X -32"}) {
+    const std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n" + std::string(64, '\x02');
+    expect_refused({text.begin(), text.end()}, "it ");  // "scale it", "export it"
+  }
+}
+
+TEST(Panorama, OfTheBrightestLightThatThereCanBeBecomesARoom) {
+  // So wide that it is averaged down first.
+  const Room room = room_from(LinearImage(4160, 2080, LinearColor::Constant(1.7e38f)), "bright", RoomShape{});
+  EXPECT_TRUE(room.light.isFinite().all());
+  const Texture::Color wall = room.walls.sample(1.0f, 1.0f, 0);
+  EXPECT_NEAR(wall[0], 0.16f, 0.01f);
 }
 
 TEST(Panorama, RefusesWhatIsNoPicture) {
