@@ -94,6 +94,21 @@ TEST_F(ScriptedTests, EndOnTablesThatHoldThemselves) {
   EXPECT_EQ(summary.failed, 1);
 }
 
+TEST_F(ScriptedTests, EndOnTablesThatStandInEachOtherAgainAndAgain) {
+  run(R"(local function nested(leaf)
+  local t = { leaf }
+  for _ = 1, 15 do
+    local level = {}
+    for i = 1, 20 do level[i] = t end
+    t = level
+  end
+  return t
+end
+test("t", function() expect.equal(nested(1), nested(1)) end))");
+  EXPECT_EQ(summary.failed, 1);
+  EXPECT_NE(out.str().find("instructions"), std::string::npos) << out.str();
+}
+
 TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyTook) {
   run(R"(test("t", function() load_behavior "lamp" set_world { robot = { penalized = true } } advance(0.5) end))");
   EXPECT_EQ(coverage(),
@@ -401,6 +416,46 @@ TEST_F(ScriptedTests, AreNotTooManyInAFile) {
   run("for i = 1, 1e6 do test('t', function() end) end");
   EXPECT_EQ(summary.failed, 1);
   EXPECT_NE(out.str().find("a file has at most 2000 tests"), std::string::npos) << out.str();
+}
+
+TEST_F(ScriptedTests, HaveNamesThatCanBeRead) {
+  run("test(('x'):rep(1000000), function() end)");
+  EXPECT_EQ(summary.failed, 1);
+  EXPECT_NE(out.str().find("a test's name has at most 200 letters"), std::string::npos) << out.str().substr(0, 1000);
+}
+
+TEST_F(ScriptedTests, TellFailuresThatCanBeRead) {
+  run(R"(local long = ("x"):rep(1000000)
+test("error", function() error(long) end)
+test("values", function() expect.equal(long, long .. "y") end)
+test("parameter", function() set_param(long, "1") end))");
+  EXPECT_EQ(summary.failed, 3);
+  for (const TestCase& test : summary.cases) EXPECT_LT(test.failures.at(0).text.size(), 20'000U) << test.name;
+}
+
+TEST_F(ScriptedTests, EditNoScriptBeyondWhatOneMayBe) {
+  run(R"(test("t", function()
+  load_behavior "lamp"
+  reload { from = "e", to = ("x"):rep(1000000) }
+end))");
+  EXPECT_NE(only_failure().find("longer than 64 KiB"), std::string::npos);
+}
+
+TEST_F(ScriptedTests, PayForEachTextOfASimulation) {
+  run(R"(local long, with, params = ("x"):rep(16000), {}, {}
+for i = 1, 4000 do with[i] = long params["p" .. i] = long end
+test("with", function() simulate { scenario = "s", with = with } end)
+test("params", function() simulate { scenario = "s", params = params } end))",
+      [](const SimulationRequest&, CoverageTrace&, const std::function<bool()>&) { return SimulationOutcome{}; });
+  EXPECT_EQ(summary.failed, 2);
+  EXPECT_NE(out.str().find("instructions"), std::string::npos) << out.str();
+}
+
+TEST_F(ScriptedTests, PayForEachParameterThatTheySet) {
+  run("test('t', function() for i = 1, 1e6 do set_param('x' .. i, '1') end end)");
+  EXPECT_EQ(summary.failed, 1);
+  EXPECT_LT(summary.cases.at(0).failures.size(), 200U);
+  EXPECT_NE(out.str().find("instructions"), std::string::npos) << out.str().substr(0, 1000);
 }
 
 TEST_F(ScriptedTests, EndAllTogetherWhereAFileTakesTooLong) {

@@ -4,6 +4,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/sandbox/safe_library.h"
+#include "engine/script/sandbox/sandbox.h"
 
 namespace reorient {
 namespace {
@@ -15,6 +16,13 @@ std::optional<lua_Integer> whole_number(lua_State* L, lua_Integer least, lua_Int
   if (lua_isinteger(L, -1) == 0) return std::nullopt;
   const lua_Integer number = lua_tointeger(L, -1);
   return number >= least && number <= most ? std::optional(number) : std::nullopt;
+}
+
+/// The text at the stack index, for which the script pays: one text may stand in a table again and again.
+std::string take_text(lua_State* L, int index) {
+  constexpr std::int64_t kPriceOfAText = 100;
+  Sandbox::of(L).charge(kPriceOfAText + static_cast<std::int64_t>(lua_rawlen(L, index)));
+  return lua_tostring(L, index);
 }
 
 bool read_width(lua_State* L, SimulationRequest& request) {
@@ -41,7 +49,7 @@ bool read_with(lua_State* L, SimulationRequest& request) {
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= count; ++i) {
     const bool is_text = lua_rawgeti(L, -1, i) == LUA_TSTRING;
-    if (is_text) request.with.emplace_back(lua_tostring(L, -1));
+    if (is_text) request.with.push_back(take_text(L, -1));
     lua_pop(L, 1);
     if (!is_text) return false;
   }
@@ -57,7 +65,7 @@ bool read_parameters(lua_State* L, SimulationRequest& request) {
       return false;
     }
     push_text(L, -1);
-    request.parameters.emplace_back(lua_tostring(L, -3), lua_tostring(L, -1));
+    request.parameters.emplace_back(take_text(L, -3), take_text(L, -1));
     lua_pop(L, 1);
   }
   return true;

@@ -19,15 +19,22 @@ namespace {
 constexpr double kFramesPerSecond = 30.0;
 constexpr double kLongest = 3600.0;  // s, of one advance()
 constexpr std::size_t kMostFailures = 100;
-constexpr double kLongAgo = 60.0;  // s, since the robot was put on the field
+constexpr std::size_t kLongestFailure = 10'000;  // bytes
+constexpr double kLongAgo = 60.0;                // s, since the robot was put on the field
 
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
-std::string replace_all(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
+/// Throws std::runtime_error where the result were no script any more.
+std::string replace_all(const std::string& text, const std::string& from, const std::string& to) {
+  std::string result;
+  std::size_t copied = 0;
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, copied)) {
+    result.append(text, copied, at - copied).append(to);
+    copied = at + from.size();
+    if (result.size() > kLargestScript)
+      throw std::runtime_error("reload: the edited script would be longer than 64 KiB");
   }
-  return text;
+  return result.append(text, copied);
 }
 
 std::string text_field(lua_State* L, int table, const char* name) {
@@ -38,6 +45,12 @@ std::string text_field(lua_State* L, int table, const char* name) {
 }
 
 }  // namespace
+
+std::string shortened(std::string text) {
+  if (text.size() <= kLongestFailure) return text;
+  text.resize(kLongestFailure);
+  return text + " ...";
+}
 
 TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
                      TestBudget& budget, CoverageTrace& trace)
@@ -108,7 +121,7 @@ Behaviors& TestBench::behaviors() {
 
 TestFailure TestBench::failure_here(const std::string& text) const {
   lua_Debug record;
-  TestFailure failure{"", 0, text};
+  TestFailure failure{"", 0, shortened(text)};
   if (lua_getstack(lua_, 1, &record) != 0 && lua_getinfo(lua_, "Sl", &record) != 0) {
     failure.file = record.source[0] == '@' ? record.source + 1 : record.source;
     failure.line = record.currentline;
@@ -140,12 +153,15 @@ std::vector<TestFailure> TestBench::finish() {
   }
   for (auto& [name, place] : set_early_) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    place.text = "there is no parameter '" + name + "' in what this test loads" + did_you_mean(name, known);
+    if (failures_.size() > kMostFailures) break;
+    place.text = "there is no parameter '" + shortened(name) + "' in what this test loads" + did_you_mean(name, known);
     failures_.push_back(std::move(place));
   }
-  for (const ScriptFault& fault : faults_)
-    failures_.push_back({fault.file, fault.line, fault.message + "\n" + fault.traceback});
-  if (refused_) failures_.push_back({refused_->file, refused_->line, "refused: " + refused_->message});
+  for (const ScriptFault& fault : faults_) {
+    if (failures_.size() > kMostFailures) break;
+    failures_.push_back({fault.file, fault.line, shortened(fault.message + "\n" + fault.traceback)});
+  }
+  if (refused_) failures_.push_back({refused_->file, refused_->line, shortened("refused: " + refused_->message)});
   return failures_;
 }
 
@@ -207,6 +223,9 @@ int TestBench::set_world(lua_State* L) {
 }
 
 void TestBench::set_param(std::string_view name, std::string_view value) {
+  // Each is kept, for scenarios that are loaded later.
+  constexpr std::int64_t kPriceOfAChange = 1000;
+  Sandbox::of(lua_).charge(kPriceOfAChange + static_cast<std::int64_t>(name.size() + value.size()));
   const ParameterChange change{std::string(name), std::string(value), ParameterOrigin::live, ""};
   changes_.push_back(change);
   if (scenario_) {

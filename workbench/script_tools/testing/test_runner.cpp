@@ -22,19 +22,20 @@ ScriptLimits test_limits() {
   return limits;
 }
 
-constexpr std::int64_t kInstructionsPerTest = 50'000'000;
 constexpr std::size_t kMostTests = 2000;  // of a file, which is run anew for each
+constexpr std::size_t kLongestName = 200;
 
 /// A file of tests, run from its top in a sandbox of its own. Each test gets a new one: what one does to globals, to
 /// library tables or to the file's own locals, no other sees.
 class TestFile {
  public:
-  TestFile(const std::string& name, const std::string& text) : name_(name), sandbox_(test_limits()) {
+  TestFile(const std::string& name, const std::string& text, std::int64_t instructions)
+      : name_(name), sandbox_(test_limits()) {
     lua_State* const L = sandbox_.state();
     lua_pushlightuserdata(L, this);
     lua_pushcclosure(L, &TestFile::declare, 1);
     lua_setglobal(L, "test");
-    sandbox_.grant(kInstructionsPerTest);
+    sandbox_.grant(instructions);
     fault_ = sandbox_.compile(text, name_);
     if (!fault_) fault_ = sandbox_.call(0, 0);
     is_declaring_ = false;
@@ -51,7 +52,7 @@ class TestFile {
   }
 
   TestFailure as_failure(const ScriptFault& fault) const {
-    return {fault.file.empty() ? name_ : fault.file, fault.line, fault.message + "\n" + fault.traceback};
+    return {fault.file.empty() ? name_ : fault.file, fault.line, shortened(fault.message + "\n" + fault.traceback)};
   }
 
   TestCase run(std::size_t which, const TestRun& run, const ScriptTexts& texts, TestBudget& file,
@@ -60,7 +61,7 @@ class TestFile {
     TestBudget budget(file);
     TestBench bench(run.scripts_root, texts, run.simulate, budget, trace);
     bench.add_to(sandbox_.state());
-    sandbox_.grant(kInstructionsPerTest);
+    sandbox_.grant(run.instructions);
     lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function);
     const std::optional<ScriptFault> fault = sandbox_.call(0, 0);
     if (bench.needs_simulator()) return {name_, name, {}, true};
@@ -74,12 +75,15 @@ class TestFile {
     auto& self = *static_cast<TestFile*>(lua_touserdata(L, lua_upvalueindex(1)));
     if (!self.is_declaring_)
       return luaL_error(L, "a test runs: declare tests at the top of the file, not inside of one");
-    const char* const name = luaL_checkstring(L, 1);
+    std::size_t length = 0;
+    const char* const name = luaL_checklstring(L, 1, &length);
     luaL_checktype(L, 2, LUA_TFUNCTION);
     lua_settop(L, 2);
+    if (length > kLongestName)
+      return luaL_error(L, "a test's name has at most %d letters", static_cast<int>(kLongestName));
     if (self.tests_.size() >= kMostTests)
       return luaL_error(L, "a file has at most %d tests", static_cast<int>(kMostTests));
-    self.tests_.emplace_back(name, luaL_ref(L, LUA_REGISTRYINDEX));
+    self.tests_.emplace_back(std::string(name, length), luaL_ref(L, LUA_REGISTRYINDEX));
     return 0;
   }
 
@@ -93,13 +97,11 @@ class TestFile {
 /// All tests of one file.
 class FileRun {
  public:
-  FileRun(std::string name, std::string text, const TestRun& run, const ScriptTexts& texts)
-      : name_(std::move(name)), text_(std::move(text)), run_(run), texts_(texts), budget_(run.timeout, run.stop) {}
+  FileRun(const std::string& name, const std::string& text, const TestRun& run, const ScriptTexts& texts)
+      : name_(name), text_(text), run_(run), texts_(texts), budget_(run.timeout, run.stop) {}
 
-  /// Calls `take` with each case as soon as there is one.
-  template <typename Take>
-  void run(CoverageTrace& trace, Take&& take) {
-    auto file = std::make_unique<TestFile>(name_, text_);
+  void run(CoverageTrace& trace, const std::function<void(TestCase)>& take) {
+    std::unique_ptr<TestFile> file = run_anew();
     if (file->fault()) {
       take(TestCase{name_, "can be run", {file->as_failure(*file->fault())}, false});
       return;
@@ -111,7 +113,7 @@ class FileRun {
         take(failed(names[i], "not run: " + budget_.reason()));
         continue;
       }
-      if (file == nullptr) file = std::make_unique<TestFile>(name_, text_);
+      if (file == nullptr) file = run_anew();
       take(file->names() == names ? file->run(i, run_, texts_, budget_, trace)
                                   : failed(names[i], "the file declares other tests each time that it is run"));
       file.reset();
@@ -119,12 +121,13 @@ class FileRun {
   }
 
  private:
+  std::unique_ptr<TestFile> run_anew() const { return std::make_unique<TestFile>(name_, text_, run_.instructions); }
   TestCase failed(const std::string& name, const std::string& why) const {
     return {name_, name, {{name_, 0, why}}, false};
   }
 
-  std::string name_;
-  std::string text_;
+  const std::string& name_;
+  const std::string& text_;
   const TestRun& run_;
   const ScriptTexts& texts_;
   TestBudget budget_;
@@ -177,18 +180,23 @@ void report(const TestCase& test, std::ostream& out) {
 
 }  // namespace
 
+void run_test_text(const std::string& name, const std::string& text, const TestRun& run, const ScriptTexts& scripts,
+                   CoverageTrace& trace, const std::function<void(TestCase)>& take) {
+  FileRun(name, text, run, scripts).run(trace, take);
+}
+
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace) {
   const std::filesystem::path all[] = {run.scripts_root / "tests"};
   TestSummary summary;
   const ScriptTexts texts = read_scripts(run.scripts_root);
   for (const std::filesystem::path& file : find_tests(run.paths.empty() ? all : std::span(run.paths))) {
-    FileRun(path_below(run.scripts_root, file).value_or(file.string()), read(file), run, texts)
-        .run(trace, [&](TestCase test) {
-          report(test, out);
-          out.flush();  // whoever watches sees each test as it ends
-          ++(test.skipped ? summary.skipped : test.failures.empty() ? summary.passed : summary.failed);
-          summary.cases.push_back(std::move(test));
-        });
+    const std::string name = path_below(run.scripts_root, file).value_or(file.string());
+    run_test_text(name, read(file), run, texts, trace, [&](TestCase test) {
+      report(test, out);
+      out.flush();  // whoever watches sees each test as it ends
+      ++(test.skipped ? summary.skipped : test.failures.empty() ? summary.passed : summary.failed);
+      summary.cases.push_back(std::move(test));
+    });
     summary.interrupted = run.stop && run.stop();
     if (summary.interrupted) break;
   }

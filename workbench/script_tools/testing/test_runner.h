@@ -1,6 +1,7 @@
 // Scripted behaviour tests: scripts/tests/*_test.lua, in a fake world with a fake clock.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
@@ -35,11 +36,17 @@ struct TestRun {
   Simulate simulate;                         ///< none: tests that want the simulator are skipped
   double timeout = 60.0;                     ///< s in wall-clock time, of each test; a file has ten times that
   std::function<bool()> stop;                ///< asked before each frame; empty: nobody interrupts
+  std::int64_t instructions = 50'000'000;    ///< of Lua, that each test may run
 };
 
 /// Writes one line a test and each failure with file, line, what was expected and what was seen. `trace` is filled
 /// with what the tests took. Each test runs in a fresh sandbox, after its file has been run anew in it. Throws
 /// std::runtime_error with one line when a path does not exist or holds no tests.
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace);
+
+/// The tests of one file's text, beside these scripts; run.paths are not looked at. Calls `take` with each case as soon
+/// as there is one.
+void run_test_text(const std::string& name, const std::string& text, const TestRun& run, const ScriptTexts& scripts,
+                   CoverageTrace& trace, const std::function<void(TestCase)>& take);
 
 }  // namespace reorient

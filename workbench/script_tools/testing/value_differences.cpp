@@ -1,8 +1,10 @@
 #include "workbench/script_tools/testing/value_differences.h"
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/script/sandbox/safe_library.h"
+#include "engine/script/sandbox/sandbox.h"
 
 namespace reorient {
 namespace {
@@ -29,6 +31,7 @@ class Comparison {
   explicit Comparison(lua_State* L) : lua_(L) {}
 
   void compare(int actual, int expected, const std::string& path) {
+    pay(path);
     if (lua_rawequal(lua_, actual, expected) != 0 || lines_.size() >= kMostLines) return;
     if (!lua_istable(lua_, actual) || !lua_istable(lua_, expected) || depth_ >= kDeepest) {
       // 1 and 1.0 are raw-equal; texts are values too, so whatever comes here differs.
@@ -44,6 +47,7 @@ class Comparison {
       lua_pop(lua_, 1);
     }
     for (lua_pushnil(lua_); lua_next(lua_, actual) != 0; lua_pop(lua_, 1)) {
+      pay(path);
       const int value = lua_gettop(lua_);
       lua_pushvalue(lua_, value - 1);
       if (lua_rawget(lua_, expected) == LUA_TNIL) note(path + step(lua_, value - 1), "nothing", text_of(lua_, value));
@@ -59,6 +63,12 @@ class Comparison {
   }
 
  private:
+  /// Of tables that stand in each other again and again there are more fields than anybody can wait for.
+  void pay(const std::string& path) {
+    constexpr std::int64_t kPriceOfAField = 10;
+    Sandbox::of(lua_).charge(kPriceOfAField + static_cast<std::int64_t>(path.size()));
+  }
+
   void note(const std::string& path, const std::string& expected, const std::string& actual) {
     if (lines_.size() >= kMostLines) return;
     lines_.push_back(path.empty() ? "expected " + expected + "\n  actual " + actual
