@@ -13,6 +13,7 @@ namespace reorient {
 namespace {
 
 constexpr std::size_t kMostWarnings = 10;
+constexpr std::size_t kLongestName = 200;  // as far as it is told
 
 void warn_of_strangers(const std::map<std::string, std::string>& sources, const ParameterModules& modules) {
   const std::vector<std::string> known(modules.anywhere.begin(), modules.anywhere.end());
@@ -58,11 +59,12 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
     const std::string module = module_of(change.name);
     if (change.origin != ParameterOrigin::file || module.empty() || loaded.contains(module)) {
       const bool may_be_loaded = !loaded.contains(module) && modules.anywhere.contains(module);
-      const std::string hint = may_be_loaded
-                                   ? "; this run does not load '" + module + "' (--with loads a behavior)"
-                                   : did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end()));
+      const std::string hint =
+          may_be_loaded ? "; this run does not load '" + module.substr(0, kLongestName) + "' (--with loads a behavior)"
+                        : did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end()));
       throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "there is no parameter '" +
-                               change.name + "' (set by the " + std::string(to_string(change.origin)) + ")" + hint);
+                               change.name.substr(0, kLongestName) + "' (set by the " +
+                               std::string(to_string(change.origin)) + ")" + hint);
     }
     if (!modules.anywhere.contains(module)) strangers.try_emplace(module, change.source);
     kept.insert_or_assign(change.name, change);

@@ -57,6 +57,7 @@ class ChildProgram {
   void kill(int signal) const {
     if (process_ > 0) ::kill(process_, signal);  // to signal -1 would be to signal everybody
   }
+  pid_t id() const { return process_; }
   std::string out() const { return read_text(folder_ / "out.txt"); }
   std::string err() const { return read_text(folder_ / "err.txt"); }
 

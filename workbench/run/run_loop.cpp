@@ -17,7 +17,8 @@ RunLoop::RunLoop(RunParts parts) : parts_(std::move(parts)), start_(Clock::now()
 }
 
 std::optional<RunEnd> RunLoop::is_over() const {
-  if (parts_.stop && parts_.stop()) return RunEnd::stopped;
+  // Not before there is a frame, without which there is nothing to tell and no picture of it.
+  if (any_frame_ && parts_.stop && parts_.stop()) return RunEnd::stopped;
   if (stage_.scenario.verdict) return RunEnd::verdict;
   const double time = parts_.engine.record().world.time - first_time_;
   if (any_frame_ && parts_.longest > 0.0 && time >= parts_.longest) return RunEnd::time_up;

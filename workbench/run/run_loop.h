@@ -29,7 +29,7 @@ struct RunParts {
   RecordedBehaviors* behaviors = nullptr;  ///< what the scenario sees of them
   std::vector<InputSource*> sources;
   std::vector<Observer*> observers;
-  std::function<bool()> stop;  ///< asked before each frame; may be empty
+  std::function<bool()> stop;  ///< asked after each frame; may be empty
   double longest = 0.0;        ///< s of the robot's time, from its first frame on; 0: no limit
   bool in_real_time = false;   ///< waits for the wall clock where the robot's own does not
 };

@@ -1,0 +1,119 @@
+// A run that is interrupted at any moment from the one in which it began: each output is there, and readable. What is
+// killed leaves the old file or the new one. A few here; REORIENT_INTERRUPTIONS=50 for as many of each kind.
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "geometry/random.h"
+#include "tests/program/program_run.h"
+#include "tests/program/run_with_all_outputs.h"
+
+namespace reorient {
+namespace {
+
+int count_of_each() {
+  const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
+  return wanted == nullptr ? 2 : std::atoi(wanted);
+}
+
+/// Until the program would notice the signal; false: it ended before.
+bool await_handler(pid_t process, int signal) {
+  for (int i = 0; i < 3000; ++i) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (!line.starts_with("SigCgt:")) continue;
+      if ((std::stoull(line.substr(line.find('\t') + 1), nullptr, 16) >> (signal - 1) & 1U) != 0) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+void wait_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+class AtRandomMoments : public RunWithAllOutputs, public ::testing::WithParamInterface<int> {
+ protected:
+  /// Signals a program that takes about `seconds`, and waits for its end. What comes when it has done everything and
+  /// only has to go away ends it as it ends any program.
+  void interrupt(const std::vector<std::string>& all, double seconds, int own_code) {
+    ChildProgram program(folder.path(), all);
+    ASSERT_TRUE(await_handler(program.id(), GetParam()));
+    const double moment = random_.uniform(0.0, seconds);
+    SCOPED_TRACE("after " + std::to_string(moment) + " s");
+    wait_for(moment);
+    program.kill(GetParam());
+    const int code = program.wait();
+    EXPECT_TRUE(code == 128 + GetParam() || code == own_code || code == -GetParam()) << code << program.err();
+    interrupted_ += code == 128 + GetParam();
+  }
+  void forget_outputs() const {
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      std::filesystem::remove_all(entry.path());
+  }
+  void TearDown() override { RecordProperty("interrupted", interrupted_); }
+
+ private:
+  Random random_{static_cast<std::uint64_t>(GetParam())};
+  int interrupted_ = 0;
+};
+
+TEST_P(AtRandomMoments, ARunWritesAllOutputs) {
+  for (int i = 0; i < count_of_each() && !HasFailure(); ++i) {
+    forget_outputs();
+    interrupt(words({"--seconds", "6"}), 2.5, kWrong);
+    expect_all_outputs();
+    EXPECT_EQ(left_overs(), 0);
+  }
+}
+
+TEST_P(AtRandomMoments, ARunInRealTimeWritesAllOutputs) {
+  for (int i = 0; i < count_of_each() && !HasFailure(); ++i) {
+    forget_outputs();
+    interrupt(words({"--realtime", "--seconds", "3"}), 4.0, kWrong);
+    expect_all_outputs();
+    EXPECT_EQ(left_overs(), 0);
+  }
+}
+
+TEST_P(AtRandomMoments, TestsWriteTheirReport) {
+  for (int i = 0; i < count_of_each() && !HasFailure(); ++i) {
+    forget_outputs();
+    interrupt({"test", "--junit", (folder.path() / "junit.xml").string()}, 1.5, kSuccess);
+    const std::string report = read_text(folder.path() / "junit.xml");
+    EXPECT_TRUE(report.starts_with("<?xml")) << report;
+    EXPECT_TRUE(report.ends_with("</testsuite>\n")) << report;
+    EXPECT_EQ(left_overs(), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, AtRandomMoments, ::testing::Values(SIGINT, SIGTERM, SIGHUP), [](const auto& signal) {
+  return std::string(signal.param == SIGINT ? "Int" : signal.param == SIGTERM ? "Term" : "Hup");
+});
+
+using KilledRun = RunWithAllOutputs;
+
+TEST_F(KilledRun, LeavesTheOldFileOrTheNewOne) {
+  const auto run = [&](int seed) { return words({"--seconds", "1", "--seed", std::to_string(seed)}); };
+  ASSERT_EQ(ChildProgram(folder.path(), run(1)).wait(), kWrong);
+  Random random(9);
+  const int count = std::max(36, 3 * count_of_each());
+  int seed = 1;
+  for (int i = 0; i < count && !HasFailure(); ++i) {
+    ChildProgram killed(folder.path(), run(2 + i));
+    wait_for(random.uniform(0.0, 1.0));
+    killed.kill(SIGKILL);
+    killed.wait();
+    expect_all_outputs();
+    const int found = json()["seed"].get<int>();
+    EXPECT_TRUE(found == seed || found == 2 + i) << found;
+    seed = found;
+  }
+  EXPECT_LT(left_overs(), count);
+}
+
+}  // namespace
+}  // namespace reorient

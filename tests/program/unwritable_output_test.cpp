@@ -1,0 +1,217 @@
+// What cannot be written does not take the rest with it.
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <grp.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include "tests/program/program_run.h"
+#include "tests/program/run_with_all_outputs.h"
+
+namespace reorient {
+namespace {
+
+constexpr int kCannot = 77;  // what a child ends with where it may not do what the test needs
+
+/// Runs in the child: from there on it is a program of nobody in particular, as long as that is allowed.
+void become_an_ordinary_user() {
+  constexpr uid_t kNobody = 65534;
+  if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(kCannot);
+  prctl(PR_SET_DUMPABLE, 1);  // or its files in /proc stay root's
+  if (access(REORIENT_PROGRAM, X_OK) != 0 || access(REORIENT_SOURCE_DIR "/scripts", R_OK) != 0) _exit(kCannot);
+}
+
+class UnwritableOutput : public RunWithAllOutputs {
+ protected:
+  UnwritableOutput() { std::filesystem::permissions(folder.path(), std::filesystem::perms::all); }
+  ~UnwritableOutput() override { allow(std::filesystem::perms::all); }
+
+  /// What everybody may do in the folder of the pictures.
+  void allow(std::filesystem::perms permissions) const {
+    std::filesystem::create_directories(folder.path() / "pictures");
+    std::filesystem::permissions(folder.path() / "pictures", permissions);
+  }
+  static constexpr std::filesystem::perms kOnlyToRead =
+      std::filesystem::perms::all & ~(std::filesystem::perms::owner_write | std::filesystem::perms::group_write |
+                                      std::filesystem::perms::others_write);
+};
+
+TEST_F(UnwritableOutput, WritesTheRestWhereOnePictureCannotBe) {
+  std::filesystem::create_directories(folder.path() / "pictures" / "world_view.png" / "in the way");
+  ChildProgram run(folder.path(), words({"--seconds", "1"}));
+  EXPECT_EQ(run.wait(), kBadInput);
+  EXPECT_NE(run.err().find("reorient: cannot write '" + (folder.path() / "pictures" / "world_view.png").string()),
+            std::string::npos)
+      << run.err();
+  EXPECT_EQ(json()["scenario"], "patrol");
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / "confidences.png"));
+  EXPECT_NE(run.out().find("wrong: "), std::string::npos);
+}
+
+TEST_F(UnwritableOutput, TellsEachOutputThatVanishedWithItsFolder) {
+  ChildProgram run(folder.path(), words({"--seconds", "12"}));
+  ASSERT_TRUE(run.await("patrol: "));
+  std::filesystem::remove_all(folder.path() / "pictures");
+  EXPECT_EQ(run.wait(), kBadInput);
+  for (const char* picture : kPictures) EXPECT_NE(run.err().find(picture), std::string::npos) << run.err();
+  EXPECT_EQ(json()["scenario"], "patrol");
+}
+
+TEST_F(UnwritableOutput, WritesTheRestWhereNobodyReadsWhatItPrints) {
+  ChildProgram run(folder.path(), words({"--seconds", "1"}), [] {
+    int ends[2];
+    if (pipe(ends) != 0) _exit(126);
+    dup2(ends[1], STDOUT_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+  });
+  EXPECT_EQ(run.wait(), kBadInput);
+  EXPECT_NE(run.err().find("cannot write to the standard output"), std::string::npos) << run.err();
+  expect_all_outputs();
+}
+
+TEST_F(UnwritableOutput, WritesWhatIsSmallWhereFilesMayNotGrow) {
+  ChildProgram run(folder.path(), words({"--seconds", "1"}), [] {
+    const rlimit small{16 * 1024, 16 * 1024};
+    setrlimit(RLIMIT_FSIZE, &small);
+  });
+  EXPECT_EQ(run.wait(), kBadInput);
+  EXPECT_NE(run.err().find("world_view.png': File too large"), std::string::npos) << run.err();
+  EXPECT_EQ(json()["scenario"], "patrol");
+  EXPECT_EQ(left_overs(), 0);
+}
+
+TEST_F(UnwritableOutput, SaysWhatADeviceSays) {
+  ChildProgram run(folder.path(), {"run", "--seconds", "1", "--width", "160", "--no-pictures", "--json", "/dev/full"});
+  EXPECT_EQ(run.wait(), kBadInput);
+  EXPECT_NE(run.err().find("cannot write '/dev/full': No space left on device"), std::string::npos) << run.err();
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(UnwritableOutput, DoesNotFollowWhatSomebodyPutBeside) {
+  folder.write("precious.txt", "mine");
+  std::filesystem::create_symlink(folder.path() / "precious.txt", folder.path() / "run.json.partial");
+  ChildProgram run(folder.path(), words({"--seconds", "1"}));
+  EXPECT_EQ(run.wait(), kWrong);
+  EXPECT_EQ(read_text(folder.path() / "precious.txt"), "mine");
+  expect_all_outputs();
+}
+
+TEST_F(UnwritableOutput, SharesAFolderWithAnother) {
+  TemporaryFolder other;
+  ChildProgram first(folder.path(), words({"--seconds", "2"}));
+  ChildProgram second(other.path(), words({"--seconds", "2"}));
+  EXPECT_EQ(first.wait(), kWrong);
+  EXPECT_EQ(second.wait(), kWrong);
+  expect_all_outputs();
+  EXPECT_EQ(left_overs(), 0);
+}
+
+TEST_F(UnwritableOutput, IsToldBeforeTheRunWhereAFolderMayNotBeWritten) {
+  allow(kOnlyToRead);
+  const std::string pictures = (folder.path() / "pictures").string();
+  const std::string summary = pictures + "/run.json";
+  const std::pair<std::vector<std::string>, std::string> runs[] = {
+      {words(), "reorient: cannot write into '" + pictures + "'; name another folder with --out\n"},
+      {{"run", "--no-pictures", "--json", summary},
+       "reorient: cannot write '" + summary + "'; name another file with --json\n"}};
+  for (const auto& [all, complaint] : runs) {
+    ChildProgram run(folder.path(), all, become_an_ordinary_user);
+    const int code = run.wait();
+    if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not write everywhere";
+    EXPECT_EQ(code, kBadInput);
+    EXPECT_EQ(run.out(), "");
+    EXPECT_EQ(run.err(), complaint);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "run.json"));
+  }
+}
+
+TEST_F(UnwritableOutput, TellsEachPictureWhereItsFolderMayNoLongerBeWritten) {
+  allow(std::filesystem::perms::all);
+  ChildProgram run(folder.path(), words({"--seconds", "12"}), become_an_ordinary_user);
+  const bool began = run.await("patrol: ");
+  allow(kOnlyToRead);
+  const int code = run.wait();
+  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not write everywhere";
+  ASSERT_TRUE(began) << run.err();
+  EXPECT_EQ(code, kBadInput);
+  for (const char* name : kPictures) {
+    EXPECT_NE(run.err().find("reorient: cannot write '" + picture(name).string() + "': Permission denied\n"),
+              std::string::npos)
+        << run.err();
+  }
+  EXPECT_EQ(json()["scenario"], "patrol");
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "tuned.toml"));
+  EXPECT_EQ(left_overs(), 0);
+}
+
+/// Writes into a file of /proc; a child that may not ends.
+void tell_the_kernel(const char* file, const std::string& text) {
+  const int descriptor = open(file, O_WRONLY);
+  if (descriptor < 0 || write(descriptor, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+    _exit(kCannot);
+  close(descriptor);
+}
+
+/// Runs in the child: a disk of its own, that nobody else sees, stands in the place of `folder`. What is left on it
+/// when the program has ended is copied to `kept`.
+void put_a_small_disk(const std::filesystem::path& folder, const std::filesystem::path& kept) {
+  const std::string user = std::to_string(geteuid()), group = std::to_string(getegid());
+  if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) _exit(kCannot);
+  tell_the_kernel("/proc/self/setgroups", "deny");
+  tell_the_kernel("/proc/self/uid_map", "0 " + user + " 1");
+  tell_the_kernel("/proc/self/gid_map", "0 " + group + " 1");
+  if (mount("small", folder.c_str(), "tmpfs", 0, "size=64k") != 0) _exit(kCannot);
+  const pid_t program = fork();
+  if (program == 0) return;
+  int status = 0;
+  waitpid(program, &status, 0);
+  std::error_code failed;
+  std::filesystem::copy(folder, kept, failed);
+  _exit(WIFEXITED(status) && !failed ? WEXITSTATUS(status) : kCannot);
+}
+
+class FullDisk : public UnwritableOutput, public ::testing::WithParamInterface<bool> {};
+
+TEST_P(FullDisk, TakesWhatFitsAndKeepsNoHalfFiles) {
+  allow(std::filesystem::perms::all);
+  const bool as_ordinary_user = GetParam();
+  const std::filesystem::path kept = folder.path() / "kept";
+  ChildProgram run(folder.path(), words({"--seconds", "1"}), [&] {
+    if (as_ordinary_user) become_an_ordinary_user();
+    put_a_small_disk(folder.path() / "pictures", kept);
+  });
+  const int code = run.wait();
+  if (code == kCannot) GTEST_SKIP() << "this user may not have a disk of its own (user namespaces)";
+  EXPECT_EQ(code, kBadInput) << run.err();
+  int missing = 0;
+  for (const char* name : kPictures) {
+    const bool is_told = run.err().find("reorient: cannot write '" + picture(name).string() +
+                                        "': No space left on device\n") != std::string::npos;
+    EXPECT_NE(is_told, std::filesystem::exists(kept / name)) << name << "\n" << run.err();
+    if (is_told) {
+      ++missing;
+    } else {
+      EXPECT_TRUE(is_whole_picture(kept / name)) << name;
+    }
+  }
+  EXPECT_GT(missing, 0);
+  EXPECT_LT(missing, 4) << "a small picture fits";
+  EXPECT_EQ(json()["scenario"], "patrol");
+  EXPECT_EQ(left_overs(), 0);
+  EXPECT_NE(run.out().find("digest: "), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FullDisk, ::testing::Bool(),
+                         [](const auto& each) { return each.param ? "AnOrdinaryUser" : "ThisUser"; });
+
+}  // namespace
+}  // namespace reorient
