@@ -1,8 +1,6 @@
 // Arbitrary string patterns against arbitrary subjects: the price is paid, captures lie within the subject, and what
 // matches is what Lua's own matcher finds. The input is the pattern, a byte 0xFF, the subject.
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +8,7 @@
 #include <lua.hpp>
 
 #include "engine/script/sandbox/pattern.h"
+#include "tests/fuzz/promises.h"
 
 namespace reorient {
 namespace {
@@ -17,12 +16,6 @@ namespace {
 constexpr std::int64_t kSteps = 20'000;
 constexpr std::int64_t kDearest = 1'024;    // steps that the last thing before the end may cost
 constexpr std::size_t kLongestForLua = 48;  // bytes of pattern and subject: Lua's own search is not bounded
-
-void require(bool promise, const char* what) {
-  if (promise) return;
-  std::fprintf(stderr, "broken promise: %s\n", what);
-  std::abort();
-}
 
 /// What Lua's string.find says: begin and end in Pattern's way of counting; nothing where it is malformed for Lua.
 struct LuasAnswer {

@@ -5,14 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
-#include <random>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -24,6 +21,7 @@
 #include "engine/script/language/script_actions.h"
 #include "engine/script/machine/machine_definition.h"
 #include "engine/script/script_error.h"
+#include "tests/fuzz/promises.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
@@ -48,18 +46,6 @@ ScriptLimits low_limits() {
   limits.string_length = 1024;
   limits.trial_time = 0.1;
   return limits;
-}
-
-void require(bool promise, const char* what) {
-  if (promise) return;
-  std::fprintf(stderr, "broken promise: %s\n", what);
-  std::abort();
-}
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Worlds that differ in all that behaviours ask about, the same ones for the same input.
@@ -354,38 +340,6 @@ void try_script(std::string_view input) {
 
 }  // namespace
 }  // namespace reorient
-
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t longest);
-
-/// Half of the time whole lines are taken out, doubled or exchanged: what is still a script reaches further than what
-/// the parser refuses.
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t longest,
-                                               unsigned int seed) {
-  std::minstd_rand random(seed);
-  if (random() % 2 == 0) return LLVMFuzzerMutate(data, size, longest);
-  std::vector<std::string> lines;
-  std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
-  for (std::string line; std::getline(text, line);) lines.push_back(line + "\n");
-  if (lines.size() < 2) return LLVMFuzzerMutate(data, size, longest);
-  const std::size_t one = random() % lines.size();
-  const std::size_t other = random() % lines.size();
-  const auto place = [&lines](std::size_t index) { return lines.begin() + static_cast<std::ptrdiff_t>(index); };
-  switch (random() % 3) {
-    case 0:
-      lines.erase(place(one));
-      break;
-    case 1:
-      lines.insert(place(one), std::string(lines[other]));
-      break;
-    default:
-      std::swap(lines[one], lines[other]);
-  }
-  std::string result;
-  for (const std::string& line : lines) result += line;
-  result.resize(std::min(result.size(), longest));
-  std::copy(result.begin(), result.end(), data);
-  return result.size();
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   reorient::try_script({reinterpret_cast<const char*>(data), size});
