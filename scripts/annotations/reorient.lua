@@ -1,6 +1,6 @@
 ---@meta
 -- What scripts can see and say, for the Lua language server. Generated from the declarations that make the
--- bindings; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.
+-- bindings, and from the libraries' doc comments; do not edit. `REORIENT_REGENERATE=1 ./test` writes it anew.
 
 ---@class reorient.State
 ---@field priority? number
@@ -189,6 +189,102 @@ function verdict.succeed(text) end
 ---@param text string
 function verdict.fail(text) end
 
+do
+---Looking at a place on the field: with the head where the neck reaches, else by turning the body as well.
+---@class lib.gaze
+local library = {}
+
+--- How far the head has to turn from where it is until a point of the field is straight ahead of it.
+---@param x number m
+---@param y number m
+---@return number angle rad, never negative
+function library.angle_to(x, y) end
+
+--- Whether the robot looks at a point of the field, by the pose that it believes in.
+---@param x number m
+---@param y number m
+---@return boolean
+function library.is_at(x, y) end
+
+--- One frame's look at a point of the field; the body turns while the neck alone does not reach it, else it stands.
+---@param x number m
+---@param y number m
+function library.at(x, y) end
+end
+
+do
+---How right the belief is, for scenarios: they alone may know the truth.
+---@class lib.ground_truth
+local library = {}
+
+--- Where a robot stands beside the field before a match (m, m, rad): at the height of its own penalty mark, looking into
+--- the field.
+---@type { x: number, y: number, rotation: number }
+library.START = nil
+
+--- Puts the robot down at the start and tells it so.
+function library.start() end
+
+--- How far the believed pose is from the true one.
+---@return number distance m
+---@return number turn rad, never negative
+function library.error() end
+
+--- Whether both errors are small enough to call the belief right.
+---@return boolean
+function library.is_belief_right() end
+
+--- The error in words, for logs and verdicts.
+---@return string
+function library.error_in_words() end
+
+--- Whether the robot really stands near a penalty mark.
+---@param side number -1 for the mark of its own half, 1 for the other
+---@param distance number m
+---@return boolean
+function library.is_on_mark(side, distance) end
+
+--- Writes truth and belief into the log.
+---@param what string what happened just now
+function library.note(what) end
+end
+
+do
+---Walking to a place on the field, by the pose that the robot believes in.
+---@class lib.walk
+local library = {}
+
+--- The same direction in (-pi, pi].
+---@param angle number rad
+---@return number angle rad
+function library.normalize(angle) end
+
+--- How far away a point on the field is, and where from the robot.
+---@param x number m
+---@param y number m
+---@return number distance m
+---@return number bearing rad, to the left of where the robot looks
+function library.distance_and_bearing(x, y) end
+
+--- Whether the robot believes that it stands near a point.
+---@param x number m
+---@param y number m
+---@param distance number m
+---@return boolean
+function library.is_near(x, y, distance) end
+
+--- One frame's walk towards a point; there it turns to `rotation`, if one is given.
+---@param x number m
+---@param y number m
+---@param rotation? number rad
+---@return boolean has_arrived
+function library.walk_to(x, y, rotation) end
+
+--- One frame's turn on the spot.
+---@param speed number rad/s, to the left
+function library.turn(speed) end
+end
+
 ---Declares numbers that can be tuned: default, range, unit, sentence. `{ true, doc = ... }` is a switch, `{ "slow", choices = { "slow", "fast" }, doc = ... }` a choice, `integer = true` asks for whole numbers. The result is a read-only table of the present values. Their full name is the file's name, a dot, and the name.
 ---@param declarations table<string, table>
 ---@return table<string, any> values
@@ -216,6 +312,9 @@ function state(name) end
 function scenario(name) end
 
 ---What the file lib/walk.lua below the scripts' root returns. Stands at the top of a script.
+---@overload fun(module: "lib.gaze"): lib.gaze
+---@overload fun(module: "lib.ground_truth"): lib.ground_truth
+---@overload fun(module: "lib.walk"): lib.walk
 ---@param module string
 ---@return any
 function require(module) end
@@ -289,8 +388,8 @@ function advance(seconds) end
 ---@param edit { from: string, to: string, file: string? }
 function reload(edit) end
 
----Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`. Skipped unless `reorient test --simulator`.
----@param run { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, params: table<string, any>? }
+---Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped unless `reorient test --simulator`.
+---@param run { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, any>? }
 ---@return boolean is_correct
 function simulate(run) end
 
