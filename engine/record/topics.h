@@ -46,7 +46,8 @@ inline constexpr std::array<TopicInfo, kTopicCount> kTopics{{
     {Topic::images, "images", "the cameras' pixels", false},
     {Topic::pose_particles, "pose_particles", "the pose filter's particles, before a reorientation as well", false},
     {Topic::room, "room", "wall, background model, perceived tiles, view particles and their clusters", false},
-    {Topic::conditions, "conditions", "transitions that are on their way, and for how long", false},
+    {Topic::conditions, "conditions", "transitions that may be taken: what their conditions said, and for how long",
+     false},
     {Topic::parameters, "parameters", "every parameter with its value, range and origin", false},
     {Topic::costs, "costs", "how long each stage took, and what each script costs", false, false},
 }};

@@ -112,13 +112,18 @@ ReloadRecord ScriptHost::reload(ScriptSlot& slot) {
 }
 
 std::vector<ReloadRecord> ScriptHost::apply(std::span<const ScriptEdit> edits) {
-  for (const ScriptEdit& edit : edits) texts_.apply(edit);
+  std::set<std::string> again;
+  for (const ScriptEdit& edit : edits) {
+    texts_.apply(edit);
+    if (edit.again) again.insert(edit.file);
+  }
   std::vector<ReloadRecord> reports;
   for (const auto& slot : slots_) {
-    const bool changed = std::any_of(slot->read.begin(), slot->read.end(), [this](const auto& file) {
+    const bool changed = std::any_of(slot->read.begin(), slot->read.end(), [&](const auto& file) {
       const ScriptText* const text = texts_.find(file.first);
-      return file.second !=
-             (text != nullptr ? std::optional<std::uint64_t>(content_hash(text->text + text->problem)) : std::nullopt);
+      return again.contains(file.first) ||
+             file.second != (text != nullptr ? std::optional<std::uint64_t>(content_hash(text->text + text->problem))
+                                             : std::nullopt);
     });
     if (changed) reports.push_back(reload(*slot));
   }
@@ -270,7 +275,7 @@ void ScriptHost::read_published(std::vector<NameId>& all) const {
 void ScriptHost::read_conditions(std::vector<OpenCondition>& all) const {
   all.clear();
   for (const auto& slot : slots_) {
-    for (const ScriptSlot::Running& running : slot->machines) running.machine.append_conditions(time_, all);
+    for (ScriptSlot::Running& running : slot->machines) running.machine.append_conditions(*slot->script, time_, all);
   }
 }
 

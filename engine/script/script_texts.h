@@ -33,10 +33,11 @@ void fields(Visit&& visit, ScriptText& text) {
 struct ScriptEdit {
   std::string file;                ///< "behaviors/orientation.lua"
   std::optional<ScriptText> text;  ///< nothing: the file is gone
+  bool again = false;              ///< to be read again even where this is the text that it had
 };
 template <typename Visit>
 void fields(Visit&& visit, ScriptEdit& edit) {
-  visit(edit.file, edit.text);
+  visit(edit.file, edit.text, edit.again);
 }
 
 /// Files by their path below the scripts' root, with '/'.

@@ -26,7 +26,7 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// What it reads beyond the topics that are always filled.
+  /// What it reads beyond the topics that are always filled; asked before each frame.
   virtual Topics wanted() const { return {}; }
 
   /// Once a frame. Both are valid during the call only.

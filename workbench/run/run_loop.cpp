@@ -12,9 +12,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 }  // namespace
 
-RunLoop::RunLoop(RunParts parts) : parts_(std::move(parts)), start_(Clock::now()) {
-  for (const Observer* observer : parts_.observers) wanted_ = wanted_ | observer->wanted();
-}
+RunLoop::RunLoop(RunParts parts) : parts_(std::move(parts)), start_(Clock::now()) {}
 
 std::optional<RunEnd> RunLoop::is_over() const {
   // Not before there is a frame, without which there is nothing to tell and no picture of it.
@@ -31,7 +29,9 @@ std::optional<RunEnd> RunLoop::step() {
   if (!parts_.robot.robot->observe(inputs_.observation)) return RunEnd::robot_gone;
   stage_.observing = seconds_since(begin);
   for (InputSource* source : parts_.sources) source->add_to(inputs_);
-  const FrameRecord& record = parts_.engine.step(inputs_, wanted_);
+  Topics wanted;
+  for (const Observer* observer : parts_.observers) wanted = wanted | observer->wanted();
+  const FrameRecord& record = parts_.engine.step(inputs_, wanted);
   stage_.stepping = seconds_since(begin) - stage_.observing;
   parts_.robot.robot->answer(record.answer);
   if (!std::exchange(any_frame_, true)) first_time_ = record.world.time;

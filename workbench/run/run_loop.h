@@ -51,7 +51,6 @@ class RunLoop {
   void wait() const;
 
   RunParts parts_;
-  Topics wanted_;
   FrameInputs inputs_;
   StageRecord stage_;
   bool any_frame_ = false;

@@ -18,6 +18,7 @@ Machine::Machine(const MachineDefinition& definition)
     : definition_(&definition),
       entered_(definition.states.size(), 0.0),
       holding_since_(definition.transitions.size(), kNever),
+      looks_(definition.transitions.size()),
       last_child_(definition.states.size(), -1) {
   // As deep as it goes, and a pause of each kind in every active state: then no transition allocates.
   active_.reserve(definition.states.size());
@@ -76,7 +77,10 @@ void Machine::descend(int state) {
 }
 
 void Machine::forget_dwell(int state) {
-  for (const int transition : definition_->states[state].transitions) holding_since_[transition] = kNever;
+  for (const int transition : definition_->states[state].transitions) {
+    holding_since_[transition] = kNever;
+    looks_[transition] = {};
+  }
 }
 
 int Machine::ready_transition(MachineCallbacks& script, double time) {
@@ -88,26 +92,37 @@ int Machine::ready_transition(MachineCallbacks& script, double time) {
   return -1;
 }
 
+/// Where the machine is already, it cannot go, unless a state leads to itself.
+bool Machine::is_barred(const TransitionDefinition& transition) const {
+  const bool to_itself = !transition.common && transition.to == transition.from;
+  return is_active(transition.to) && !to_itself;
+}
+
 bool Machine::is_ready(MachineCallbacks& script, int index, double time) {
   const TransitionDefinition& transition = definition_->transitions[index];
-  const bool to_itself = !transition.common && transition.to == transition.from;
-  if (is_active(transition.to) && !to_itself) return false;
+  if (is_barred(transition)) return false;
   double& since = holding_since_[index];
+  Look& look = looks_[index];
+  look.when = WhenValue::failed;  // unless the functions below return
+  bool lasts = true;
   if (transition.when != LUA_NOREF) {
     if (!script.holds(*this, transition.from, transition.when)) {
       since = kNever;
+      look.when = WhenValue::no;
       return false;
     }
     if (std::isnan(since)) since = time;
-    const double held = time - since;
-    if (transition.lasting.kind != Dwell::Kind::none &&
-        held + kTimeTolerance < script.seconds(*this, transition.from, transition.lasting)) {
-      return false;
+    if (transition.lasting.kind != Dwell::Kind::none) {
+      look.lasting = script.seconds(*this, transition.from, transition.lasting);
+      lasts = time - since + kTimeTolerance >= look.lasting;
     }
   }
-  if (transition.after.kind == Dwell::Kind::none) return true;
-  const double waited = time - entered_[transition.from];
-  return waited + kTimeTolerance >= script.seconds(*this, transition.from, transition.after);
+  if (lasts && transition.after.kind != Dwell::Kind::none) {
+    look.after = script.seconds(*this, transition.from, transition.after);
+    lasts = time - entered_[transition.from] + kTimeTolerance >= look.after;
+  }
+  look.when = transition.when == LUA_NOREF ? WhenValue::none : WhenValue::yes;
+  return lasts;
 }
 
 void Machine::take(MachineCallbacks& script, int index, double time, std::vector<TransitionRecord>& transitions) {
@@ -152,14 +167,27 @@ void Machine::append_leases(std::vector<Lease>& all) const {
   }
 }
 
-void Machine::append_conditions(double time, std::vector<OpenCondition>& all) const {
+void Machine::append_conditions(MachineCallbacks& script, double time, std::vector<OpenCondition>& all) {
+  const auto seconds = [&](int state, const Dwell& dwell, double heard) {
+    if (dwell.kind == Dwell::Kind::none) return 0.0;
+    return dwell.kind == Dwell::Kind::function ? heard : script.seconds(*this, state, dwell);
+  };
   for (const int state : active_) {
     for (const int index : definition_->states[state].transitions) {
       const TransitionDefinition& transition = definition_->transitions[index];
-      const bool holds = !std::isnan(holding_since_[index]);
-      if (transition.when != LUA_NOREF ? !holds : is_active(transition.to)) continue;
-      all.push_back({definition_->name_id, definition_->states[transition.to].path_id, transition.because_id,
-                     holds ? time - holding_since_[index] : 0.0, time - entered_[state]});
+      if (is_barred(transition)) continue;
+      const Look& look = looks_[index];
+      const bool is_timed = transition.when == LUA_NOREF && look.when != WhenValue::failed;
+      all.push_back({.machine = definition_->name_id,
+                     .from = definition_->states[state].path_id,
+                     .target = definition_->states[transition.to].path_id,
+                     .reason = transition.because_id,
+                     .line = transition.position.line,
+                     .when = is_timed ? WhenValue::none : look.when,
+                     .held = std::isnan(holding_since_[index]) ? 0.0 : time - holding_since_[index],
+                     .lasting = seconds(state, transition.lasting, look.lasting),
+                     .waited = time - entered_[state],
+                     .after = seconds(state, transition.after, look.after)});
     }
   }
 }
@@ -210,7 +238,8 @@ void Machine::check() const {
   const auto states = static_cast<int>(definition_->states.size());
   const auto is_state = [&](int state) { return state >= 0 && state < states; };
   bool fits = entered_.size() == definition_->states.size() && last_child_.size() == definition_->states.size() &&
-              holding_since_.size() == definition_->transitions.size() && not_entered_ <= active_.size();
+              holding_since_.size() == definition_->transitions.size() &&
+              looks_.size() == definition_->transitions.size() && not_entered_ <= active_.size();
   for (std::size_t i = 0; i < active_.size(); ++i)
     fits = fits && is_state(active_[i]) && definition_->states[active_[i]].parent == (i == 0 ? -1 : active_[i - 1]);
   for (const int child : last_child_) fits = fits && (child == -1 || is_state(child));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,17 +14,33 @@ namespace reorient {
 
 class Machine;
 
-/// A transition whose `when` holds, or that waits for its time alone, and how far it is.
+/// What a transition's `when` said when the machine asked it last.
+enum class WhenValue {
+  none,     ///< it has none: it waits for its time alone
+  unasked,  ///< not since its state was entered
+  no,
+  yes,
+  failed  ///< the script failed in it, or in the function that says how long it must last
+};
+constexpr int enum_count(WhenValue) { return 5; }
+
+/// A transition that may be taken from where the machine stands, and how far it is.
 struct OpenCondition {
   NameId machine = kNoName;
+  NameId from = kNoName;    ///< path of the state whose transition it is; empty: the machine's own
   NameId target = kNoName;  ///< path
   NameId reason = kNoName;
-  double held = 0.0;    ///< s that `when` has held; 0 where there is none
-  double waited = 0.0;  ///< s since its state was entered
+  int line = 0;  ///< of the script's file
+  WhenValue when = WhenValue::none;
+  double held = 0.0;     ///< s that `when` has held; 0 where it does not
+  double lasting = 0.0;  ///< s that it must hold; NaN: a function says it, and was not asked yet
+  double waited = 0.0;   ///< s since `from` was entered
+  double after = 0.0;    ///< s that must have passed since then; NaN: as above
 };
 template <typename Visit>
 void fields(Visit&& visit, OpenCondition& condition) {
-  visit(condition.machine, condition.target, condition.reason, condition.held, condition.waited);
+  visit(condition.machine, condition.from, condition.target, condition.reason, condition.line, condition.when,
+        condition.held, condition.lasting, condition.waited, condition.after);
 }
 
 /// How a machine reaches its script's functions. They throw ScriptError when the script fails.
@@ -61,8 +78,9 @@ class Machine {
   void append_leases(std::vector<Lease>& all) const;
   /// What the active states publish.
   void append_published(std::vector<NameId>& all) const;
-  /// The transitions of the active states that are on their way: `when` holds, or only the time is lacking.
-  void append_conditions(double time, std::vector<OpenCondition>& all) const;
+  /// The transitions of the active states, from the outside in, with what they said when they were last asked: no
+  /// function of the script runs.
+  void append_conditions(MachineCallbacks& script, double time, std::vector<OpenCondition>& all);
 
   /// Takes over where `old` stood, by the paths of the states: times, dwell, leases, history. States that are gone fall
   /// back to the nearest ancestor that is still there. Returned is a line about that, or nothing.
@@ -74,7 +92,7 @@ class Machine {
   /// Everything but the definition; throws BadBytes where it does not fit that.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(active_, entered_, holding_since_, last_child_, leases_, reason_, lost_state_, not_entered_);
+    archive(active_, entered_, holding_since_, looks_, last_child_, leases_, reason_, lost_state_, not_entered_);
     if constexpr (Archive::kReads) check();
   }
 
@@ -88,12 +106,23 @@ class Machine {
   friend void fields(Visit&& visit, Held& held) {
     visit(held.pause, held.state, held.reason);
   }
+  /// What was heard when a transition was last looked at, for those who ask why.
+  struct Look {
+    WhenValue when = WhenValue::unasked;
+    double lasting = std::numeric_limits<double>::quiet_NaN();  ///< s, as a function said
+    double after = std::numeric_limits<double>::quiet_NaN();
+  };
+  template <typename Visit>
+  friend void fields(Visit&& visit, Look& look) {
+    visit(look.when, look.lasting, look.after);
+  }
 
   void check() const;
 
   void start(MachineCallbacks& script, double time, std::vector<TransitionRecord>& transitions);
   int ready_transition(MachineCallbacks& script, double time);
   bool is_ready(MachineCallbacks& script, int index, double time);
+  bool is_barred(const TransitionDefinition& transition) const;
   void take(MachineCallbacks& script, int index, double time, std::vector<TransitionRecord>& transitions);
   void descend(int state);
   void forget_dwell(int state);
@@ -103,6 +132,7 @@ class Machine {
   std::vector<int> active_;            ///< from the machine itself to the innermost state; empty before the start
   std::vector<double> entered_;        ///< s, per state
   std::vector<double> holding_since_;  ///< s, per transition; NaN: its condition does not hold
+  std::vector<Look> looks_;            ///< per transition
   std::vector<int> last_child_;        ///< per state, for history; -1: none yet
   std::vector<Held> leases_;
   NameId reason_ = kNoName;

@@ -36,6 +36,27 @@ TEST_F(ScriptReload, StateTimersMemoryAndLeasesSurvive) {
   EXPECT_EQ(transitions.size(), 2u) << "a reload is no transition";
 }
 
+TEST_F(ScriptReload, CanBeAskedForThoughNothingChanged) {
+  const std::string text = R"(behavior "b" { initial = "one",
+    state "one" { update = function() if robot.penalized then error("stopped") end log.info("runs") end } })";
+  load("b", text);
+  load("other", R"(behavior "other" { initial = "one", state "one" {} })");
+  world.penalized = true;
+  ticks(limits.max_errors);
+  EXPECT_TRUE(status("b").stopped);
+  world.penalized = false;
+  const ScriptText same{text, ""};
+  const std::vector<ScriptEdit> saved{{"behaviors/b.lua", same}}, asked{{"behaviors/b.lua", same, true}};
+  EXPECT_TRUE(host().apply(saved).empty());
+  const std::vector<ReloadRecord> reports = host().apply(asked);
+  ASSERT_EQ(reports.size(), 1u) << "the other has nothing to do with it";
+  EXPECT_EQ(reports[0].script, "behaviors/b.lua");
+  EXPECT_TRUE(reports[0].accepted);
+  tick();
+  EXPECT_FALSE(status("b").stopped);
+  EXPECT_EQ(logs.back(), "runs");
+}
+
 TEST_F(ScriptReload, DwellGoesOn) {
   const std::string text = R"(behavior "b" { initial = "one",
     state "one" { { "two", when = function() return true end, lasting = 1 } }, state "two" {} })";

@@ -1,4 +1,7 @@
 // Transitions, dwell and nesting, frame by frame.
+#include <array>
+#include <cstdio>
+
 #include "tests/engine/script/script_fixture.h"
 
 namespace reorient {
@@ -15,6 +18,88 @@ class ScriptTransitions : public ScriptTest {
 };
 
 using Steps = std::vector<std::string>;
+
+/// The transitions that may be taken, as a person would say it.
+class ScriptConditions : public ScriptTest {
+ protected:
+  std::vector<std::string> open() {
+    constexpr const char* kWhen[] = {"timed", "unasked", "no", "yes", "failed"};
+    std::vector<OpenCondition> all;
+    host().read_conditions(all);
+    const Names& names = host().names();
+    const auto dwell = [](double so_far, double needed) {
+      std::array<char, 32> text{};
+      std::snprintf(text.data(), text.size(), " %.1f/%.1f", so_far, needed);
+      return std::string(text.data());
+    };
+    std::vector<std::string> said;
+    for (const OpenCondition& one : all)
+      said.push_back(names[one.from] + " -> " + names[one.target] + ": " + kWhen[static_cast<std::size_t>(one.when)] +
+                     dwell(one.held, one.lasting) + dwell(one.waited, one.after));
+    return said;
+  }
+};
+
+TEST_F(ScriptConditions, AreToldWithWhatTheySaidAndForHowLong) {
+  load("b", R"(local p = param { wait = { 2, range = { 0, 5 }, doc = "x" } }
+    behavior "b" { initial = "one",
+      common = { { "three", when = function() return robot.posture == "lying" end } },
+      state "one" {
+        { "two", when = function() return robot.penalized end, lasting = "wait" },
+        { "three", after = 3 },
+      },
+      state "two" {}, state "three" {} })");
+  tick();
+  EXPECT_EQ(open(), (Steps{" -> three: unasked 0.0/0.0 0.0/0.0", "one -> two: unasked 0.0/2.0 0.0/0.0",
+                           "one -> three: timed 0.0/0.0 0.0/3.0"}));
+  ticks(30);
+  EXPECT_EQ(open(), (Steps{" -> three: no 0.0/0.0 1.0/0.0", "one -> two: no 0.0/2.0 1.0/0.0",
+                           "one -> three: timed 0.0/0.0 1.0/3.0"}));
+  world.penalized = true;
+  ticks(16);
+  EXPECT_EQ(open()[1], "one -> two: yes 0.5/2.0 1.5/0.0");
+  ticks(45);
+  EXPECT_EQ(state("b"), "three");
+  EXPECT_EQ(open(), Steps()) << "it is there already, and nothing leads on";
+}
+
+TEST_F(ScriptConditions, OfAFunctionsDwellAreToldAsItSaidLast) {
+  load("b", R"(behavior "b" { initial = "one",
+    state "one" { { "two", when = function() return robot.penalized end, lasting = function() return 3 end } },
+    state "two" {} })");
+  ticks(2);
+  EXPECT_EQ(open(), (Steps{"one -> two: no 0.0/nan 0.0/0.0"}));
+  world.penalized = true;
+  ticks(2);
+  EXPECT_EQ(open(), (Steps{"one -> two: yes 0.0/3.0 0.1/0.0"}));
+}
+
+TEST_F(ScriptConditions, ThatFailAreToldAsFailed) {
+  load("b", R"(behavior "b" { initial = "one",
+    state "one" {
+      { "two", when = function() return robot.penalized end },
+      { "two", when = function() return nil + 1 end },
+      { "two", when = function() return true end, lasting = function() return -1 end },
+    }, state "two" {} })");
+  ticks(2);
+  EXPECT_EQ(open(), (Steps{"one -> two: no 0.0/0.0 0.0/0.0", "one -> two: failed 0.0/0.0 0.0/0.0",
+                           "one -> two: unasked 0.0/nan 0.0/0.0"}));
+}
+
+TEST_F(ScriptConditions, AreToldWithoutAskingTheScript) {
+  load("b", R"(local memory = keep { asked = 0 }
+    behavior "b" { initial = "one",
+      state "one" {
+        update = function() log.info(tostring(memory.asked)) end,
+        { "two", when = function() memory.asked = memory.asked + 1 return false end },
+      }, state "two" {} })");
+  for (int i = 0; i < 10; ++i) {
+    tick();
+    open();
+    open();
+  }
+  EXPECT_EQ(logs.back(), "9");
+}
 
 TEST_F(ScriptTransitions, ACommandCarriesItsIssuerStateReasonAndPriority) {
   load("b", R"(behavior "b" { priority = 50, initial = "one",
