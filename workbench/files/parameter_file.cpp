@@ -139,7 +139,7 @@ std::vector<ParameterChange> parse_parameters(std::string_view text, const std::
 std::string parameter_text(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept) {
   std::string text;
   for (const Parameter& parameter : parameters) {
-    if (parameter.origin == ParameterOrigin::default_value) continue;
+    if (parameter.value == parameter.default_value) continue;
     const std::string value = to_text(parameter.value);
     text += as_key(parameter.name) + " = " + (parameter.kind == ParameterKind::choice ? as_string(value) : value) +
             "  # " + as_comment(range_text(parameter) + ": " + parameter.description) + "\n";
