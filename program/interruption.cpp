@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "program/terminal_guard.h"
+
 namespace reorient {
 namespace {
 
@@ -12,6 +14,7 @@ void note(int signal) {
   int none = 0;
   if (came.compare_exchange_strong(none, signal)) return;
   // Whoever asks twice does not want to wait.
+  TerminalGuard::give_back();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }

@@ -12,7 +12,8 @@
 #include "program/interruption.h"
 #include "program/program.h"
 #include "program/robots.h"
-#include "program/run/live_console.h"
+#include "program/run/console/history_file.h"
+#include "program/run/console/live_console.h"
 #include "program/run/report.h"
 #include "program/run/run_observers.h"
 #include "program/run/simulation.h"
@@ -109,9 +110,17 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   DigestObserver digest;
   RunPictures pictures;
   RunLog log;
-  Progress progress(err);
-  TimelinePrinter timeline(out, options.every_transition, [&] { progress.make_room(); });
-  LiveConsole console(STDIN_FILENO, out, &simulation.scenario(), [&] { return simulation.parameters(); });
+  LiveConsole console(STDIN_FILENO, out,
+                      {.scenario = &simulation.scenario(),
+                       .parameters = [&] { return simulation.parameters(); },
+                       .scripts = options.scripts},
+                      history_path());
+  const RoomForLog room_for_log([&] { console.make_room(); });
+  Progress progress(err, [&] { return console.is_open(); });
+  TimelinePrinter timeline(out, options.every_transition, [&] {
+    progress.make_room();
+    console.begin_line();
+  });
 
   RunParts parts = simulation.parts();
   parts.observers = {&summary, &commands, &frame_times, &digest, &log, &timeline};
@@ -122,13 +131,9 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   if (options.realtime) {
     parts.sources = {&*edits, &console};
     parts.observers.push_back(&console);
-    parts.stop = [&] {
-      progress.hide(console.is_open());
-      return Interruption::signal() != 0 || console.wants_to_quit();
-    };
+    parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
     if (isatty(STDIN_FILENO) == 1)
-      err << "saved scripts are taken over at once; Enter opens a prompt to tune parameters (help lists its "
-             "commands)\n";
+      err << "saved scripts are taken over at once; Enter opens a prompt (help lists its commands)\n";
   }
   const auto start = std::chrono::steady_clock::now();
   const RunEnd end = RunLoop(std::move(parts)).run();

@@ -3,8 +3,12 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include <spdlog/details/null_mutex.h>
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -29,6 +33,19 @@ void log_scripts(const NameTable& names, const std::vector<LogRecord>& logs, con
   }
 }
 
+/// Writes nothing: it stands before the sink that does.
+class RoomMaker : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  explicit RoomMaker(std::function<void()> make_room) : make_room_(std::move(make_room)) {}
+
+ protected:
+  void sink_it_(const spdlog::details::log_msg& /*line*/) override { make_room_(); }
+  void flush_() override {}
+
+ private:
+  std::function<void()> make_room_;
+};
+
 /// Where the robot is and where it believes it is, once a second.
 void log_pose(const World& world, const std::optional<GroundTruth>& truth) {
   if (!spdlog::should_log(spdlog::level::debug) || world.time - std::floor(world.time) >= world.time_step) return;
@@ -46,12 +63,15 @@ void log_pose(const World& world, const std::optional<GroundTruth>& truth) {
 
 }  // namespace
 
-Progress::Progress(std::ostream& err)
-    : err_(err), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+Progress::Progress(std::ostream& err, std::function<bool()> is_hidden)
+    : err_(err),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      is_hidden_(std::move(is_hidden)),
+      start_(std::chrono::steady_clock::now()) {}
 
 void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
   const double time = frame.world.time;
-  if (hidden_ || time < next_) return;
+  if (time < next_ || (is_hidden_ && is_hidden_())) return;
   next_ = time + (terminal_ ? 0.5 : 10.0);
   std::string states;
   for (const MachineStatus& machine : frame.machines) {
@@ -68,7 +88,7 @@ void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
 }
 
 void Progress::make_room() {
-  if (!terminal_ || hidden_) return;
+  if (!terminal_ || (is_hidden_ && is_hidden_())) return;
   err_ << "\r\033[K" << std::flush;
   next_ = 0.0;
 }
@@ -76,6 +96,13 @@ void Progress::make_room() {
 void Progress::end() {
   if (terminal_) err_ << "\r\033[K" << std::flush;
 }
+
+RoomForLog::RoomForLog(std::function<void()> make_room) : sink_(std::make_shared<RoomMaker>(std::move(make_room))) {
+  std::vector<spdlog::sink_ptr>& sinks = spdlog::default_logger()->sinks();
+  sinks.insert(sinks.begin(), sink_);
+}
+
+RoomForLog::~RoomForLog() { std::erase(spdlog::default_logger()->sinks(), sink_); }
 
 void RunLog::observe(const FrameRecord& frame, const StageRecord& stage) {
   log_reloads(frame.reloads);

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <iosfwd>
+#include <memory>
+
+#include <spdlog/sinks/sink.h>
 
 #include "workbench/run/observer.h"
 
@@ -11,11 +15,10 @@ namespace reorient {
 /// One line on `err` that a terminal overwrites; without a terminal a line for every ten seconds of the robot's time.
 class Progress : public Observer {
  public:
-  explicit Progress(std::ostream& err);
+  /// `is_hidden`: while it is, the terminal belongs to somebody else.
+  explicit Progress(std::ostream& err, std::function<bool()> is_hidden = {});
 
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
-  /// While it is hidden the terminal belongs to somebody else.
-  void hide(bool hidden) { hidden_ = hidden; }
   /// For a line of somebody else; the progress line is drawn again below it.
   void make_room();
   void end();
@@ -23,9 +26,21 @@ class Progress : public Observer {
  private:
   std::ostream& err_;
   bool terminal_;
-  bool hidden_ = false;
+  std::function<bool()> is_hidden_;
   double next_ = 0.0;
   std::chrono::steady_clock::time_point start_;
+};
+
+/// While it lives, somebody makes room on the terminal before each line of the log.
+class RoomForLog {
+ public:
+  explicit RoomForLog(std::function<void()> make_room);
+  ~RoomForLog();
+  RoomForLog(const RoomForLog&) = delete;
+  RoomForLog& operator=(const RoomForLog&) = delete;
+
+ private:
+  std::shared_ptr<spdlog::sinks::sink> sink_;
 };
 
 /// Log lines and errors of scripts, what became of edits, and once a second, for debugging, belief and truth.

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/atomic_file.h"
@@ -98,6 +99,25 @@ class Guide : public ::testing::TestWithParam<const char*> {
         << run.out << run.err;
   }
 
+  /// A run with its prompt, which is given the lines behind "> " and must answer the others.
+  void talk(const Block& block) const {
+    const std::string prompt = "$ ./reorient ";
+    ASSERT_TRUE(block.lines.at(0).starts_with(prompt)) << "line " << block.line;
+    std::vector<std::string> words{"--log", "off"};
+    std::istringstream in(block.lines[0].substr(prompt.size()));
+    for (std::string word; in >> word;) words.push_back(word);
+    words.insert(words.end(), {"--no-pictures", "--seconds", "60"});
+    std::string typed = "\n", shown;
+    for (std::size_t i = 1; i < block.lines.size(); ++i) {
+      if (block.lines[i].starts_with("> ")) typed += block.lines[i].substr(2) + "\n";
+      shown += block.lines[i] + "\n";
+    }
+    const std::filesystem::path input = folder_.write("typed.txt", typed);
+    ChildProgram run(folder_.path(), words, [&] { dup2(open(input.c_str(), O_RDONLY), STDIN_FILENO); });
+    run.wait();
+    EXPECT_EQ(run.out().substr(0, shown.size()), shown) << "line " << block.line << run.err();
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -107,6 +127,9 @@ TEST_P(Guide, ShowsWhatReallyHappens) {
     if (block.kind == "console") {
       call(block);
       ++commands;
+    } else if (block.kind == "dialogue") {
+      talk(block);
+      commands += static_cast<int>(block.lines.size());
     } else if (block.kind == "diff") {
       edit(block);
     } else if (block.kind == "lua" && !block.file.empty()) {
@@ -116,7 +139,7 @@ TEST_P(Guide, ShowsWhatReallyHappens) {
   EXPECT_GE(commands, 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Docs, Guide, ::testing::Values("docs/first-behavior.md"));
+INSTANTIATE_TEST_SUITE_P(Docs, Guide, ::testing::Values("docs/first-behavior.md", "docs/prompt.md"));
 
 }  // namespace
 }  // namespace reorient

@@ -1,9 +1,7 @@
 // What a person types while the robot runs.
-#include "program/run/live_console.h"
+#include "program/run/console/live_console.h"
 
-#include <array>
-#include <csignal>
-#include <cstdlib>
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -11,9 +9,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <pty.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/engine/frame_fixture.h"
@@ -24,9 +19,16 @@ namespace reorient {
 namespace {
 
 constexpr const char* kLamp = R"(param { level = { 0.5, range = { 0, 1 }, unit = "m", doc = "how bright" } }
-behavior "tested" { initial = "off", state "off" {} })";
+behavior "tested" {
+  initial = "off",
+  state "off" {
+    { "on", when = function() return robot.penalized end, lasting = 0.5, because = "it is dark" },
+    { "on", after = 3600 },
+  },
+  state "on" {},
+})";
 constexpr const char* kScene = R"(param { pace = { 1, range = { 0, 2 }, doc = "how fast" } }
-scenario "scene" { behaviors = {}, initial = "waiting", state "waiting" {} })";
+scenario "scene" { behaviors = {}, initial = "waiting", state "waiting" { { "over", after = 3600 } }, state "over" {} })";
 
 class LiveConsoleTest : public ::testing::Test {
  protected:
@@ -35,11 +37,15 @@ class LiveConsoleTest : public ::testing::Test {
     ScriptTexts texts;
     texts.apply({"scenarios/scene.lua", ScriptText{kScene, ""}});
     scenario.emplace(texts, "scene", std::vector<ParameterChange>{}, nobody_);
-    console.emplace(ends_[0], out_, &*scenario, [this] {
+    folder.write("behaviors/tested.lua", kLamp);
+    folder.write("scenarios/scene.lua", kScene);
+    const auto parameters = [this] {
       std::vector<Parameter> all = loop.engine->parameters();
       for (const Parameter& parameter : scenario->parameters().list()) all.push_back(parameter);
       return all;
-    });
+    };
+    console.emplace(ends_[0], out_,
+                    ConsoleSubject{.scenario = &*scenario, .parameters = parameters, .scripts = folder.path()});
     poll();
   }
   ~LiveConsoleTest() override {
@@ -59,6 +65,7 @@ class LiveConsoleTest : public ::testing::Test {
     out_.str("");
     console->add_to(loop.inputs);
     loop.wanted = console->wanted();
+    if (!loop.inputs.script_edits.empty()) scenario->apply(loop.inputs.script_edits);
     stage_.scenario = scenario->tick({loop.step().world, std::nullopt});
     console->observe(loop.record(), stage_);
     return out_.str();
@@ -66,6 +73,12 @@ class LiveConsoleTest : public ::testing::Test {
   std::string answer(const std::string& line) {
     type(line + "\n");
     return poll();
+  }
+  /// What it says in this many frames.
+  std::string polls(int frames) {
+    std::string said;
+    for (int i = 0; i < frames; ++i) said += poll();
+    return said;
   }
   Parameter parameter(const std::string& name) {
     for (const Parameter& one : loop.engine->parameters()) {
@@ -76,6 +89,7 @@ class LiveConsoleTest : public ::testing::Test {
   }
   double level() { return std::get<double>(parameter("tested.level").value); }
 
+  TemporaryFolder folder;
   HandFedLoop loop{kLamp};
   std::optional<ScenarioHost> scenario;
   std::optional<LiveConsole> console;
@@ -99,7 +113,7 @@ TEST_F(LiveConsoleTest, TellsWhatIsWrongAndChangesNothing) {
   EXPECT_NE(answer("set tested.level").find("set NAME VALUE"), std::string::npos);
   EXPECT_NE(answer("sett tested.level 1").find("did you mean 'set'"), std::string::npos);
   EXPECT_NE(answer("save /no/such/folder/file").find("cannot write"), std::string::npos);
-  EXPECT_NE(answer("states now").find("there is no command"), std::string::npos);
+  EXPECT_EQ(answer("states now"), "  write: states\n");
   EXPECT_EQ(level(), 0.5);
 }
 
@@ -113,7 +127,6 @@ TEST_F(LiveConsoleTest, ListsParametersAndStates) {
 
 TEST_F(LiveConsoleTest, SavesWhatWasTuned) {
   answer("set tested.level 0.25");
-  const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "tuned.toml";
   EXPECT_NE(answer("save " + file.string()).find("written"), std::string::npos);
   FrameSetup setup;
@@ -137,7 +150,7 @@ TEST_F(LiveConsoleTest, NeverWaitsForALine) {
   EXPECT_EQ(poll(), "");
   type("set tested.le");
   EXPECT_EQ(poll(), "");
-  type("vel 1\nset tested");
+  type("vel 1\r\nset tested");
   EXPECT_EQ(poll(), "  tested.level = 1\n");
   type(".level 0\n");
   EXPECT_EQ(poll(), "  tested.level = 0\n");
@@ -148,16 +161,16 @@ TEST_F(LiveConsoleTest, OpensAPromptOnAnEmptyLineAndClosesItOnTheNext) {
   EXPECT_EQ(poll(), "> ");
   EXPECT_TRUE(console->is_open());
   type("set tested.level 1\n");
-  EXPECT_EQ(poll(), "  tested.level = 1\n> ");
+  EXPECT_EQ(poll(), "set tested.level 1\n  tested.level = 1\n> ") << "a pipe shows no typing by itself";
   type("\n");
-  poll();
+  EXPECT_EQ(poll(), "\n");
   EXPECT_FALSE(console->is_open());
 }
 
 TEST_F(LiveConsoleTest, GoesOnWhenNobodyTypesAnyMore) {
-  type("set tested.level 1\n");
+  type("set tested.level 1");
   close_writing();
-  EXPECT_EQ(poll(), "  tested.level = 1\n");
+  EXPECT_EQ(polls(2), "  tested.level = 1\n") << "the last line needs no line break";
   EXPECT_EQ(poll(), "");
   EXPECT_EQ(poll(), "");
   EXPECT_FALSE(console->wants_to_quit());
@@ -177,74 +190,173 @@ TEST_F(LiveConsoleTest, DropsALineThatHasNoEnd) {
   }
   EXPECT_EQ(said, "");
   type("\nset tested.level 1\n");
-  EXPECT_EQ(poll(), "  that line is too long\n  tested.level = 1\n");
+  EXPECT_EQ(polls(2), "  that line is too long: at most 1000 bytes\n  tested.level = 1\n");
+}
+
+TEST_F(LiveConsoleTest, TakesOneCommandAFrame) {
+  std::string many;
+  for (int i = 0; i < 1000; ++i) many += i % 2 == 0 ? "set tested.level 1\n" : "set tested.level 0\n";
+  type(many);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(poll(), i % 2 == 0 ? "  tested.level = 1\n" : "  tested.level = 0\n");
+    EXPECT_EQ(loop.record().parameter_changes.size(), 1u);
+  }
 }
 
 TEST_F(LiveConsoleTest, SurvivesBytesThatAreNoText) {
-  type(std::string("set \0\x80\xFF 1\n", 10));
-  EXPECT_NE(poll(), "");
+  type(std::string("set \0 1\n", 8));
+  EXPECT_EQ(poll(), "  that line holds zero bytes: it is no text\n");
+  EXPECT_EQ(answer("set \x80\xFF 1"), "  there is no parameter '\\x80\\xFF'\n");
+  EXPECT_EQ(answer("\x1B[2J\a"), "  there is no command '\\x1B[2J\\x07'; help lists them\n");
+  const std::string said = answer(std::string(900, '\xC3'));
+  EXPECT_LT(said.size(), 320u);
 }
 
-/// A run in real time at a terminal of its own.
-class TerminalRun {
- public:
-  TerminalRun() {
-    process_ = forkpty(&terminal_, nullptr, nullptr, nullptr);
-    if (process_ != 0) return;
-    setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
-    execl(REORIENT_PROGRAM, REORIENT_PROGRAM, "--log", "off", "run", "patrol", "--realtime", "--width", "160",
-          "--no-pictures", nullptr);
-    _exit(127);
-  }
-  ~TerminalRun() {
-    if (process_ <= 0) return;  // to signal -1 would be to signal everybody
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
-    close(terminal_);
-  }
-  TerminalRun(const TerminalRun&) = delete;
-  TerminalRun& operator=(const TerminalRun&) = delete;
+// ---- parameters
 
-  /// False: this machine has no terminals to give (a bare root without /dev/pts).
-  bool has_terminal() const { return process_ > 0; }
-  void type(const std::string& keys) const { ASSERT_EQ(write(terminal_, keys.data(), keys.size()), std::ssize(keys)); }
-  /// Whether `text` is shown within half a minute, after what was awaited before.
-  bool await(const std::string& text) {
-    for (int i = 0; i < 3000; ++i) {
-      if (const std::size_t place = shown_.find(text); place != std::string::npos) {
-        shown_.erase(0, place + text.size());
-        return true;
-      }
-      pollfd waiting{terminal_, POLLIN, 0};
-      if (poll(&waiting, 1, 10) != 1) continue;
-      std::array<char, 4096> buffer;
-      const ssize_t count = read(terminal_, buffer.data(), buffer.size());
-      if (count <= 0) return false;  // the run has ended
-      shown_.append(buffer.data(), static_cast<std::size_t>(count));
-    }
-    return false;
-  }
+TEST_F(LiveConsoleTest, TakesChangesBackOneByOne) {
+  EXPECT_EQ(answer("undo"), "  nothing to take back\n");
+  answer("set tested.level 0.25");
+  answer("set scene.pace 2");
+  answer("set tested.level 7");  // refused, so there is nothing of it to be taken back
+  answer("set tested.level 0.75");
+  EXPECT_EQ(answer("undo"), "  tested.level = 0.25\n");
+  EXPECT_EQ(answer("undo"), "  scene.pace = 1\n");
+  EXPECT_EQ(std::get<double>(scenario->parameters().value("scene.pace")), 1.0);
+  EXPECT_EQ(answer("undo"), "  tested.level = 0.5\n");
+  EXPECT_EQ(level(), 0.5);
+  EXPECT_EQ(answer("undo"), "  nothing to take back\n");
+}
 
- private:
-  int terminal_ = -1;
-  pid_t process_ = -1;
-  std::string shown_;
-};
+TEST_F(LiveConsoleTest, TellsWhatDiffersFromTheDefaults) {
+  EXPECT_EQ(answer("diff"), "  every parameter has its default\n");
+  answer("set tested.level 0.25");
+  answer("set scene.pace 2");
+  EXPECT_EQ(answer("diff"), "  tested.level = 0.25  (default 0.5; live)\n  scene.pace = 2  (default 1; live)\n");
+  answer("set tested.level 0.5");
+  EXPECT_EQ(answer("diff"), "  scene.pace = 2  (default 1; live)\n");
+  const std::filesystem::path file = folder.path() / "tuned.toml";
+  answer("save " + file.string());
+  EXPECT_EQ(read_parameters(file).size(), 1u) << "what has its default again is not saved either";
+}
 
-TEST(AtATerminal, CtrlDClosesThePromptAndTheRunGoesOn) {
-  TerminalRun run;
-  if (!run.has_terminal()) GTEST_SKIP() << "no pseudo-terminal can be opened here";
-  ASSERT_TRUE(run.await("real time"));
-  for (int i = 0; i < 2; ++i) {
-    run.type("\n");
-    ASSERT_TRUE(run.await("> ")) << i;
-    run.type("\x04");
-    ASSERT_TRUE(run.await("real time")) << i;  // the progress line is back
-  }
-  run.type("states\n");
-  EXPECT_TRUE(run.await("penalty_marks"));
-  run.type("quit\n");
-  EXPECT_TRUE(run.await("digest: "));
+// ---- the world
+
+TEST_F(LiveConsoleTest, ShowsTheWorldAsBehaviorsSeeIt) {
+  EXPECT_EQ(answer("world robot.posture"),
+            "  robot.posture = upright  (how it stands, lies or hangs in somebody's hands)\n");
+  EXPECT_EQ(answer("world pose.known").substr(0, 22), "  pose.known = false  ");
+  EXPECT_EQ(answer("world *.step").substr(0, 24), "  clock.step = 0.033 s  ");
+  const std::string pose = answer("world pose.*");
+  EXPECT_NE(pose.find("  pose.rotation = "), std::string::npos) << pose;
+  EXPECT_EQ(pose.find("posture"), std::string::npos);
+  EXPECT_NE(answer("world").find("field.length"), std::string::npos);
+  EXPECT_EQ(answer("world pose.z"), "  there is no world value 'pose.z' (did you mean 'pose.x'?)\n");
+}
+
+TEST_F(LiveConsoleTest, TellsAWatchedValueWhenItChanges) {
+  EXPECT_NE(answer("watch").find("nothing is watched"), std::string::npos);
+  EXPECT_EQ(answer("watch robot.head_yaw"), "  0.07 s  robot.head_yaw = 0.000 rad\n");
+  EXPECT_EQ(polls(30), "");
+  loop.inputs.observation.body.head.yaw = 0.25;
+  EXPECT_EQ(poll(), "  1.10 s  robot.head_yaw = 0.250 rad\n");
+  loop.inputs.observation.body.head.yaw = 0.5;
+  EXPECT_EQ(polls(14), "") << "not so soon again";
+  EXPECT_EQ(polls(30), "  1.60 s  robot.head_yaw = 0.500 rad\n");
+  EXPECT_EQ(answer("watch").substr(8), "  robot.head_yaw = 0.500 rad\n");
+  EXPECT_EQ(answer("unwatch robot.posture"), "  there is no watched value 'robot.posture'\n");
+  EXPECT_EQ(answer("unwatch"), "  nothing is watched\n");
+  loop.inputs.observation.body.head.yaw = 0.0;
+  EXPECT_EQ(polls(60), "");
+}
+
+TEST_F(LiveConsoleTest, TellsEachOfManyWatchedValuesAtMostTwiceASecond) {
+  answer("watch clock.*");
+  const std::string said = polls(60);
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 8) << said;  // time and frame; the step does not change
+}
+
+// ---- machines
+
+TEST_F(LiveConsoleTest, TellsWhyABehaviorIsWhereItIs) {
+  EXPECT_EQ(answer("why tested"),
+            "  tested: off for 0.0 s\n"
+            "    -> on  no, 0.0 of 0.5 s       it is dark (line 5)\n"
+            "    -> on  after 0.0 of 3600.0 s  after 3600 s (line 6)\n");
+}
+
+TEST_F(LiveConsoleTest, TellsWhyAConditionHasNotHeldForLongEnough) {
+  loop.inputs.told.referee = RefereeState{.penalized = true};
+  polls(7);
+  EXPECT_NE(answer("why tested").find("-> on  yes, 0.2 of 0.5 s "), std::string::npos);
+  polls(30);
+  EXPECT_EQ(answer("why tested"), "  tested: on for 0.8 s\n    nothing leads on from here\n");
+}
+
+TEST_F(LiveConsoleTest, TellsWhyTheScenarioIsWhereItIs) {
+  EXPECT_EQ(answer("why scene"),
+            "  scene: waiting for 0.0 s\n    -> over  after 0.0 of 3600.0 s  after 3600 s (line 2)\n");
+  EXPECT_EQ(answer("why tesetd"), "  there is no machine 'tesetd' (did you mean 'tested'?)\n");
+}
+
+TEST_F(LiveConsoleTest, ChangesNothingByAsking) {
+  HandFedLoop undisturbed(kLamp);
+  std::vector<std::byte> mine, others;
+  undisturbed.step(10);
+  for (int i = 0; i < 9; ++i) answer(i % 3 == 0 ? "why tested" : i % 3 == 1 ? "world" : "states");
+  loop.engine->save(mine);
+  undisturbed.engine->save(others);
+  EXPECT_EQ(mine, others);
+}
+
+TEST_F(LiveConsoleTest, ReadsScriptsAgainThoughTheyDidNotChange) {
+  EXPECT_EQ(answer("reload tested"), "  behaviors/tested.lua was read again\n");
+  EXPECT_EQ(answer("reload"), "  behaviors/tested.lua was read again\n  scenarios/scene.lua was read again\n");
+  EXPECT_EQ(answer("reload tsted").substr(0, 27), "  there is no script 'tsted");
+  folder.write("behaviors/tested.lua", "behavior \"broken");
+  const std::string refused = answer("reload tested");
+  EXPECT_NE(refused.find("refused; the previous version keeps running: behaviors/tested.lua:1"), std::string::npos)
+      << refused;
+  EXPECT_EQ(loop.record().machines.size(), 1u);
+}
+
+// ---- the prompt itself
+
+TEST_F(LiveConsoleTest, WaitsInTheRobotsTime) {
+  type("wait 1\nset tested.level 1\n");
+  EXPECT_EQ(polls(30), "");
+  EXPECT_EQ(level(), 0.5);
+  EXPECT_EQ(polls(2), "  tested.level = 1\n");
+  EXPECT_NE(answer("wait long").find("number"), std::string::npos);
+  EXPECT_NE(answer("wait -1").find("0 to 36000"), std::string::npos);
+}
+
+TEST_F(LiveConsoleTest, ListsWhatItHelpsWith) {
+  EXPECT_EQ(answer("help why"), "  why MACHINE        where a behaviour may go from its state, and what is lacking\n");
+  EXPECT_NE(answer("help wyh").find("did you mean 'why'"), std::string::npos);
+  EXPECT_EQ(answer("undo all"), "  write: undo\n");
+}
+
+TEST_F(LiveConsoleTest, CompletesWhatACommandTakes) {
+  CommandTable table(
+      {.scenario = &*scenario, .parameters = [this] { return loop.engine->parameters(); }, .scripts = folder.path()});
+  loop.step();
+  table.observe(loop.record(), StageRecord());
+  const auto offers = [&](const Words& before, const std::string& name) {
+    const Words all = table.candidates(before);
+    return std::find(all.begin(), all.end(), name) != all.end();
+  };
+  EXPECT_TRUE(offers({}, "why"));
+  EXPECT_TRUE(offers({"help"}, "watch"));
+  EXPECT_TRUE(offers({"set"}, "tested.level"));
+  EXPECT_TRUE(offers({"set", "tested.level"}, "0.5"));
+  EXPECT_TRUE(offers({"set", "light_adaptation.enabled"}, "false"));
+  EXPECT_TRUE(offers({"set", "histogram_distance.measure"}, "hellinger"));
+  EXPECT_TRUE(offers({"watch"}, "confidence.current"));
+  EXPECT_TRUE(offers({"why"}, "tested"));
+  EXPECT_TRUE(offers({"reload"}, "scene"));
+  EXPECT_FALSE(offers({"why", "tested"}, "tested"));
+  EXPECT_TRUE(table.candidates({"nonsense"}).empty());
 }
 
 }  // namespace

@@ -120,9 +120,9 @@ TEST_F(UnwritableOutput, IsToldBeforeTheRunWhereAFolderMayNotBeWritten) {
   const std::string pictures = (folder.path() / "pictures").string();
   const std::string summary = pictures + "/run.json";
   const std::pair<std::vector<std::string>, std::string> runs[] = {
-      {words(), "reorient: cannot write into '" + pictures + "'; name another folder with --out\n"},
+      {words(), "reorient: cannot write into '" + pictures + "': Permission denied; name another folder with --out\n"},
       {{"run", "--no-pictures", "--json", summary},
-       "reorient: cannot write '" + summary + "'; name another file with --json\n"}};
+       "reorient: cannot write '" + summary + "': Permission denied; name another file with --json\n"}};
   for (const auto& [all, complaint] : runs) {
     ChildProgram run(folder.path(), all, become_an_ordinary_user);
     const int code = run.wait();

@@ -57,8 +57,10 @@ std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine)
   for (const TransitionDefinition& way : machine.transitions) {
     if (!is_never_taken(machine, way)) continue;
     const std::string& target = machine.states[way.to].path;
-    found.push_back({way.position, "the transition to '" + way.target + "' is never taken: '" + target +
-                                       "' is active all the while; name a state in it, or one beside it"});
+    found.push_back({way.position,
+                     "the transition to '" + way.target + "' is never taken: '" + target +
+                         "' is active all the while; name a state in it, or one beside it",
+                     machine.states[way.from].file});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& left, const auto& right) { return is_before(left.position, right.position); });

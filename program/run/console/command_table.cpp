@@ -1,0 +1,146 @@
+#include "program/run/console/command_table.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/parameters/nearest_name.h"
+
+namespace reorient {
+namespace {
+
+/// How many arguments a command takes at least and at most.
+std::pair<std::size_t, std::size_t> argument_counts(std::string_view arguments) {
+  std::istringstream in{std::string(arguments)};
+  std::size_t least = 0, most = 0;
+  for (std::string word; in >> word; ++most) least += word.starts_with('[') ? 0 : 1;
+  return {least, most};
+}
+
+std::string usage(const Command& command) {
+  return command.arguments.empty() ? std::string(command.name) : fmt::format("{} {}", command.name, command.arguments);
+}
+
+std::string optional_argument(const Words& arguments) { return arguments.empty() ? std::string() : arguments[0]; }
+
+/// Seconds of the robot's time to wait. Throws std::runtime_error.
+double seconds_of(const std::string& text) {
+  constexpr double kLongest = 36000.0;
+  const ParameterDeclaration wanted{"wait", ParameterKind::real, 0.0, 0.0, kLongest, "s", "", {}};
+  return std::get<double>(parse_parameter(wanted, text));
+}
+
+Reply wait(double seconds) {
+  return [seconds, until = std::optional<double>()](const FrameRecord& frame,
+                                                    const StageRecord&) mutable -> std::optional<std::string> {
+    if (!until) until = frame.world.time + seconds;
+    constexpr double kTolerance = 1e-6;  // frame times are sums of rounded steps
+    if (frame.world.time + kTolerance < *until) return std::nullopt;
+    return std::string();
+  };
+}
+
+}  // namespace
+
+CommandTable::CommandTable(ConsoleSubject subject)
+    : parameters_(subject.scenario, std::move(subject.parameters), std::move(subject.kept_parameters)),
+      scripts_(subject.scenario, std::move(subject.scripts)) {
+  const auto parameter_or_value = [this](const Words& before) {
+    return before.empty() ? parameters_.names() : before.size() == 1 ? parameters_.values(before[0]) : Words();
+  };
+  const auto first = [](auto names) {
+    return [names](const Words& before) { return before.empty() ? Words(names()) : Words(); };
+  };
+  commands_ = {
+      {"set", "NAME VALUE", "change a parameter, as in: set orientation.lead 0.3",
+       [this](const Words& words, FrameInputs& inputs) { return parameters_.set(words[0], words[1], inputs); },
+       parameter_or_value},
+      {"undo", "", "take the last change of a parameter back; again: the one before",
+       [this](const Words&, FrameInputs& inputs) { return parameters_.undo(inputs); }},
+      {"params", "[PATTERN]", "parameters with value, range and origin, as in: params orientation",
+       [this](const Words& words, FrameInputs&) { return parameters_.list(optional_argument(words)); },
+       first([this] { return parameters_.names(); })},
+      {"diff", "", "parameters that differ from their defaults",
+       [this](const Words&, FrameInputs&) { return parameters_.differences(); }},
+      {"save", "FILE", "write what differs from the defaults, to be loaded with --params FILE",
+       [this](const Words& words, FrameInputs&) { return parameters_.save(words[0]); }},
+      {"world", "[PATTERN]", "what behaviours see now, as in: world pose.*",
+       [this](const Words& words, FrameInputs&) { return world_.look(optional_argument(words)); },
+       first([this] { return world_.names(); })},
+      {"watch", "[PATTERN]", "tell such values whenever they change; alone: those that are watched",
+       [this](const Words& words, FrameInputs&) { return world_.watch(optional_argument(words)); },
+       first([this] { return world_.names(); })},
+      {"unwatch", "[PATTERN]", "tell them no more; alone: none",
+       [this](const Words& words, FrameInputs&) { return world_.unwatch(optional_argument(words)); },
+       first([this] { return world_.watched(); })},
+      {"states", "", "every behaviour with its state and what it costs",
+       [](const Words&, FrameInputs&) { return ScriptCommands::states(); }},
+      {"why", "MACHINE", "where a behaviour may go from its state, and what is lacking",
+       [this](const Words& words, FrameInputs&) { return scripts_.why(words[0]); },
+       first([this] { return scripts_.machines(); })},
+      {"reload", "[SCRIPT]", "read a script again, or all, though they did not change",
+       [this](const Words& words, FrameInputs& inputs) { return scripts_.reload(optional_argument(words), inputs); },
+       first([this] { return scripts_.scripts(); })},
+      {"wait", "SECONDS", "take the next command so much later, in the robot's time",
+       [](const Words& words, FrameInputs&) { return wait(seconds_of(words[0])); }},
+      {"help", "[COMMAND]", "this list",
+       [this](const Words& words, FrameInputs&) { return at_once(help(optional_argument(words))); },
+       first([this] { return names(); })},
+      {"quit", "", "end the run",
+       [this](const Words&, FrameInputs&) {
+         quit_ = true;
+         return at_once("");
+       }},
+  };
+}
+
+Reply CommandTable::obey(const Words& words, FrameInputs& inputs) {
+  const Command& command = find(words.front());
+  const auto [least, most] = argument_counts(command.arguments);
+  const Words arguments(words.begin() + 1, words.end());
+  if (arguments.size() < least || arguments.size() > most) throw std::runtime_error("write: " + usage(command));
+  return command.act(arguments, inputs);
+}
+
+Words CommandTable::candidates(const Words& before) const {
+  if (before.empty()) return names();
+  for (const Command& command : commands_) {
+    if (command.name == before.front() && command.candidates)
+      return command.candidates(Words(before.begin() + 1, before.end()));
+  }
+  return {};
+}
+
+std::string CommandTable::observe(const FrameRecord& frame, const StageRecord& stage) {
+  scripts_.observe(frame, stage);
+  return world_.changes(frame.world);
+}
+
+const Command& CommandTable::find(const std::string& name) const {
+  const auto found =
+      std::find_if(commands_.begin(), commands_.end(), [&](const Command& command) { return command.name == name; });
+  if (found == commands_.end())
+    throw std::runtime_error("there is no command '" + name + "'" + did_you_mean(name, names()) + "; help lists them");
+  return *found;
+}
+
+std::string CommandTable::help(const std::string& name) const {
+  std::string text;
+  for (const Command& command : commands_) {
+    if (name.empty() || command.name == name) text += fmt::format("  {:<17}  {}\n", usage(command), command.help);
+  }
+  if (text.empty()) find(name);
+  if (name.empty()) text += fmt::format("  {:<17}  {}\n", "(an empty line)", "close the prompt; the run goes on");
+  return text;
+}
+
+Words CommandTable::names() const {
+  Words all;
+  for (const Command& command : commands_) all.emplace_back(command.name);
+  return all;
+}
+
+}  // namespace reorient

@@ -1,0 +1,326 @@
+#include "program/run/console/line_editor.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <spdlog/spdlog.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "program/run/console/history_file.h"
+#include "program/run/console/letters.h"
+#include "program/run/console/line_reader.h"
+
+namespace reorient {
+namespace {
+
+constexpr const char* kPrompt = "> ";
+constexpr std::size_t kPromptWidth = 2;
+constexpr const char* kControlD = "\x04";
+
+struct Binding {
+  const char* keys;
+  const char* command;  ///< of libedit
+};
+
+/// Those that terminals send for the keys beside the letters. Others are left out: libedit would type their ends.
+constexpr Binding kSequences[] = {
+    {"\x1B[A", "ed-prev-history"},
+    {"\x1BOA", "ed-prev-history"},
+    {"\x1B[B", "ed-next-history"},
+    {"\x1BOB", "ed-next-history"},
+    {"\x1B[C", "ed-next-char"},
+    {"\x1BOC", "ed-next-char"},
+    {"\x1B[D", "ed-prev-char"},
+    {"\x1BOD", "ed-prev-char"},
+    {"\x1B[H", "ed-move-to-beg"},
+    {"\x1BOH", "ed-move-to-beg"},
+    {"\x1B[1~", "ed-move-to-beg"},
+    {"\x1B[7~", "ed-move-to-beg"},
+    {"\x1B[F", "ed-move-to-end"},
+    {"\x1BOF", "ed-move-to-end"},
+    {"\x1B[4~", "ed-move-to-end"},
+    {"\x1B[8~", "ed-move-to-end"},
+    {"\x1B[3~", "ed-delete-next-char"},
+    {"\x1B[1;5C", "em-next-word"},
+    {"\x1B[1;5D", "ed-prev-word"},
+    {"\x1B"
+     "f",
+     "em-next-word"},
+    {"\x1B"
+     "b",
+     "ed-prev-word"},
+    {"\x1B"
+     "d",
+     "em-delete-next-word"},
+    {"\x1B\x7F", "ed-delete-prev-word"},
+};
+
+/// Commands of libedit that would wait for another key are replaced or taken away: nothing here may wait.
+constexpr Binding kKeys[] = {
+    {"\t", "reorient-complete"}, {"\x12", "ed-search-prev-history"}, {"\x13", "ed-search-next-history"},
+    {"\x16", "ed-unassigned"},   {"\x17", "ed-delete-prev-word"},    {"\x18", "ed-unassigned"},
+};
+
+std::set<std::string, std::less<>> known_sequences() {
+  std::set<std::string, std::less<>> all;
+  for (const Binding& binding : kSequences) all.insert(binding.keys);
+  return all;
+}
+
+std::wstring_view before_cursor(EditLine* editor) {
+  const LineInfoW& line = *el_wline(editor);
+  return {line.buffer, static_cast<std::size_t>(line.cursor - line.buffer)};
+}
+
+std::size_t line_length(EditLine* editor) {
+  const LineInfoW& line = *el_wline(editor);
+  return static_cast<std::size_t>(line.lastchar - line.buffer);
+}
+
+int columns_of(int descriptor) {
+  winsize size{};
+  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+std::string common_beginning(const Words& words) {
+  std::string common = words.front();
+  for (const std::string& word : words) {
+    const auto [end, other] = std::mismatch(common.begin(), common.end(), word.begin(), word.end());
+    common.erase(end, common.end());
+  }
+  return common;
+}
+
+}  // namespace
+
+bool LineEditor::is_possible(int descriptor) {
+  const char* const terminal = std::getenv("TERM");
+  const bool is_able = terminal != nullptr && *terminal != '\0' && std::string_view(terminal) != "dumb";
+  return is_able && isatty(descriptor) == 1 && isatty(STDOUT_FILENO) == 1;
+}
+
+LineEditor::LineEditor(int descriptor, Candidates candidates, std::optional<std::filesystem::path> history)
+    : descriptor_(descriptor),
+      candidates_(std::move(candidates)),
+      history_file_(std::move(history)),
+      history_(history_init(), history_end),
+      editor_(nullptr, el_end),
+      keys_(known_sequences()) {
+  const Utf8Letters utf8;
+  editor_.reset(el_init_fd("reorient", stdin, stdout, stderr, descriptor, STDOUT_FILENO, STDERR_FILENO));
+  if (!editor_ || !history_) throw std::runtime_error("this terminal cannot be used to edit lines");
+  HistEvent event;
+  ::history(history_.get(), &event, H_SETSIZE, static_cast<int>(kMostHistory));
+  ::history(history_.get(), &event, H_SETUNIQUE, 1);
+  el_set(editor_.get(), EL_CLIENTDATA, this);
+  el_set(editor_.get(), EL_EDITOR, "emacs");
+  el_set(editor_.get(), EL_SIGNAL, 0);  // Interruption and TerminalGuard have them
+  el_set(
+      editor_.get(), EL_PROMPT, +[](EditLine*) { return const_cast<char*>(kPrompt); });
+  el_set(editor_.get(), EL_HIST, ::history, history_.get());
+  el_wset(editor_.get(), EL_GETCFN, &LineEditor::next_letter);
+  bind_keys();
+  load_history();
+}
+
+LineEditor::~LineEditor() {
+  close();
+  // In the background the terminal is not ours to be set once more.
+  if (!is_in_foreground(descriptor_)) static_cast<void>(editor_.release());
+}
+
+void LineEditor::bind_keys() {
+  el_set(editor_.get(), EL_ADDFN, "reorient-complete", "complete the word", &LineEditor::complete_word);
+  for (const Binding& binding : kSequences) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
+  for (const Binding& binding : kKeys) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
+}
+
+void LineEditor::load_history() {
+  if (!history_file_) return;
+  try {
+    HistEvent event;
+    for (const std::string& line : read_history(*history_file_))
+      ::history(history_.get(), &event, H_ENTER, line.c_str());
+  } catch (const std::exception& error) {
+    spdlog::warn("the prompt keeps no history: {}", error.what());
+    history_file_.reset();
+  }
+}
+
+void LineEditor::save_history() {
+  if (!history_file_ || typed_.empty()) return;
+  try {
+    append_history(*history_file_, typed_);
+  } catch (const std::exception& error) {
+    spdlog::warn("the prompt keeps no history: {}", error.what());
+  }
+  typed_.clear();
+}
+
+void LineEditor::remember(const std::string& line) {
+  if (line.find_first_not_of(' ') == std::string::npos) return;
+  HistEvent event;
+  ::history(history_.get(), &event, H_ENTER, line.c_str());
+  if (typed_.size() == kMostHistory) typed_.erase(typed_.begin());
+  typed_.push_back(line);
+}
+
+LineEditor& LineEditor::of(EditLine* editor) {
+  void* self = nullptr;
+  el_get(editor, EL_CLIENTDATA, &self);
+  return *static_cast<LineEditor*>(self);
+}
+
+/// 0: there is none, which to libedit is the end of the input, and makes it return.
+int LineEditor::next_letter(EditLine* editor, wchar_t* letter) {
+  std::wstring& letters = of(editor).letters_;
+  if (letters.empty()) return 0;
+  *letter = letters.front();
+  letters.erase(0, 1);
+  return 1;
+}
+
+LineEditor::Typed LineEditor::poll() {
+  Typed typed;
+  if (line_ == Line::none || !is_in_foreground(descriptor_)) return typed;
+  const Utf8Letters utf8;
+  if (TerminalGuard::came_back()) el_set(editor_.get(), EL_REFRESH);
+  follow_size();
+  if (keys_.empty() || late_ > 0) read_keys();
+  while (!typed.line && !typed.closed) {
+    const std::optional<std::string> key = keys_.next();
+    if (!key) break;
+    take_key(*key, typed);
+  }
+  return typed;
+}
+
+void LineEditor::read_keys() {
+  if (has_input(descriptor_)) {
+    std::array<char, 1024> buffer;
+    const ssize_t count = read(descriptor_, buffer.data(), buffer.size());
+    if (count > 0) keys_.add({buffer.data(), static_cast<std::size_t>(count)});
+    late_ = 1;
+  } else if (++late_ > 3) {  // frames: what a terminal sends for one key comes at once
+    keys_.drop_begun();
+  }
+  if (keys_.empty()) late_ = 0;
+}
+
+void LineEditor::take_key(const std::string& key, Typed& typed) {
+  if (key == kControlD && line_length(editor_.get()) == 0) {
+    typed.closed = true;
+    return;
+  }
+  const bool is_text = static_cast<unsigned char>(key.front()) >= ' ' && key != "\x7F";
+  if (is_text && line_length(editor_.get()) >= kLongestLine) return;
+  letters_ = wide(key);
+  if (letters_.empty()) return;
+  int count = 0;
+  const wchar_t* const letters = el_wgets(editor_.get(), &count);
+  letters_.clear();
+  if (letters != nullptr && count > 0 && letters[count - 1] == L'\n') {
+    typed.line = narrow({letters, static_cast<std::size_t>(count - 1)});
+    remember(*typed.line);
+    line_ = Line::none;
+  }
+  if (listing_.empty()) return;
+  hide();
+  std::fputs(std::exchange(listing_, {}).c_str(), stdout);
+  show();
+}
+
+unsigned char LineEditor::complete_word(EditLine* editor, int /*key*/) { return of(editor).complete(); }
+
+unsigned char LineEditor::complete() {
+  const std::string text = narrow(before_cursor(editor_.get()));
+  const std::size_t begin = text.find_last_of(' ') + 1;  // of npos: 0
+  const std::string word = text.substr(begin);
+  std::istringstream in(text.substr(0, begin));
+  Words before, fitting;
+  for (std::string one; in >> one;) before.push_back(one);
+  try {
+    fitting = candidates_(before);
+  } catch (const std::exception&) {  // the scripts' folder is gone, say
+  }
+  std::erase_if(fitting, [&](const std::string& name) { return !name.starts_with(word); });
+  if (fitting.empty()) return CC_ERROR;
+  std::string rest = common_beginning(fitting).substr(word.size());
+  if (fitting.size() == 1) rest += ' ';
+  if (rest.empty()) {
+    list(fitting);
+    return CC_NORM;
+  }
+  return el_winsertstr(editor_.get(), wide(rest).c_str()) == 0 ? CC_REFRESH : CC_ERROR;
+}
+
+void LineEditor::list(const Words& names) {
+  constexpr std::size_t kMost = 100;
+  const std::size_t shown = std::min(names.size(), kMost);
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < shown; ++i) width = std::max(width, names[i].size() + 2);
+  const std::size_t in_a_row = std::max<std::size_t>(1, static_cast<std::size_t>(columns_) / width);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool ends_row = (i + 1) % in_a_row == 0 || i + 1 == shown;
+    listing_ += ends_row ? names[i] + "\n" : names[i] + std::string(width - names[i].size(), ' ');
+  }
+  if (shown < names.size()) listing_ += "and " + std::to_string(names.size() - shown) + " more\n";
+}
+
+void LineEditor::follow_size() {
+  const int columns = columns_of(descriptor_);
+  if (columns == std::exchange(columns_, columns)) return;
+  el_resize(editor_.get());
+  if (line_ != Line::shown) return;
+  hide();
+  show();
+}
+
+int LineEditor::rows_above_cursor() const {
+  const std::size_t width = kPromptWidth + shown_width(before_cursor(editor_.get()));
+  return static_cast<int>(width) / columns_;
+}
+
+void LineEditor::show() {
+  if (line_ == Line::shown || !is_in_foreground(descriptor_)) return;
+  const Utf8Letters utf8;
+  if (!guard_) guard_.emplace(descriptor_);
+  if (line_ == Line::hidden) {
+    el_set(editor_.get(), EL_REFRESH);
+  } else {
+    columns_ = columns_of(descriptor_);
+    el_set(editor_.get(), EL_UNBUFFERED, 0);
+    el_set(editor_.get(), EL_UNBUFFERED, 1);  // begins a line, and shows the prompt
+    TerminalGuard::remember_own_modes();
+  }
+  line_ = Line::shown;
+}
+
+void LineEditor::hide() {
+  if (line_ != Line::shown) return;
+  const Utf8Letters utf8;
+  std::string text = "\r";
+  for (int row = rows_above_cursor(); row > 0; --row) text += "\x1B[A";
+  std::fputs((text + "\x1B[J").c_str(), stdout);
+  std::fflush(stdout);
+  line_ = Line::hidden;
+}
+
+void LineEditor::close() {
+  const Utf8Letters utf8;
+  keys_.drop_begun();
+  line_ = Line::none;
+  if (!guard_) return;
+  if (is_in_foreground(descriptor_)) el_set(editor_.get(), EL_UNBUFFERED, 0);
+  guard_.reset();
+}
+
+}  // namespace reorient

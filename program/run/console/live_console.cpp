@@ -1,0 +1,133 @@
+#include "program/run/console/live_console.h"
+
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <unistd.h>
+
+#include "program/run/console/name_pattern.h"
+
+namespace reorient {
+namespace {
+
+Words words_of(const std::string& line) {
+  std::istringstream in(line);
+  Words words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+std::string mistake(const std::exception& error) { return "  " + printable(error.what()) + "\n"; }
+
+}  // namespace
+
+LiveConsole::LiveConsole(int descriptor, std::ostream& out, ConsoleSubject subject,
+                         std::optional<std::filesystem::path> history)
+    : descriptor_(descriptor),
+      out_(out),
+      table_(std::move(subject)),
+      history_(std::move(history)),
+      lines_(descriptor) {}
+
+Topics LiveConsole::wanted() const { return reply_ ? Topics{Topic::conditions, Topic::costs} : Topics(); }
+
+void LiveConsole::add_to(FrameInputs& inputs) {
+  if (reply_ || wants_to_quit()) return;
+  try {
+    if (const std::optional<std::string> line = next_line()) take_line(*line, inputs);
+  } catch (const std::runtime_error& error) {
+    reply_ = at_once(mistake(error));
+  }
+}
+
+std::optional<std::string> LiveConsole::next_line() {
+  if (open_ && editor_) {
+    LineEditor::Typed typed = editor_->poll();
+    if (typed.closed) {
+      out_ << "\n";
+      close();
+    }
+    return std::move(typed.line);
+  }
+  std::optional<std::string> line = lines_.poll();
+  if (lines_.was_closed() && open_) {
+    out_ << "\n";
+    close();
+  }
+  return line;
+}
+
+void LiveConsole::take_line(const std::string& line, FrameInputs& inputs) {
+  // A terminal shows what is typed; what comes from elsewhere is shown here, so that it reads the same.
+  if (std::exchange(is_prompted_, false) && isatty(descriptor_) != 1) out_ << printable(line) << "\n";
+  const Words words = words_of(line);
+  if (!words.empty()) {
+    reply_ = table_.obey(words, inputs);
+  } else if (!open_) {
+    open();
+  } else {
+    close();
+  }
+}
+
+void LiveConsole::open() {
+  open_ = true;
+  if (editor_ || !LineEditor::is_possible(descriptor_)) return;
+  editor_.emplace(
+      descriptor_, [this](const Words& before) { return table_.candidates(before); }, history_);
+}
+
+void LiveConsole::close() {
+  open_ = false;
+  is_prompted_ = false;
+  if (editor_) editor_->close();
+  out_.flush();
+}
+
+void LiveConsole::make_room() {
+  if (open_ && editor_) editor_->hide();
+}
+
+void LiveConsole::begin_line() {
+  make_room();
+  if (std::exchange(is_prompted_, false)) out_ << "\n";
+}
+
+std::string LiveConsole::reply(const FrameRecord& frame, const StageRecord& stage) {
+  if (!reply_) return {};
+  try {
+    const std::optional<std::string> said = reply_(frame, stage);
+    if (!said) return {};
+    reply_ = {};
+    return *said;
+  } catch (const std::runtime_error& error) {
+    reply_ = {};
+    return mistake(error);
+  }
+}
+
+void LiveConsole::observe(const FrameRecord& frame, const StageRecord& stage) {
+  const std::string replied = reply(frame, stage);
+  const std::string text = replied + table_.observe(frame, stage);
+  if (!text.empty()) {
+    begin_line();
+    out_ << text << std::flush;
+  }
+  if (!open_ || reply_ || wants_to_quit()) return;
+  if (editor_) {
+    editor_->show();
+  } else if (!std::exchange(is_prompted_, true)) {
+    out_ << "> " << std::flush;
+  }
+}
+
+void LiveConsole::finish(const FrameRecord& /*last*/, const StageRecord& /*stage*/) {
+  if (!editor_) return;
+  make_room();
+  close();
+  editor_->save_history();
+}
+
+}  // namespace reorient

@@ -1,0 +1,55 @@
+// The prompt of a run: commands that a person types, or a program writes, while the robot goes on.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "program/run/console/command_table.h"
+#include "program/run/console/line_editor.h"
+#include "program/run/console/line_reader.h"
+#include "workbench/run/observer.h"
+#include "workbench/run/run_loop.h"
+
+namespace reorient {
+
+/// One command a frame, and no waiting for any. An empty line opens the prompt, so that the progress line leaves the
+/// terminal to the typing; the next empty one closes it. What a command changes enters the frame that begins; what it
+/// says is read from that frame's record, before the next command is looked at.
+class LiveConsole : public InputSource, public Observer {
+ public:
+  /// Reads `descriptor`, answers on `out`. `history`: the file of lines from earlier runs, for a terminal.
+  LiveConsole(int descriptor, std::ostream& out, ConsoleSubject subject,
+              std::optional<std::filesystem::path> history = {});
+
+  void add_to(FrameInputs& inputs) override;
+  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void finish(const FrameRecord& last, const StageRecord& stage) override;
+  Topics wanted() const override;
+
+  bool is_open() const { return open_; }
+  bool wants_to_quit() const { return table_.wants_to_quit(); }
+  /// Somebody else is about to write to the terminal.
+  void make_room();
+  /// Somebody else is about to write a line to the same output.
+  void begin_line();
+
+ private:
+  std::optional<std::string> next_line();
+  void take_line(const std::string& line, FrameInputs& inputs);
+  void open();
+  void close();
+  std::string reply(const FrameRecord& frame, const StageRecord& stage);
+
+  int descriptor_;
+  std::ostream& out_;
+  CommandTable table_;
+  std::optional<std::filesystem::path> history_;
+  LineReader lines_;
+  std::optional<LineEditor> editor_;  ///< from the first time that the prompt is opened at a terminal
+  Reply reply_;                       ///< that is still to be given; empty: none
+  bool open_ = false;
+  bool is_prompted_ = false;  ///< the prompt is the last thing on `out`, where nothing is edited
+};
+
+}  // namespace reorient

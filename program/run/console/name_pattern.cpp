@@ -1,0 +1,64 @@
+#include "program/run/console/name_pattern.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
+
+namespace reorient {
+
+bool matches(std::string_view pattern, std::string_view name) {
+  // A star that was met takes one letter more whenever what stands behind it does not fit.
+  std::size_t p = 0, n = 0, star = std::string_view::npos, taken = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      taken = n;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++taken;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+std::vector<std::size_t> pick(std::string_view wanted, std::span<const std::string> names, std::string_view kind) {
+  const auto exact = std::find(names.begin(), names.end(), wanted);
+  if (exact != names.end()) return {static_cast<std::size_t>(exact - names.begin())};
+  const bool is_pattern = wanted.find('*') != std::string_view::npos;
+  std::vector<std::size_t> picked;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (is_pattern ? matches(wanted, names[i]) : names[i].find(wanted) != std::string::npos) picked.push_back(i);
+  }
+  if (picked.empty())
+    throw std::runtime_error("there is no " + std::string(kind) + " '" + std::string(wanted) + "'" +
+                             did_you_mean(wanted, names));
+  return picked;
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t kLongest = 300;
+  const std::string valid = as_utf8(text);
+  const auto code = [&](std::size_t i) { return i < valid.size() ? static_cast<unsigned char>(valid[i]) : 0U; };
+  std::string out;
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    const bool is_control = code(i) < ' ' || code(i) == 0x7F;
+    const bool is_wide_control = code(i) == 0xC2 && code(i + 1) < 0xA0;  // U+0080 to U+009F
+    const std::size_t count = is_wide_control ? 2 : 1;
+    const std::string_view letter = std::string_view(valid).substr(i, count);
+    out += is_control || is_wide_control ? written_out(letter) : std::string(letter);
+    i += count - 1;
+  }
+  if (out.size() <= kLongest) return out;
+  std::size_t end = kLongest;
+  while ((static_cast<unsigned char>(out[end]) & 0xC0U) == 0x80U) --end;  // not within a letter
+  return out.substr(0, end) + " ...";
+}
+
+}  // namespace reorient

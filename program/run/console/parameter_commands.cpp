@@ -1,0 +1,117 @@
+#include "program/run/console/parameter_commands.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/parameters/nearest_name.h"
+#include "program/run/console/name_pattern.h"
+#include "workbench/files/parameter_file.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kMostChanges = 1000;  // that can be taken back
+
+Words names_of(const std::vector<Parameter>& parameters) {
+  Words names;
+  for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+  return names;
+}
+
+const Parameter& named(const std::vector<Parameter>& parameters, const std::string& name) {
+  const auto found =
+      std::find_if(parameters.begin(), parameters.end(), [&](const auto& one) { return one.name == name; });
+  if (found == parameters.end())
+    throw std::runtime_error("there is no parameter '" + name + "'" + did_you_mean(name, names_of(parameters)));
+  return *found;
+}
+
+std::string told(const ParameterOutcome& outcome) {
+  if (outcome.value.empty()) return outcome.name + " is fixed while the robot runs; give it with --set";
+  return outcome.refusal.empty() ? outcome.name + " = " + outcome.value : outcome.refusal;
+}
+
+}  // namespace
+
+ParameterCommands::ParameterCommands(ScenarioHost* scenario, std::function<std::vector<Parameter>()> parameters,
+                                     std::function<std::vector<ParameterChange>()> kept_parameters)
+    : scenario_(scenario), parameters_(std::move(parameters)), kept_parameters_(std::move(kept_parameters)) {}
+
+Reply ParameterCommands::set(const std::string& name, const std::string& value, FrameInputs& inputs) {
+  const std::string before = to_text(named(parameters_(), name).value);
+  return change({name, value}, inputs, [this, name, before] {
+    if (before_.size() == kMostChanges) before_.erase(before_.begin());
+    before_.push_back({name, before});
+  });
+}
+
+Reply ParameterCommands::undo(FrameInputs& inputs) {
+  if (before_.empty()) return at_once("  nothing to take back\n");
+  const Change last = before_.back();
+  before_.pop_back();
+  return change(last, inputs, [] {});
+}
+
+/// A library's parameter may belong to behaviours and to the scenario: both get it.
+Reply ParameterCommands::change(const Change& wanted, FrameInputs& inputs, std::function<void()> done) {
+  const ParameterChange change{wanted.name, wanted.value, ParameterOrigin::live, ""};
+  std::optional<ParameterOutcome> known;
+  if (scenario_ != nullptr) known = scenario_->change(change);
+  inputs.parameter_changes.push_back(change);
+  return [known, name = wanted.name, done = std::move(done)](const FrameRecord& frame, const StageRecord&) {
+    ParameterOutcome outcome{name, {}, {}};
+    for (const ParameterOutcome& one : frame.parameter_changes) {
+      if (one.name == name) outcome = one;
+    }
+    if (known) outcome = *known;  // the engine may not even have it
+    if (!outcome.value.empty() && outcome.refusal.empty()) done();
+    return "  " + printable(told(outcome)) + "\n";
+  };
+}
+
+Reply ParameterCommands::list(const std::string& pattern) const {
+  return [this, pattern](const FrameRecord&, const StageRecord&) {
+    const std::vector<Parameter> all = parameters_();
+    std::string text;
+    for (const std::size_t i : pick(pattern, names_of(all), "parameter"))
+      text += fmt::format("  {} = {}  ({}; {}) {}\n", all[i].name, to_text(all[i].value), range_text(all[i]),
+                          to_string(all[i].origin), all[i].description);
+    return text;
+  };
+}
+
+Reply ParameterCommands::differences() const {
+  return [this](const FrameRecord&, const StageRecord&) -> std::string {
+    std::string text;
+    for (const Parameter& parameter : parameters_()) {
+      if (parameter.value == parameter.default_value) continue;
+      text += fmt::format("  {} = {}  (default {}; {})\n", parameter.name, to_text(parameter.value),
+                          to_text(parameter.default_value), to_string(parameter.origin));
+    }
+    return text.empty() ? "  every parameter has its default\n" : text;
+  };
+}
+
+Reply ParameterCommands::save(const std::string& file) const {
+  return [this, file](const FrameRecord&, const StageRecord&) {
+    save_parameters(parameters_(), kept_parameters_ ? kept_parameters_() : std::vector<ParameterChange>(), file);
+    return "  written; --params " + printable(file) + " loads it\n";
+  };
+}
+
+Words ParameterCommands::names() const { return names_of(parameters_()); }
+
+Words ParameterCommands::values(const std::string& name) const {
+  for (const Parameter& parameter : parameters_()) {
+    if (parameter.name != name) continue;
+    if (parameter.kind == ParameterKind::choice) return parameter.choices;
+    if (parameter.kind == ParameterKind::boolean) return {"false", "true"};
+    return {to_text(parameter.value)};
+  }
+  return {};
+}
+
+}  // namespace reorient

@@ -1,0 +1,45 @@
+// Parameters at the prompt: set, taken back, listed, compared with their defaults, saved.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/run/console/command.h"
+
+namespace reorient {
+
+class ParameterCommands {
+ public:
+  /// `scenario` may be nullptr; `parameters`: all that there are; `kept_parameters`: of scripts that are not there, may
+  /// be empty.
+  ParameterCommands(ScenarioHost* scenario, std::function<std::vector<Parameter>()> parameters,
+                    std::function<std::vector<ParameterChange>()> kept_parameters);
+
+  Reply set(const std::string& name, const std::string& value, FrameInputs& inputs);
+  /// Takes the last change back; called again, the one before it.
+  Reply undo(FrameInputs& inputs);
+  Reply list(const std::string& pattern) const;
+  Reply differences() const;
+  Reply save(const std::string& file) const;
+
+  Words names() const;
+  /// What the parameter could be set to: its choices, or what it is now.
+  Words values(const std::string& name) const;
+
+ private:
+  struct Change {
+    std::string name;
+    std::string value;
+  };
+
+  /// `done` is called where it was taken.
+  Reply change(const Change& wanted, FrameInputs& inputs, std::function<void()> done);
+
+  ScenarioHost* scenario_;
+  std::function<std::vector<Parameter>()> parameters_;
+  std::function<std::vector<ParameterChange>()> kept_parameters_;
+  std::vector<Change> before_;  ///< what each change that was taken replaced, the last one at the end
+};
+
+}  // namespace reorient

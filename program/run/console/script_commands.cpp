@@ -1,0 +1,144 @@
+#include "program/run/console/script_commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/parameters/nearest_name.h"
+#include "program/run/console/name_pattern.h"
+#include "workbench/files/script_files.h"
+
+namespace reorient {
+namespace {
+
+const char* stopped_text(const MachineStatus& status) { return status.stopped ? "  stopped after errors" : ""; }
+
+std::string state_text(const MachineStatus& status, const NameTable& names, double now) {
+  return fmt::format("  {:<22} {:<24} for {:6.1f} s{}", names[status.machine], names[status.state],
+                     now - status.entered_at, stopped_text(status));
+}
+
+std::string states_text(const FrameRecord& frame, const StageRecord& stage) {
+  std::string text;
+  for (std::size_t i = 0; i < frame.machines.size(); ++i) {
+    text += state_text(frame.machines[i], *frame.names, frame.world.time);
+    if (i < frame.costs.machines.size()) {
+      const MachineCost& cost = frame.costs.machines[i];
+      text += fmt::format("  {:5.1f} us, {:4} KiB", cost.microseconds, cost.memory / 1024);
+    }
+    text += "\n";
+  }
+  for (const MachineStatus& status : stage.scenario.machines)
+    text += state_text(status, *stage.scenario.names, frame.world.time) + "\n";
+  return text;
+}
+
+std::string dwell_text(double so_far, double needed) {
+  return std::isnan(needed) ? fmt::format("{:.1f} s", so_far) : fmt::format("{:.1f} of {:.1f} s", so_far, needed);
+}
+
+/// "yes, 0.3 of 0.5 s": what its condition said, for how long of how long, and the time since its state was entered.
+std::string progress_text(const OpenCondition& condition) {
+  constexpr const char* kSaid[] = {"", "not asked yet", "no", "yes", "failed"};
+  static_assert(std::size(kSaid) == enum_count(WhenValue()));
+  std::string text = kSaid[static_cast<std::size_t>(condition.when)];
+  if (condition.lasting != 0.0) text += ", " + dwell_text(condition.held, condition.lasting);
+  if (condition.after != 0.0)
+    text += (text.empty() ? "after " : ", after ") + dwell_text(condition.waited, condition.after);
+  return text;
+}
+
+std::string why_text(const MachineStatus& status, const std::vector<OpenCondition>& conditions, const NameTable& names,
+                     double now) {
+  std::string text = fmt::format("  {}: {} for {:.1f} s{}\n", names[status.machine], names[status.state],
+                                 now - status.entered_at, stopped_text(status));
+  std::size_t target_width = 0, progress_width = 0;
+  for (const OpenCondition& one : conditions) {
+    if (one.machine != status.machine) continue;
+    target_width = std::max(target_width, names[one.target].size());
+    progress_width = std::max(progress_width, progress_text(one).size());
+  }
+  if (target_width == 0) return text + "    nothing leads on from here\n";
+  for (const OpenCondition& one : conditions) {
+    if (one.machine != status.machine) continue;
+    text += fmt::format("    -> {:<{}}  {:<{}}  {} (line {})\n", names[one.target], target_width, progress_text(one),
+                        progress_width, names[one.reason], one.line);
+  }
+  return text;
+}
+
+const MachineStatus* find(const std::vector<MachineStatus>& machines, const NameTable& names, std::string_view name) {
+  for (const MachineStatus& status : machines) {
+    if (names[status.machine] == name) return &status;
+  }
+  return nullptr;
+}
+
+/// "behaviors/orientation.lua" as a person calls it: "orientation".
+std::string script_name(const std::string& file) {
+  const std::size_t begin = file.find('/') + 1;  // of npos: 0
+  return file.substr(begin, file.rfind(".lua") - begin);
+}
+
+}  // namespace
+
+ScriptCommands::ScriptCommands(ScenarioHost* scenario, std::filesystem::path root)
+    : scenario_(scenario), root_(std::move(root)) {}
+
+Reply ScriptCommands::states() { return states_text; }
+
+Reply ScriptCommands::why(const std::string& machine) const {
+  if (std::find(machines_.begin(), machines_.end(), machine) == machines_.end())
+    throw std::runtime_error("there is no machine '" + machine + "'" + did_you_mean(machine, machines_));
+  return [this, machine](const FrameRecord& frame, const StageRecord& stage) -> std::string {
+    const double now = frame.world.time;
+    if (const MachineStatus* const status = find(frame.machines, *frame.names, machine))
+      return why_text(*status, frame.conditions, *frame.names, now);
+    const MachineStatus* const status = find(stage.scenario.machines, *stage.scenario.names, machine);
+    if (status == nullptr || scenario_ == nullptr) return "  it is gone\n";
+    std::vector<OpenCondition> conditions;
+    scenario_->host().read_conditions(conditions);
+    return why_text(*status, conditions, *stage.scenario.names, now);
+  };
+}
+
+Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const {
+  const ScriptTexts texts = read_scripts(root_);
+  bool is_known = false;
+  for (const std::string& file : texts.files()) {
+    if (!name.empty() && file != name && script_name(file) != name) continue;
+    is_known = true;
+    inputs.script_edits.push_back({file, *texts.find(file), true});
+  }
+  if (!is_known)
+    throw std::runtime_error("there is no script '" + name + "' below " + root_.string() +
+                             did_you_mean(name, scripts()));
+  return [](const FrameRecord& frame, const StageRecord& stage) -> std::string {
+    std::string text;
+    for (const auto* reloads : {&frame.reloads, &stage.scenario.reloads}) {
+      for (const ReloadRecord& reload : *reloads)
+        text += "  " + reload.script +
+                (reload.accepted
+                     ? " was read again\n"
+                     : ": refused; the previous version keeps running: " + printable(reload.fault.text()) + "\n");
+    }
+    return text.empty() ? "  no script that runs needs it\n" : text;
+  };
+}
+
+void ScriptCommands::observe(const FrameRecord& frame, const StageRecord& stage) {
+  machines_.clear();
+  for (const MachineStatus& status : frame.machines) machines_.push_back(frame.name(status.machine));
+  for (const MachineStatus& status : stage.scenario.machines) machines_.push_back(stage.scenario.name(status.machine));
+}
+
+Words ScriptCommands::scripts() const {
+  Words names;
+  for (const std::string& file : read_scripts(root_).files()) names.push_back(script_name(file));
+  return names;
+}
+
+}  // namespace reorient

@@ -1,0 +1,36 @@
+// Behaviours and the scenario at the prompt: how they stand, why they stand there, and a reload.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "program/run/console/command.h"
+
+namespace reorient {
+
+class ScriptCommands {
+ public:
+  /// `scenario` may be nullptr; `root`: the folder of the scripts.
+  ScriptCommands(ScenarioHost* scenario, std::filesystem::path root);
+
+  /// Every machine with its state and what it costs: needs Topic::costs.
+  static Reply states();
+  /// The transitions that this machine may take: needs Topic::conditions.
+  Reply why(const std::string& machine) const;
+  /// Reads scripts again, also those that did not change; an empty name: all.
+  Reply reload(const std::string& name, FrameInputs& inputs) const;
+
+  /// Which machines there are, for completion.
+  void observe(const FrameRecord& frame, const StageRecord& stage);
+  const Words& machines() const { return machines_; }
+  /// Names that reload() takes.
+  Words scripts() const;
+
+ private:
+  ScenarioHost* scenario_;
+  std::filesystem::path root_;
+  Words machines_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,40 @@
+// The world as behaviours see it, at the prompt: looked at once, or watched.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/world/world.h"
+#include "program/run/console/command.h"
+
+namespace reorient {
+
+class WorldCommands {
+ public:
+  WorldCommands();
+
+  /// The values of all fields whose names match.
+  Reply look(const std::string& pattern) const;
+  /// Tells these from now on whenever they change. An empty pattern: those that are watched.
+  Reply watch(const std::string& pattern);
+  /// An empty pattern: all.
+  Reply unwatch(const std::string& pattern);
+
+  /// Lines about what changed; each value at most twice a second of the robot's time.
+  std::string changes(const World& world);
+
+  const Words& names() const { return names_; }
+  Words watched() const;
+
+ private:
+  struct Watched {
+    std::size_t field;     ///< of world_fields()
+    std::string told;      ///< as it was told last
+    double told_at = 0.0;  ///< s
+  };
+
+  Words names_;  ///< of world_fields()
+  std::vector<Watched> watched_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,99 @@
+// The program at a terminal of its own, as a person sits before it.
+#pragma once
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace reorient {
+
+class TerminalRun {
+ public:
+  /// `command`: a program and its arguments. What it keeps for its user goes below `state`.
+  TerminalRun(std::vector<std::string> command, const std::filesystem::path& state) {
+    std::vector<char*> argv;
+    for (std::string& word : command) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
+    process_ = forkpty(&terminal_, nullptr, nullptr, &size);
+    if (process_ != 0) return;
+    setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
+    setenv("XDG_STATE_HOME", state.c_str(), 1);
+    setenv("TERM", "xterm", 1);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  ~TerminalRun() {
+    if (process_ > 0) {  // to signal -1 would be to signal everybody
+      ::kill(process_, SIGKILL);
+      wait();
+    }
+    if (terminal_ >= 0) close(terminal_);
+  }
+  TerminalRun(const TerminalRun&) = delete;
+  TerminalRun& operator=(const TerminalRun&) = delete;
+
+  /// False: this machine has no terminals to give (a bare root without /dev/pts).
+  bool has_terminal() const { return process_ > 0; }
+  void type(const std::string& keys) const { ASSERT_EQ(write(terminal_, keys.data(), keys.size()), std::ssize(keys)); }
+  void kill(int signal) const {
+    if (process_ > 0) ::kill(process_, signal);
+  }
+  /// Whether the terminal edits lines and shows what is typed itself, as it was found.
+  bool is_as_found() const {
+    termios modes{};
+    constexpr tcflag_t kUsual = ICANON | ECHO | ISIG;
+    return tcgetattr(terminal_, &modes) == 0 && (modes.c_lflag & kUsual) == kUsual;
+  }
+
+  /// Whether `text` is shown within half a minute, after what was awaited before.
+  bool await(const std::string& text) {
+    for (int i = 0; i < 3000; ++i) {
+      if (const std::size_t place = shown_.find(text); place != std::string::npos) {
+        passed_ = shown_.substr(0, place);
+        shown_.erase(0, place + text.size());
+        return true;
+      }
+      if (!read_some(10)) return false;  // the run has ended
+    }
+    return false;
+  }
+  /// What was shown before that.
+  const std::string& passed() const { return passed_; }
+  const std::string& shown() const { return shown_; }
+
+  /// Its exit code; minus the signal that ended it.
+  int wait() {
+    int status = 0;
+    while (waitpid(process_, &status, WNOHANG) == 0) read_some(10);  // it could not end with a full terminal
+    process_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  bool read_some(int milliseconds) {
+    pollfd waiting{terminal_, POLLIN, 0};
+    if (poll(&waiting, 1, milliseconds) != 1) return true;
+    std::array<char, 4096> buffer;
+    const ssize_t count = read(terminal_, buffer.data(), buffer.size());
+    if (count > 0) shown_.append(buffer.data(), static_cast<std::size_t>(count));
+    return count > 0;
+  }
+
+  int terminal_ = -1;
+  pid_t process_ = -1;
+  std::string shown_;
+  std::string passed_;
+};
+
+}  // namespace reorient

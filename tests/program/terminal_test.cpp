@@ -1,0 +1,184 @@
+// The prompt at a terminal: keys, completion, history, and the terminal that is left behind.
+#include <csignal>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/child_program.h"
+#include "tests/program/terminal_run.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+const std::vector<std::string> kPatrol{REORIENT_PROGRAM, "run", "patrol",       "--realtime",
+                                       "--width",        "160", "--no-pictures"};
+
+class AtATerminal : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    run.emplace(kPatrol, folder.path());
+    if (!run->has_terminal()) GTEST_SKIP() << "no pseudo-terminal can be opened here";
+    ASSERT_TRUE(run->await("real time"));
+  }
+  void open() {
+    run->type("\n");
+    ASSERT_TRUE(run->await("> "));
+  }
+  /// Types, and sees what must come of it.
+  void expect(const std::string& keys, const std::string& shown) {
+    run->type(keys);
+    EXPECT_TRUE(run->await(shown)) << keys << " showed " << run->shown();
+  }
+  std::string history() const { return read_text(folder.path() / "reorient" / "history"); }
+
+  TemporaryFolder folder;
+  std::optional<TerminalRun> run;
+};
+
+TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunGoesOn) {
+  for (int i = 0; i < 2; ++i) {
+    open();
+    run->type("\x04");
+    ASSERT_TRUE(run->await("real time")) << i;  // the progress line is back
+    EXPECT_TRUE(run->is_as_found());
+  }
+  expect("states\n", "penalty_marks");
+  expect("quit\n", "digest: ");
+}
+
+TEST_F(AtATerminal, EditsTheLine) {
+  open();
+  expect("sett orientation.lead 0.4\x01\x1B[C\x1B[C\x1B[C\x1B[3~\r", "orientation.lead = 0.4\r\n");
+  expect(
+      "\x1B[A\x7F"
+      "3\r",
+      "orientation.lead = 0.3\r\n");
+  expect("undo\r", "orientation.lead = 0.4\r\n");
+  expect("params head_scan.speed\r", "head_scan.speed = 1");
+  expect("lead\x12\r", "orientation.lead = 0.3\r\n");                    // the last line that holds "lead"
+  expect("\x1B[5~für\x7F\x7F\x7Fundo\r", "orientation.lead = 0.4\r\n");  // a key that means nothing; letters, not bytes
+  expect("\x1B\r", "real time");                                         // Escape waits for nothing
+  EXPECT_TRUE(run->is_as_found());
+}
+
+TEST_F(AtATerminal, CompletesWords) {
+  open();
+  expect("wh\torient\t\r", "the opposite pose won");
+  expect("set orientation.l\t", "orientation.lead       orientation.lingering\r\n");
+  expect("e\t0.25\r", "orientation.lead = 0.25\r\n");
+  expect("world confidence.opp\t\r", "confidence.opposite = ");
+  expect("reload head\t\r", "behaviors/head_scan.lua was read again");
+  expect("why pat\t\r", "patrol: walking");
+}
+
+TEST_F(AtATerminal, KeepsTheEditedLineBelowWhatIsTold) {
+  open();
+  run->type("watch clock.time\r");
+  ASSERT_TRUE(run->await("clock.time = "));
+  run->type("reload head");
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(run->await("clock.time = "));
+    ASSERT_TRUE(run->await("\r\n"));
+    ASSERT_TRUE(run->await("> reload head")) << "is drawn again";
+  }
+  run->type("_scan\r");
+  ASSERT_TRUE(run->await("head_scan.lua: the edit is running")) << "the log";
+  EXPECT_NE(run->passed().find("\r\x1B["), std::string::npos);
+  ASSERT_TRUE(run->await("was read again"));
+}
+
+TEST_F(AtATerminal, DropsWhatIsTypedBeyondTheLongestLine) {
+  open();
+  const std::string block(1000, 'x');
+  for (int i = 0; i < 30; ++i) run->type(block);
+  expect("\r", "there is no command 'xxx");
+  expect("states\r", "penalty_marks");
+}
+
+TEST_F(AtATerminal, RemembersLinesAcrossRuns) {
+  open();
+  expect("params head_scan.speed\r", "head_scan.speed = 1");
+  expect("quit\r", "digest: ");
+  run->wait();
+  EXPECT_EQ(history(), "params head_scan.speed\nquit\n");
+  run.emplace(kPatrol, folder.path());
+  ASSERT_TRUE(run->await("real time"));
+  open();
+  expect("\x1B[A\x1B[A\r", "head_scan.speed = 1");
+}
+
+TEST_F(AtATerminal, RunsWithoutAHistoryThatCannotBe) {
+  std::filesystem::create_directories(folder.path() / "reorient" / "history");
+  run->type("\n");
+  ASSERT_TRUE(run->await("the prompt keeps no history: "));
+  ASSERT_TRUE(run->await("> "));
+  expect("states\r", "penalty_marks");
+  expect("quit\r", "digest: ");
+  run->wait();
+  EXPECT_EQ(run->shown().find("history"), std::string::npos) << "told once";
+}
+
+// ---- the terminal is left as it was found
+
+TEST_F(AtATerminal, CtrlCEndsTheRunAndLeavesTheTerminalAsItWas) {
+  open();
+  run->type("set orient");
+  EXPECT_TRUE(run->await("set orient"));
+  EXPECT_FALSE(run->is_as_found());
+  run->type("\x03");
+  EXPECT_TRUE(run->await("wrong: interrupted"));
+  EXPECT_EQ(run->wait(), 130);
+  EXPECT_TRUE(run->is_as_found());
+}
+
+class EndedBy : public AtATerminal, public ::testing::WithParamInterface<int> {};
+
+TEST_P(EndedBy, ASignalLeavesTheTerminalAsItWas) {
+  open();
+  EXPECT_FALSE(run->is_as_found());
+  run->kill(GetParam());
+  const int code = run->wait();
+  EXPECT_TRUE(code == 128 + GetParam() || code == -GetParam()) << code;
+  EXPECT_TRUE(run->is_as_found());
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, EndedBy, ::testing::Values(SIGTERM, SIGQUIT, SIGABRT), [](const auto& signal) {
+  return std::string(signal.param == SIGTERM ? "Term" : signal.param == SIGQUIT ? "Quit" : "Abort");
+});
+
+TEST_F(AtATerminal, TheSecondSignalLeavesTheTerminalAsItWas) {
+  open();
+  run->kill(SIGSTOP);  // so that both have come before it can do anything
+  run->kill(SIGINT);
+  run->kill(SIGTERM);
+  run->kill(SIGCONT);
+  EXPECT_LT(run->wait(), 0);
+  EXPECT_TRUE(run->is_as_found());
+}
+
+TEST_F(AtATerminal, CtrlZGivesTheTerminalBackUntilTheRunGoesOn) {
+  // A shell with job control: what it does while the program is stopped shows how the terminal is then.
+  std::vector<std::string> shell{"/bin/sh", "-mc", "\"$@\"; stty -a; echo stopped; fg", "sh"};
+  shell.insert(shell.end(), kPatrol.begin(), kPatrol.end());
+  run.emplace(shell, folder.path());
+  ASSERT_TRUE(run->await("real time"));
+  open();
+  run->type("states");
+  ASSERT_TRUE(run->await("states"));
+  run->type("\x1A");
+  ASSERT_TRUE(run->await("stopped\r\n"));
+  EXPECT_NE(run->passed().find(" icanon"), std::string::npos) << run->passed();
+  EXPECT_NE(run->passed().find(" echo "), std::string::npos) << run->passed();
+  ASSERT_TRUE(run->await("> states")) << "is drawn again";
+  EXPECT_FALSE(run->is_as_found());
+  expect("\r", "penalty_marks");
+  expect("quit\r", "digest: ");
+  run->wait();
+  EXPECT_TRUE(run->is_as_found());
+}
+
+}  // namespace
+}  // namespace reorient
