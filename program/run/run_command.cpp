@@ -113,6 +113,7 @@ int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err
   LiveConsole console(STDIN_FILENO, out,
                       {.scenario = &simulation.scenario(),
                        .parameters = [&] { return simulation.parameters(); },
+                       .kept_parameters = [&] { return simulation.kept_parameters(); },
                        .scripts = options.scripts},
                       history_path());
   const RoomForLog room_for_log([&] { console.make_room(); });

@@ -16,10 +16,10 @@ namespace reorient {
 
 /// What the commands act on.
 struct ConsoleSubject {
-  ScenarioHost* scenario = nullptr;                               ///< may be nullptr
-  std::function<std::vector<Parameter>()> parameters;             ///< all that there are
-  std::function<std::vector<ParameterChange>()> kept_parameters;  ///< of scripts that are not there; may be empty
-  std::filesystem::path scripts;                                  ///< their root
+  ScenarioHost* scenario = nullptr;                                 ///< may be nullptr
+  std::function<std::vector<Parameter>()> parameters;               ///< all that there are
+  std::function<std::vector<ParameterChange>()> kept_parameters{};  ///< of scripts that are not there; may be empty
+  std::filesystem::path scripts{};                                  ///< their root
 };
 
 class CommandTable {
