@@ -42,6 +42,8 @@ class ChildProgram {
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
+    // Whoever started the tests in the background may have them ignored, and a program leaves that as it is.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
     if (prepare) prepare();
     execv(argv[0], argv.data());
     _exit(127);

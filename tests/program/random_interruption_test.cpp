@@ -20,9 +20,9 @@ int count_of_each() {
   return wanted == nullptr ? 2 : std::atoi(wanted);
 }
 
-/// Until the program would notice the signal; false: it ended before.
+/// Until the program would notice the signal; false: it ended, or half a minute passed.
 bool await_handler(pid_t process, int signal) {
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 30'000; ++i) {
     std::ifstream status("/proc/" + std::to_string(process) + "/status");
     for (std::string line; std::getline(status, line);) {
       if (!line.starts_with("SigCgt:")) continue;
@@ -64,7 +64,7 @@ class AtRandomMoments : public RunWithAllOutputs, public ::testing::WithParamInt
 TEST_P(AtRandomMoments, ARunWritesAllOutputs) {
   for (int i = 0; i < count_of_each() && !HasFailure(); ++i) {
     forget_outputs();
-    interrupt(words({"--seconds", "6"}), 2.5, kWrong);
+    ASSERT_NO_FATAL_FAILURE(interrupt(words({"--seconds", "6"}), 2.5, kWrong));
     expect_all_outputs();
     EXPECT_EQ(left_overs(), 0);
   }
@@ -73,7 +73,7 @@ TEST_P(AtRandomMoments, ARunWritesAllOutputs) {
 TEST_P(AtRandomMoments, ARunInRealTimeWritesAllOutputs) {
   for (int i = 0; i < count_of_each() && !HasFailure(); ++i) {
     forget_outputs();
-    interrupt(words({"--realtime", "--seconds", "3"}), 4.0, kWrong);
+    ASSERT_NO_FATAL_FAILURE(interrupt(words({"--realtime", "--seconds", "3"}), 4.0, kWrong));
     expect_all_outputs();
     EXPECT_EQ(left_overs(), 0);
   }
@@ -82,7 +82,7 @@ TEST_P(AtRandomMoments, ARunInRealTimeWritesAllOutputs) {
 TEST_P(AtRandomMoments, TestsWriteTheirReport) {
   for (int i = 0; i < count_of_each() && !HasFailure(); ++i) {
     forget_outputs();
-    interrupt({"test", "--junit", (folder.path() / "junit.xml").string()}, 1.5, kSuccess);
+    ASSERT_NO_FATAL_FAILURE(interrupt({"test", "--junit", (folder.path() / "junit.xml").string()}, 1.5, kSuccess));
     const std::string report = read_text(folder.path() / "junit.xml");
     EXPECT_TRUE(report.starts_with("<?xml")) << report;
     EXPECT_TRUE(report.ends_with("</testsuite>\n")) << report;
