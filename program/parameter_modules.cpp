@@ -71,6 +71,7 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
   }
   warn_of_strangers(strangers, modules);
   std::vector<ParameterChange> all;
+  all.reserve(kept.size());
   for (auto& [name, change] : kept) all.push_back(std::move(change));
   return all;
 }

@@ -30,7 +30,7 @@ std::string list_of(const std::vector<std::string>& names) {
 
 std::string named(const Kind& kind, const Kind& other, const std::filesystem::path& root, const ScriptTexts& texts,
                   const std::string& name) {
-  const std::string file = script_file(kind.folder, script_named(root, name));
+  std::string file = script_file(kind.folder, script_named(root, name));
   const std::string stem = std::filesystem::path(name).stem().string();
   const bool is_other = file.starts_with(std::string(other.folder) + "/") ||
                         (texts.find(file) == nullptr && texts.find(script_file(other.folder, stem)) != nullptr);

@@ -28,6 +28,7 @@ namespace {
 std::vector<std::string> chosen_behaviors(const SimulationOptions& options, const ScriptTexts& texts,
                                           const std::vector<std::string>& wanted) {
   std::vector<std::string> rest;
+  rest.reserve(wanted.size());
   for (const std::string& name : wanted) rest.push_back(script_file("behaviors", name));
   for (const std::string& name : options.without) {
     const auto found =

@@ -61,6 +61,7 @@ std::vector<TimelineEvent> CommandHistory::commands() const {
   for (const auto& [name, commands] : machines_) all.insert(all.end(), commands.kept.begin(), commands.kept.end());
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<TimelineEvent> events;
+  events.reserve(all.size());
   for (auto& [place, event] : all) events.push_back(std::move(event));
   return events;
 }
