@@ -4,13 +4,13 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3365746174537252ull;  // "RrState3": another layout gets another number
+constexpr std::uint64_t kStateMagic = 0x3365746174537252ull;  // "RrState3": another layout gets another number
 
 /// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
 FrameSetup read_setup(ByteReader& in) {
   std::uint64_t magic = 0;
   in(magic);
-  check_bytes(magic == kMagic, "this is no saved state of this version of the program");
+  check_bytes(magic == kStateMagic, "this is no saved state of this version of the program");
   FrameSetup setup;
   in(setup.field, setup.room_awareness, setup.parameters);
   return setup;
@@ -27,7 +27,7 @@ void FrameLoop::archive(Archive& archive) {
 
 void FrameLoop::save(std::vector<std::byte>& state) const {
   ByteWriter out(state);
-  out(kMagic, world_.field, room_.has_value(), registry_.overrides());
+  out(kStateMagic, world_.field, room_.has_value(), registry_.overrides());
   const_cast<FrameLoop*>(this)->archive(out);  // a writer only looks
   behaviors_.host().save(out);
 }

@@ -13,8 +13,8 @@ struct Kind {
   const char* word;
   const char* folder;
 };
-constexpr Kind kScenario{"scenario", "scenarios"};
-constexpr Kind kBehavior{"behavior", "behaviors"};
+constexpr Kind kScenarios{"scenario", "scenarios"};
+constexpr Kind kBehaviors{"behavior", "behaviors"};
 
 /// "paper/paper_orientation" of "behaviors/paper/paper_orientation.lua".
 std::string name_of(const Kind& kind, const std::string& file) {
@@ -54,11 +54,11 @@ std::string named(const Kind& kind, const Kind& other, const std::filesystem::pa
 }  // namespace
 
 std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
-  return named(kScenario, kBehavior, root, texts, name);
+  return named(kScenarios, kBehaviors, root, texts, name);
 }
 
 std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
-  return named(kBehavior, kScenario, root, texts, name);
+  return named(kBehaviors, kScenarios, root, texts, name);
 }
 
 }  // namespace reorient

@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x324E4952;  // "RIN2": another layout gets another number
+constexpr std::uint32_t kInputMagic = 0x324E4952;  // "RIN2": another layout gets another number
 
 /// Where what is seen through a view is kept while it is read; a writer leaves it empty.
 struct Memory {
@@ -67,7 +67,7 @@ void archive_inputs(Archive& archive, FrameInputs& inputs, const Memory& memory)
 
 void write_inputs(const FrameInputs& inputs, std::vector<std::byte>& bytes) {
   ByteWriter out(bytes);
-  out(kMagic);
+  out(kInputMagic);
   std::array<std::vector<std::uint8_t>, 2> no_images;
   std::vector<BodySample> no_samples;
   std::vector<ExternalBelief::Particle> no_particles;
@@ -78,7 +78,7 @@ StoredInputs::StoredInputs(std::span<const std::byte> bytes) {
   ByteReader in(bytes);
   std::uint32_t magic = 0;
   in(magic);
-  check_bytes(magic == kMagic, "these are no inputs of this version of the program");
+  check_bytes(magic == kInputMagic, "these are no inputs of this version of the program");
   archive_inputs(in, inputs_, {images_, body_samples_, particles_});
   in.finish();
 }

@@ -5,7 +5,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x33465252;  // "RRF3": another number with each change of what a topic holds
+constexpr std::uint32_t kRecordMagic = 0x33465252;  // "RRF3": another number with each change of what a topic holds
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>
@@ -49,7 +49,7 @@ void write_topic(const FrameRecord& record, Topic topic, std::vector<std::byte>&
 
 void write_record(const FrameRecord& record, std::vector<std::byte>& bytes) {
   ByteWriter writer(bytes);
-  writer(kMagic, record.filled, *record.names);
+  writer(kRecordMagic, record.filled, *record.names);
   for (const TopicInfo& row : kTopics) {
     if (record.filled.has(row.topic)) write_topic(record, row.topic, bytes);
   }
@@ -59,7 +59,7 @@ FrameRecord read_record(std::span<const std::byte> bytes) {
   ByteReader reader(bytes);
   std::uint32_t magic = 0;
   reader(magic);
-  if (magic != kMagic) throw BadBytes("these bytes are not a frame's record of this version");
+  if (magic != kRecordMagic) throw BadBytes("these bytes are not a frame's record of this version");
   FrameRecord record;
   NameTable names;
   reader(record.filled, names);

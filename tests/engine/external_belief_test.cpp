@@ -15,25 +15,12 @@ namespace reorient {
 namespace {
 
 const Pose2 kHere(2.0, -1.0, 0.4);
-constexpr const char* kIdle = R"(behavior "tested" {})";
-
-std::string then(const std::string& action) {
-  return R"(behavior "tested" { initial = "waiting",
-  state "waiting" { { "acting", after = 0.5, because = "it is time" } },
-  state "acting" { enter = function() )" +
-         action + R"( end } })";
-}
 
 ExternalBelief sure_of(const Pose2& pose) {
   ExternalBelief belief;
   belief.pose = pose;
   belief.covariance.diagonal() << 0.01, 0.01, 0.003;
   return belief;
-}
-
-void expect_near(const Pose2& a, const Pose2& b) {
-  EXPECT_LT((a.position - b.position).norm(), 0.1);
-  EXPECT_LT(std::abs(angle_difference(a.rotation, b.rotation)), 0.1);
 }
 
 TEST(ExternalBelief, IsBelievedAtOnceAndKnownIfItIsSure) {

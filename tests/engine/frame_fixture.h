@@ -10,6 +10,22 @@
 
 namespace reorient {
 
+inline constexpr const char* kIdle = R"(behavior "tested" {})";
+
+/// A behaviour that does `action` after half a second.
+inline std::string then(const std::string& action) {
+  return R"(behavior "tested" { initial = "waiting",
+    state "waiting" { { "acting", after = 0.5, because = "it is time" } },
+    state "acting" { enter = function() )" +
+         action + R"( end } })";
+}
+
+/// `tolerance`: m and rad.
+inline void expect_near(const Pose2& a, const Pose2& b, double tolerance = 0.1) {
+  EXPECT_LT((a.position - b.position).norm(), tolerance) << a.position.transpose() << " and " << b.position.transpose();
+  EXPECT_LT(std::abs(angle_difference(a.rotation, b.rotation)), tolerance);
+}
+
 /// An image in which everything has another colour.
 inline Image colorful_image(int width, int height) {
   Image image(width, height);

@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kStep = 0.01;
+constexpr double kBodyStep = 0.01;
 constexpr double kStanding = 5.3;
 const Eigen::Vector2d kBounds(8.0, 6.0);
 
@@ -25,9 +25,9 @@ BodySample felt(double load, double roll = 0.0, double pitch = 0.0) {
 
 class Standing : public ::testing::Test {
  protected:
-  void feel(BodySample sample, double seconds = kStep) {
-    for (double t = 0.0; t < seconds - 1e-9; t += kStep) {
-      sample.time = time += kStep;
+  void feel(BodySample sample, double seconds = kBodyStep) {
+    for (double t = 0.0; t < seconds - 1e-9; t += kBodyStep) {
+      sample.time = time += kBodyStep;
       posture.update(sample, body, hints, parameters);
     }
   }
@@ -245,9 +245,9 @@ class SimulatedBody : public ::testing::TestWithParam<bool> {
   }
 
   void run(double seconds) {
-    for (double t = 0.0; t < seconds; t += kStep) {
-      body->advance(kStep, request, {}, kBounds);
-      time += kStep;
+    for (double t = 0.0; t < seconds; t += kBodyStep) {
+      body->advance(kBodyStep, request, {}, kBounds);
+      time += kBodyStep;
       const Posture before = posture.posture();
       posture.update(body->sample(time), robot, {ReportedPosture::unknown, request.get_up}, parameters);
       if (posture.posture() != before) seen.push_back(posture.posture());

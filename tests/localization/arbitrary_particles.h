@@ -1,11 +1,16 @@
 // Poses and particle sets for property tests.
 #pragma once
 
+#include <limits>
+
 #include <rapidcheck.h>
 
 #include "localization/particles/particle_set.h"
 
 namespace reorient {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A pose on the carpet.
 inline Pose2 any_pose_on_carpet() {

@@ -11,8 +11,6 @@
 namespace reorient {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 GoalPost post_at(const Pose2& robot, const Eigen::Vector2d& in_field, bool base_visible = true) {
   return goal_post(robot.inverse() * in_field, base_visible);
 }

@@ -1,7 +1,5 @@
 #include "localization/measurement/measurement_model.h"
 
-#include <limits>
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,9 +9,6 @@
 
 namespace reorient {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 MeasurementModel& spl_model() {
   static MeasurementModel model{FieldDimensions(), MeasurementModelParameters()};

@@ -11,7 +11,6 @@
 namespace reorient {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const MotionModelParameters kNoNoise{0.0, 0.0, 0.0, 0.0, 0.0};
 const Eigen::Vector2d kHalfSize = believable_half_size(FieldDimensions());
 

@@ -26,7 +26,7 @@ PoseBelief believed(const Pose2& pose) {
   return belief;
 }
 
-bool near(const Pose2& a, const Pose2& b) {
+bool is_near(const Pose2& a, const Pose2& b) {
   return (a.position - b.position).norm() < 0.1 && std::abs(angle_difference(a.rotation, b.rotation)) < 0.1;
 }
 
@@ -35,7 +35,7 @@ RC_GTEST_PROP(PoseClusters, FindsTheHeavierOfTwoFromAnywhere, ()) {
   RC_PRE(pose.position.norm() > 1.0);
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(two_clusters(pose, reflect(pose), 150, 200), PoseBelief(), {});
-  RC_ASSERT(near(belief.pose, pose));
+  RC_ASSERT(is_near(belief.pose, pose));
   RC_ASSERT(std::abs(belief.cluster_weight - 0.75) < 0.01);
   RC_ASSERT(std::abs(belief.reflected_weight - 0.25) < 0.01);
 }
@@ -43,15 +43,16 @@ RC_GTEST_PROP(PoseClusters, FindsTheHeavierOfTwoFromAnywhere, ()) {
 TEST(PoseClusters, StaysWithTheLighterOfTwoUntilTheOtherClearlyLeads) {
   const Pose2 pose(-2.0, 1.0, 0.3);
   PoseClusters clusters{FieldDimensions()};
-  EXPECT_TRUE(near(clusters.find(two_clusters(pose, reflect(pose), 85, 200), believed(pose), {}).pose, pose));
-  EXPECT_TRUE(near(clusters.find(two_clusters(pose, reflect(pose), 70, 200), believed(pose), {}).pose, reflect(pose)));
+  EXPECT_TRUE(is_near(clusters.find(two_clusters(pose, reflect(pose), 85, 200), believed(pose), {}).pose, pose));
+  EXPECT_TRUE(
+      is_near(clusters.find(two_clusters(pose, reflect(pose), 70, 200), believed(pose), {}).pose, reflect(pose)));
 }
 
 TEST(PoseClusters, SeparatesTwoRotationsAtOnePlace) {
   const Pose2 pose(0.0, 0.0, 0.0);
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(two_clusters(pose, reflect(pose), 60, 200), believed(pose), {});
-  EXPECT_TRUE(near(belief.pose, reflect(pose)));
+  EXPECT_TRUE(is_near(belief.pose, reflect(pose)));
   EXPECT_NEAR(belief.cluster_weight, 0.7, 0.01);
 }
 
@@ -71,7 +72,7 @@ TEST(PoseClusters, CountsWeightsNotHeads) {
   normalize_weights(particles);
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(particles, PoseBelief(), {});
-  EXPECT_TRUE(near(belief.pose, pose));
+  EXPECT_TRUE(is_near(belief.pose, pose));
   EXPECT_NEAR(belief.cluster_weight, 0.9, 0.01);
 }
 

@@ -1,6 +1,5 @@
 #include "localization/pose_filter.h"
 
-#include <limits>
 #include <set>
 #include <string>
 
@@ -14,9 +13,6 @@
 
 namespace reorient {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 PoseFilter spl_filter(std::uint64_t seed = 1) { return {PoseFilterParameters(), FieldDimensions(), seed}; }
 

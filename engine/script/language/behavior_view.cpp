@@ -10,7 +10,7 @@ const MachineDirectory& directory_of(lua_State* L) {
   return *static_cast<const MachineDirectory*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
 
-int refuse_writing(lua_State* L) { return luaL_error(L, "behaviors are read-only: nobody sets another's state"); }
+int refuse_setting(lua_State* L) { return luaL_error(L, "behaviors are read-only: nobody sets another's state"); }
 
 MachineSight look_up(lua_State* L, const char* name) {
   constexpr std::int64_t kPriceOfSearch = 20;
@@ -56,7 +56,7 @@ int find_machine(lua_State* L) {
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_pushvalue(L, 2);
   lua_pushcclosure(L, read_field, 2);
-  set_reader(L, refuse_writing);
+  set_reader(L, refuse_setting);
   lua_pushvalue(L, -1);
   lua_setfield(L, lua_upvalueindex(2), name);
   return 1;
@@ -83,7 +83,7 @@ void add_behavior_view(lua_State* L, const MachineDirectory& directory) {
   lua_pushlightuserdata(L, const_cast<MachineDirectory*>(&directory));
   lua_newtable(L);
   lua_pushcclosure(L, find_machine, 2);
-  set_reader(L, refuse_writing);
+  set_reader(L, refuse_setting);
   lua_setglobal(L, "behaviors");
 
   lua_newtable(L);

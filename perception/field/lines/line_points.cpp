@@ -66,7 +66,7 @@ std::optional<Vector2d> ground_normal(const GroundProjection& view, const Vector
   return Vector2d(-along.y() / length, along.x() / length);
 }
 
-Ycbcr pixel_at(const ImageView& image, const Vector2d& where) {
+Ycbcr nearest_pixel(const ImageView& image, const Vector2d& where) {
   const int x = std::clamp(static_cast<int>(std::lround(where.x())), 0, image.width - 1);
   const int y = std::clamp(static_cast<int>(std::lround(where.y())), 0, image.height - 1);
   return image.at(x, y);
@@ -182,10 +182,10 @@ bool LinePoints::lies_on_carpet(const Frame& frame, const Vector2d& before, cons
                                 const Vector2d& after) const {
   constexpr double kLessGreen = 0.8;
   if (center.y() < boundary_at(frame.percept.boundary, frame.image.width, center.x()) + 1.0) return false;
-  const Ycbcr stripe = pixel_at(frame.image, center);
+  const Ycbcr stripe = nearest_pixel(frame.image, center);
   double sides = 0.0;
   for (const Vector2d& side : {before, after}) {
-    const Ycbcr ground = pixel_at(frame.image, side);
+    const Ycbcr ground = nearest_pixel(frame.image, side);
     const Surface surface = frame.color.surface(ground.y, ground.cb, ground.cr);
     if (surface == Surface::other) return false;
     sides += 0.5 * std::max(0.3, frame.color.greenness(ground.cb, ground.cr));

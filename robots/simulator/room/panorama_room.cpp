@@ -13,7 +13,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kWallTexelsPerMeter = 50.0;
+constexpr double kTexelsPerMeter = 50.0;
 constexpr double kLevelTexelsPerMeter = 32.0;
 constexpr int kWidest = 4096;        // pixels; finer panoramas are averaged down first
 constexpr float kBrightest = 12.0f;  // of the mean brightness of what is around
@@ -93,7 +93,7 @@ class Viewpoint {
 
 Texture bake_walls(const Viewpoint& viewpoint, const RoomShape& shape) {
   const double perimeter = wall_perimeter(shape);
-  LinearImage image(texels_for(perimeter, kWallTexelsPerMeter), texels_for(shape.height, kWallTexelsPerMeter));
+  LinearImage image(texels_for(perimeter, kTexelsPerMeter), texels_for(shape.height, kTexelsPerMeter));
   for (int i = 0; i < image.width; ++i) {
     const Eigen::Vector2d ground = wall_point(shape, (i + 0.5) * perimeter / image.width);
     for (int j = 0; j < image.height; ++j) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/perception/room/histograms.h"
+
 namespace reorient {
 namespace {
 
@@ -43,12 +45,6 @@ RC_GTEST_PROP(BackgroundModel, AverageStaysBetweenWhatWasMeasuredAndVarianceIsNo
   RC_ASSERT(result.mean >= std::min(last, measured) - 1e-12);
   RC_ASSERT(result.mean <= std::max(last, measured) + 1e-12);
   RC_ASSERT(result.variance >= 0.0);
-}
-
-ColorHistogram all_in(int bin) {
-  ColorHistogram histogram{};
-  histogram[static_cast<std::size_t>(bin)] = 1.0f;
-  return histogram;
 }
 
 TEST(BackgroundModel, CopiesATileThatIsSeenForTheFirstTime) {

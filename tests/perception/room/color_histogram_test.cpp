@@ -9,6 +9,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "geometry/random.h"
+#include "tests/perception/room/histograms.h"
 
 namespace reorient {
 namespace {
@@ -121,13 +122,6 @@ TEST(ColorHistogram, ThresholdsStayBytesUnderAbsurdLight) {
 }
 
 /// Shares that sum up to 1.
-ColorHistogram any_histogram() {
-  ColorCounts counts{};
-  for (auto& count : counts) count = *rc::gen::inRange<std::uint32_t>(0, 1000);
-  counts[0] += 1;
-  return normalized(counts);
-}
-
 RC_GTEST_PROP(ColorHistogram, BlurringKeepsTheSumAndLeavesAnEvenHistogramAsItIs, ()) {
   const ColorHistogram histogram = any_histogram();
   const double share = *rc::gen::inRange(0, 26) / 100.0;

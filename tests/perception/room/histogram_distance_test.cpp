@@ -5,21 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/perception/room/histograms.h"
+
 namespace reorient {
 namespace {
-
-ColorHistogram any_histogram() {
-  ColorCounts counts{};
-  for (auto& count : counts) count = *rc::gen::inRange<std::uint32_t>(0, 100);
-  counts[3] += 1;
-  return normalized(counts);
-}
-
-ColorHistogram all_in(int bin) {
-  ColorHistogram histogram{};
-  histogram[static_cast<std::size_t>(bin)] = 1.0f;
-  return histogram;
-}
 
 constexpr Distance kAll[] = {Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon};
 

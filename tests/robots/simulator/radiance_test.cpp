@@ -88,7 +88,7 @@ void expect_alike(const LinearImage& read, const LinearImage& written) {
   }
 }
 
-std::string message_of(const Bytes& bytes) {
+std::string refusal_of(const Bytes& bytes) {
   try {
     decode_radiance(bytes, "hall.hdr");
   } catch (const std::runtime_error& error) {
@@ -97,8 +97,8 @@ std::string message_of(const Bytes& bytes) {
   return "";
 }
 
-void expect_refused(const Bytes& bytes, const std::string& part) {
-  const std::string message = message_of(bytes);
+void expect_unreadable(const Bytes& bytes, const std::string& part) {
+  const std::string message = refusal_of(bytes);
   EXPECT_NE(message.find("hall.hdr"), std::string::npos) << message;
   EXPECT_NE(message.find(part), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -133,35 +133,35 @@ TEST(Radiance, ToleratesCarriageReturnsAndAMissingFormatLine) {
   EXPECT_EQ(decode_radiance(bytes, "test").width, 32);
 }
 
-TEST(Radiance, RefusesAnEmptyFile) { expect_refused({}, "is not a Radiance picture"); }
+TEST(Radiance, RefusesAnEmptyFile) { expect_unreadable({}, "is not a Radiance picture"); }
 
 TEST(Radiance, RefusesAHeaderWithoutEnd) {
   Bytes bytes;
   append(bytes, "#?RADIANCE");
   bytes.insert(bytes.end(), 100000, 'x');
-  expect_refused(bytes, "header");
+  expect_unreadable(bytes, "header");
 }
 
 TEST(Radiance, RefusesAnotherPixelFormat) {
   Bytes bytes;
   append(bytes, "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 16 +X 32\n");
-  expect_refused(bytes, "32-bit_rle_rgbe");
+  expect_unreadable(bytes, "32-bit_rle_rgbe");
 }
 
 TEST(Radiance, RefusesAbsurdSizesBeforeItTakesMemory) {
-  expect_refused(header(2000000000, 1000000000), "scale it");
-  expect_refused(header(-64, -32), "scale it");
-  expect_refused(header(64, 60), "twice as wide as high");
-  expect_refused(header(8192, 4096), "ends too early");
+  expect_unreadable(header(2000000000, 1000000000), "scale it");
+  expect_unreadable(header(-64, -32), "scale it");
+  expect_unreadable(header(64, 60), "twice as wide as high");
+  expect_unreadable(header(8192, 4096), "ends too early");
   Bytes bytes;
   append(bytes, "#?RADIANCE\n\n-Y 99999999999999999999 +X 2\n");
-  expect_refused(bytes, "resolution");
+  expect_unreadable(bytes, "resolution");
 }
 
 TEST(Radiance, RefusesEveryTruncation) {
   const Bytes whole = encode_coded(picture(32, 16, 4));
   for (std::size_t length = 0; length < whole.size(); length += 7) {
-    const std::string message = message_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
+    const std::string message = refusal_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
     ASSERT_NE(message, "") << "cut to " << length << " of " << whole.size() << " bytes";
   }
 }
@@ -171,14 +171,14 @@ TEST(Radiance, RefusesARunBeyondTheRow) {
   const std::size_t start = bytes.size();
   bytes.insert(bytes.end(), {2, 2, 0, 32, 128 + 40, 7});
   bytes.resize(start + 16 * 200, 1);
-  expect_refused(bytes, "damaged");
+  expect_unreadable(bytes, "damaged");
 }
 
 TEST(Radiance, RefusesARowOfAnotherWidth) {
   Bytes bytes = header(32, 16);
   bytes.insert(bytes.end(), {2, 2, 0, 33});
   bytes.resize(bytes.size() + 16 * 200, 1);
-  expect_refused(bytes, "damaged");
+  expect_unreadable(bytes, "damaged");
 }
 
 RC_GTEST_PROP(Radiance, SurvivesDamage, ()) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/angle.h"
+#include "tests/robots/simulator/mean_luma.h"
 
 namespace reorient {
 namespace {
@@ -26,14 +27,6 @@ SensorParameters fixed_exposure() {
   SensorParameters parameters;
   parameters.automatic_exposure = false;
   return parameters;
-}
-
-double mean_luma(const ImageView& image) {
-  double sum = 0.0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) sum += image.luma(x, y);
-  }
-  return sum / (image.width * image.height);
 }
 
 double exposed_luma(Sensor& sensor, const Frame& frame, std::uint64_t number = 0) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/robots/simulator/mean_luma.h"
+
 namespace reorient {
 namespace {
 
@@ -32,14 +34,6 @@ Answer walking_and_looking(int frame) {
 
 std::vector<std::uint8_t> bytes_of(const ImageView& image) {
   return {image.data, image.data + static_cast<std::ptrdiff_t>(image.stride) * image.height};
-}
-
-double mean_luma(const ImageView& image) {
-  double sum = 0.0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) sum += image.luma(x, y);
-  }
-  return sum / (image.width * image.height);
 }
 
 TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {

@@ -1,7 +1,6 @@
 #include "workbench/views/pictures/camera_view.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -11,8 +10,6 @@
 
 namespace reorient::pictures {
 namespace {
-
-const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Uniform, so that only what is drawn over it stands out.
 Image plain_image(int width, int height, Ycbcr color) {
@@ -95,12 +92,12 @@ TEST(CameraView, leaves_out_what_is_not_a_number) {
   const Image image = plain_image(320, 240, kSkin);
   CameraView camera;
   camera.image = image.view();
-  const Eigen::Vector2d bad(kNan, 10.0);
+  const Eigen::Vector2d bad(kNaN, 10.0);
   camera.tiles = {{{bad, bad, bad}, {}, true}, {{}, {}, true}, {{bad, {1.0, 1.0}, {50.0, 60.0}}, {}, false}};
   camera.view_particles = {bad};
   camera.line_points = {{bad, bad}};
   camera.goal_posts = {{bad, bad}};
-  camera.obstacles = {{kNan, kNan, 3.0, kNan}};
+  camera.obstacles = {{kNaN, kNaN, 3.0, kNaN}};
   camera.boundary = {bad, bad};
   camera.projected_lines = {{bad, bad}, {}};
   const Picture picture = draw_camera_view(camera);

@@ -1,7 +1,6 @@
 #include "workbench/views/pictures/canvas/canvas.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -14,8 +13,6 @@ namespace {
 
 constexpr Color kWhite{255, 255, 255};
 constexpr Color kRed{200, 0, 0};
-const double kNan = std::numeric_limits<double>::quiet_NaN();
-const double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Canvas, fills_exactly_the_pixels_of_a_box) {
   Canvas canvas(20, 10, kWhite);
@@ -70,7 +67,7 @@ RC_GTEST_PROP(Canvas, draws_a_long_line_through_the_pixels_that_it_crosses, ()) 
 
 TEST(Canvas, leaves_out_what_is_not_finite) {
   Canvas canvas(30, 30, kWhite);
-  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     const Pixel point(bad, 10.0);
     canvas.line(point, {20.0, 20.0}, kRed, 2.0);
     canvas.dashed_line(point, {20.0, 20.0}, kRed, 2.0, 4.0);
@@ -88,7 +85,7 @@ TEST(Canvas, leaves_out_what_is_not_finite) {
 
 TEST(Canvas, leaves_a_gap_in_a_curve_where_a_point_is_not_finite) {
   Canvas canvas(60, 20, kWhite);
-  canvas.polyline(std::vector<Pixel>{{5.0, 10.0}, {20.0, 10.0}, {30.0, kNan}, {40.0, 10.0}, {55.0, 10.0}}, kRed, 4.0);
+  canvas.polyline(std::vector<Pixel>{{5.0, 10.0}, {20.0, 10.0}, {30.0, kNaN}, {40.0, 10.0}, {55.0, 10.0}}, kRed, 4.0);
   const Picture picture = canvas.finish();
   EXPECT_TRUE(alike(picture.at(12, 10), kRed));
   EXPECT_TRUE(alike(picture.at(48, 10), kRed));
@@ -147,7 +144,7 @@ TEST(FieldDrawing, puts_lines_where_the_dimensions_say) {
 }
 
 TEST(FieldDrawing, survives_fields_that_are_none) {
-  for (const double size : {0.0, -5.0, 1e300, kNan, kInfinity}) {
+  for (const double size : {0.0, -5.0, 1e300, kNaN, kInfinity}) {
     FieldDimensions field;
     field.length = field.border = field.center_circle_radius = field.line_width = size;
     Canvas canvas(40, 40, kWhite);

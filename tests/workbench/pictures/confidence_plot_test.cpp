@@ -1,7 +1,6 @@
 #include "workbench/views/pictures/confidence_plot.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -11,8 +10,6 @@
 namespace reorient::pictures {
 namespace {
 
-const double kNan = std::numeric_limits<double>::quiet_NaN();
-
 // Where the curves are; the picture's own numbers.
 constexpr int kLeft = 196;
 constexpr int kRight = 1464;
@@ -21,7 +18,7 @@ constexpr int kBottom = 576;
 
 ConfidencePlot ten_seconds(double current, double opposite) {
   ConfidencePlot plot;
-  for (int i = 0; i <= 100; ++i) plot.samples.push_back({0.1 * i, current, opposite, kNan, kNan});
+  for (int i = 0; i <= 100; ++i) plot.samples.push_back({0.1 * i, current, opposite, kNaN, kNaN});
   return plot;
 }
 
@@ -35,7 +32,7 @@ TEST(ConfidencePlot, draws_each_curve_at_the_height_of_its_confidence) {
 
 TEST(ConfidencePlot, leaves_a_gap_where_there_is_no_confidence) {
   ConfidencePlot plot = ten_seconds(0.8, 0.1);
-  for (int i = 40; i < 60; ++i) plot.samples[static_cast<std::size_t>(i)].current = kNan;
+  for (int i = 40; i < 60; ++i) plot.samples[static_cast<std::size_t>(i)].current = kNaN;
   const Picture picture = draw_confidence_plot(plot);
   EXPECT_FALSE(alike(picture.at((kLeft + kRight) / 2, kTop + 80), palette::belief));
   EXPECT_TRUE(alike(picture.at((kLeft + kRight) / 2, kTop + 360), palette::opposite));
@@ -82,9 +79,9 @@ TEST(ConfidencePlot, gives_a_condition_a_lane_and_shades_the_ground_where_the_ro
 
 TEST(ConfidencePlot, stays_within_its_axes_whatever_the_values) {
   ConfidencePlot plot = ten_seconds(1e30, -1e30);
-  plot.samples.push_back({kNan, 0.5, 0.5, 0.5, 0.5});
-  plot.commands = {{kNan, "flip", true}, {-1e300, "flip", true}, {1e300, std::string(5000, 'x'), true}};
-  plot.conditions = {{Condition::fallen, kNan, 3.0}, {Condition::fallen, 5.0, 2.0}, {Condition::fallen, -1e300, 1e300}};
+  plot.samples.push_back({kNaN, 0.5, 0.5, 0.5, 0.5});
+  plot.commands = {{kNaN, "flip", true}, {-1e300, "flip", true}, {1e300, std::string(5000, 'x'), true}};
+  plot.conditions = {{Condition::fallen, kNaN, 3.0}, {Condition::fallen, 5.0, 2.0}, {Condition::fallen, -1e300, 1e300}};
   const Picture picture = draw_confidence_plot(plot);
   EXPECT_EQ(picture.width, 1500);
   EXPECT_EQ(count(picture, palette::page, kRight + 6, kTop, 1500, kBottom), (1500 - kRight - 6) * (kBottom - kTop));

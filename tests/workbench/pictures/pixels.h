@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "workbench/views/pictures/canvas/picture.h"
 
 namespace reorient::pictures {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline bool alike(const Color& a, const Color& b, int tolerance = 12) {
   return std::abs(a.red - b.red) <= tolerance && std::abs(a.green - b.green) <= tolerance &&

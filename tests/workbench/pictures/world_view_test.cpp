@@ -1,7 +1,6 @@
 #include "workbench/views/pictures/world_view.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -11,8 +10,6 @@
 
 namespace reorient::pictures {
 namespace {
-
-const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Pixels of a colour in the right or left half of the part inside of the legends.
 int to_the_right(const Picture& picture, Color color) { return count(picture, color, 760, 0, 1180, 940); }
@@ -116,19 +113,19 @@ TEST(WorldView, leaves_out_what_is_not_a_number) {
   WorldView without;
   world.truth = without.truth = Pose2(2.0, 1.0, 0.0);
   world.view_particles = without.view_particles = {0.3};
-  world.view_particles.push_back(kNan);
+  world.view_particles.push_back(kNaN);
   world.pose_particles = without.pose_particles = {Pose2(1.0, 1.0, 1.0)};
-  world.pose_particles.emplace_back(kNan, 0.0, 0.0);
+  world.pose_particles.emplace_back(kNaN, 0.0, 0.0);
   world.model = without.model = {tile(1.0, 0, 3)};
-  for (const WallTile& bad : {tile(kNan, 0, 3), tile(1e300, 0, 3), tile(2.0, -1, 3), tile(2.0, 1000000, 3)}) {
+  for (const WallTile& bad : {tile(kNaN, 0, 3), tile(1e300, 0, 3), tile(2.0, -1, 3), tile(2.0, 1000000, 3)}) {
     world.model.push_back(bad);
     world.perceived.push_back(bad);
     world.untrained.push_back(bad);
   }
   world.view_clusters = without.view_clusters = {{1.0, 0.1}};
-  world.view_clusters.push_back({kNan, 0.1});
-  world.view_clusters.push_back({0.1, kNan});
-  world.belief = Pose2(kNan, kNan, kNan);
+  world.view_clusters.push_back({kNaN, 0.1});
+  world.view_clusters.push_back({0.1, kNaN});
+  world.belief = Pose2(kNaN, kNaN, kNaN);
   // Its entry in the legend is all that a belief which is no pose adds.
   const Picture picture = draw_world_view(world);
   const Picture expected = draw_world_view(without);

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kLongest = 86400.0;  // s
+constexpr double kLongestSimulation = 86400.0;  // s
 
 /// The value on top of the stack, if it is a whole number within the bounds.
 std::optional<lua_Integer> whole_number(lua_State* L, lua_Integer least, lua_Integer most) {
@@ -35,7 +35,7 @@ bool read_width(lua_State* L, SimulationRequest& request) {
 bool read_seconds(lua_State* L, SimulationRequest& request) {
   if (lua_type(L, -1) != LUA_TNUMBER) return false;
   request.seconds = lua_tonumber(L, -1);
-  return request.seconds > 0.0 && request.seconds <= kLongest;
+  return request.seconds > 0.0 && request.seconds <= kLongestSimulation;
 }
 
 bool read_seed(lua_State* L, SimulationRequest& request) {

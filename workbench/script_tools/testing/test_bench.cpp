@@ -17,12 +17,10 @@ namespace reorient {
 namespace {
 
 constexpr double kFramesPerSecond = 30.0;
-constexpr double kLongest = 3600.0;  // s, of one advance()
+constexpr double kLongestAdvance = 3600.0;  // s, of one advance()
 constexpr std::size_t kMostFailures = 100;
 constexpr std::size_t kLongestFailure = 10'000;  // bytes
 constexpr double kLongAgo = 60.0;                // s, since the robot was put on the field
-
-std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
 /// Throws std::runtime_error where the result were no script any more.
 std::string replace_all(const std::string& text, const std::string& from, const std::string& to) {
@@ -241,7 +239,8 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
 /// Runs as many frames as fit into the time, one at least.
 int TestBench::advance(lua_State* L) {
   const double seconds = lua::Value<double>::read(L, 1);
-  if (!(seconds >= 0.0 && seconds <= kLongest)) throw std::runtime_error("advance takes seconds, from 0 to 3600");
+  if (!(seconds >= 0.0 && seconds <= kLongestAdvance))
+    throw std::runtime_error("advance takes seconds, from 0 to 3600");
   std::vector<SeenTransition> before = std::move(seen_.transitions);
   seen_ = {};
   seen_.transitions = std::move(before);
@@ -337,7 +336,7 @@ int TestBench::reload(lua_State* L) {
   const std::string file = file_of(named.empty() ? last_script_ : named);
   const std::string& text = texts_.find(file)->text;
   if (from.empty() || text.find(from) == std::string::npos)
-    throw std::runtime_error(file + " does not contain " + in_quotes(from));
+    throw std::runtime_error(file + " does not contain \"" + from + "\"");
   const ScriptEdit edit{file, ScriptText{replace_all(text, from, to), ""}};
   texts_.apply(edit);
   refused_.reset();

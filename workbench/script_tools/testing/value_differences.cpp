@@ -26,9 +26,9 @@ std::string step(lua_State* L, int key) {
   return "[" + text_of(L, key) + "]";
 }
 
-class Comparison {
+class ValueComparison {
  public:
-  explicit Comparison(lua_State* L) : lua_(L) {}
+  explicit ValueComparison(lua_State* L) : lua_(L) {}
 
   void compare(int actual, int expected, const std::string& path) {
     pay(path);
@@ -83,7 +83,7 @@ class Comparison {
 }  // namespace
 
 std::string value_differences(lua_State* L, int actual, int expected) {
-  Comparison comparison(L);
+  ValueComparison comparison(L);
   comparison.compare(lua_absindex(L, actual), lua_absindex(L, expected), "");
   return comparison.text();
 }

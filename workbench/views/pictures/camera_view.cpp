@@ -10,9 +10,9 @@
 namespace reorient::pictures {
 namespace {
 
-constexpr int kWidth = 1280;
+constexpr int kImageWidth = 1280;
 constexpr double kLegend = 84.0;
-constexpr double kFullShare = 0.6;  // of the pixels: such a bar is as high as its chart
+constexpr double kFullBar = 0.6;  // of the pixels: such a bar is as high as its chart
 constexpr Color kTile{255, 255, 255, 0.9};
 constexpr Color kShadow{0, 0, 0, 0.35};
 constexpr Color kProjected{255, 64, 64, 0.9};
@@ -55,7 +55,7 @@ void draw_chart(Canvas& canvas, const std::vector<Pixel>& outline, const Histogr
   const Pixel middle = (low + high) / 2.0;
   const Box plate{middle.x() - width / 2.0, middle.y() - height / 2.0, width, height};
   canvas.fill_box(plate, palette::plate.with_opacity(0.82));
-  draw_histogram(canvas, bars, {plate.left + 4.0, plate.top + 4.0, width - 8.0, height - 8.0}, 0.0, kFullShare);
+  draw_histogram(canvas, bars, {plate.left + 4.0, plate.top + 4.0, width - 8.0, height - 8.0}, 0.0, kFullBar);
 }
 
 void draw_tiles(Canvas& canvas, const ImageScale& scale, const CameraView& camera, const Box& image) {
@@ -109,7 +109,7 @@ std::vector<LegendEntry> entries(const CameraView& camera) {
       canvas.fill_box({plate.left + 1.5, plate.top + 1.5, 27.0, 15.0}, palette::plate);
       HistogramBars sample;
       sample.share = {0.1F, 0.2F, 0.0F, 0.1F, 0.3F, 0.1F, 0.5F, 0.2F, 0.4F, 0.1F, 0.2F, 0.3F, 0.1F, 0.0F};
-      draw_histogram(canvas, sample, {plate.left + 3.0, plate.top + 3.0, 24.0, 12.0}, 0.0, kFullShare);
+      draw_histogram(canvas, sample, {plate.left + 3.0, plate.top + 3.0, 24.0, 12.0}, 0.0, kFullBar);
     };
     list.push_back({tile, "wall tiles and their colours"});
   }
@@ -132,10 +132,10 @@ std::vector<LegendEntry> entries(const CameraView& camera) {
 
 Picture draw_camera_view(const CameraView& camera) {
   const bool seen = !camera.image.empty();
-  const ImageScale scale{seen ? static_cast<double>(kWidth) / camera.image.width : 2.0};
+  const ImageScale scale{seen ? static_cast<double>(kImageWidth) / camera.image.width : 2.0};
   const double height = seen ? std::clamp(camera.image.height * scale.scale, 90.0, 4000.0) : 960.0;
-  Canvas canvas(kWidth, static_cast<int>(std::lround(height + kLegend)));
-  const Box image{0.0, 0.0, kWidth, height};
+  Canvas canvas(kImageWidth, static_cast<int>(std::lround(height + kLegend)));
+  const Box image{0.0, 0.0, kImageWidth, height};
   canvas.within(image, [&] {
     canvas.fill_box(image, palette::plate);
     if (seen) canvas.image(to_picture(camera.image), image);
@@ -144,8 +144,9 @@ Picture draw_camera_view(const CameraView& camera) {
   });
   char time[48];
   std::snprintf(time, sizeof time, "%.1f s", camera.time);
-  canvas.text({kWidth - 16.0, height + 30.0}, time, {.size = 19.0, .color = palette::faint_ink, .align = Align::right});
-  draw_legend_rows(canvas, {12.0, height + 9.0, kWidth - 130.0, kLegend - 12.0}, entries(camera));
+  canvas.text({kImageWidth - 16.0, height + 30.0}, time,
+              {.size = 19.0, .color = palette::faint_ink, .align = Align::right});
+  draw_legend_rows(canvas, {12.0, height + 9.0, kImageWidth - 130.0, kLegend - 12.0}, entries(camera));
   return canvas.finish();
 }
 

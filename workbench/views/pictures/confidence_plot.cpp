@@ -12,9 +12,9 @@
 namespace reorient::pictures {
 namespace {
 
-constexpr int kWidth = 1500;
+constexpr int kPlotWidth = 1500;
 constexpr double kLeft = 196.0;  // room for the lanes' names
-constexpr double kRight = kWidth - 36.0;
+constexpr double kRight = kPlotWidth - 36.0;
 constexpr double kTop = 176.0;     // below title, legend and the commands' names
 constexpr double kCurves = 400.0;  // height
 constexpr double kLane = 28.0;
@@ -224,10 +224,10 @@ Picture draw_confidence_plot(const ConfidencePlot& plot) {
   const std::vector<Condition> lanes = lanes_of(plot);
   const double lanes_height = lanes.empty() ? 0.0 : 14.0 + kLane * static_cast<double>(lanes.size());
   const double bottom = kTop + kCurves + lanes_height;
-  Canvas canvas(kWidth, static_cast<int>(bottom + 76.0));
+  Canvas canvas(kPlotWidth, static_cast<int>(bottom + 76.0));
 
   canvas.text({36.0, 54.0}, "Confidence in the believed pose and in its reflection", {.size = 28.0, .bold = true});
-  draw_legend_rows(canvas, {32.0, 74.0, kWidth - 64.0, 34.0}, entries(plot));
+  draw_legend_rows(canvas, {32.0, 74.0, kPlotWidth - 64.0, 34.0}, entries(plot));
   draw_axes(canvas, axis, bottom);
   shade_curves(canvas, axis, plot);
   draw_lanes(canvas, axis, plot, lanes);

@@ -11,13 +11,13 @@
 namespace reorient::pictures {
 namespace {
 
-constexpr int kWidth = 1500;
+constexpr int kSheetWidth = 1500;
 constexpr std::size_t kMost = 10;
 constexpr double kMargin = 36.0;
 constexpr double kHeader = 112.0;
 constexpr double kGap = 28.0;
 constexpr double kTitle = 58.0;
-constexpr double kPanelWidth = (kWidth - 2.0 * kMargin - kGap) / 2.0;
+constexpr double kPanelWidth = (kSheetWidth - 2.0 * kMargin - kGap) / 2.0;
 
 double panel_height(const FieldDimensions& field) {
   const double ratio = (field.width + 2.0 * field.border) / (field.length + 2.0 * field.border);
@@ -80,9 +80,9 @@ Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<
   const std::size_t rows = std::min(reorientations.size(), kMost);
   const double row_height = kTitle + panel_height(field);
   const double height = kHeader + std::max(row_height * static_cast<double>(rows) + kMargin, 80.0);
-  Canvas canvas(kWidth, static_cast<int>(height));
+  Canvas canvas(kSheetWidth, static_cast<int>(height));
   canvas.text({kMargin, 54.0}, "Spontaneous reorientation", {.size = 28.0, .bold = true});
-  draw_legend_rows(canvas, {kMargin - 4.0, 72.0, kWidth - 2.0 * kMargin, 32.0}, entries());
+  draw_legend_rows(canvas, {kMargin - 4.0, 72.0, kSheetWidth - 2.0 * kMargin, 32.0}, entries());
 
   const TextStyle plain{.size = 19.0, .color = palette::faint_ink};
   if (rows == 0) canvas.text({kMargin, kHeader + 40.0}, "No command rearranged the particles.", plain);
@@ -90,7 +90,7 @@ Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<
     draw_row(canvas, kHeader + row_height * static_cast<double>(row), field, reorientations[row]);
   if (reorientations.size() > rows) {
     const std::string rest = "and " + std::to_string(reorientations.size() - rows) + " more";
-    canvas.text({kWidth - kMargin, height - 12.0}, rest,
+    canvas.text({kSheetWidth - kMargin, height - 12.0}, rest,
                 {.size = 17.0, .color = palette::faint_ink, .align = Align::right});
   }
   return canvas.finish();

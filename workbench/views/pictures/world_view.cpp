@@ -11,10 +11,10 @@
 namespace reorient::pictures {
 namespace {
 
-constexpr int kWidth = 1500;
+constexpr int kWorldWidth = 1500;
 constexpr int kHeight = 1200;
 constexpr int kRows = 6;
-constexpr double kFullShare = 0.5;  // of the pixels: such a bar is as high as its ring
+constexpr double kFullRing = 0.5;  // of the pixels: such a bar is as high as its ring
 
 // Radii in pixels, from the inside out.
 constexpr double kFieldRadius = 268.0;
@@ -57,7 +57,7 @@ class Rings {
       const double angle = tile.to - margin + along * (tile.from - tile.to + 2.0 * margin);
       return center_ + radius * Pixel(std::cos(angle), -std::sin(angle));
     };
-    draw_histogram(canvas_, tile.histogram, place, kFullShare);
+    draw_histogram(canvas_, tile.histogram, place, kFullRing);
   }
 
  private:
@@ -183,9 +183,9 @@ void draw_chart_legend(Canvas& canvas) {
   draw_bin_legend(canvas, {left, top + 18.0});
   const TextStyle small{.size = 16.0, .color = palette::faint_ink};
   char words[64];
-  std::snprintf(words, sizeof words, "share outward, full %.0f %%", 100.0 * kFullShare);
+  std::snprintf(words, sizeof words, "share outward, full %.0f %%", 100.0 * kFullRing);
   canvas.text({left, top + 138.0}, words, small);
-  std::snprintf(words, sizeof words, "deviation inward, full %.1f %%", 25.0 * kFullShare);
+  std::snprintf(words, sizeof words, "deviation inward, full %.1f %%", 25.0 * kFullRing);
   canvas.text({left, top + 160.0}, words, small);
   canvas.text({left, top + 182.0}, "outside of the wall: seen now", small);
 }
@@ -193,8 +193,8 @@ void draw_chart_legend(Canvas& canvas) {
 }  // namespace
 
 Picture draw_world_view(const WorldView& world) {
-  Canvas canvas(kWidth, kHeight);
-  const Pixel center(kWidth / 2.0, kHeight / 2.0);
+  Canvas canvas(kWorldWidth, kHeight);
+  const Pixel center(kWorldWidth / 2.0, kHeight / 2.0);
   const double half_diagonal =
       std::hypot(world.field.length / 2.0 + world.field.border, world.field.width / 2.0 + world.field.border);
   const double scale = std::min(kFieldRadius / half_diagonal, kModelInner / world.wall_radius);
