@@ -169,6 +169,14 @@ TEST_F(CommandsTest, ParamsListsThoseOfTheCoreTheSimulatorAndTheScenarios) {
     EXPECT_NE(("\n" + listed.out).find(std::string("\n") + name), std::string::npos) << name;
 }
 
+TEST_F(CommandsTest, ParamsSendsNoTerminalWhatItWouldObey) {
+  std::ofstream(scripts_ / "behaviors/odd.lua") << "param { x = { 1, range = { 0, 2 }, unit = \"m\\27[1m\", doc = "
+                                                   "\"how\\nodd\\27[2J \\xFF\" } }\nbehavior \"odd\" {}\n";
+  const ProgramRun listed = run({"params", "odd."});
+  EXPECT_EQ(listed.code, kSuccess) << listed.err;
+  EXPECT_NE(listed.out.find("0 to 2 m\\x1B[1m: how odd\\x1B[2J \\xFF\n"), std::string::npos) << listed.out;
+}
+
 TEST_F(CommandsTest, ParamsSavesOverridesThatARunLoads) {
   const std::string file = path("tuned.toml");
   ASSERT_EQ(run({"params", "--changed", "--set", "orientation.lead=0.3", "--set", "histogram_distance.measure=ssd3",

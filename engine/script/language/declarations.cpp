@@ -84,7 +84,7 @@ void push_value(lua_State* L, const ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) lua_pushlstring(L, text->data(), text->size());
 }
 
-/// What a parameter file and a command line can hold, so that what is tuned can be saved and loaded again.
+/// What files, a command line and pictures can hold: what is tuned can be saved and loaded again, and states be drawn.
 void require_printable(const std::string& text, const std::string& what) {
   const bool is_control =
       std::any_of(text.begin(), text.end(), [](unsigned char letter) { return letter < ' ' || letter == 0x7F; });
@@ -129,8 +129,8 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
   const int table = lua_gettop(L);
   check_keys(L, table, {"range", "unit", "doc", "choices", "integer"});
   ParameterDeclaration declaration;
-  declaration.unit = raw_text(L, table, "unit");
-  declaration.description = raw_text(L, table, "doc");
+  declaration.unit = as_line(raw_text(L, table, "unit"));
+  declaration.description = as_line(raw_text(L, table, "doc"));
   if (declaration.description.empty())
     throw std::runtime_error("param " + name + " needs a sentence: doc = \"what it is\"");
   const int type = lua_rawgeti(L, table, 1);
@@ -276,6 +276,7 @@ int Declarations::keep(lua_State* L) {
 int Declarations::state(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   if (name.empty() || name.find('/') != std::string::npos) throw std::runtime_error("a state needs a name without '/'");
+  require_printable(name, "the name of a state");
   lua_pushlightuserdata(L, this);
   lua_pushvalue(L, 1);
   const Place place = place_of(L, 1);

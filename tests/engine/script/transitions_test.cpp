@@ -33,6 +33,7 @@ class ScriptConditions : public ScriptTest {
       return std::string(text.data());
     };
     std::vector<std::string> said;
+    said.reserve(all.size());
     for (const OpenCondition& one : all)
       said.push_back(names[one.from] + " -> " + names[one.target] + ": " + kWhen[static_cast<std::size_t>(one.when)] +
                      dwell(one.held, one.lasting) + dwell(one.waited, one.after));
@@ -352,6 +353,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoInitial", "behavior \"b\" { state \"a\" {}, state \"b\" {} }", 1, "say which is the first"},
         Mistake{"DuplicateState", "behavior \"b\" { initial = \"a\",\n state \"a\" {},\n state \"a\" {} }", 3,
                 "two states 'a'"},
+        Mistake{"StateThatNobodyCanRead", "behavior \"b\" {\n state \"\\27[2J\" {} }", 2, "printable text in UTF-8"},
+        Mistake{"StateOfBytes", "behavior \"b\" {\n state \"\\xFF\" {} }", 2, "printable text in UTF-8"},
         Mistake{"NoCondition", "behavior \"b\" { state \"a\" { { \"a\" } } }", 1, "on no condition"},
         Mistake{"LastingWithoutWhen", "behavior \"b\" { state \"a\" { { \"a\", lasting = 1 } } }", 1,
                 "'lasting' needs a 'when'"},

@@ -84,6 +84,16 @@ TEST_F(GraphTest, KeepsStatesApartWhoseNamesDifferInASignOnly) {
   EXPECT_NE(text.find("state \"a_b\" as a_b_2\n"), std::string::npos) << text;
 }
 
+TEST_F(GraphTest, WritesOutWhatNobodyCanRead) {
+  load("odd",
+       R"(behavior "odd" { initial = "a", state "a" { { "b", after = 1, because = "\27[2J\xFF" } }, state "b" {} })");
+  for (const std::string& text : {to_mermaid(*host().definitions().front()), to_dot(*host().definitions().front())}) {
+    EXPECT_NE(text.find("x1B[2J"), std::string::npos) << text;
+    EXPECT_NE(text.find("xFF"), std::string::npos) << text;
+    EXPECT_EQ(text.find('\x1B'), std::string::npos) << text;
+  }
+}
+
 class GraphOfSeveral : public ScriptTest {
  protected:
   /// A machine that publishes, and one that looks: over a local function, a library, and by itself.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/parameters/utf8.h"
+
 namespace reorient {
 namespace {
 
-std::string replaced(std::string text, char from, const std::string& to) {
+std::string with(std::string text, char from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, 1, to);
   return text;
@@ -30,11 +32,11 @@ std::string transition_label(const TransitionDefinition& transition) {
 }
 
 std::string mermaid_text(const std::string& text) {
-  return replaced(replaced(replaced(replaced(text, '#', "#35;"), '"', "'"), '\n', " "), ':', "#58;");
+  return with(with(with(as_line(text), '#', "#35;"), '"', "'"), ':', "#58;");
 }
 
 std::string dot_text(const std::string& text) {
-  return '"' + replaced(replaced(replaced(text, '\\', "\\\\"), '"', "\\\""), '\n', " ") + '"';
+  return '"' + with(with(as_line(text), '\\', "\\\\"), '"', "\\\"") + '"';
 }
 
 bool has_common_way(const MachineDefinition& machine) {
