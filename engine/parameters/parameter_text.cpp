@@ -29,7 +29,7 @@ std::optional<double> read_any(const ParameterDeclaration& parameter, std::strin
 
 ParameterValue as_value(const ParameterDeclaration& parameter, double number) {
   if (parameter.kind == ParameterKind::integer) return static_cast<int>(number);
-  return number;
+  return number + 0.0;  // TOML reads "-0" as 0: there is one zero
 }
 
 std::optional<bool> read_boolean(std::string_view text) {

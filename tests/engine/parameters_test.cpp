@@ -120,6 +120,11 @@ TEST_F(Parameters, AFileDoesNotUndoTheCommandLine) {
   EXPECT_EQ(filter.noise, 0.2);
 }
 
+TEST_F(Parameters, ThereIsOneZero) {
+  set_early("view.noise", "-0.0", ParameterOrigin::file);
+  EXPECT_EQ(to_text(registry.value("view.noise")), "0");
+}
+
 TEST_F(Parameters, ANameIsDeclaredOnce) { EXPECT_THROW(registry.bind("view", filter), std::runtime_error); }
 
 RC_GTEST_PROP(ParameterText, ANumberIsReadBackAsItWasWritten, (double number)) {

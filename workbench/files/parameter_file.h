@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// In the order of the file, each with its line as its source. Throws std::runtime_error with one line: file, line,
+/// In the order of their names, each with its line as its source. Throws std::runtime_error with one line: file, line,
 /// why.
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file);
 

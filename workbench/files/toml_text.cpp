@@ -26,14 +26,18 @@ std::optional<std::size_t> long_line(std::string_view text) {
   return std::nullopt;
 }
 
-/// Where the string ends whose opening quotes, one or three of them, stand at `begin`.
+bool is_beyond_ascii(char letter) { return static_cast<unsigned char>(letter) > 0x7F; }
+
+/// Where the string ends whose opening quotes, one or three of them, stand at `begin`; or a letter beyond ASCII in it
+/// that the parser would look at as at a blank: behind a backslash of a string of several lines.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const std::string three(3, quote);
   const bool has_lines = text.substr(begin).starts_with(three);
   for (std::size_t i = begin + (has_lines ? 3 : 1); i < text.size(); ++i) {
     if (text[i] == '\\' && quote == '"') {
-      ++i;
+      const std::size_t next = text.find_first_not_of(" \t\n\v\f\r", ++i);
+      if (has_lines && next != std::string_view::npos && is_beyond_ascii(text[next])) return next;
     } else if (!has_lines && (text[i] == quote || text[i] == '\n')) {
       return i + 1;
     } else if (has_lines && text.substr(i).starts_with(three)) {
@@ -45,12 +49,12 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-/// The first byte beyond ASCII that stands neither in quotes nor in a comment. TOML has none, and the parser's
-/// behaviour is undefined for some (toml++ 3.3.0: U+00A1).
+/// The first byte beyond ASCII that stands neither in quotes nor in a comment, or behind a backslash. TOML has hardly
+/// any, and the parser's behaviour is undefined for some (toml++ 3.3.0: U+00A1).
 std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
   const std::string_view mark = "\xEF\xBB\xBF";  // of the byte order, which some editors write
   for (std::size_t i = text.starts_with(mark) ? mark.size() : 0; i < text.size();) {
-    if (static_cast<unsigned char>(text[i]) > 0x7F) return i;
+    if (is_beyond_ascii(text[i])) return i;
     if (text[i] == '"' || text[i] == '\'') {
       i = end_of_string(text, i);
     } else if (text[i] == '#') {
@@ -78,7 +82,8 @@ std::optional<TomlExcess> excess_in_toml(std::string_view text) {
   if (const std::optional<std::size_t> place = long_line(text))
     return excess_at(text, *place, "the line is longer than 1000 letters; break it into several");
   if (const std::optional<std::size_t> place = letter_beyond_ascii(text))
-    return excess_at(text, *place, "a letter that is not ASCII; put the name in quotes");
+    return excess_at(text, *place,
+                     "a letter that is not ASCII; put the name in quotes, and no such letter behind a backslash");
   return std::nullopt;
 }
 

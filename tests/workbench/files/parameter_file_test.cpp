@@ -86,11 +86,13 @@ TEST_F(ParameterFile, ThatIsLargerThanAnybodyWritesIsRefused) {
 TEST_F(ParameterFile, HasLettersBeyondAsciiInQuotesAndCommentsOnly) {
   for (const char* text :
        {"a = 1 # \xc2\xa1", "\xef\xbb\xbf\x61 = 1", "\"\xc2\xa1\" = '\xc2\xa1'", "a = \"\\\"\xc2\xa1\"",
-        "a = \"\"\"\n\xc2\xa1\"\"\"\"\" # \xc2\xa1", "a = '''\xc2\xa1'\n''\xc2\xa1'''"}) {
+        "a = \"\"\"\n\xc2\xa1\"\"\"\"\" # \xc2\xa1", "a = '''\xc2\xa1'\n''\xc2\xa1'''", "a = '''\\\xc2\xa1'''",
+        "a = \"\"\"\\\n \\\"\xc2\xa1\"\"\""}) {
     EXPECT_EQ(refusal(text), "accepted") << text;
   }
   for (const char* text :
-       {"\na = 1 \xc2\xa1", "\n\xc2\xa1 = 1", "\ntuned\xef\xb3\xbf{ lead = 1", "a = '''\n''' \xc2\xa0"})
+       {"\na = 1 \xc2\xa1", "\n\xc2\xa1 = 1", "\ntuned\xef\xb3\xbf{ lead = 1", "a = '''\n''' \xc2\xa0",
+        "a = \"\"\"\n\\\xc2\xa1\"\"\"", "a = \"\"\"\\ \n\xc2\xa1\"\"\"", "\"\"\"\n\\ \xef\xbb\x98"})
     EXPECT_NE(refusal(text).find("p.toml:2: a letter that is not ASCII"), std::string::npos) << text;
 }
 
@@ -177,7 +179,7 @@ RC_GTEST_FIXTURE_PROP(ParameterFile, ReadsWhatItWrote, ()) {
       parameter.value = any_text();
       parameter.choices = {std::get<std::string>(parameter.value), any_text()};
     }
-    saved[parameter.name] = to_text(parameter.value);
+    if (parameter.value != parameter.default_value) saved[parameter.name] = to_text(parameter.value);
     parameters.push_back(parameter);
   }
   std::vector<ParameterChange> kept;
