@@ -65,7 +65,7 @@ void try_file(std::string_view text) {
   ParameterRegistry again;
   Tuned tuned_again;
   again.bind("tuned", tuned_again);
-  take(parse_parameters(parameter_text(registry.list()), "team.toml"), again);
+  take(parse_parameters(parameter_text(registry.list(), {}), "team.toml"), again);
   require(values_of(registry) == values_of(again), "what is saved is read back");
 }
 

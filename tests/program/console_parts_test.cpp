@@ -28,20 +28,13 @@ class Keys : public ::testing::Test {
     queue.add(bytes);
     return keys(queue);
   }
-  KeyQueue queue{{"\x1B[A", "\x1BOA", "\x1B[1;5C",
-                  "\x1B"
-                  "f"}};
+  KeyQueue queue{{"\x1B[A", "\x1BOA", "\x1B[1;5C", "\033f"}};
 };
 
 TEST_F(Keys, AreLettersControlsAndKnownSequences) {
   EXPECT_EQ(of("a\r\x04"), (Strings{"a", "\r", "\x04"}));
   EXPECT_EQ(of("ä€😀"), (Strings{"ä", "€", "😀"}));
-  EXPECT_EQ(of("\x1B[A\x1BOA\x1B[1;5C\x1B"
-               "fx"),
-            (Strings{"\x1B[A", "\x1BOA", "\x1B[1;5C",
-                     "\x1B"
-                     "f",
-                     "x"}));
+  EXPECT_EQ(of("\x1B[A\x1BOA\x1B[1;5C\033fx"), (Strings{"\x1B[A", "\x1BOA", "\x1B[1;5C", "\033f", "x"}));
 }
 
 TEST_F(Keys, WaitForTheirRest) {

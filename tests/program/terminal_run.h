@@ -22,6 +22,7 @@ class TerminalRun {
   /// `command`: a program and its arguments. What it keeps for its user goes below `state`.
   TerminalRun(std::vector<std::string> command, const std::filesystem::path& state) {
     std::vector<char*> argv;
+    argv.reserve(command.size() + 1);
     for (std::string& word : command) argv.push_back(word.data());
     argv.push_back(nullptr);
     const winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};

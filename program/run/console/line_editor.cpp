@@ -32,35 +32,14 @@ struct Binding {
 
 /// Those that terminals send for the keys beside the letters. Others are left out: libedit would type their ends.
 constexpr Binding kSequences[] = {
-    {"\x1B[A", "ed-prev-history"},
-    {"\x1BOA", "ed-prev-history"},
-    {"\x1B[B", "ed-next-history"},
-    {"\x1BOB", "ed-next-history"},
-    {"\x1B[C", "ed-next-char"},
-    {"\x1BOC", "ed-next-char"},
-    {"\x1B[D", "ed-prev-char"},
-    {"\x1BOD", "ed-prev-char"},
-    {"\x1B[H", "ed-move-to-beg"},
-    {"\x1BOH", "ed-move-to-beg"},
-    {"\x1B[1~", "ed-move-to-beg"},
-    {"\x1B[7~", "ed-move-to-beg"},
-    {"\x1B[F", "ed-move-to-end"},
-    {"\x1BOF", "ed-move-to-end"},
-    {"\x1B[4~", "ed-move-to-end"},
-    {"\x1B[8~", "ed-move-to-end"},
-    {"\x1B[3~", "ed-delete-next-char"},
-    {"\x1B[1;5C", "em-next-word"},
-    {"\x1B[1;5D", "ed-prev-word"},
-    {"\x1B"
-     "f",
-     "em-next-word"},
-    {"\x1B"
-     "b",
-     "ed-prev-word"},
-    {"\x1B"
-     "d",
-     "em-delete-next-word"},
-    {"\x1B\x7F", "ed-delete-prev-word"},
+    {"\x1B[A", "ed-prev-history"},    {"\x1BOA", "ed-prev-history"},       {"\x1B[B", "ed-next-history"},
+    {"\x1BOB", "ed-next-history"},    {"\x1B[C", "ed-next-char"},          {"\x1BOC", "ed-next-char"},
+    {"\x1B[D", "ed-prev-char"},       {"\x1BOD", "ed-prev-char"},          {"\x1B[H", "ed-move-to-beg"},
+    {"\x1BOH", "ed-move-to-beg"},     {"\x1B[1~", "ed-move-to-beg"},       {"\x1B[7~", "ed-move-to-beg"},
+    {"\x1B[F", "ed-move-to-end"},     {"\x1BOF", "ed-move-to-end"},        {"\x1B[4~", "ed-move-to-end"},
+    {"\x1B[8~", "ed-move-to-end"},    {"\x1B[3~", "ed-delete-next-char"},  {"\x1B[1;5C", "em-next-word"},
+    {"\x1B[1;5D", "ed-prev-word"},    {"\033f", "em-next-word"},           {"\033b", "ed-prev-word"},
+    {"\033d", "em-delete-next-word"}, {"\x1B\x7F", "ed-delete-prev-word"},
 };
 
 /// Commands of libedit that would wait for another key are replaced or taken away: nothing here may wait.
