@@ -4,6 +4,8 @@
 #include <fstream>
 #include <utility>
 
+#include <toml++/toml.h>
+
 namespace reorient {
 namespace {
 
@@ -49,11 +51,12 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // which some editors write
+
 /// The first byte beyond ASCII that stands neither in quotes nor in a comment, or behind a backslash. TOML has hardly
 /// any, and the parser's behaviour is undefined for some (toml++ 3.3.0: U+00A1).
 std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
-  const std::string_view mark = "\xEF\xBB\xBF";  // of the byte order, which some editors write
-  for (std::size_t i = text.starts_with(mark) ? mark.size() : 0; i < text.size();) {
+  for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size();) {
     if (is_beyond_ascii(text[i])) return i;
     if (text[i] == '"' || text[i] == '\'') {
       i = end_of_string(text, i);
@@ -62,6 +65,21 @@ std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
     } else {
       ++i;
     }
+  }
+  return std::nullopt;
+}
+
+/// Where a text is no TOML, the parser may see quotes otherwise than letter_beyond_ascii() does, and meet such a letter
+/// outside of them after all. With question marks in their places it never does.
+std::optional<TomlExcess> mistake_beside_letters(std::string_view text) {
+  std::string ascii(text);
+  const std::ptrdiff_t begin = text.starts_with(kByteOrderMark) ? std::ssize(kByteOrderMark) : 0;
+  std::replace_if(ascii.begin() + begin, ascii.end(), is_beyond_ascii, '?');
+  if (ascii == text) return std::nullopt;
+  try {
+    static_cast<void>(toml::parse(ascii));
+  } catch (const toml::parse_error& error) {
+    return TomlExcess{static_cast<int>(error.source().begin.line), std::string(error.description())};
   }
   return std::nullopt;
 }
@@ -84,7 +102,7 @@ std::optional<TomlExcess> excess_in_toml(std::string_view text) {
   if (const std::optional<std::size_t> place = letter_beyond_ascii(text))
     return excess_at(text, *place,
                      "a letter that is not ASCII; put the name in quotes, and no such letter behind a backslash");
-  return std::nullopt;
+  return mistake_beside_letters(text);
 }
 
 }  // namespace reorient

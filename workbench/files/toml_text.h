@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <toml++/toml.h>
+
 namespace reorient {
 
 /// At most a little more than what may be parsed. Nothing: the file cannot be read.
@@ -18,5 +20,8 @@ struct TomlExcess {
 };
 /// What keeps the text from being parsed; nothing: it may be.
 std::optional<TomlExcess> excess_in_toml(std::string_view text);
+
+/// Of a text without such. Throws toml::parse_error.
+toml::table parse_toml(std::string_view text);
 
 }  // namespace reorient

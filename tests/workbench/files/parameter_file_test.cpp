@@ -96,6 +96,11 @@ TEST_F(ParameterFile, HasLettersBeyondAsciiInQuotesAndCommentsOnly) {
     EXPECT_NE(refusal(text).find("p.toml:2: a letter that is not ASCII"), std::string::npos) << text;
 }
 
+TEST_F(ParameterFile, ThatIsNoTomlIsRefusedForThatWhateverLettersItHolds) {
+  EXPECT_EQ(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o"), refusal("\nother = -n\"\"\"\"[[((?o"));
+  EXPECT_NE(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o").find("p.toml:2: "), std::string::npos);
+}
+
 TEST_F(ParameterFile, TellsMistakesOnOneLineWhateverBytesThereAre) {
   for (const std::string& text : {std::string("\"\\u001b[2J\\n\" = []\n"), std::string("a\x1b = 1"),
                                   std::string("a = \x07"), std::string("\xff\xfe"), std::string("a = 'x\0'", 8)}) {
