@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
 
 namespace reorient {
 namespace {
@@ -98,7 +99,7 @@ bool ParameterRegistry::belongs_to_program(std::string_view name) const {
 void ParameterRegistry::set(std::string_view name, std::string_view text, ParameterOrigin origin) {
   const auto found = entries_.find(name);
   if (found == entries_.end()) {
-    throw std::runtime_error("there is no parameter '" + std::string(name) + "'" + did_you_mean(name, names()));
+    throw std::runtime_error("there is no parameter '" + as_line(name) + "'" + did_you_mean(name, names()));
   }
   Entry& entry = found->second;
   ParameterValue value = parse_parameter(entry.parameter, text);
@@ -138,7 +139,7 @@ const Parameter* ParameterRegistry::find(std::string_view name) const {
 
 const ParameterValue& ParameterRegistry::value(std::string_view name) const {
   const Parameter* parameter = find(name);
-  if (parameter == nullptr) throw std::runtime_error("there is no parameter '" + std::string(name) + "'");
+  if (parameter == nullptr) throw std::runtime_error("there is no parameter '" + as_line(name) + "'");
   return parameter->value;
 }
 

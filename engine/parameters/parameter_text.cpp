@@ -6,6 +6,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/parameter.h"
+#include "engine/parameters/utf8.h"
 
 namespace reorient {
 namespace {
@@ -39,7 +40,7 @@ std::optional<bool> read_boolean(std::string_view text) {
 }
 
 std::runtime_error refusal(const ParameterDeclaration& parameter, std::string_view text, const std::string& why) {
-  return std::runtime_error("parameter " + parameter.name + " cannot be '" + std::string(text.substr(0, 60)) +
+  return std::runtime_error("parameter " + as_line(parameter.name) + " cannot be '" + as_line(text.substr(0, 60)) +
                             "': " + why);
 }
 

@@ -178,7 +178,7 @@ class Trial {
 std::string kept_within(const std::filesystem::path& folder, std::string_view text) {
   std::istringstream in{std::string(text)};
   std::string kept;
-  for (std::string line; std::getline(in, line); kept += line + "\n") {
+  for (std::string line; std::getline(in, line); kept.append(line).append("\n")) {
     std::istringstream words(line);
     std::string command, file;
     if (!(words >> command >> file) || command != "save") continue;
