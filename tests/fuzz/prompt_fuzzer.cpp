@@ -185,7 +185,7 @@ std::string kept_within(const std::filesystem::path& folder, std::string_view te
     std::replace(file.begin(), file.end(), '/', '_');
     std::string rest;
     std::getline(words, rest, '\0');
-    line = command + " " + (folder / ("saved_" + file)).string() + rest;
+    line.assign("save ").append((folder / ("saved_" + file)).string()).append(rest);
   }
   return kept;
 }
