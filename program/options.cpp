@@ -41,6 +41,7 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
   for (const std::filesystem::path& file : options.files) {
     for (ParameterChange& change : read_parameters(parameter_file(file))) changes.push_back(std::move(change));
   }
+  changes.insert(changes.end(), options.changes.begin(), options.changes.end());
   for (const std::string& assignment : options.assignments) {
     const std::size_t equals = assignment.find('=');
     if (equals == 0 || equals == std::string::npos) {

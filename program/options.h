@@ -15,6 +15,7 @@ namespace reorient {
 /// Overrides of parameters, in the order in which they are applied.
 struct ParameterOptions {
   std::vector<std::filesystem::path> files;  ///< TOML
+  std::vector<ParameterChange> changes{};    ///< of an experiment
   std::vector<std::string> assignments;      ///< NAME=VALUE
 };
 void add_parameter_options(CLI::App& parser, ParameterOptions& options);

@@ -32,8 +32,9 @@ RobotInstance make_simulator(const RobotOptions& options) {
   const SimulatorTuning tuning(options);
   const FieldDimensions& field = options.field;
   const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);
-  const Room room = options.room.empty() ? procedural_hall(options.hall_seed, tuning.room_shape)
-                                         : load_room(options.room, tuning.room_shape);
+  RoomCache own;
+  RoomCache& rooms = options.rooms != nullptr ? *options.rooms : own;
+  const Room& room = rooms.room(options.room, options.hall_seed, tuning.room_shape);
   auto simulator = std::make_unique<Simulator>(tuning.simulator, field, room, beside_the_field, options.seed);
   Simulator* const itself = simulator.get();
   return {std::move(simulator), RobotInstance::Clock::simulated, itself, itself};
@@ -57,6 +58,20 @@ const Maker& maker_of(const std::string& name) {
 }
 
 }  // namespace
+
+const Room& RoomCache::room(const std::string& file, std::uint64_t hall_seed, const RoomShape& shape) {
+  std::string wanted = file.empty() ? "hall " + std::to_string(hall_seed) : "file " + file;
+  RoomShape copy = shape;
+  ParameterRegistry registry;
+  registry.bind("room_shape", copy);
+  for (const Parameter& parameter : registry.list()) wanted.append(" ").append(to_text(parameter.value));
+  if (wanted != made_from_) {
+    made_from_.clear();
+    room_ = file.empty() ? procedural_hall(hall_seed, shape) : load_room(file, shape);
+    made_from_ = std::move(wanted);
+  }
+  return room_;
+}
 
 std::vector<std::string> robot_names() {
   std::vector<std::string> names;

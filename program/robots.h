@@ -9,8 +9,20 @@
 #include "engine/parameters/parameter.h"
 #include "geometry/field_dimensions.h"
 #include "robots/robot_instance.h"
+#include "robots/simulator/room/room.h"
 
 namespace reorient {
+
+/// The room that was made last: many trials take place in one, and to decode a panorama takes as long as a trial.
+class RoomCache {
+ public:
+  /// As load_room() or, where `file` is empty, procedural_hall().
+  const Room& room(const std::string& file, std::uint64_t hall_seed, const RoomShape& shape);
+
+ private:
+  std::string made_from_;
+  Room room_;
+};
 
 /// What a robot is made from; each takes what it needs.
 struct RobotOptions {
@@ -21,6 +33,7 @@ struct RobotOptions {
   int width = 320;              ///< of a camera's image, pixels
   bool both_cameras = false;    ///< the lower one as well
   std::vector<ParameterChange> parameters;
+  RoomCache* rooms = nullptr;  ///< nullptr: each robot's room is made anew
 };
 
 /// "simulator".

@@ -17,6 +17,7 @@ struct Subcommand {
 // Each adds itself to the program's parser.
 Subcommand add_run(CLI::App& program);
 Subcommand add_test(CLI::App& program);
+Subcommand add_experiment(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_graph(CLI::App& program);
 Subcommand add_params(CLI::App& program);

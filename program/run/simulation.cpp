@@ -60,7 +60,7 @@ std::set<std::string> loaded_modules(const SimulationOptions& options, const std
 
 }  // namespace
 
-Simulation::Simulation(const SimulationOptions& options) : longest_(options.seconds) {
+Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms) : longest_(options.seconds) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),
@@ -75,7 +75,7 @@ Simulation::Simulation(const SimulationOptions& options) : longest_(options.seco
   setup.parameters = overrides;
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
   RobotOptions robot{setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
-                     overrides};
+                     overrides, rooms};
   robot_parameters_ = robot_parameters(options.robot, robot);
   engine_ = std::make_unique<FrameLoop>(std::move(setup));
   modules.parameters = parameters();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/frame.h"
+#include "program/robots.h"
 #include "program/run/run_options.h"
 #include "program/run/venue.h"
 #include "robots/robot_instance.h"
@@ -15,8 +16,9 @@ namespace reorient {
 
 class Simulation {
  public:
-  /// Throws std::runtime_error (of scripts: ScriptError) with one line on bad input.
-  explicit Simulation(const SimulationOptions& options);
+  /// `rooms`: those that are kept for the next simulation. Throws std::runtime_error (of scripts: ScriptError) with one
+  /// line on bad input.
+  explicit Simulation(const SimulationOptions& options, RoomCache* rooms = nullptr);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 

@@ -1,0 +1,200 @@
+// `reorient experiment`: many trials of an experiment file, in as many processes as are wanted, and what they showed.
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <numeric>
+#include <ostream>
+#include <stdexcept>
+
+#include <spdlog/fmt/fmt.h>
+#include <unistd.h>
+
+#include "engine/parameters/utf8.h"
+#include "program/experiment/session.h"
+#include "program/experiment/worker_pool.h"
+#include "program/interruption.h"
+#include "program/program.h"
+#include "program/subcommand.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+namespace {
+
+struct ExperimentOptions : SessionOptions {
+  int jobs = 1;
+  std::string tasks;  ///< a list; empty: all
+  bool plan = false;
+  bool resume = false;
+  std::filesystem::path json;
+};
+
+std::string quoted(const std::string& word) {
+  const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+/// What runs one task, for a shell.
+std::string command_of(const ExperimentOptions& options, const Session& session, int task) {
+  std::string line = "reorient experiment " + quoted(options.experiment);
+  const auto add = [&line](const char* option, const std::string& value) {
+    line.append(" ").append(option).append(" ").append(quoted(value));
+  };
+  if (options.trials) add("--trials", std::to_string(*options.trials));
+  if (options.width) add("--width", std::to_string(*options.width));
+  add("--seed", std::to_string(options.seed));
+  for (const std::string& room : options.rooms) add("--room", room);
+  for (const std::filesystem::path& file : options.parameters.files) add("--params", file.string());
+  for (const std::string& assignment : options.parameters.assignments) add("--set", assignment);
+  if (!options.scripts.empty()) add("--scripts", options.scripts.string());
+  add("--out", session.folder().string());
+  add("--task", std::to_string(task));
+  return line;
+}
+
+/// How far it is, and how long it still takes: a line that a terminal overwrites, else one every ten seconds.
+class Countdown {
+ public:
+  Countdown(std::ostream& err, std::size_t tasks) : err_(err), tasks_(tasks), start_(Clock::now()) {}
+  ~Countdown() { clear(); }
+  Countdown(const Countdown&) = delete;
+  Countdown& operator=(const Countdown&) = delete;
+
+  void count() {
+    ++done_;
+    const std::chrono::duration<double> passed = Clock::now() - start_;
+    if (!is_terminal_ && passed.count() < next_ && done_ < tasks_) return;
+    constexpr double kPause = 10.0;  // s
+    next_ = passed.count() + kPause;
+    const double left = passed.count() / static_cast<double>(done_) * static_cast<double>(tasks_ - done_);
+    err_ << (is_terminal_ ? "\r\x1B[K" : "")
+         << fmt::format("{} of {} trials, {:.0f} s, about {:.0f} s left", done_, tasks_, passed.count(), left)
+         << (is_terminal_ ? "" : "\n") << std::flush;
+    is_shown_ = is_terminal_;
+  }
+  /// Somebody else is about to write a line.
+  void clear() {
+    if (std::exchange(is_shown_, false)) err_ << "\r\x1B[K" << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::ostream& err_;
+  std::size_t tasks_;
+  std::size_t done_ = 0;
+  Clock::time_point start_;
+  double next_ = 0.0;
+  bool is_terminal_ = isatty(STDERR_FILENO) == 1;
+  bool is_shown_ = false;
+};
+
+struct RunOutcome {
+  int crashed = 0;
+  std::string mistake;  ///< that ended all
+};
+
+RunOutcome run_tasks(const ExperimentOptions& options, Session& session, const std::vector<int>& tasks,
+                     std::ostream& out, std::ostream& err) {
+  out.flush();  // what is still to be written must not be written by each process
+  RunOutcome outcome;
+  Countdown countdown(err, tasks.size());
+  run_in_processes(
+      tasks, options.jobs, [&session](int task) { session.run(task); },
+      [&](const TaskEnd& end) {
+        countdown.count();
+        if (end.is_done()) return true;
+        countdown.clear();
+        if (end.signal == 0) {
+          outcome.mistake = fmt::format("task {}, {}: {}", end.number, session.name_of(end.number), end.mistake);
+          return false;
+        }
+        ++outcome.crashed;
+        err << fmt::format("reorient: task {}, {}: crashed ({}); this runs it again: {}\n", end.number,
+                           session.name_of(end.number), strsignal(end.signal),
+                           as_line(command_of(options, session, end.number)));
+        return true;
+      },
+      [] { return Interruption::signal() != 0; });
+  return outcome;
+}
+
+int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ostream& err) {
+  Session session(options);
+  const int count = static_cast<int>(session.tasks().size());
+  std::vector<int> wanted(static_cast<std::size_t>(count));
+  std::iota(wanted.begin(), wanted.end(), 1);
+  if (!options.tasks.empty()) wanted = numbers_in(options.tasks, count);
+  if (options.plan) {
+    for (const int task : wanted) out << command_of(options, session, task) << '\n';
+    return kSuccess;
+  }
+  const Interruption interruption;
+  require_writable_folder(session.folder(), "--out");
+  if (!options.json.empty()) require_writable_file(options.json, "--json");
+  const std::vector<int> missing = session.missing(wanted);
+  if (options.tasks.empty() && !options.resume && missing.size() < wanted.size())
+    throw std::runtime_error(
+        fmt::format("{} holds {} of {} results already; --resume goes on with the others, another "
+                    "--out begins anew",
+                    session.folder().string(), wanted.size() - missing.size(), wanted.size()));
+  const RunOutcome outcome = run_tasks(options, session, missing, out, err);
+  if (!outcome.mistake.empty()) throw std::runtime_error(outcome.mistake + "; once it is mended, --resume goes on");
+  if (Interruption::signal() != 0) {
+    err << fmt::format("reorient: {} of {} results are in {}; --resume goes on\n",
+                       wanted.size() - session.missing(wanted).size(), wanted.size(), session.folder().string());
+    return exit_code_of(Interruption::signal());
+  }
+  if (outcome.crashed > 0) {
+    err << fmt::format("reorient: {} of {} trials crashed; the others are in {}\n", outcome.crashed, wanted.size(),
+                       session.folder().string());
+    return kWrong;
+  }
+  if (!options.tasks.empty()) return kSuccess;  // the rest is run elsewhere
+  const std::vector<CellRow> rows = session.rows();
+  out << as_line(session.experiment().title) << "\n\n";
+  print_rows(session.experiment(), rows, out);
+  if (!options.json.empty()) write_whole_file(options.json, rows_as_json(session.experiment(), rows));
+  return kSuccess;
+}
+
+}  // namespace
+
+Subcommand add_experiment(CLI::App& program) {
+  constexpr int kMostTrials = 100'000, kMostJobs = 1'000;
+  const auto options = std::make_shared<ExperimentOptions>();
+  CLI::App* const parser = program.add_subcommand("experiment", "run many trials, and tell what they show");
+  parser->fallthrough();
+  parser->add_option("experiment", options->experiment, "a file, or the name of one in assets/experiments")
+      ->check(check_not_empty)
+      ->required();
+  parser->add_option("--trials", options->trials, "of each cell (default: the file's)")
+      ->check(CLI::Range(1, kMostTrials));
+  parser->add_option("--seed", options->seed, "of the first trial of each cell; the others follow")
+      ->check(check_seed)
+      ->capture_default_str();
+  parser->add_option("--width", options->width, "of the camera image, pixels (default: the file's)")
+      ->check(CLI::IsMember({160, 320, 640}));
+  parser->add_option("--room", options->rooms, "a panorama instead of the file's rooms; may be given again")
+      ->check(check_not_empty)
+      ->allow_extra_args(false);
+  add_parameter_options(*parser, options->parameters);
+  add_scripts_option(*parser, options->scripts);
+  parser->add_option("--jobs", options->jobs, "how many processes share the trials")
+      ->check(CLI::Range(1, kMostJobs))
+      ->capture_default_str();
+  parser->add_option("--out", options->out, "folder for the results (default: out/experiments/NAME)")
+      ->check(check_not_empty);
+  parser->add_option("--json", options->json, "write the table into this file, for programs")->check(check_not_empty);
+  CLI::Option* const plan = parser->add_flag("--plan", options->plan, "print a command for each trial, and run none");
+  parser
+      ->add_option("--task,--tasks", options->tasks,
+                   "only these trials: 17, or 1-64; without this option, --resume then tells what all showed")
+      ->check(check_not_empty);
+  parser->add_flag("--resume", options->resume, "go on where an earlier run ended")->excludes(plan);
+  return {parser, [options](std::ostream& out, std::ostream& err) { return run_experiment(*options, out, err); }};
+}
+
+}  // namespace reorient

@@ -1,0 +1,67 @@
+// An experiment as it is run: its cells, its tasks, and where their results lie.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "program/experiment/rows_report.h"
+#include "program/experiment/task_results.h"
+#include "program/options.h"
+#include "program/robots.h"
+#include "workbench/experiments/condition/condition.h"
+#include "workbench/experiments/plan/plan.h"
+
+namespace reorient {
+
+struct SessionOptions {
+  std::string experiment;  ///< a file, or the name of a shipped one
+  std::filesystem::path scripts;
+  std::optional<int> trials;       ///< of each cell; nothing: the file's
+  std::optional<int> width;        ///< of the images; nothing: the file's
+  std::uint64_t seed = 1;          ///< of the first trial of each cell
+  std::vector<std::string> rooms;  ///< instead of the file's own axis "room"; empty: the file's
+  ParameterOptions parameters;     ///< for every cell, behind its own
+  std::filesystem::path out;       ///< empty: out/experiments/NAME
+};
+
+class Session {
+ public:
+  /// Throws std::runtime_error with one line where something is wrong with any of the conditions.
+  explicit Session(const SessionOptions& options);
+
+  const Experiment& experiment() const { return experiment_; }
+  const std::vector<Task>& tasks() const { return tasks_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  /// "room hall, mode paper, trial 3 (seed 3)".
+  std::string name_of(int task) const;
+
+  /// Runs a task and writes its result. Throws std::runtime_error with one line.
+  void run(int task);
+  /// Nothing: it was not run yet. Throws std::runtime_error with one line where what lies there is of another origin.
+  std::optional<TrialResult> result(int task) const;
+  /// Those without a result. Throws as result().
+  std::vector<int> missing(const std::vector<int>& tasks) const;
+
+  /// Once no result is missing.
+  std::vector<CellRow> rows() const;
+
+ private:
+  const Task& task(int number) const { return tasks_[static_cast<std::size_t>(number) - 1]; }
+  Condition condition_of(const Task& task) const;
+  void check_conditions() const;
+  std::uint64_t origin_of(const Task& task) const;
+
+  std::filesystem::path scripts_;
+  Experiment experiment_;
+  std::vector<Cell> cells_;
+  std::vector<Task> tasks_;
+  std::filesystem::path folder_;
+  TaskResults results_;
+  std::uint64_t scripts_hash_ = 0;
+  RoomCache rooms_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,31 @@
+// The results of an experiment's tasks on a disk, a file for each: whoever ran it, it is never run twice.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "workbench/experiments/trial/trial_result.h"
+
+namespace reorient {
+
+class TaskResults {
+ public:
+  explicit TaskResults(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  std::filesystem::path file_of(int task) const;
+
+  /// `origin`: a number for all that the result follows from. Beside the file first, then renamed; makes the folder.
+  /// Throws std::runtime_error with one line.
+  void write(int task, std::uint64_t origin, const TrialResult& result) const;
+
+  /// Nothing: there is none yet. Throws std::runtime_error with one line where the file cannot be read, or is of
+  /// another origin.
+  std::optional<TrialResult> read(int task, std::uint64_t origin) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace reorient

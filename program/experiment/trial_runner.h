@@ -1,0 +1,22 @@
+// One trial: a condition and a seed become a result, on the same run loop as any run.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "program/robots.h"
+#include "program/run/run_options.h"
+#include "workbench/experiments/condition/condition.h"
+#include "workbench/experiments/trial/trial_result.h"
+
+namespace reorient {
+
+/// What `reorient run` would be asked for. Throws std::runtime_error with one line.
+SimulationOptions options_of(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
+
+/// The same result for the same condition and seed, whatever ran before. `rooms`: what is kept between trials. Throws
+/// std::runtime_error (of scripts: ScriptError) with one line.
+TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts,
+                      RoomCache& rooms);
+
+}  // namespace reorient

@@ -1,0 +1,179 @@
+// `reorient experiment`, as a person, a shell and a cluster call it.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "geometry/random.h"
+#include "tests/program/child_program.h"
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Seconds instead of minutes, in small images.
+constexpr const char* kShort = R"(title = "Who is right?"
+trials = 2
+[condition]
+scenario = "turned_round"
+width = 160
+seconds = 3
+measured_from = "learning"
+limit = 0.5
+hold = 0.5
+[[axis]]
+name = "mode"
+[[axis.choice]]
+name = "default"
+[[axis.choice]]
+name = "none"
+room_awareness = false
+)";
+
+std::string backwards(const std::string& text) {
+  std::istringstream in(text);
+  std::string all;
+  for (std::string line; std::getline(in, line);) all.insert(0, line + "\n");
+  return all;
+}
+
+class ExperimentTest : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+  Words words(const Words& more) const {
+    Words all{"--log", "off", "experiment", file.string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  ProgramRun run(const Words& more) const { return run_reorient(words(more)); }
+  /// Its table as JSON.
+  std::string table(const std::string& out, Words more = {}) const {
+    const std::string json = path(out + ".json");
+    more.insert(more.end(), {"--out", path(out), "--json", json});
+    const ProgramRun done = run(more);
+    EXPECT_EQ(done.code, kSuccess) << done.err;
+    return read_text(json);
+  }
+  void expect_refused(const Words& more, const std::string& culprit) const {
+    const ProgramRun refused = run(more);
+    EXPECT_EQ(refused.code, kBadInput);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_NE(refused.err.find(culprit), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+
+  TemporaryFolder folder;
+  std::filesystem::path file = folder.write("short.toml", kShort);
+};
+
+TEST_F(ExperimentTest, TellsARowForEachCell) {
+  const ProgramRun done = run({"--out", path("out")});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_TRUE(done.out.starts_with("Who is right?\n")) << done.out;
+  for (const char* text : {"\nmode ", "\ndefault ", "\nnone "})
+    EXPECT_NE(done.out.find(text), std::string::npos) << done.out;
+}
+
+TEST_F(ExperimentTest, GivesTheSameJsonWhoeverRunsIt) {
+  const std::string alone = table("one");
+  EXPECT_NE(alone.find("\"mode\": \"none\",\n    \"trials\": 2"), std::string::npos) << alone;
+  EXPECT_EQ(table("two", {"--jobs", "2"}), alone);
+
+  const ProgramRun plan = run({"--plan", "--out", path("lines")});
+  EXPECT_EQ(plan.code, kSuccess) << plan.err;
+  EXPECT_EQ(std::count(plan.out.begin(), plan.out.end(), '\n'), 4);
+  // As GNU parallel or a Slurm array would: each line by itself, in any order.
+  const std::string script = "set -e\nexport REORIENT_HOME='" REORIENT_SOURCE_DIR "'\nreorient() { '" REORIENT_PROGRAM
+                             "' --log off \"$@\"; }\n";
+  const std::filesystem::path shell = folder.write("lines.sh", script + backwards(plan.out));
+  ASSERT_EQ(std::system(("sh " + shell.string()).c_str()), 0);
+  EXPECT_EQ(table("lines", {"--resume"}), alone);
+}
+
+TEST_F(ExperimentTest, RunsNoTaskTwice) {
+  const std::string all = table("out");
+  const std::filesystem::path second = folder.path() / "out/tasks/000002.json";
+  const auto written = std::filesystem::last_write_time(second);
+  std::filesystem::remove(folder.path() / "out/tasks/000003.json");
+  EXPECT_EQ(table("out", {"--resume"}), all);
+  EXPECT_EQ(run({"--out", path("out"), "--task", "2"}).code, kSuccess);
+  EXPECT_EQ(std::filesystem::last_write_time(second), written);
+}
+
+TEST_F(ExperimentTest, DoesNotMixTwoRuns) {
+  table("out", {"--trials", "1"});
+  expect_refused({"--out", path("out"), "--trials", "1"}, "holds 2 of 2 results already; --resume goes on");
+  expect_refused({"--out", path("out"), "--trials", "1", "--seed", "9", "--resume"}, "the result of another trial");
+  expect_refused({"--out", path("out"), "--trials", "1", "--set", "orientation.lead=0.3", "--resume"},
+                 "the result of another trial");
+  folder.write("out/tasks/000001.json", "{\"task\": 1");
+  expect_refused({"--out", path("out"), "--trials", "1", "--resume"}, "000001.json: this is no task's result");
+}
+
+TEST_F(ExperimentTest, RunsPartOfItsTasks) {
+  EXPECT_EQ(run({"--out", path("out"), "--tasks", "2-3"}).code, kSuccess);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000003.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/tasks/000001.json"));
+  expect_refused({"--out", path("out"), "--task", "5"}, "there is no task 5; there are 1 to 4");
+  expect_refused({"--out", path("out"), "--tasks", "1-"}, "is no list of tasks");
+}
+
+TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
+  const std::string out = path("out");
+  folder.write("short.toml", std::string(kShort) + "widht = 160\n");
+  expect_refused({"--out", out}, "short.toml:16: there is no key 'widht' here (did you mean 'width'?)");
+  folder.write("short.toml", std::string(kShort) + "room = \"gone.hdr\"\n");
+  expect_refused({"--out", out}, "gone.hdr");
+  folder.write("short.toml", std::string(kShort) + "scenario = \"turned_rond\"\n");
+  expect_refused({"--out", out}, "did you mean 'turned_round'?");
+  folder.write("short.toml", kShort);
+  expect_refused({"--out", out, "--room", "gone.hdr"}, "gone.hdr");
+  expect_refused({"--out", out, "--trials", "0"}, "--trials");
+  expect_refused({"--out", out, "--jobs", "0"}, "--jobs");
+  EXPECT_FALSE(std::filesystem::exists(out));
+  const ProgramRun unknown = run_reorient({"experiment", "turned_ruond"});
+  EXPECT_EQ(unknown.code, kBadInput);
+  EXPECT_NE(unknown.err.find("did you mean 'turned_round'?"), std::string::npos) << unknown.err;
+}
+
+TEST_F(ExperimentTest, StopsAtAMistakeThatOnlyATrialFinds) {
+  folder.write("short.toml", std::string(kShort) + "parameters.orientation.laed = 1\n");
+  expect_refused({"--out", path("out")}, "task 3, mode none, trial 1 (seed 1): ");
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000002.json")) << "what is done is kept";
+}
+
+TEST_F(ExperimentTest, TellsAFullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const ProgramRun done = run({"--out", path("out"), "--trials", "1", "--json", "/dev/full"});
+  EXPECT_EQ(done.code, kBadInput);
+  EXPECT_NE(done.err.find("/dev/full"), std::string::npos) << done.err;
+}
+
+/// REORIENT_INTERRUPTIONS=100 for as many.
+TEST_F(ExperimentTest, GoesOnWhereItWasKilled) {
+  const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
+  const int count = wanted == nullptr ? 3 : std::atoi(wanted);
+  const std::string all = table("whole");
+  Random random(1);
+  for (int i = 0; i < count; ++i) {
+    const std::string out = "killed" + std::to_string(i);
+    {
+      ChildProgram program(folder.path(), words({"--out", path(out), "--jobs", "2"}));
+      std::this_thread::sleep_for(std::chrono::duration<double>(random.uniform(0.0, 2.0)));
+      program.kill(i % 3 == 0 ? SIGINT : SIGKILL);
+      const int code = program.wait();
+      EXPECT_TRUE(code == 0 || code == 130 || code == -SIGKILL || code == -SIGINT) << code << program.err();
+    }
+    EXPECT_EQ(table(out, {"--resume"}), all) << out;
+  }
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,91 @@
+// A cell's trials in numbers.
+#include "workbench/experiments/tables/row.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace reorient {
+namespace {
+
+TrialResult corrected(double right_after, Reorientation by = Reorientation::flip_pose, double mended_after = 2.0) {
+  TrialResult result;
+  result.started = true;
+  result.seconds = 70.0;
+  result.correct_at_start = false;
+  result.right_after = right_after;
+  result.mended_after = mended_after;
+  result.mended_by = by;
+  result.flips = by == Reorientation::flip_pose ? 1 : 0;
+  result.purges = 1 - result.flips;
+  return result;
+}
+TrialResult failed() {
+  TrialResult result;
+  result.started = true;
+  result.seconds = 70.0;
+  result.correct_at_start = false;
+  return result;
+}
+TrialResult in_peace(double right_seconds, int false_flips) {
+  TrialResult result;
+  result.started = true;
+  result.right_after = 0.1;
+  result.right_seconds = right_seconds;
+  result.flips = result.false_flips = false_flips;
+  return result;
+}
+
+TEST(Row, CountsFailuresOfThoseThatWereDisturbed) {
+  const Row row = row_of({corrected(3.0), failed(), in_peace(100.0, 0), TrialResult()});
+  EXPECT_EQ(row.trials, 4);
+  EXPECT_EQ(row.disturbed, 3);
+  EXPECT_EQ(row.failed, 2) << "one never began";
+  EXPECT_EQ(row.not_started, 1);
+  EXPECT_LT(row.failed_rate.low, 2.0 / 3.0);
+  EXPECT_GT(row.failed_rate.high, 2.0 / 3.0);
+}
+
+TEST(Row, TellsTheTimesOfThoseThatDidNotFail) {
+  const Row row = row_of({corrected(3.0), corrected(5.0), failed()});
+  EXPECT_EQ(row.right.mean, 4.0);
+  EXPECT_EQ(row.mended.mean, 2.0);
+  ASSERT_TRUE(row.right.interval);
+  EXPECT_GE(row.right.interval->low, 3.0);
+}
+
+TEST(Row, CountsAFailedTrialAsLaterThanAllOthersInItsQuantiles) {
+  const Row row = row_of({corrected(3.0), corrected(5.0), failed()});
+  EXPECT_EQ(row.right_median, 5.0);
+  EXPECT_FALSE(row.right_p90) << "a third of the trials never came so far";
+}
+
+TEST(Row, TellsFlipsFromPurges) {
+  const Row row = row_of({corrected(3.0, Reorientation::flip_pose, 1.0), corrected(3.0, Reorientation::flip_pose, 2.0),
+                          corrected(9.0, Reorientation::purge_reflection, 6.0)});
+  EXPECT_EQ(row.flip, 2);
+  EXPECT_EQ(row.purge, 1);
+  EXPECT_EQ(row.flip_time.mean, 1.5);
+  EXPECT_EQ(row.purge_time.mean, 6.0);
+  EXPECT_EQ(row.mended.mean, 3.0);
+}
+
+TEST(Row, CountsFalseFlipsPerHourOfRightBelief) {
+  const Row row = row_of({in_peace(1800.0, 0), in_peace(1800.0, 5)});
+  EXPECT_EQ(row.disturbed, 0);
+  EXPECT_EQ(row.right_hours, 1.0);
+  EXPECT_EQ(row.false_flips, 5);
+  EXPECT_NEAR(row.false_flip_rate.low, 1.623, 1e-3);
+  EXPECT_NEAR(row.false_flip_rate.high, 11.668, 1e-3);
+}
+
+TEST(Row, OfNothingKnowsNothing) {
+  const Row row = row_of({});
+  EXPECT_EQ(row.trials, 0);
+  EXPECT_FALSE(row.right.mean);
+  EXPECT_EQ(row.failed_rate.high, 1.0);
+  EXPECT_TRUE(std::isinf(row.false_flip_rate.high));
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,171 @@
+// What is measured of a trial.
+#include "workbench/experiments/trial/trial_observer.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace reorient {
+namespace {
+
+constexpr double kStep = 0.1;  // s
+const Pose2 kTruth(2.0, 1.0, 0.3);
+
+/// A trial that is only told what was believed, in which state of the scenario.
+struct Told {
+  explicit Told(const Measurement& measurement) : observer(measurement) {}
+
+  FrameRecord frame(const Pose2& belief) {
+    FrameRecord frame;
+    frame.world.time = time += kStep;
+    frame.world.time_step = kStep;
+    frame.world.pose.pose = belief;
+    return frame;
+  }
+  void show(const FrameRecord& frame, const std::string& state, bool carried = false) {
+    Names names;
+    StageRecord stage;
+    MachineStatus machine;
+    machine.machine = names.intern("scene");
+    machine.state = names.intern(state);
+    stage.scenario.machines.push_back(machine);
+    stage.scenario.names = names.table();
+    stage.truth = GroundTruth{kTruth, false, carried};
+    observer.observe(frame, stage);
+  }
+  void believe(const Pose2& belief, double seconds, const std::string& state = "lost", bool carried = false) {
+    for (int i = 0; kStep * i < seconds - 1e-9; ++i) show(frame(belief), state, carried);
+  }
+  void reorient(Reorientation reorientation, const Pose2& before, const Pose2& after) {
+    FrameRecord granted = frame(after);
+    granted.reorientation.emplace();
+    granted.reorientation->reorientation = reorientation;
+    granted.reorientation->belief_before.pose = before;
+    granted.reorientation->belief_after.pose = after;
+    show(granted, "lost");
+  }
+  const TrialResult& result() const { return observer.result(); }
+
+  TrialObserver observer;
+  double time = 100.0;
+};
+
+Measurement from_lost() {
+  Measurement measurement;
+  measurement.from = "lost";
+  measurement.limit = 20.0;
+  return measurement;
+}
+
+TEST(Trial, IsMeasuredFromTheStateThatIsNamed) {
+  Told trial(from_lost());
+  trial.believe(reflect(kTruth), 5.0, "learning");
+  EXPECT_FALSE(trial.result().started);
+  trial.believe(reflect(kTruth), 3.0, "lost/searching");
+  EXPECT_TRUE(trial.result().started);
+  EXPECT_FALSE(trial.result().correct_at_start);
+  EXPECT_NEAR(trial.result().seconds, 2.9, 1e-9);
+  EXPECT_NEAR(trial.result().wrong_seconds, 2.9, 1e-9);
+}
+
+TEST(Trial, DoesNotTakeAStateForAnotherThatBeginsAlike) {
+  Told trial(from_lost());
+  trial.believe(kTruth, 1.0, "lost and found");
+  EXPECT_FALSE(trial.result().started);
+}
+
+TEST(Trial, IsRightFromTheMomentAfterWhichItStaysRight) {
+  Told trial(from_lost());
+  trial.believe(reflect(kTruth), 4.1);
+  trial.believe(kTruth, 3.0);
+  trial.believe(reflect(kTruth), 1.0);
+  trial.believe(kTruth, 9.9);
+  EXPECT_TRUE(trial.result().failed());
+  trial.believe(kTruth, 0.2);
+  ASSERT_TRUE(trial.result().right_after);
+  EXPECT_NEAR(*trial.result().right_after, 8.1, 1e-9);
+  trial.believe(reflect(kTruth), 1.0);
+  EXPECT_NEAR(*trial.result().right_after, 8.1, 1e-9) << "what happens later is told by the other numbers";
+}
+
+TEST(Trial, FailsWhereTheBeliefIsRightTooLate) {
+  Told trial(from_lost());
+  trial.believe(reflect(kTruth), 20.3);
+  trial.believe(kTruth, 15.0);
+  EXPECT_TRUE(trial.result().failed());
+  EXPECT_TRUE(trial.observer.is_over());
+}
+
+TEST(Trial, ThatIsRightAtTheLimitIsWatchedBeyondIt) {
+  Told trial(from_lost());
+  trial.believe(reflect(kTruth), 20.0);
+  trial.believe(kTruth, 9.9);
+  EXPECT_FALSE(trial.observer.is_over());
+  trial.believe(kTruth, 0.3);
+  EXPECT_TRUE(trial.observer.is_over());
+  EXPECT_FALSE(trial.result().failed());
+}
+
+TEST(Trial, ThatWasNeverWrongIsRightAtOnce) {
+  Told trial(from_lost());
+  trial.believe(kTruth, 12.0);
+  EXPECT_TRUE(trial.result().correct_at_start);
+  ASSERT_TRUE(trial.result().right_after);
+  EXPECT_NEAR(*trial.result().right_after, kStep, 1e-9);
+  EXPECT_FALSE(trial.observer.is_over());
+}
+
+TEST(Trial, MayEndOnceItIsRight) {
+  Measurement measurement = from_lost();
+  measurement.to_the_end = false;
+  Told trial(measurement);
+  trial.believe(kTruth, 10.0);
+  EXPECT_FALSE(trial.observer.is_over());
+  trial.believe(kTruth, 0.3);
+  EXPECT_TRUE(trial.observer.is_over());
+}
+
+TEST(Trial, IsNotRightInTheAir) {
+  Told trial(from_lost());
+  trial.believe(kTruth, 5.0);
+  trial.believe(kTruth, 1.0, "lost", true);
+  trial.believe(kTruth, 12.0);
+  ASSERT_TRUE(trial.result().right_after);
+  EXPECT_NEAR(*trial.result().right_after, 6.0, 1e-9);
+  EXPECT_NEAR(trial.result().right_seconds, 16.9, 1e-9);
+}
+
+TEST(Trial, TellsTheCommandThatMendedTheBelief) {
+  Told trial(from_lost());
+  trial.believe(reflect(kTruth), 3.0);
+  trial.reorient(Reorientation::purge_reflection, reflect(kTruth), reflect(kTruth));
+  trial.believe(reflect(kTruth), 1.0);
+  trial.reorient(Reorientation::flip_pose, reflect(kTruth), kTruth);
+  trial.reorient(Reorientation::flip_pose, kTruth, reflect(kTruth));
+  trial.reorient(Reorientation::flip_pose, reflect(kTruth), kTruth);
+  const TrialResult& result = trial.result();
+  ASSERT_TRUE(result.mended_after);
+  EXPECT_NEAR(*result.mended_after, 4.1, 1e-9);
+  EXPECT_EQ(result.mended_by, Reorientation::flip_pose);
+  EXPECT_EQ(result.flips, 3);
+  EXPECT_EQ(result.false_flips, 1);
+  EXPECT_EQ(result.purges, 1);
+  EXPECT_EQ(result.false_purges, 0);
+}
+
+TEST(Trial, KeepsTheConfidencesTwiceASecond) {
+  Told trial(from_lost());
+  trial.believe(kTruth, 10.1);
+  ASSERT_EQ(trial.result().confidences.size(), 20U);
+  EXPECT_NEAR(trial.result().confidences[1].time - trial.result().confidences[0].time, 0.5, 1e-9);
+  EXPECT_TRUE(trial.result().confidences[0].correct);
+}
+
+TEST(Trial, WithoutAStateIsMeasuredFromTheFirstFrame) {
+  Told trial(Measurement{});
+  trial.believe(kTruth, 1.0, "anything");
+  EXPECT_TRUE(trial.result().started);
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,83 @@
+#include "workbench/experiments/condition/condition.h"
+
+namespace reorient {
+namespace {
+
+template <typename Value, typename Wanted>
+void set(Value& value, const std::optional<Wanted>& wanted) {
+  if (wanted) value = *wanted;
+}
+
+template <typename Value>
+void append(std::vector<Value>& all, const std::vector<Value>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void add_cells(const Experiment& experiment, const Cell& so_far, std::vector<Cell>& cells) {
+  if (so_far.choices.size() == experiment.axes.size()) {
+    cells.push_back(so_far);
+    return;
+  }
+  for (const AxisChoice& choice : experiment.axes[so_far.choices.size()].choices) {
+    Cell cell = so_far;
+    cell.choices.push_back(choice.name);
+    apply(choice.patch, cell.condition);
+    add_cells(experiment, cell, cells);
+  }
+}
+
+}  // namespace
+
+void apply(const ConditionPatch& patch, Condition& condition) {
+  set(condition.scenario, patch.scenario);
+  append(condition.with, patch.with);
+  append(condition.without, patch.without);
+  append(condition.parameter_files, patch.parameter_files);
+  append(condition.parameters, patch.parameters);
+  set(condition.room, patch.room);
+  set(condition.hall_seed, patch.hall_seed);
+  set(condition.field, patch.field);
+  set(condition.cameras, patch.cameras);
+  set(condition.width, patch.width);
+  set(condition.room_awareness, patch.room_awareness);
+  set(condition.seconds, patch.seconds);
+  set(condition.measurement.from, patch.measured_from);
+  set(condition.measurement.limit, patch.limit);
+  set(condition.measurement.hold, patch.hold);
+  set(condition.measurement.to_the_end, patch.to_the_end);
+}
+
+std::string as_text(const Condition& condition) {
+  std::string text;
+  const auto add = [&text](std::string_view name, std::string_view value) {
+    text.append(name).append(" = ").append(value).append("\n");
+  };
+  const auto number = [](double value) { return to_text(ParameterValue(value)); };
+  add("scenario", condition.scenario);
+  for (const std::string& behavior : condition.with) add("with", behavior);
+  for (const std::string& behavior : condition.without) add("without", behavior);
+  for (const std::string& file : condition.parameter_files) add("params", file);
+  for (const ParameterChange& change : condition.parameters) add(change.name, change.value);
+  add("room", condition.room);
+  add("hall_seed", condition.hall_seed ? std::to_string(*condition.hall_seed) : "");
+  add("field", condition.field);
+  add("cameras", condition.cameras);
+  add("width", std::to_string(condition.width));
+  add("room_awareness", condition.room_awareness ? "true" : "false");
+  add("seconds", number(condition.seconds));
+  add("measured_from", condition.measurement.from);
+  add("limit", number(condition.measurement.limit));
+  add("hold", number(condition.measurement.hold));
+  add("to_the_end", condition.measurement.to_the_end ? "true" : "false");
+  return text;
+}
+
+std::vector<Cell> cells_of(const Experiment& experiment) {
+  Cell first;
+  apply(experiment.base, first.condition);
+  std::vector<Cell> cells;
+  add_cells(experiment, first, cells);
+  return cells;
+}
+
+}  // namespace reorient

@@ -1,0 +1,83 @@
+// What a trial is, all but its seed: plain data, so that an experiment is a file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/parameters/parameter.h"
+#include "workbench/experiments/trial/trial_observer.h"
+
+namespace reorient {
+
+struct Condition {
+  std::string scenario;
+  std::vector<std::string> with;             ///< behaviours beside those that the scenario lists
+  std::vector<std::string> without;          ///< of those that the scenario lists
+  std::vector<std::string> parameter_files;  ///< read one after the other
+  std::vector<ParameterChange> parameters;   ///< behind what the files say
+  std::string room;                          ///< panorama, by its path or as a shipped one; empty: the built-in hall
+  std::optional<std::uint64_t> hall_seed;    ///< of the built-in hall; nothing: the scenario's
+  std::string field;                         ///< file, or the name of a shipped one; empty: the scenario's
+  std::string cameras = "upper";             ///< or "both"
+  int width = 320;                           ///< of the images, pixels
+  bool room_awareness = true;
+  double seconds = 600.0;  ///< of the robot's time, at most
+  Measurement measurement;
+};
+
+/// All of it, a line for each value, always in the same order: equal conditions have equal texts.
+std::string as_text(const Condition& condition);
+
+/// Part of a condition: what it holds is changed or added.
+struct ConditionPatch {
+  std::optional<std::string> scenario;
+  std::vector<std::string> with;
+  std::vector<std::string> without;
+  std::vector<std::string> parameter_files;
+  std::vector<ParameterChange> parameters;
+  std::optional<std::string> room;
+  std::optional<std::uint64_t> hall_seed;
+  std::optional<std::string> field;
+  std::optional<std::string> cameras;
+  std::optional<int> width;
+  std::optional<bool> room_awareness;
+  std::optional<double> seconds;
+  std::optional<std::string> measured_from;
+  std::optional<double> limit;
+  std::optional<double> hold;
+  std::optional<bool> to_the_end;
+};
+void apply(const ConditionPatch& patch, Condition& condition);
+
+/// One choice of an axis: "paper" of "mode".
+struct AxisChoice {
+  std::string name;
+  ConditionPatch patch;
+};
+struct Axis {
+  std::string name;
+  std::vector<AxisChoice> choices;
+};
+
+/// A condition that is varied along axes, one or more trials for each combination of choices.
+struct Experiment {
+  std::string name;
+  std::string title;
+  std::string description;
+  int trials = 20;  ///< of each cell
+  ConditionPatch base;
+  std::vector<ConditionPatch> alternates;  ///< each cell's trials take turns with these
+  std::vector<Axis> axes;
+};
+
+/// One combination.
+struct Cell {
+  std::vector<std::string> choices;  ///< one for each axis, in their order
+  Condition condition;
+};
+/// All of them, the last axis varying fastest.
+std::vector<Cell> cells_of(const Experiment& experiment);
+
+}  // namespace reorient

@@ -1,0 +1,258 @@
+#include "workbench/experiments/condition/experiment_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include <toml++/toml.h>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
+#include "workbench/files/parameter_file.h"
+#include "workbench/files/toml_text.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kMostAxes = 8;
+constexpr std::size_t kMostChoices = 1000;  // of one axis
+constexpr int kMostTrials = 100'000;
+
+/// A table whose keys are all known.
+class TableReader {
+ public:
+  TableReader(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
+
+  [[noreturn]] void refuse(const toml::node& node, const std::string& why) const {
+    throw std::runtime_error(as_line(file_ + ":" + std::to_string(node.source().begin.line) + ": " + why));
+  }
+
+  /// Each key with what reads it. Whatever else stands in the table is a mistake.
+  using Readers = std::map<std::string, std::function<void(const std::string& key, const toml::node& value)>>;
+  void read(const Readers& readers) const {
+    for (const auto& [key, value] : table_) {
+      const std::string name(key.str());
+      const auto reader = readers.find(name);
+      if (reader == readers.end()) refuse(value, "there is no key '" + name + "' here" + nearest(name, readers));
+      reader->second(name, value);
+    }
+  }
+
+  std::string text(const std::string& key, const toml::node& node) const {
+    const auto value = node.value_exact<std::string>();
+    if (!value || value->empty()) refuse(node, key + " is a text in quotes");
+    return *value;
+  }
+  bool yes(const std::string& key, const toml::node& node) const {
+    const auto value = node.value_exact<bool>();
+    if (!value) refuse(node, key + " is true or false");
+    return *value;
+  }
+  double number(const std::string& key, const toml::node& node, double least, double most) const {
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!value || !(*value >= least && *value <= most))
+      refuse(node, key + " is a number from " + to_text(least) + " to " + to_text(most));
+    return *value;
+  }
+  std::int64_t whole(const std::string& key, const toml::node& node, std::int64_t least, std::int64_t most) const {
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || *value < least || *value > most)
+      refuse(node, key + " is a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return *value;
+  }
+  std::vector<std::string> texts(const std::string& key, const toml::node& node) const {
+    const toml::array* const array = node.as_array();
+    if (array == nullptr) refuse(node, key + R"( is a list of texts: ["one", "two"])");
+    std::vector<std::string> all;
+    for (const toml::node& one : *array) all.push_back(text(key, one));
+    return all;
+  }
+  const toml::table& table(const std::string& key, const toml::node& node) const {
+    if (const toml::table* const table = node.as_table()) return *table;
+    refuse(node, key + " is a table: [" + key + "]");
+  }
+  const toml::array& tables(const std::string& key, const toml::node& node) const {
+    const toml::array* const array = node.as_array();
+    if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table))
+      refuse(node, key + " is one table or several: [[" + key + "]]");
+    return *array;
+  }
+
+ private:
+  static std::string nearest(const std::string& name, const Readers& readers) {
+    std::vector<std::string> names;
+    for (const auto& [known, reader] : readers) names.push_back(known);
+    return did_you_mean(name, names);
+  }
+
+  static std::string to_text(double number) { return reorient::to_text(ParameterValue(number)); }
+
+  const toml::table& table_;
+  std::string file_;
+};
+
+class ExperimentReader {
+ public:
+  explicit ExperimentReader(std::string file) : file_(std::move(file)) {}
+
+  Experiment read(const toml::table& table) const {
+    Experiment experiment;
+    experiment.name = std::filesystem::path(file_).stem().string();
+    const TableReader in(table, file_);
+    in.read({
+        {"title", [&](auto& key, auto& value) { experiment.title = in.text(key, value); }},
+        {"description", [&](auto& key, auto& value) { experiment.description = in.text(key, value); }},
+        {"trials",
+         [&](auto& key, auto& value) { experiment.trials = static_cast<int>(in.whole(key, value, 1, kMostTrials)); }},
+        {"condition", [&](auto& key, auto& value) { experiment.base = read_patch(in.table(key, value), {}); }},
+        {"alternate",
+         [&](auto& key, auto& value) {
+           for (const toml::node& one : in.tables(key, value))
+             experiment.alternates.push_back(read_patch(*one.as_table(), {}));
+         }},
+        {"axis", [&](auto& key, auto& value) { read_axes(in, in.tables(key, value), experiment.axes); }},
+    });
+    if (experiment.title.empty()) in.refuse(table, "title is missing: what the experiment asks, in one sentence");
+    if (!experiment.base.scenario) require_scenario(in, table, experiment.axes);
+    return experiment;
+  }
+
+ private:
+  void require_scenario(const TableReader& in, const toml::table& table, const std::vector<Axis>& axes) const {
+    const bool is_chosen = std::any_of(axes.begin(), axes.end(), [](const Axis& axis) {
+      return std::all_of(axis.choices.begin(), axis.choices.end(),
+                         [](const AxisChoice& choice) { return choice.patch.scenario.has_value(); });
+    });
+    if (!is_chosen) in.refuse(table, "no scenario is named: [condition] scenario = \"turned_round\"");
+  }
+
+  void read_axes(const TableReader& in, const toml::array& tables, std::vector<Axis>& axes) const {
+    if (tables.size() > kMostAxes) in.refuse(tables, "more than " + std::to_string(kMostAxes) + " axes");
+    for (const toml::node& one : tables) {
+      Axis axis;
+      const TableReader table(*one.as_table(), file_);
+      table.read({
+          {"name", [&](auto& key, auto& value) { axis.name = table.text(key, value); }},
+          {"choice", [&](auto& key, auto& value) { read_choices(table, table.tables(key, value), axis.choices); }},
+      });
+      if (axis.name.empty()) table.refuse(one, "an axis needs a name");
+      if (axis.choices.empty()) table.refuse(one, "the axis " + axis.name + " has no choices: [[axis.choice]]");
+      for (const Axis& other : axes) {
+        if (other.name == axis.name) table.refuse(one, "there are two axes '" + axis.name + "'");
+      }
+      axes.push_back(std::move(axis));
+    }
+  }
+
+  void read_choices(const TableReader& in, const toml::array& tables, std::vector<AxisChoice>& choices) const {
+    if (tables.size() > kMostChoices) in.refuse(tables, "more than " + std::to_string(kMostChoices) + " choices");
+    for (const toml::node& one : tables) {
+      AxisChoice choice;
+      choice.patch = read_patch(*one.as_table(), [&](const TableReader& table, auto& key, auto& value) {
+        choice.name = table.text(key, value);
+      });
+      if (choice.name.empty()) in.refuse(one, "a choice needs a name");
+      for (const AxisChoice& other : choices) {
+        if (other.name == choice.name) in.refuse(one, "there are two choices '" + choice.name + "'");
+      }
+      choices.push_back(std::move(choice));
+    }
+  }
+
+  using NameReader = std::function<void(const TableReader&, const std::string& key, const toml::node& value)>;
+
+  /// `name`: what reads the key "name", where there is one.
+  ConditionPatch read_patch(const toml::table& table, const NameReader& name) const {
+    constexpr double kDay = 86'400.0;  // s
+    ConditionPatch patch;
+    const TableReader in(table, file_);
+    TableReader::Readers readers{
+        {"scenario", [&](auto& key, auto& value) { patch.scenario = in.text(key, value); }},
+        {"with", [&](auto& key, auto& value) { patch.with = in.texts(key, value); }},
+        {"without", [&](auto& key, auto& value) { patch.without = in.texts(key, value); }},
+        {"params", [&](auto& key, auto& value) { patch.parameter_files = in.texts(key, value); }},
+        {"parameters", [&](auto& key, auto& value) { patch.parameters = read_values(in, in.table(key, value)); }},
+        {"room", [&](auto& key, auto& value) { patch.room = in.text(key, value); }},
+        {"hall_seed", [&](auto& key, auto& value) { patch.hall_seed = in.whole(key, value, 0, kMostSeeds); }},
+        {"field", [&](auto& key, auto& value) { patch.field = in.text(key, value); }},
+        {"cameras",
+         [&](auto& key, auto& value) {
+           patch.cameras = in.text(key, value);
+           if (*patch.cameras != "upper" && *patch.cameras != "both")
+             in.refuse(value, "cameras is \"upper\" or \"both\"");
+         }},
+        {"width",
+         [&](auto& key, auto& value) {
+           patch.width = static_cast<int>(in.whole(key, value, 160, 640));
+           if (*patch.width != 160 && *patch.width != 320 && *patch.width != 640)
+             in.refuse(value, "width is 160, 320 or 640 pixels");
+         }},
+        {"room_awareness", [&](auto& key, auto& value) { patch.room_awareness = in.yes(key, value); }},
+        {"seconds", [&](auto& key, auto& value) { patch.seconds = in.number(key, value, 1.0, kDay); }},
+        {"measured_from", [&](auto& key, auto& value) { patch.measured_from = in.text(key, value); }},
+        {"limit", [&](auto& key, auto& value) { patch.limit = in.number(key, value, 0.0, kDay); }},
+        {"hold", [&](auto& key, auto& value) { patch.hold = in.number(key, value, 0.0, kDay); }},
+        {"to_the_end", [&](auto& key, auto& value) { patch.to_the_end = in.yes(key, value); }},
+    };
+    if (name) readers["name"] = [&](auto& key, auto& value) { name(in, key, value); };
+    in.read(readers);
+    return patch;
+  }
+
+  /// "orientation.lead" = 0.3, or a table of tables as in a parameter file.
+  std::vector<ParameterChange> read_values(const TableReader& in, const toml::table& table) const {
+    std::vector<ParameterChange> changes;
+    for (const auto& [module, values] : table) {
+      const toml::table* const inner = values.as_table();
+      if (inner == nullptr) in.refuse(values, "a parameter stands in the table of its module: orientation.lead = 0.3");
+      for (const auto& [key, value] : *inner) {
+        const std::string name = std::string(module.str()) + "." + std::string(key.str());
+        const std::optional<std::string> text = value_text(value);
+        if (!text) in.refuse(value, name + " is a number, true, false or a name in quotes");
+        changes.push_back(
+            {name, *text, ParameterOrigin::file, file_ + ":" + std::to_string(value.source().begin.line)});
+      }
+    }
+    return changes;
+  }
+
+  static std::optional<std::string> value_text(const toml::node& node) {
+    if (const auto text = node.value_exact<std::string>()) return *text;
+    if (const auto yes = node.value_exact<bool>()) return *yes ? "true" : "false";
+    if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
+    if (const auto real = node.value_exact<double>(); real && std::isfinite(*real))
+      return to_text(ParameterValue(*real));
+    return std::nullopt;
+  }
+
+  static constexpr std::int64_t kMostSeeds = 1'000'000'000;
+
+  std::string file_;
+};
+
+}  // namespace
+
+Experiment parse_experiment(std::string_view text, const std::string& name) {
+  if (const std::optional<TomlExcess> excess = excess_in_toml(text))
+    throw std::runtime_error(as_line(name + ":" + std::to_string(excess->line) + ": " + excess->why));
+  try {
+    return ExperimentReader(name).read(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    throw std::runtime_error(
+        as_line(name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description())));
+  }
+}
+
+Experiment read_experiment(const std::filesystem::path& file) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(file, missing))
+    throw std::runtime_error(as_line(file.string() + ": there is no such experiment; assets/experiments has some"));
+  const std::optional<std::string> text = read_toml_text(file);
+  if (!text) throw std::runtime_error(as_line(file.string() + ": it cannot be read; check its permissions"));
+  return parse_experiment(*text, file.string());
+}
+
+}  // namespace reorient

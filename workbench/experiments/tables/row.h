@@ -1,0 +1,46 @@
+// The trials of one cell in numbers.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "workbench/experiments/statistics/interval.h"
+#include "workbench/experiments/trial/trial_result.h"
+
+namespace reorient {
+
+/// Of times, in s; nothing where there are none.
+struct TimeRow {
+  std::optional<double> mean;
+  std::optional<Interval> interval;  ///< of the mean, by bootstrap
+};
+
+/// Trials whose belief was wrong when their clock started tell how it is corrected; those whose belief was right,
+/// whether it is left so.
+struct Row {
+  int trials = 0;
+  int not_started = 0;  ///< that never came to the state from which they are measured: they failed, too
+  int disturbed = 0;    ///< trials that began with a wrong belief, and those that never began
+  int failed = 0;       ///< of the disturbed
+  Interval failed_rate;
+  TimeRow right;                       ///< time until the belief is right and stays, of those that did not fail
+  std::optional<double> right_median;  ///< with the failed ones as later than all others; nothing: they are too many
+  std::optional<double> right_p90;
+  int flip = 0;   ///< disturbed trials whose belief was first mended by a flip
+  int purge = 0;  ///< the same by a purge
+  int reset = 0;
+  TimeRow mended;  ///< time until the command that mends the belief: the paper's measure
+  TimeRow flip_time;
+  TimeRow purge_time;
+  int flips = 0;  ///< commands in all trials
+  int purges = 0;
+  int false_flips = 0;
+  int false_purges = 0;
+  double right_hours = 0.0;  ///< for which the belief was right
+  Interval false_flip_rate;  ///< per right hour; 0 to infinity where there are none
+  int uninformative = 0;     ///< of the failed: in the end the robot took its room for symmetric
+};
+
+Row row_of(const std::vector<TrialResult>& results);
+
+}  // namespace reorient

@@ -1,0 +1,43 @@
+// Judges a trial while it runs, from the records alone.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "workbench/experiments/trial/trial_result.h"
+#include "workbench/run/observer.h"
+
+namespace reorient {
+
+/// What is measured.
+struct Measurement {
+  std::string from;     ///< state of the scenario, or one around it, whose first entry starts the clock; empty: at once
+  double limit = 60.0;  ///< s, within which the belief must be right
+  double hold = 10.0;   ///< s, for which it must stay so, beyond the limit if need be
+  bool to_the_end = true;  ///< false: a trial is over once its belief is right and has stayed so
+};
+
+/// Between frames the belief counts as it was in the last one; in the air, and where nobody knows the truth, as wrong.
+class TrialObserver : public Observer {
+ public:
+  explicit TrialObserver(Measurement measurement) : measurement_(std::move(measurement)) {}
+
+  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+
+  /// What was to be measured is.
+  bool is_over() const;
+  const TrialResult& result() const { return result_; }
+
+ private:
+  bool starts(const ScenarioRecord& scenario) const;
+  void judge_belief(const World& world, bool correct);
+  void judge_reorientation(const ReorientationRecord& record, const GroundTruth& truth, double time);
+  void sample(const World& world, bool correct, double time);
+
+  Measurement measurement_;
+  TrialResult result_;
+  double started_at_ = 0.0;            ///< s of the robot's time
+  std::optional<double> right_since_;  ///< s since the clock started
+};
+
+}  // namespace reorient
