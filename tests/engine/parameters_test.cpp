@@ -77,8 +77,8 @@ TEST_F(Parameters, MistakesAreToldInOneLineWithARemedy) {
   EXPECT_EQ(refusal("view.paper", "maybe"), "parameter view.paper cannot be 'maybe': it is true or false");
   EXPECT_EQ(refusal("view.distance", "helinger"),
             "parameter view.distance cannot be 'helinger': choose one of hellinger, ssd3 (did you mean 'hellinger'?)");
-  EXPECT_EQ(refusal("view.paper", "\x1B[2J\n"), "parameter view.paper cannot be '\\x1B[2J ': it is true or false");
-  EXPECT_EQ(refusal("\x1B[2J\n", "1"), "there is no parameter '\\x1B[2J '");
+  EXPECT_EQ(refusal("view.paper", "\x1B[2J\nno"), "parameter view.paper cannot be '\\x1B[2J no': it is true or false");
+  EXPECT_EQ(refusal("\x1B[2J\nx", "1"), "there is no parameter '\\x1B[2J x'");
   for (const char* text : {"", "nan", "inf", "-inf", "1e999", "0x1", "1 ", " 1", "1,5", "--1", "1e"}) {
     EXPECT_NE(refusal("view.noise", text), "accepted") << text;
   }
