@@ -65,8 +65,7 @@ class Countdown {
   void count() {
     ++done_;
     const std::chrono::duration<double> passed = Clock::now() - start_;
-    if (!is_terminal_ && passed.count() < next_ && done_ < tasks_) return;
-    constexpr double kPause = 10.0;  // s
+    if (!is_terminal_ && passed.count() < next_) return;
     next_ = passed.count() + kPause;
     const double left = passed.count() / static_cast<double>(done_) * static_cast<double>(tasks_ - done_);
     err_ << (is_terminal_ ? "\r\x1B[K" : "")
@@ -81,12 +80,13 @@ class Countdown {
 
  private:
   using Clock = std::chrono::steady_clock;
+  static constexpr double kPause = 10.0;  // s
 
   std::ostream& err_;
   std::size_t tasks_;
   std::size_t done_ = 0;
   Clock::time_point start_;
-  double next_ = 0.0;
+  double next_ = kPause;  ///< s since the start
   bool is_terminal_ = isatty(STDERR_FILENO) == 1;
   bool is_shown_ = false;
 };

@@ -128,7 +128,7 @@ TEST_F(ExperimentTest, RunsPartOfItsTasks) {
 TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   const std::string out = path("out");
   folder.write("short.toml", std::string(kShort) + "widht = 160\n");
-  expect_refused({"--out", out}, "short.toml:16: there is no key 'widht' here (did you mean 'width'?)");
+  expect_refused({"--out", out}, "short.toml:17: there is no key 'widht' here (did you mean 'width'?)");
   folder.write("short.toml", std::string(kShort) + "room = \"gone.hdr\"\n");
   expect_refused({"--out", out}, "gone.hdr");
   folder.write("short.toml", std::string(kShort) + "scenario = \"turned_rond\"\n");
