@@ -75,7 +75,7 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms) : lon
   setup.parameters = overrides;
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
   RobotOptions robot{setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
-                     overrides, rooms};
+                     overrides,   rooms};
   robot_parameters_ = robot_parameters(options.robot, robot);
   engine_ = std::make_unique<FrameLoop>(std::move(setup));
   modules.parameters = parameters();
