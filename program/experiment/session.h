@@ -35,13 +35,15 @@ class Session {
   const Experiment& experiment() const { return experiment_; }
   const std::vector<Task>& tasks() const { return tasks_; }
   const std::filesystem::path& folder() const { return folder_; }
+  // Tasks are called by their numbers.
+
   /// "room hall, mode paper, trial 3 (seed 3)".
-  std::string name_of(int task) const;
+  std::string name_of(int number) const;
 
   /// Runs a task and writes its result. Throws std::runtime_error with one line.
-  void run(int task);
+  void run(int number);
   /// Nothing: it was not run yet. Throws std::runtime_error with one line where what lies there is of another origin.
-  std::optional<TrialResult> result(int task) const;
+  std::optional<TrialResult> result(int number) const;
   /// Those without a result. Throws as result().
   std::vector<int> missing(const std::vector<int>& tasks) const;
 

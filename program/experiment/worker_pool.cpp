@@ -130,11 +130,13 @@ void run_in_processes(const std::vector<int>& tasks, int jobs, const std::functi
     }
     while (next != tasks.end() && static_cast<int>(workers.size()) < jobs) {
       std::vector<int> others;
+      others.reserve(workers.size());
       for (const Worker& worker : workers) others.push_back(worker.socket());
       workers.emplace_back(work, others);
       workers.back().give(*next++);
     }
     std::vector<pollfd> waiting;
+    waiting.reserve(workers.size());
     for (const Worker& worker : workers) waiting.push_back({worker.socket(), POLLIN, 0});
     poll(waiting.data(), waiting.size(), kLongestWait);
     if (stop()) return;

@@ -93,6 +93,7 @@ TEST(Quantile, IsInterpolatedBetweenRanks) {  // R's quantile(), type 7
 
 TEST(BootstrapInterval, IsNearTheNormalOneForManyAndTheSameForOneSeed) {
   std::vector<double> values;
+  values.reserve(400);
   for (int i = 0; i < 400; ++i) values.push_back(i % 20);
   const double spread = std::sqrt((400.0 - 1.0) / 12.0 / 400.0);
   const Interval interval = bootstrap_interval(values, 3);
