@@ -58,6 +58,12 @@ class TerminalRun {
     return tcgetattr(terminal_, &modes) == 0 && (modes.c_lflag & kUsual) == kUsual;
   }
 
+  /// Whether it is so within half a minute: what is drawn may be seen before the modes are.
+  bool is_soon_as_found(bool wanted) {
+    for (int i = 0; i < 3000 && is_as_found() != wanted; ++i) read_some(10);
+    return is_as_found() == wanted;
+  }
+
   /// Whether `text` is shown within half a minute, after what was awaited before.
   bool await(const std::string& text) {
     for (int i = 0; i < 3000; ++i) {

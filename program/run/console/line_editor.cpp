@@ -117,7 +117,8 @@ LineEditor::~LineEditor() {
 }
 
 void LineEditor::bind_keys() {
-  el_set(editor_.get(), EL_ADDFN, "reorient-complete", "complete the word", &LineEditor::complete_word);
+  // With narrow strings libedit would make wide ones and never free them.
+  el_wset(editor_.get(), EL_ADDFN, L"reorient-complete", L"complete the word", &LineEditor::complete_word);
   for (const Binding& binding : kSequences) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
   for (const Binding& binding : kKeys) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
 }
