@@ -179,6 +179,14 @@ function experimenter.set_exposure_compensation(stops) end
 ---@param rotation number
 function experimenter.set_initial_pose(x, y, rotation) end
 
+chance = {}
+
+---A random number from low on and below high; the run's seed says which.
+---@param low number
+---@param high number
+---@return number
+function chance.between(low, high) end
+
 verdict = {}
 
 ---Ends the run: the robot did right, and why.
