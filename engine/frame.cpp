@@ -77,6 +77,8 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   if (world_.frame > 0) world_.time_step = std::max(0.0, observation_->time - world_.time);
   world_.time = observation_->time;
   ++world_.frame;
+  record_.inputs.half_time = observation_->told.half_time || inputs.told.half_time;
+  if (record_.inputs.half_time) change_sides();
   take_told(observation_->told);
   take_told(inputs.told);
 }

@@ -80,6 +80,7 @@ class FrameLoop {
 
   std::uint64_t declare_parameters(const std::vector<ParameterChange>& overrides);
   void take_parameters(const std::vector<ParameterChange>& changes);
+  void change_sides();
   void take_told(const Told& told);
   void fill_room();
   void append_poses(std::vector<Pose2>& poses) const;

@@ -5,6 +5,7 @@
 #include "engine/frame.h"
 #include "engine/stage_timer.h"
 #include "engine/world/goal_view.h"
+#include "localization/reorientation.h"
 
 namespace reorient {
 
@@ -60,6 +61,15 @@ void FrameLoop::watch_belief(const Pose2& expected) {
   } else {
     room_->on_reset();
   }
+}
+
+/// Half-time: the axes are the team's, so whatever is believed and known gets the coordinates of the reflected place.
+/// A belief of another localization is turned by that itself.
+void FrameLoop::change_sides() {
+  world_.sides_changed = !world_.sides_changed;
+  pose_filter_.flip_pose();
+  world_.pose = flipped(world_.pose);
+  if (room_) room_->on_half_time();
 }
 
 void FrameLoop::rearrange(const CommandRecord& granted) {

@@ -109,10 +109,11 @@ struct Told {
   std::optional<InitialPose> initial_pose;
   std::optional<RefereeState> referee;  ///< holds until something else is told
   std::vector<Message> messages;
+  bool half_time = false;  ///< the teams change sides now; what else is told with it is told in the new axes
 };
 template <typename Visit>
 void fields(Visit&& visit, Told& told) {
-  visit(told.initial_pose, told.referee, told.messages);
+  visit(told.initial_pose, told.referee, told.messages, told.half_time);
 }
 
 /// What goes into one frame of the engine: an image of the upper camera with the newest of the lower one since the

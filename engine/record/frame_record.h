@@ -51,11 +51,13 @@ struct InputRecord {
   std::optional<HeadCamera> room_camera;    ///< through which the room was looked at; nothing: through none
   std::optional<InitialPose> initial_pose;  ///< as it was told
   int messages = 0;
+  bool half_time = false;  ///< the teams changed sides before this frame: all of it is in the new axes
 };
 template <typename Visit>
 void fields(Visit&& visit, InputRecord& in) {
-  visit(in.upper, in.lower, in.body, in.odometry, in.body_samples, in.reported_posture, in.external_belief,
-        in.room_camera, in.initial_pose, in.messages);
+  SharedByte flags{in.external_belief, in.half_time};
+  visit(in.upper, in.lower, in.body, in.odometry, in.body_samples, in.reported_posture, flags, in.room_camera,
+        in.initial_pose, in.messages);
 }
 
 /// A granted reorientation: the paper's Fig. 6.

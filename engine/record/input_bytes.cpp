@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kInputMagic = 0x324E4952;  // "RIN2": another layout gets another number
+constexpr std::uint32_t kInputMagic = 0x334E4952;  // "RIN3": another layout gets another number
 
 /// Where what is seen through a view is kept while it is read; a writer leaves it empty.
 struct Memory {

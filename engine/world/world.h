@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/world/posture.h"
+#include "engine/world/shared_byte.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
@@ -38,6 +39,7 @@ struct World {
   Posture posture_before = Posture::upright;  ///< the one before the present one
   double posture_for = 0.0;                   ///< s, how long it has been so
   bool penalized = false;
+  bool sides_changed = false;    ///< the team plays towards the end that was its own at first
   double undisturbed_for = 0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
   HeadAngles head;
 
@@ -61,8 +63,9 @@ struct World {
 };
 template <typename Visit>
 void fields(Visit&& visit, World& world) {
-  visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for,
-        world.penalized, world.undisturbed_for, world.head, world.pose, world.recovery_probability, world.pose_known,
+  SharedByte game{world.penalized, world.sides_changed};
+  visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, game,
+        world.undisturbed_for, world.head, world.pose, world.recovery_probability, world.pose_known,
         world.room_awareness, world.confidence, world.room_status, world.trained_seconds, world.training,
         world.evaluating, world.goal_posts, world.line_points, world.field);
 }

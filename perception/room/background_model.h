@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "perception/room/color/color_histogram.h"
+#include "perception/room/wall/wall.h"
 
 namespace reorient {
 
@@ -57,6 +58,8 @@ class BackgroundModel {
   /// All tiles unseen.
   void forget(int tiles);
   void train(int tile, const ColorHistogram& measured, const TrainingStep& how);
+  /// The wall's tiles are counted from the other end of the field.
+  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
 
   std::span<const TileModel> tiles() const { return tiles_; }
 

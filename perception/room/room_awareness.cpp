@@ -6,6 +6,7 @@
 
 #include "geometry/bytes.h"
 #include "geometry/transform.h"
+#include "perception/room/view/azimuth.h"
 
 namespace reorient {
 namespace {
@@ -70,6 +71,7 @@ void RoomAwareness::train(double step) {
 
 void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   view_center_ = view_center(wall_, view.belief, view.robot_from_camera);
+  if (view_center_) view_center_ = to_azimuth(*view_center_);
   if (!view_center_ || !std::isfinite(view.odometry_rotation)) return;
   filter_.predict(turn_since_last(view), step, parameters_.view_filter);
   scores_.compute(perceived_.tiles(), compared_model_, wall_, comparison());
@@ -144,6 +146,16 @@ void RoomAwareness::on_belief_reflected() {
   std::swap(confidences_.current, confidences_.opposite);
   std::swap(confidences_.raw_current, confidences_.raw_opposite);
   confidences_.evidence = -confidences_.evidence;
+}
+
+void RoomAwareness::on_half_time() {
+  model_.turn_half(wall_);
+  light_.turn_half(wall_);
+  filter_.turn_half();
+  const auto half = seen_columns_.begin() + wall_.columns() / 2;
+  std::swap_ranges(seen_columns_.begin(), half, half);
+  std::swap(confidences_.goal_own, confidences_.goal_opponent);
+  if (view_center_) view_center_ = opposite(*view_center_);
 }
 
 void RoomAwareness::forget() {

@@ -69,6 +69,10 @@ class RoomAwareness {
   /// The belief has gone over to its reflection by itself: what spoke for the one speaks for the other.
   void on_belief_reflected();
 
+  /// The teams change sides: the axes turn by half a turn, and with them the belief. Everything is known of the same
+  /// places as before, under their new coordinates; the confidences stay. Done twice, it is the identity.
+  void on_half_time();
+
   /// Forgets the model, the particles, the confidences and the light; the random numbers go on.
   void forget();
 

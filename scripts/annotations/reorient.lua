@@ -24,6 +24,11 @@
 ---@field frame number number of this frame
 clock = {}
 
+---What the referee says of the game.
+---@class reorient.game
+---@field sides_changed boolean the team plays towards the end that was its own at first; where this changes, so have the field's axes
+game = {}
+
 ---The robot's own body.
 ---@class reorient.robot
 ---@field posture string how it stands, lies or hangs in somebody's hands
@@ -178,6 +183,9 @@ function experimenter.set_exposure_compensation(stops) end
 ---@param y number
 ---@param rotation number
 function experimenter.set_initial_pose(x, y, rotation) end
+
+---Tells the robot that the teams change sides; it stays where it is, and from here on all poses are in the axes of the new half.
+function experimenter.half_time() end
 
 chance = {}
 
@@ -346,7 +354,7 @@ function print(...) end
 ---@alias reorient.CommandName "flip_pose"|"purge_reflection"|"reset_orientation"|"pause_training"|"pause_evaluation"
 ---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
 ---@alias reorient.PauseName "pause_training"|"pause_evaluation"
----@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"
 ---@alias reorient.MachineName string
 ---@alias reorient.StatePath string
 ---@alias reorient.BehaviorScript string
@@ -355,6 +363,7 @@ function print(...) end
 
 ---@class reorient.World
 ---@field clock? table<string, number|boolean|string>
+---@field game? table<string, number|boolean|string>
 ---@field robot? table<string, number|boolean|string>
 ---@field pose? table<string, number|boolean|string>
 ---@field confidence? table<string, number|boolean|string>

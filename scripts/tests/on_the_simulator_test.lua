@@ -28,3 +28,10 @@ test("a kidnapped robot distrusts its pose, searches, and finds its place", func
   expect.log("recovered")
   expect.equal(is_right, true)
 end)
+
+test("a robot that knows its room keeps its belief when the teams change sides", function()
+  local is_right = simulate { scenario = "half_time", seed = 1 }
+  expect.verdict(true, "knows its place on the other side")
+  expect.no_command("flip_pose")
+  expect.equal(is_right, true)
+end)

@@ -1,5 +1,5 @@
 // The inputs of a run on the simulator with the shipped behaviours in which much happens: carried away, fallen,
-// penalized, tuned, edited, told. Stored as bytes, so that many loops can be fed the same.
+// penalized, tuned, edited, told, with half-times. Stored as bytes, so that many loops can be fed the same.
 #pragma once
 
 #include <cstddef>
@@ -79,6 +79,7 @@ inline std::vector<Bytes> eventful_run(int frames, FrameSetup setup = eventful_s
     if (event == 150) inputs.told.messages.push_back({3, "I see the ball"});
     if (event == 155) simulator.penalize(true);
     if (event == 170) simulator.penalize(false);
+    if (event == 160 || event == 195) inputs.told.half_time = true;
     if (event == 200) inputs.told.initial_pose = InitialPose{simulator.ground_truth().pose};
     simulator.observe(inputs.observation);
     const std::vector<ExternalBelief::Particle> particles = scattered_around(simulator.ground_truth().pose);

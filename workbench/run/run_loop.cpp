@@ -35,7 +35,10 @@ std::optional<RunEnd> RunLoop::step() {
   stage_.stepping = seconds_since(begin) - stage_.observing;
   parts_.robot.robot->answer(record.answer);
   if (!std::exchange(any_frame_, true)) first_time_ = record.world.time;
-  if (parts_.robot.truth != nullptr) stage_.truth = parts_.robot.truth->ground_truth();
+  if (parts_.robot.truth != nullptr) {
+    stage_.truth = parts_.robot.truth->ground_truth();
+    stage_.truth->pose = in_axes_of_team(stage_.truth->pose, record.world.sides_changed);
+  }
 
   // What was told now enters the next frame.
   const std::vector<ScriptEdit> edits = std::exchange(inputs_.script_edits, {});
@@ -54,8 +57,9 @@ void RunLoop::play_scenario() {
   const FrameRecord& record = parts_.engine.record();
   parts_.behaviors->show(*record.names, record.machines, record.published, record.world.time);
   stage_.scenario = parts_.scenario->tick({record.world, stage_.truth});
+  bool sides_changed = record.world.sides_changed;
   for (const ExperimenterAction& action : stage_.scenario.actions)
-    carry_out(action, *parts_.robot.experimenter, inputs_.told);
+    carry_out(action, *parts_.robot.experimenter, inputs_.told, sides_changed);
 }
 
 RunEnd RunLoop::run() {

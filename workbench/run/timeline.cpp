@@ -28,6 +28,7 @@ TimelineEvent command_event(const NameTable& names, const Issuer& issuer, std::s
 std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const StageRecord& stage) {
   const double time = frame.world.time;
   std::vector<TimelineEvent> events;
+  if (frame.inputs.half_time) events.push_back({time, "game", "half-time", "", "the teams change sides", "", false});
   append_transitions(*frame.names, frame.transitions, time, events);
   for (const Lease& lease : frame.begun)
     events.push_back(command_event(*frame.names, lease.issuer, to_string(lease.pause), Verdict::granted, time));

@@ -12,8 +12,8 @@
 namespace reorient {
 
 struct TimelineEvent {
-  double time = 0.0;  ///< s
-  std::string machine;
+  double time = 0.0;    ///< s
+  std::string machine;  ///< or "game"
   std::string state;    ///< path; of a change: "from > to"
   std::string command;  ///< empty: a change of state
   std::string reason;

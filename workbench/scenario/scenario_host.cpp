@@ -71,13 +71,13 @@ std::optional<ParameterOutcome> ScenarioHost::change(const ParameterChange& chan
   return parameters_.change(change);
 }
 
-void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told) {
+void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told, bool& sides_changed) {
   using Kind = ExperimenterAction::Kind;
   switch (action.kind) {
     case Kind::pick_up:
       return experimenter.pick_up();
     case Kind::put_down:
-      return experimenter.put_down(action.pose);
+      return experimenter.put_down(in_axes_of_team(action.pose, sides_changed));
     case Kind::push_over:
       return experimenter.push_over();
     case Kind::penalize:
@@ -86,6 +86,11 @@ void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Tol
       return experimenter.set_exposure_compensation(action.stops);
     case Kind::set_initial_pose:
       told.initial_pose = InitialPose{action.pose};
+      return;
+    case Kind::half_time:
+      sides_changed = !sides_changed;
+      told.half_time = !told.half_time;
+      if (told.initial_pose) told.initial_pose->pose = reflect(told.initial_pose->pose);  // told just before
   }
 }
 

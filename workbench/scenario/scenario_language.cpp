@@ -41,6 +41,8 @@ std::string_view to_string(ExperimenterAction::Kind kind) {
       return "set_exposure_compensation";
     case ExperimenterAction::Kind::set_initial_pose:
       return "set_initial_pose";
+    case ExperimenterAction::Kind::half_time:
+      return "half_time";
   }
   return "";
 }
@@ -77,6 +79,10 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
           "Changes the hall's light against the camera's exposure, in powers of two."),
       script_function<&A::set_initial_pose>("experimenter.set_initial_pose", {"x", "y", "rotation"},
                                             "Tells the robot where it stands (m, m, rad)."),
+      script_function<&A::half_time>(
+          "experimenter.half_time", {},
+          "Tells the robot that the teams change sides; it stays where it is, and from here on "
+          "all poses are in the axes of the new half."),
       script_function<&A::draw>("chance.between", {"low", "high"},
                                 "A random number from low on and below high; the run's seed says which."),
       script_function<&A::succeed>("verdict.succeed", {"text"}, "Ends the run: the robot did right, and why."),

@@ -17,8 +17,8 @@ namespace reorient {
 
 /// What a scenario wants done: to the robot, from outside, or told to it.
 struct ExperimenterAction {
-  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose };
-  friend constexpr int enum_count(Kind) { return 6; }
+  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose, half_time };
+  friend constexpr int enum_count(Kind) { return 7; }
 
   Kind kind = Kind::pick_up;
   Pose2 pose;              ///< of put_down, set_initial_pose
@@ -60,6 +60,7 @@ class ScenarioActions : public ScriptActions {
     act({ExperimenterAction::Kind::set_exposure_compensation, {}, stops, false});
   }
   void set_initial_pose(double x, double y, double rotation);
+  void half_time() { act({ExperimenterAction::Kind::half_time, {}, 0.0, false}); }
   /// In [low, high): the same ones for the same seed, as long as the scenario asks for the same.
   double draw(double low, double high);
   void succeed(std::string_view text) { judge(true, text); }

@@ -30,6 +30,7 @@ struct BoundField {
 
 constexpr WorldTable kTables[] = {
     {"clock", "Time."},
+    {"game", "What the referee says of the game."},
     {"robot", "The robot's own body."},
     {"pose", "Where the robot believes that it is, in the field's frame: x towards the opponent goal, y to the left."},
     {"confidence", "What room awareness says about the believed pose; all from 0 to 1 unless said."},
@@ -43,6 +44,9 @@ const BoundField kFields[] = {
     {"clock", "time", "s", "since the robot was switched on", [](World& w) { return &w.time; }},
     {"clock", "step", "s", "since the frame before", [](World& w) { return &w.time_step; }},
     {"clock", "frame", "", "number of this frame", [](World& w) { return &w.frame; }},
+    {"game", "sides_changed", "",
+     "the team plays towards the end that was its own at first; where this changes, so have the field's axes",
+     [](World& w) { return &w.sides_changed; }},
     {"robot", "posture", "", "how it stands, lies or hangs in somebody's hands", [](World& w) { return &w.posture; }},
     {"robot", "posture_before", "", "the posture before the present one", [](World& w) { return &w.posture_before; }},
     {"robot", "posture_for", "s", "for how long it has had its posture", [](World& w) { return &w.posture_for; }},

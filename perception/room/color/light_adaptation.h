@@ -7,6 +7,7 @@
 
 #include "geometry/image.h"
 #include "perception/room/color/color_histogram.h"
+#include "perception/room/wall/wall.h"
 
 namespace reorient {
 
@@ -57,6 +58,8 @@ class LightAdaptation {
   void observe(std::span<const TileLight> frame, double elapsed, const LightParameters& parameters);
   /// Forgets the light of a wall of this many tiles.
   void restart(int tiles);
+  /// The wall's tiles are counted from the other end of the field.
+  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
   /// Neutral as long as nothing was seen.
   const Light& light() const { return light_; }
 

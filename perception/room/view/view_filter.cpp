@@ -6,6 +6,7 @@
 
 #include "geometry/bytes.h"
 #include "geometry/pinned_math.h"
+#include "perception/room/view/azimuth.h"
 
 namespace reorient {
 namespace {
@@ -16,7 +17,7 @@ ViewCluster cluster_of(std::span<const double> azimuths, std::span<const double>
   const double x = std::accumulate(cosines.begin(), cosines.end(), 0.0);
   const double y = std::accumulate(sines.begin(), sines.end(), 0.0);
   ViewCluster cluster;
-  cluster.azimuth = pinned::atan2(y, x);
+  cluster.azimuth = to_azimuth(pinned::atan2(y, x));
   double squares = 0.0;
   for (const double azimuth : azimuths) {
     const double difference = angle_difference(azimuth, cluster.azimuth);
@@ -41,9 +42,14 @@ void ViewFilter::spread(int particles) {
   clusters_.clear();
   const double width = 2.0 * kPi / static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    particles_[i] = {normalize_angle((static_cast<double>(i) + random_.uniform()) * width),
+    particles_[i] = {to_azimuth((static_cast<double>(i) + random_.uniform()) * width),
                      1.0 / static_cast<double>(count)};
   }
+}
+
+void ViewFilter::turn_half() {
+  for (ViewParticle& particle : particles_) particle.azimuth = opposite(particle.azimuth);
+  for (ViewCluster& cluster : clusters_) cluster.azimuth = opposite(cluster.azimuth);
 }
 
 /// After reading.
@@ -56,7 +62,7 @@ void ViewFilter::check(std::size_t count) const {
 void ViewFilter::predict(double motion, double step, const ViewFilterParameters& parameters) {
   const double deviation = parameters.noise * std::sqrt(step);
   for (ViewParticle& particle : particles_) {
-    particle.azimuth = normalize_angle(particle.azimuth + motion + deviation * random_.normal());
+    particle.azimuth = to_azimuth(particle.azimuth + motion + deviation * random_.normal());
   }
 }
 
@@ -103,7 +109,7 @@ void ViewFilter::inject(double azimuth, double half_width, double expected) {
   const auto wanted = static_cast<std::size_t>(std::max(0.0, std::floor(expected + random_.uniform())));
   for (std::size_t i = 0; i < std::min(wanted, particles_.size()); ++i) {
     const auto replaced = static_cast<std::size_t>(random_.below(particles_.size()));
-    particles_[replaced].azimuth = normalize_angle(azimuth + random_.uniform(-half_width, half_width));
+    particles_[replaced].azimuth = to_azimuth(azimuth + random_.uniform(-half_width, half_width));
   }
 }
 

@@ -29,7 +29,7 @@ void describe(ViewFilterParameters& p, Visit&& visit) {
         "lead of the best match over the average from which on all of the injection happens; 0: always");
 }
 
-/// A viewpoint: an azimuth of the wall, rad in (-pi, pi], field frame. The height follows the camera.
+/// A viewpoint: an azimuth of the wall (azimuth.h), rad in (-pi, pi], field frame. The height follows the camera.
 struct ViewParticle {
   double azimuth = 0.0;
   double weight = 0.0;  ///< of this frame, before resampling; the weights sum up to 1
@@ -56,6 +56,8 @@ class ViewFilter {
 
   /// Particles all around, evenly.
   void spread(int particles);
+  /// The wall's azimuths are counted from the other end of the field.
+  void turn_half();
   /// Moves all of them by `motion` (rad) and scatters them by the noise of `step` seconds.
   void predict(double motion, double step, const ViewFilterParameters& parameters);
   /// Weighs, resamples (systematically) and injects at the best match. `view_center`: where the belief says that the

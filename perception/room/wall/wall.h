@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -57,6 +59,14 @@ class Wall {
   int row_of(int tile) const { return tile / columns_; }
   int column_of(int tile) const { return tile % columns_; }
   int reflected(int tile) const;
+  /// What belongs to each tile goes to its reflection; done twice, it is back. `of_tiles`: one element for each tile.
+  template <typename T>
+  void turn_half(std::span<T> of_tiles) const {
+    for (int tile = 0; tile < tiles(); ++tile) {
+      if (const int other = reflected(tile); tile < other)
+        std::swap(of_tiles[static_cast<std::size_t>(tile)], of_tiles[static_cast<std::size_t>(other)]);
+    }
+  }
 
   /// The point of the wall at a fractional column and row, m.
   Eigen::Vector3d point(double column, double row) const;

@@ -46,6 +46,16 @@ TEST_F(TimelineTest, TellsChangesOfStatePausesAndCommandsInTheirOrder) {
   EXPECT_EQ(history.dropped(), 0u);
 }
 
+TEST_F(TimelineTest, TellsThatTheTeamsChangeSides) {
+  EXPECT_TRUE(timeline_events(frame, stage).empty());
+  frame.inputs.half_time = true;
+  const std::vector<TimelineEvent> events = timeline_events(frame, stage);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].machine, "game");
+  EXPECT_EQ(events[0].state, "half-time");
+  EXPECT_FALSE(events[0].reorients);
+}
+
 TEST_F(TimelineTest, KeepsTheLatestCommandsOfEachMachineAndCountsTheRest) {
   frame.begun.push_back({Pause::training, issuer()});
   history.observe(frame, stage);

@@ -1,0 +1,59 @@
+--- Half-time: a robot has learned the room when the teams change sides. It stays where it is and only the field's axes
+--- turn; from one frame to the next its belief and all that it knows of the room must turn with them, and nothing that
+--- it sees later may make it doubt.
+
+local ground_truth = require "lib.ground_truth"
+
+param {
+  learn    = { 40.0, range = { 0, 600 }, unit = "s", doc = "how long the robot may learn the room" },
+  duration = { 60.0, range = { 1, 600 }, unit = "s", doc = "how long the second half takes" },
+  patience = { 2.0,  range = { 0, 60 },  unit = "s", doc = "how long the belief may be wrong" },
+}
+
+scenario "half_time" {
+  behaviors = {
+    "orientation", "background_training", "kidnap_recovery", "goal_search", "head_scan", "get_up", "penalty_marks",
+  },
+  priority = 100,
+  initial = "placing",
+
+  state "placing" {
+    enter = function() ground_truth.start() end,
+    { "first half", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "first half" {
+    exit = function()
+      ground_truth.note("before half-time")
+      experimenter.half_time()
+    end,
+    { "second half", after = "learn", because = "the teams change sides" },
+  },
+
+  state "second half" {
+    initial = "knowing",
+    { "right", after = "duration", because = "the time is up" },
+
+    state "knowing" {
+      { "flipped", when = function() return behaviors.orientation.state == "correcting" end,
+        because = "the robot flips its belief" },
+      { "wrong", when = function() return game.sides_changed and not ground_truth.is_belief_right() end,
+        lasting = "patience", because = "the belief is wrong" },
+    },
+  },
+
+  state "right" {
+    enter = function()
+      ground_truth.note("after half-time")
+      verdict.succeed("the robot knows its place on the other side")
+    end,
+  },
+
+  state "flipped" {
+    enter = function() verdict.fail("half-time made the robot flip its belief") end,
+  },
+
+  state "wrong" {
+    enter = function() verdict.fail("after half-time the belief is " .. ground_truth.error_in_words()) end,
+  },
+}

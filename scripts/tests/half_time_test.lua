@@ -1,0 +1,51 @@
+--- Tests of scenarios/half_time.lua.
+
+local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
+local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
+
+--- Up to the frame in which the robot hears of it.
+local function change_sides()
+  set_truth(-1, 0.5, 0)
+  set_belief(-1, 0.5, 0)
+  load_scenario "half_time"
+  advance(0.1)
+  expect.action("put_down")
+  expect.action("set_initial_pose")
+  advance(40.1)
+  expect.action("half_time")
+  expect.state("half_time", "second half/knowing")
+  set_world { game = { sides_changed = true } }
+  set_truth(1, -0.5, math.pi)
+  set_belief(1, -0.5, math.pi)
+end
+
+test("succeeds when the belief has turned with the axes", function()
+  change_sides()
+  advance(59)
+  expect.state("half_time", "second half/knowing")
+  advance(2)
+  expect.verdict(true, "knows its place on the other side")
+end)
+
+test("fails when the belief stays as it was", function()
+  change_sides()
+  set_belief(-1, 0.5, 0)
+  advance(1.5)
+  expect.state("half_time", "second half/knowing")
+  advance(1)
+  expect.verdict(false, "2.24 m and 180 degrees off")
+end)
+
+test("fails when the robot flips its belief", function()
+  change_sides()
+  set_world { confidence = { opposite = 0.9, coverage = 1, distinctiveness = 0.5, status = "usable" } }
+  advance(10)
+  expect.verdict(false, "made the robot flip")
+end)
+
+test("loads the behaviours that it needs", function()
+  change_sides()
+  advance(0.1)
+  expect.state("orientation", "watching")
+  expect.state("penalty_marks", "walking")
+end)

@@ -1,0 +1,120 @@
+// Half-time: the axes turn, and what is known of the room turns with them.
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geometry/bytes.h"
+#include "perception/room/room_awareness.h"
+#include "perception/room/view/azimuth.h"
+#include "tests/perception/room/painted_room.h"
+
+namespace reorient {
+namespace {
+
+using test::PaintedRoom;
+using test::ScanningRobot;
+
+std::vector<std::byte> bytes_of(const RoomAwareness& room) {
+  std::vector<std::byte> bytes;
+  ByteWriter writer(bytes);
+  writer(room);
+  return bytes;
+}
+
+RC_GTEST_PROP(Azimuth, HalfATurnIsExactThereAndBack, ()) {
+  const double azimuth = to_azimuth(*rc::gen::arbitrary<double>());
+  RC_PRE(std::isfinite(azimuth));
+  RC_ASSERT(azimuth > -kPi && azimuth <= kPi);
+  RC_ASSERT(to_azimuth(azimuth) == azimuth);
+  const double other = opposite(azimuth);
+  RC_ASSERT(other > -kPi && other <= kPi && to_azimuth(other) == other);
+  RC_ASSERT(std::abs(std::abs(angle_difference(other, azimuth)) - kPi) < 1e-12);
+  RC_ASSERT(opposite(other) == azimuth && std::signbit(opposite(other)) == std::signbit(azimuth));
+}
+
+TEST(Azimuth, OfEachOfTheFourSidesHasItsOpposite) {
+  EXPECT_EQ(opposite(to_azimuth(0.0)), kPi);
+  EXPECT_EQ(opposite(to_azimuth(-0.0)), kPi);
+  EXPECT_EQ(opposite(to_azimuth(kPi)), 0.0);
+  EXPECT_EQ(opposite(to_azimuth(-kPi)), 0.0);
+  EXPECT_DOUBLE_EQ(opposite(to_azimuth(kPi / 2.0)), -kPi / 2.0);
+  EXPECT_LT(std::abs(to_azimuth(0.1) - 0.1), 1e-15);
+}
+
+RC_GTEST_PROP(HalfTime, DoneTwiceIsTheIdentityBitForBit, ()) {
+  const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
+  RoomParameters parameters;
+  parameters.wall.columns = 2 * *rc::gen::inRange(2, 30);
+  parameters.wall.rows = *rc::gen::inRange(1, 4);
+  ScanningRobot robot(PaintedRoom::colorful(seed), parameters, seed);
+  robot.run(*rc::gen::inRange(0, 8) / 10.0);
+  const std::vector<std::byte> before = bytes_of(robot.awareness);
+  robot.awareness.on_half_time();
+  RC_ASSERT(bytes_of(robot.awareness) != before);
+  robot.awareness.on_half_time();
+  RC_ASSERT(bytes_of(robot.awareness) == before);
+}
+
+TEST(HalfTime, MakesTheModelThatIsLearnedFromTurnedPoses) {
+  ScanningRobot robot(PaintedRoom::colorful(3), {}, 3), turned = robot;
+  turned.belief = reflect(turned.truth);
+  robot.run(10.0);
+  turned.run(10.0);
+  robot.awareness.on_half_time();
+  for (int tile = 0; tile < robot.awareness.wall().tiles(); ++tile) {
+    const TileModel& one = robot.awareness.model()[tile];
+    const TileModel& other = turned.awareness.model()[tile];
+    ASSERT_EQ(one.visits, other.visits) << tile;
+    for (std::size_t bin = 0; bin < one.mean.size(); ++bin) {
+      EXPECT_NEAR(one.mean[bin], other.mean[bin], 1e-3) << tile;
+      EXPECT_NEAR(one.variance[bin], other.variance[bin], 1e-3) << tile;
+    }
+  }
+}
+
+TEST(HalfTime, LeavesTheConfidencesAsIfNothingHadHappened) {
+  ScanningRobot robot(PaintedRoom::colorful(4), {}, 4);
+  robot.run(15.0);
+  robot.train = false;
+  ScanningRobot turned = robot;
+  turned.awareness.on_half_time();
+  turned.belief = reflect(turned.belief);
+  EXPECT_EQ(turned.awareness.confidences().current, robot.awareness.confidences().current);
+  EXPECT_EQ(turned.awareness.confidences().age, robot.awareness.confidences().age);
+  for (int frame = 0; frame < 30; ++frame) {
+    robot.run(1.0 / 15.0);
+    turned.run(1.0 / 15.0);
+    const Confidences& before = robot.awareness.confidences();
+    const Confidences& after = turned.awareness.confidences();
+    ASSERT_EQ(after.raw_current, before.raw_current) << frame;
+    ASSERT_EQ(after.raw_opposite, before.raw_opposite) << frame;
+    ASSERT_EQ(after.current, before.current) << frame;
+    ASSERT_EQ(after.opposite, before.opposite) << frame;
+    ASSERT_EQ(after.goal_own, before.goal_opponent) << frame;
+    ASSERT_EQ(after.goal_opponent, before.goal_own) << frame;
+    ASSERT_EQ(after.coverage, before.coverage) << frame;
+    ASSERT_EQ(after.seen, before.seen) << frame;
+    ASSERT_NEAR(after.evidence, before.evidence, 1e-6) << frame;
+    ASSERT_NEAR(after.distinctiveness, before.distinctiveness, 1e-6) << frame;
+  }
+}
+
+TEST(HalfTime, TurnsTheViewParticlesWithTheWall) {
+  ScanningRobot robot(PaintedRoom::colorful(5), {}, 5);
+  robot.run(5.0);
+  const std::vector<ViewParticle> before(robot.awareness.particles().begin(), robot.awareness.particles().end());
+  const std::optional<double> center = robot.awareness.center_of_view();
+  ASSERT_TRUE(center);
+  robot.awareness.on_half_time();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(robot.awareness.particles()[i].azimuth, opposite(before[i].azimuth));
+    EXPECT_EQ(robot.awareness.particles()[i].weight, before[i].weight);
+  }
+  EXPECT_EQ(robot.awareness.center_of_view(), opposite(*center));
+}
+
+}  // namespace
+}  // namespace reorient

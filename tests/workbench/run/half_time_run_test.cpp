@@ -1,0 +1,64 @@
+// Poses at half-time: the experimenter's axes are the hall's, everybody else's are the team's.
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "workbench/scenario/scenario_host.h"
+
+namespace reorient {
+namespace {
+
+using Kind = ExperimenterAction::Kind;
+
+struct Hands : Experimenter {
+  void pick_up() override {}
+  void put_down(const Pose2& where) override { stands_at = where; }
+  void push_over() override {}
+  void penalize(bool) override {}
+  void set_exposure_compensation(double) override {}
+
+  std::optional<Pose2> stands_at;
+};
+
+class HalfTimeOfAScenario : public ::testing::Test {
+ protected:
+  void act(Kind kind, const Pose2& pose = {}) { carry_out({kind, pose, 0.0, false}, hands, told, sides_changed); }
+
+  static bool same(const Pose2& a, const Pose2& b) {
+    return (a.position - b.position).norm() < 1e-9 && std::abs(angle_difference(a.rotation, b.rotation)) < 1e-9;
+  }
+
+  const Pose2 place{-3.0, 1.0, 0.5};
+  Hands hands;
+  Told told;
+  bool sides_changed = false;
+};
+
+TEST_F(HalfTimeOfAScenario, IsToldAndTurnsThePosesBehindIt) {
+  act(Kind::put_down, place);
+  EXPECT_TRUE(same(*hands.stands_at, place));
+  act(Kind::half_time);
+  EXPECT_TRUE(told.half_time);
+  EXPECT_TRUE(sides_changed);
+  act(Kind::put_down, place);
+  EXPECT_TRUE(same(*hands.stands_at, reflect(place))) << "in the hall it is at the other end";
+  act(Kind::set_initial_pose, place);
+  EXPECT_TRUE(same(told.initial_pose->pose, place)) << "the robot plays towards that end";
+}
+
+TEST_F(HalfTimeOfAScenario, TurnsAPoseThatWasToldJustBefore) {
+  act(Kind::set_initial_pose, place);
+  act(Kind::half_time);
+  EXPECT_TRUE(same(told.initial_pose->pose, reflect(place)));
+}
+
+TEST_F(HalfTimeOfAScenario, TwiceAtOnceIsNone) {
+  act(Kind::half_time);
+  act(Kind::half_time);
+  EXPECT_FALSE(told.half_time);
+  EXPECT_FALSE(sides_changed);
+}
+
+}  // namespace
+}  // namespace reorient
