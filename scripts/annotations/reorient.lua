@@ -173,6 +173,9 @@ function experimenter.penalize(penalized) end
 ---@param stops number
 function experimenter.set_exposure_compensation(stops) end
 
+---Another light begins, as the parameters `light` say.
+function experimenter.change_light() end
+
 ---Tells the robot where it stands (m, m, rad).
 ---@param x number
 ---@param y number
@@ -338,7 +341,7 @@ function print(...) end
 ---@alias reorient.CommandName "flip_pose"|"purge_reflection"|"reset_orientation"|"pause_training"|"pause_evaluation"
 ---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
 ---@alias reorient.PauseName "pause_training"|"pause_evaluation"
----@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"change_light"
 ---@alias reorient.MachineName string
 ---@alias reorient.StatePath string
 ---@alias reorient.BehaviorScript string

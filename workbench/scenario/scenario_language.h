@@ -16,8 +16,8 @@ namespace reorient {
 
 /// What a scenario wants done: to the robot, from outside, or told to it.
 struct ExperimenterAction {
-  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose };
-  friend constexpr int enum_count(Kind) { return 6; }
+  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose, change_light };
+  friend constexpr int enum_count(Kind) { return 7; }
 
   Kind kind = Kind::pick_up;
   Pose2 pose;              ///< of put_down, set_initial_pose
@@ -56,6 +56,7 @@ class ScenarioActions : public ScriptActions {
   void set_exposure_compensation(double stops) {
     act({ExperimenterAction::Kind::set_exposure_compensation, {}, stops, false});
   }
+  void change_light() { act({ExperimenterAction::Kind::change_light, {}, 0.0, false}); }
   void set_initial_pose(double x, double y, double rotation);
   void succeed(std::string_view text) { judge(true, text); }
   void fail(std::string_view text) { judge(false, text); }
