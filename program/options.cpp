@@ -13,8 +13,9 @@ void add_parameter_options(CLI::App& parser, ParameterOptions& options) {
   parser.add_option("--set", options.assignments, "NAME=VALUE: override a parameter; may be given again")
       ->allow_extra_args(false);
   parser
-      .add_option("--params", options.files,
-                  "TOML file with overrides, or the name of one in assets/parameters: paper; may be given again")
+      .add_option(
+          "--params", options.files,
+          "TOML file with overrides, or the name of one in assets/parameters: paper, light/hard; may be given again")
       ->check(check_not_empty)
       ->allow_extra_args(false);
 }
@@ -26,7 +27,7 @@ constexpr std::string_view kParameterFiles[] = {".toml"};
 std::filesystem::path parameter_file(const std::filesystem::path& named) {
   std::filesystem::path file = asset_file("parameters", named, kParameterFiles);
   std::error_code error;
-  if (!std::filesystem::exists(file, error) && !named.has_parent_path() && !named.has_extension()) {
+  if (!std::filesystem::exists(file, error) && is_asset_name(named)) {
     throw std::runtime_error("--params " + named.string() + ": there is no such file, and none of this name in " +
                              "assets/parameters" +
                              did_you_mean(named.string(), asset_names("parameters", kParameterFiles)));

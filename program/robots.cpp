@@ -20,6 +20,7 @@ struct SimulatorTuning {
     registry.bind("simulator", simulator);
     registry.bind("body", simulator.body);
     registry.bind("sensor", simulator.sensor);
+    registry.bind("light", simulator.light);
     registry.bind("room_shape", room_shape);
   }
 

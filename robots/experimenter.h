@@ -18,6 +18,7 @@ class Experimenter {
   virtual void penalize(bool penalized) = 0;      ///< while it is penalized it neither walks nor gets up
   /// The hall's light against the camera's exposure, in powers of two.
   virtual void set_exposure_compensation(double stops) = 0;
+  virtual void change_light() = 0;  ///< another light begins, and with it other things on the walls and other people
 };
 
 /// Where a robot really is.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
@@ -50,6 +52,17 @@ std::vector<Barrier> barriers_of(const FieldDimensions& field) {
   return barriers;
 }
 
+/// How fast something turns, rad/s in its own frame; not at all where it was carried elsewhere in between.
+Eigen::Vector3d angular_velocity_of(const Eigen::Matrix3d& before, const Eigen::Matrix3d& now, double time_step) {
+  constexpr double kFastest = 20.0;  // rad/s
+  const Eigen::Matrix3d turn = before.transpose() * now;
+  const Eigen::Vector3d axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+  const double sine = 0.5 * axis.norm();
+  const double angle = pinned::atan2(sine, 0.5 * (turn.trace() - 1.0));
+  if (sine < 1e-9 || angle > kFastest * time_step) return Eigen::Vector3d::Zero();
+  return axis * (0.5 * angle / (sine * time_step));
+}
+
 Ball somewhere_on(const FieldDimensions& field, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 0xba11;
   Random random(seed, kStream);
@@ -64,7 +77,7 @@ Simulator::Simulator(const SimulatorParameters& parameters, const FieldDimension
                      const Pose2& start, std::uint64_t seed)
     : parameters_(parameters),
       field_(field),
-      light_(room.light),
+      room_(room),
       bounds_(bounds_of(room)),
       goals_(barriers_of(field)),
       true_dimensions_(with_tilt_error(dimensions_, parameters.tilt_error, seed)),
@@ -73,11 +86,12 @@ Simulator::Simulator(const SimulatorParameters& parameters, const FieldDimension
       players_(parameters.other_robots, field, start.position, seed),
       ball_(somewhere_on(field, seed)),
       spectators_(parameters.spectators, room.shape, field, room.light, seed),
+      light_(parameters.light, room.shape.height, seed),
       upper_(camera_, field, room, parameters.labels, parameters.sensor, seed) {
   constexpr std::uint64_t kLowerNoise = 0x10e6;
   if (parameters.cameras == Cameras::both)
     lower_.emplace(camera_, field, room, false, parameters.sensor, seed ^ kLowerNoise);
-  add_goals(scene_, field_, light_);
+  add_goals(scene_, field_, room_.light);
   standing_capsules_ = scene_.capsules.size();
   standing_shadows_ = scene_.shadows.size();
 }
@@ -124,15 +138,22 @@ CameraFrame Simulator::moment(HeadCamera camera, const BodySample& body) const {
 }
 
 void Simulator::expose(Eye& eye, CameraFrame& frame) {
-  const bool is_upper = &eye == &upper_;
-  const Frame& drawn = eye.renderer.render(is_upper ? field_from_camera_ : field_from_lower_, scene_);
-  eye.sensor.expose(drawn, frame_, 1.0 / parameters_.frame_rate, eye.image);
+  const double time_step = 1.0 / parameters_.frame_rate;
+  const Isometry3& pose = &eye == &upper_ ? field_from_camera_ : field_from_lower_;
+  const Eigen::Matrix3d rotation = pose.linear();
+  const Eigen::Vector3d angular_velocity = eye.field_from_camera
+                                               ? angular_velocity_of(*eye.field_from_camera, rotation, time_step)
+                                               : Eigen::Vector3d::Zero();
+  eye.field_from_camera = rotation;
+  const Frame& drawn = eye.renderer.render(pose, scene_, angular_velocity, parameters_.sensor.readout_time);
+  eye.sensor.expose(drawn, frame_, time_step, eye.image, angular_velocity);
   frame.image = eye.image.view();
 }
 
 void Simulator::look(Observation& observation) {
   observation = {};
   observation.time = static_cast<double>(frame_) / parameters_.frame_rate;
+  light_up();
   place_people(observation.time);
   if (frame_ == 0) observation.robot = RobotBody{"NAO v6", parameters_.body.foot_sensors, RobotBody{}.standing_load};
   observation.told.referee = std::exchange(whistle_, std::nullopt);
@@ -157,10 +178,27 @@ void Simulator::place_people(double time) {
   scene_.shadows.resize(standing_shadows_);
   static const LinearColor kJerseys[] = {{0.03f, 0.07f, 0.42f}, {0.55f, 0.02f, 0.03f}};
   for (const Player& player : players_.all()) {
-    add_robot(scene_, player.pose, player.stride, kJerseys[player.team], light_);
+    add_robot(scene_, player.pose, player.stride, kJerseys[player.team], room_.light);
   }
-  if (parameters_.ball) add_ball(scene_, ball_.position, light_);
+  if (parameters_.ball) add_ball(scene_, ball_.position, room_.light);
   spectators_.add_to(scene_, time);
+}
+
+void Simulator::light_up() {
+  if (!light_.changed()) return;
+  const double time_step = 1.0 / parameters_.frame_rate;
+  light_.advance(time_step);
+  scene_.illumination = light_.illumination();
+  upper_.sensor.set_gains(light_.gains());
+  if (lower_) lower_->sensor.set_gains(light_.gains());
+  constexpr double kMinute = 60.0;  // s
+  spectators_.exchange(parameters_.light.people_turnover * time_step / kMinute);
+}
+
+void Simulator::change_light() {
+  light_.change();
+  scene_.patches = light_.draw_patches(room_);
+  spectators_.exchange(parameters_.light.people_exchanged);
 }
 
 void Simulator::set_exposure_compensation(double stops) {

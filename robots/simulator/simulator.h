@@ -15,6 +15,7 @@
 #include "robots/simulator/agents/spectators.h"
 #include "robots/simulator/body/ball.h"
 #include "robots/simulator/body/body.h"
+#include "robots/simulator/light/hall_light.h"
 #include "robots/simulator/render/renderer.h"
 #include "robots/simulator/render/sensor.h"
 #include "robots/simulator/room/room.h"
@@ -42,6 +43,7 @@ struct SimulatorParameters {
   bool labels = false;  ///< whether labels() and depth() are kept; not a parameter of the program
   BodyParameters body;
   SensorParameters sensor;
+  LightParameters light;
 };
 
 template <typename Visit>
@@ -78,6 +80,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   void push_over() override { body_.push_over(); }
   void penalize(bool penalized) override;
   void set_exposure_compensation(double stops) override;
+  void change_light() override;
 
   /// What each pixel of the latest image shows, and how far away along the optical axis it is (m), row by row.
   /// Empty unless SimulatorParameters::labels.
@@ -101,17 +104,19 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
     Renderer renderer;
     Sensor sensor;
     Image image;
+    std::optional<Eigen::Matrix3d> field_from_camera;  // the rotation of the image before
   };
 
   void move();
   void place_people(double time);
+  void light_up();
   void look(Observation& observation);
   CameraFrame moment(HeadCamera camera, const BodySample& body) const;
   void expose(Eye& eye, CameraFrame& frame);
 
   SimulatorParameters parameters_;
   FieldDimensions field_;
-  LinearColor light_;
+  Room room_;
   Eigen::Vector2d bounds_;  // m, half sizes of where the robot can go
   std::vector<Barrier> goals_;
   std::vector<Barrier> barriers_;  // goals and other robots
@@ -123,6 +128,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   Players players_;
   Ball ball_;
   Spectators spectators_;
+  HallLight light_;
   Request request_;
 
   Eye upper_;

@@ -178,6 +178,9 @@ function experimenter.penalize(penalized) end
 ---@param stops number
 function experimenter.set_exposure_compensation(stops) end
 
+---Another light begins, as the parameters `light` say.
+function experimenter.change_light() end
+
 ---Tells the robot where it stands (m, m, rad).
 ---@param x number
 ---@param y number

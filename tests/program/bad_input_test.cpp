@@ -142,6 +142,8 @@ TEST_F(BadInput, AParameterOfAWrongTypeIsNamed) {
   expect_refused_run({"--set", "histogram_distance.measure=ssd4"},
                      {"histogram_distance.measure", "did you mean 'ssd3'"});
   expect_refused_run({"--set", "simulator.ball=perhaps"}, {"simulator.ball"});
+  expect_refused_run({"--set", "light.wall_changed=0.9"}, {"light.wall_changed"});
+  expect_refused_run({"--set", "sensor.exposure_time=-1"}, {"sensor.exposure_time"});
 }
 
 TEST_F(BadInput, AParameterFileThatIsMissingIsNamed) {
@@ -191,6 +193,7 @@ TEST_F(BadInput, TheNearestRightFileIsNamed) {
   expect_refused_run({"--room", path("hall_of_the_nroth.hdr")}, {"did you mean 'hall_of_the_north.hdr'?"});
   expect_refused_run({"--field", "slp"}, {"did you mean 'spl'?"});
   expect_refused_run({"--params", "papre"}, {"did you mean 'paper'?"});
+  expect_refused_run({"--params", "light/hrad"}, {"did you mean 'light/hard'?"});
   expect_refused_run({"--json", path("gone/run.json")}, {"No such file or directory"});
 }
 

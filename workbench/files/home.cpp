@@ -34,11 +34,15 @@ std::filesystem::path find_home() {
   }
 }
 
+bool is_asset_name(const std::filesystem::path& named) {
+  if (named.empty() || named.is_absolute() || named.has_extension()) return false;
+  return named.begin()->native().front() != '.';
+}
+
 std::filesystem::path asset_file(std::string_view folder, const std::filesystem::path& named,
                                  std::span<const std::string_view> extensions) {
   std::error_code error;
-  const bool is_name = !named.has_parent_path() && !named.has_extension();
-  if (!is_name || std::filesystem::exists(named, error)) return named;
+  if (!is_asset_name(named) || std::filesystem::exists(named, error)) return named;
   for (const std::string_view extension : extensions) {
     std::filesystem::path asset = find_home() / "assets" / folder / named;
     asset += extension;
@@ -50,10 +54,11 @@ std::filesystem::path asset_file(std::string_view folder, const std::filesystem:
 std::vector<std::string> asset_names(std::string_view folder, std::span<const std::string_view> extensions) {
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(find_home() / "assets" / folder, error)) {
+  const std::filesystem::path root = find_home() / "assets" / folder;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root, error)) {
     const std::string extension = entry.path().extension().string();
     if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
-      names.push_back(entry.path().stem().string());
+      names.push_back(entry.path().lexically_relative(root).replace_extension().generic_string());
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -13,9 +13,12 @@ namespace reorient {
 /// project's or an installation's, which has them in share/reorient. Throws std::runtime_error where there is none.
 std::filesystem::path find_home();
 
-/// "paper" as assets/parameters/paper.toml, where there is one with one of the extensions; everything else is a path.
+/// "paper" as assets/parameters/paper.toml, "light/hard" as assets/parameters/light/hard.toml, where there is one with
+/// one of the extensions; everything else is a path.
 std::filesystem::path asset_file(std::string_view folder, const std::filesystem::path& named,
                                  std::span<const std::string_view> extensions);
+/// Whether that may be the name of an asset: it has no extension and does not begin with "/" or ".".
+bool is_asset_name(const std::filesystem::path& named);
 /// The names of those that there are.
 std::vector<std::string> asset_names(std::string_view folder, std::span<const std::string_view> extensions);
 

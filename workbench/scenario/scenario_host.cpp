@@ -84,6 +84,8 @@ void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Tol
       return experimenter.penalize(action.penalized);
     case Kind::set_exposure_compensation:
       return experimenter.set_exposure_compensation(action.stops);
+    case Kind::change_light:
+      return experimenter.change_light();
     case Kind::set_initial_pose:
       told.initial_pose = InitialPose{action.pose};
       return;

@@ -39,6 +39,8 @@ std::string_view to_string(ExperimenterAction::Kind kind) {
       return "penalize";
     case ExperimenterAction::Kind::set_exposure_compensation:
       return "set_exposure_compensation";
+    case ExperimenterAction::Kind::change_light:
+      return "change_light";
     case ExperimenterAction::Kind::set_initial_pose:
       return "set_initial_pose";
     case ExperimenterAction::Kind::half_time:
@@ -77,6 +79,8 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
       script_function<&A::set_exposure_compensation>(
           "experimenter.set_exposure_compensation", {"stops"},
           "Changes the hall's light against the camera's exposure, in powers of two."),
+      script_function<&A::change_light>("experimenter.change_light", {},
+                                        "Another light begins, as the parameters `light` say."),
       script_function<&A::set_initial_pose>("experimenter.set_initial_pose", {"x", "y", "rotation"},
                                             "Tells the robot where it stands (m, m, rad)."),
       script_function<&A::half_time>(

@@ -17,8 +17,17 @@ namespace reorient {
 
 /// What a scenario wants done: to the robot, from outside, or told to it.
 struct ExperimenterAction {
-  enum class Kind { pick_up, put_down, push_over, penalize, set_exposure_compensation, set_initial_pose, half_time };
-  friend constexpr int enum_count(Kind) { return 7; }
+  enum class Kind {
+    pick_up,
+    put_down,
+    push_over,
+    penalize,
+    set_exposure_compensation,
+    set_initial_pose,
+    half_time,
+    change_light
+  };
+  friend constexpr int enum_count(Kind) { return 8; }
 
   Kind kind = Kind::pick_up;
   Pose2 pose;              ///< of put_down, set_initial_pose
@@ -59,6 +68,7 @@ class ScenarioActions : public ScriptActions {
   void set_exposure_compensation(double stops) {
     act({ExperimenterAction::Kind::set_exposure_compensation, {}, stops, false});
   }
+  void change_light() { act({ExperimenterAction::Kind::change_light, {}, 0.0, false}); }
   void set_initial_pose(double x, double y, double rotation);
   void half_time() { act({ExperimenterAction::Kind::half_time, {}, 0.0, false}); }
   /// In [low, high): the same ones for the same seed, as long as the scenario asks for the same.

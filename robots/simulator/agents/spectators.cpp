@@ -20,34 +20,47 @@ PersonLook any_look(const LinearColor& light, Random& random) {
 }  // namespace
 
 Spectators::Spectators(int count, const RoomShape& room, const FieldDimensions& field, const LinearColor& light,
-                       std::uint64_t seed) {
+                       std::uint64_t seed)
+    : room_(room), field_(field), light_(light), comers_(seed, 0xc03e25) {
   Random random(seed, 0x9e091e);
+  for (int i = 0; i < count; ++i) {
+    if (const auto spectator = somebody(random)) spectators_.push_back(*spectator);
+  }
+}
+
+std::optional<Spectators::Spectator> Spectators::somebody(Random& random) const {
   constexpr double kFromCarpet = 0.4;  // m
   constexpr double kFromWall = 0.5;    // m
-  const Eigen::Vector2d carpet(0.5 * field.length + field.border + kFromCarpet,
-                               0.5 * field.width + field.border + kFromCarpet);
-  for (int i = 0; i < count; ++i) {
-    // A place between the carpet and the wall, anywhere along the wall.
-    const Eigen::Vector2d wall = wall_point(room, random.uniform(0.0, wall_perimeter(room)));
-    const double inner = std::min(
-        {1.0, carpet.x() / std::max(std::abs(wall.x()), 1e-6), carpet.y() / std::max(std::abs(wall.y()), 1e-6)});
-    const Eigen::Vector2d edge = inner * wall;
-    const Eigen::Vector2d out = wall - edge;
-    const double room_left = out.norm() - kFromWall;
-    if (room_left < 0.0) continue;
-    Spectator spectator;
-    spectator.place = edge + out.normalized() * random.uniform(0.0, room_left);
-    const bool strolls = random.uniform() < 0.15;
-    spectator.stroll = strolls
-                           ? Eigen::Vector2d(random.uniform(0.3, 1.0) * Eigen::Vector2d(-out.y(), out.x()).normalized())
-                           : Eigen::Vector2d::Zero();
-    spectator.height =
-        random.uniform() < 0.3 ? random.uniform(1.1, 1.3) : random.uniform(1.5, 1.9);  // sitting or standing
-    spectator.phase = random.uniform(0.0, 2.0 * kPi);
-    spectator.pace = random.uniform(0.15, 0.6);
-    spectator.restless = random.uniform(0.01, 0.08);
-    spectator.look = any_look(light, random);
-    spectators_.push_back(spectator);
+  const Eigen::Vector2d carpet(0.5 * field_.length + field_.border + kFromCarpet,
+                               0.5 * field_.width + field_.border + kFromCarpet);
+  // A place between the carpet and the wall, anywhere along the wall.
+  const Eigen::Vector2d wall = wall_point(room_, random.uniform(0.0, wall_perimeter(room_)));
+  const double inner =
+      std::min({1.0, carpet.x() / std::max(std::abs(wall.x()), 1e-6), carpet.y() / std::max(std::abs(wall.y()), 1e-6)});
+  const Eigen::Vector2d edge = inner * wall;
+  const Eigen::Vector2d out = wall - edge;
+  const double room_left = out.norm() - kFromWall;
+  if (room_left < 0.0) return std::nullopt;
+  Spectator spectator;
+  spectator.place = edge + out.normalized() * random.uniform(0.0, room_left);
+  const bool strolls = random.uniform() < 0.15;
+  spectator.stroll = strolls
+                         ? Eigen::Vector2d(random.uniform(0.3, 1.0) * Eigen::Vector2d(-out.y(), out.x()).normalized())
+                         : Eigen::Vector2d::Zero();
+  spectator.height =
+      random.uniform() < 0.3 ? random.uniform(1.1, 1.3) : random.uniform(1.5, 1.9);  // sitting or standing
+  spectator.phase = random.uniform(0.0, 2.0 * kPi);
+  spectator.pace = random.uniform(0.15, 0.6);
+  spectator.restless = random.uniform(0.01, 0.08);
+  spectator.look = any_look(light_, random);
+  return spectator;
+}
+
+void Spectators::exchange(double probability) {
+  if (probability <= 0.0) return;
+  for (Spectator& spectator : spectators_) {
+    if (comers_.uniform() >= probability) continue;
+    if (const auto comer = somebody(comers_)) spectator = *comer;
   }
 }
 

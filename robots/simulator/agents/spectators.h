@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/field_dimensions.h"
+#include "geometry/random.h"
 #include "robots/simulator/render/scene/scene.h"
 #include "robots/simulator/room/room.h"
 
@@ -16,7 +18,10 @@ class Spectators {
   Spectators(int count, const RoomShape& room, const FieldDimensions& field, const LinearColor& light,
              std::uint64_t seed);
 
-  /// Adds everybody as they stand at a time (s). A function of time alone.
+  /// Each one leaves with this probability, and somebody else comes to another place.
+  void exchange(double probability);
+
+  /// Adds everybody as they stand at a time (s).
   void add_to(Scene& scene, double time) const;
 
  private:
@@ -29,6 +34,14 @@ class Spectators {
     double restless;         // m, how far the head moves to the sides
     PersonLook look;
   };
+
+  /// Nobody, where the place that was drawn is too narrow.
+  std::optional<Spectator> somebody(Random& random) const;
+
+  RoomShape room_;
+  FieldDimensions field_;
+  LinearColor light_;
+  Random comers_;  // those who come later
   std::vector<Spectator> spectators_;
 };
 

@@ -41,6 +41,11 @@ struct RayTable {
   std::vector<float> length;                                                    ///< of the direction
   float most_left = 0.0f, most_right = 0.0f, most_up = 0.0f, most_down = 0.0f;  ///< steepest directions of all pixels
   float pixel_angle = 0.0f;  ///< rad that a pixel spans at the image's centre
+  float slack = 0.0f;        ///< pixels by which a ray may lie off the camera model's
+
+  /// The rays of a camera that turns at `angular_velocity` (rad/s, in its own frame) while its rows are read one after
+  /// another within `readout_time` (s). They are told in the frame of the moment in which the middle row is read.
+  void turn_while_read(const RayTable& at_rest, const Eigen::Vector3d& angular_velocity, double readout_time);
 };
 
 }  // namespace reorient

@@ -26,16 +26,35 @@ Eigen::Isometry3f inside(const Room& room, const Isometry3& field_from_camera) {
 Renderer::Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels)
     : rays_(camera), background_(field, room, camera.width), frame_(camera.width, camera.height, with_labels) {}
 
-const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& scene) {
+const RayTable& Renderer::rays_of_frame(const Eigen::Vector3d& angular_velocity, double readout_time) {
+  if (readout_time <= 0.0 || angular_velocity.isZero(0.0)) return rays_;
+  if (!turned_rays_) turned_rays_ = rays_;
+  turned_rays_->turn_while_read(rays_, angular_velocity, readout_time);
+  return *turned_rays_;
+}
+
+void Renderer::light(const Scene& scene) {
+  capsules_ = scene.capsules;
+  for (Capsule& capsule : capsules_) {
+    const Eigen::Vector3f middle = 0.5f * (capsule.from + capsule.to);
+    capsule.color *= scene.illumination.gain(middle.x(), middle.y());
+  }
+}
+
+const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& scene,
+                              const Eigen::Vector3d& angular_velocity, double readout_time) {
   const Eigen::Isometry3f camera = inside(background_.room(), field_from_camera);
-  background_.render(rays_, camera, frame_);
+  const RayTable& rays = rays_of_frame(angular_velocity, readout_time);
+  background_.render(rays, camera, {scene.illumination, scene.patches}, frame_);
+  if (!scene.illumination.as_usual()) light(scene);
+  const std::vector<Capsule>& capsules = scene.illumination.as_usual() ? scene.capsules : capsules_;
 
   // What is far away first, so that soft edges blend with what is behind them.
   const Eigen::Isometry3f camera_from_field = camera.inverse();
   const Eigen::Vector3f eye = camera.translation();
   order_.clear();
-  for (std::size_t i = 0; i < scene.capsules.size(); ++i) {
-    const Capsule& capsule = scene.capsules[i];
+  for (std::size_t i = 0; i < capsules.size(); ++i) {
+    const Capsule& capsule = capsules[i];
     order_.push_back({(0.5f * (capsule.from + capsule.to) - eye).norm(), static_cast<int>(i)});
   }
   for (std::size_t i = 0; i < scene.nets.size(); ++i) {
@@ -45,12 +64,12 @@ const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& s
   std::sort(order_.begin(), order_.end(), [](const Drawn& a, const Drawn& b) {
     return a.distance != b.distance ? a.distance > b.distance : a.index < b.index;
   });
-  for (const Shadow& shadow : scene.shadows) draw(shadow, rays_, camera_from_field, frame_);
+  for (const Shadow& shadow : scene.shadows) draw(shadow, rays, camera_from_field, frame_);
   for (const Drawn& drawn : order_) {
     if (drawn.index >= 0) {
-      draw(scene.capsules[static_cast<std::size_t>(drawn.index)], rays_, camera_from_field, frame_);
+      draw(capsules[static_cast<std::size_t>(drawn.index)], rays, camera_from_field, frame_);
     } else {
-      draw(scene.nets[static_cast<std::size_t>(-1 - drawn.index)], rays_, camera_from_field, frame_);
+      draw(scene.nets[static_cast<std::size_t>(-1 - drawn.index)], rays, camera_from_field, frame_);
     }
   }
   return frame_;

@@ -1,6 +1,7 @@
 // From a camera pose and a scene to linear light, depth and labels: no GL, one ray a pixel from a table.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -16,8 +17,10 @@ class Renderer {
  public:
   Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels);
 
-  /// The result is valid until the next call. The camera is kept inside of the room and above its floor.
-  const Frame& render(const Isometry3& field_from_camera, const Scene& scene);
+  /// The result is valid until the next call. The camera is kept inside of the room and above its floor. A camera that
+  /// turns (rad/s, in its own frame) while its rows are read within `readout_time` (s) sees a skewed picture.
+  const Frame& render(const Isometry3& field_from_camera, const Scene& scene,
+                      const Eigen::Vector3d& angular_velocity = Eigen::Vector3d::Zero(), double readout_time = 0.0);
 
   const RayTable& rays() const { return rays_; }
   const Frame& frame() const { return frame_; }
@@ -28,10 +31,15 @@ class Renderer {
     int index;  // of a capsule, or of a net where negative: -1 is the first one
   };
 
+  const RayTable& rays_of_frame(const Eigen::Vector3d& angular_velocity, double readout_time);
+  void light(const Scene& scene);
+
   RayTable rays_;
+  std::optional<RayTable> turned_rays_;  // of a camera that turned
   Surfaces background_;
   Frame frame_;
   std::vector<Drawn> order_;
+  std::vector<Capsule> capsules_;  // as the scene's light falls on them
 };
 
 }  // namespace reorient

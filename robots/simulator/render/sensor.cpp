@@ -59,12 +59,16 @@ Sensor::Sensor(const SensorParameters& parameters, const RayTable& rays, std::ui
       noise_(make_noise(seed)),
       ring_(kRing, Channels(static_cast<std::size_t>(rays.camera.width))),
       mixed_(static_cast<std::size_t>(rays.camera.width)),
+      optics_(parameters.blur_angle, parameters.exposure_time, rays),
       luma_(static_cast<std::size_t>(rays.camera.width)),
       blue_(static_cast<std::size_t>(rays.camera.width)),
       red_(static_cast<std::size_t>(rays.camera.width)) {}
 
-void Sensor::expose(const Frame& frame, std::uint64_t number, double time_step, Image& image) {
-  if (parameters_.automatic_exposure) adapt(frame, time_step);
+void Sensor::expose(const Frame& scene, std::uint64_t number, double time_step, Image& image,
+                    const Eigen::Vector3d& angular_velocity) {
+  if (parameters_.automatic_exposure) adapt(scene, time_step);
+  const Frame& frame = optics_.image(scene, angular_velocity);
+  const Amplifier amplified = amplifier();
   const auto width = static_cast<std::size_t>(frame.width);
   blur_row(frame, 0, ring_[0]);
   const auto side = static_cast<float>(parameters_.blur);
@@ -80,8 +84,8 @@ void Sensor::expose(const Frame& frame, std::uint64_t number, double time_step, 
       mixed_.green[i] = middle * here.green[i] + side * (above.green[i] + below.green[i]);
       mixed_.blue[i] = middle * here.blue[i] + side * (above.blue[i] + below.blue[i]);
     }
-    develop(mixed_, vignette_.data() + frame.row(row), frame.width);
-    write_row(number, row, image.row(row));
+    develop(mixed_, amplified, vignette_.data() + frame.row(row), frame.width);
+    write_row(number, row, amplified, image.row(row));
   }
 }
 
@@ -121,11 +125,21 @@ void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
   pass(frame.blue.data() + first, blurred.blue.data());
 }
 
-void Sensor::develop(const Channels& light, const float* __restrict vignette, int width) {
+Sensor::Amplifier Sensor::amplifier() const {
   const double gain = exposure_ * pinned::exp2(stops_);
-  const auto gain_red = static_cast<float>(gain * pinned::exp(parameters_.warmth));
-  const auto gain_green = static_cast<float>(gain * pinned::exp(parameters_.tint));
-  const auto gain_blue = static_cast<float>(gain * pinned::exp(-parameters_.warmth));
+  // An amplifier of 1 is at rest where the exposure starts; less than that adds no noise.
+  const double amplified = std::max(1.0, exposure_ / parameters_.exposure);
+  const double noise = parameters_.noise_gain > 0.0 ? pinned::pow(amplified, parameters_.noise_gain) : 1.0;
+  return {static_cast<float>(gain * pinned::exp(parameters_.warmth) * gains_.x()),
+          static_cast<float>(gain * pinned::exp(parameters_.tint) * gains_.y()),
+          static_cast<float>(gain * pinned::exp(-parameters_.warmth) * gains_.z()),
+          static_cast<float>(parameters_.luma_noise * noise), static_cast<float>(parameters_.chroma_noise * noise)};
+}
+
+void Sensor::develop(const Channels& light, const Amplifier& amplifier, const float* __restrict vignette, int width) {
+  const float gain_red = amplifier.red;
+  const float gain_green = amplifier.green;
+  const float gain_blue = amplifier.blue;
   const auto veil = static_cast<float>(parameters_.black_level);
   const auto saturation = static_cast<float>(parameters_.saturation);
   const float* __restrict in_red = light.red.data();
@@ -149,7 +163,7 @@ void Sensor::develop(const Channels& light, const float* __restrict vignette, in
   }
 }
 
-void Sensor::write_row(std::uint64_t number, int row, std::uint8_t* __restrict bytes) {
+void Sensor::write_row(std::uint64_t number, int row, const Amplifier& amplifier, std::uint8_t* __restrict bytes) {
   const std::size_t width = luma_.size();
   const std::uint64_t place =
       scatter(seed_ + number * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(row) * 0xD1B54A32D192ED03ull);
@@ -160,8 +174,8 @@ void Sensor::write_row(std::uint64_t number, int row, std::uint8_t* __restrict b
   const float* __restrict luma = luma_.data();
   const float* __restrict cb = blue_.data();
   const float* __restrict cr = red_.data();
-  const auto luma_sigma = static_cast<float>(parameters_.luma_noise);
-  const auto chroma_sigma = static_cast<float>(parameters_.chroma_noise);
+  const float luma_sigma = amplifier.luma_sigma;
+  const float chroma_sigma = amplifier.chroma_sigma;
   constexpr float kRounding = 0.5f;
   for (std::size_t i = 0; i < width / 2; ++i) {
     const float y0 = luma[2 * i] + luma_sigma * luma_noise[2 * i] + kRounding;

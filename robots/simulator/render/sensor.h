@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "geometry/image.h"
 #include "robots/simulator/render/framebuffer.h"
+#include "robots/simulator/render/optics.h"
 
 namespace reorient {
 
@@ -23,6 +26,10 @@ struct SensorParameters {
   double chroma_noise = 1.4;
   double black_level = 0.012;
   double saturation = 0.85;
+  double noise_gain = 0.0;
+  double blur_angle = 0.0;
+  double exposure_time = 0.0;
+  double readout_time = 0.0;
 };
 
 template <typename Visit>
@@ -40,6 +47,12 @@ void describe(SensorParameters& p, Visit&& visit) {
   visit("chroma_noise", p.chroma_noise, 0.0, 30.0, "", "standard deviation of Cb and Cr, of 255");
   visit("black_level", p.black_level, 0.0, 0.2, "", "stray light that is added everywhere");
   visit("saturation", p.saturation, 0.0, 1.5, "", "factor on Cb and Cr");
+  visit("noise_gain", p.noise_gain, 0.0, 1.0, "",
+        "how the noise grows where the automatic exposure amplifies: with this power of the gain");
+  visit("blur_angle", p.blur_angle, 0.0, 0.02, "rad", "standard deviation of the lens's blur, at every image size");
+  visit("exposure_time", p.exposure_time, 0.0, 0.1, "s", "for how long light is gathered: what moves is blurred");
+  visit("readout_time", p.readout_time, 0.0, 0.1, "s",
+        "from the first to the last row: what moves is skewed (rolling shutter)");
 }
 
 class Sensor {
@@ -49,8 +62,13 @@ class Sensor {
   /// Powers of two of light beyond what the camera's exposure is set for; an automatic exposure does not undo them.
   void set_stops(double stops) { stops_ = stops; }
 
-  /// Reads the frame out, after `time_step` seconds of adaptation to it; `number` picks the noise.
-  void expose(const Frame& frame, std::uint64_t number, double time_step, Image& image);
+  /// Factors on red, green and blue, which the automatic exposure does not undo either.
+  void set_gains(const Eigen::Array3d& gains) { gains_ = gains; }
+
+  /// Reads the scene out, after `time_step` seconds of adaptation to it; `number` picks the noise. The camera turns at
+  /// `angular_velocity` (rad/s, in its own frame).
+  void expose(const Frame& scene, std::uint64_t number, double time_step, Image& image,
+              const Eigen::Vector3d& angular_velocity = Eigen::Vector3d::Zero());
 
   double exposure() const { return exposure_; }
 
@@ -60,20 +78,29 @@ class Sensor {
     explicit Channels(std::size_t width) : red(width), green(width), blue(width) {}
   };
 
+  /// What holds for a whole frame.
+  struct Amplifier {
+    float red, green, blue;          // factors on the light
+    float luma_sigma, chroma_sigma;  // of the noise, of 255
+  };
+
   void adapt(const Frame& frame, double time_step);
+  Amplifier amplifier() const;
   void blur_row(const Frame& frame, int row, Channels& blurred) const;
-  void develop(const Channels& light, const float* vignette, int width);
-  void write_row(std::uint64_t number, int row, std::uint8_t* bytes);
+  void develop(const Channels& light, const Amplifier& amplifier, const float* vignette, int width);
+  void write_row(std::uint64_t number, int row, const Amplifier& amplifier, std::uint8_t* bytes);
 
   SensorParameters parameters_;
   double exposure_;
   double stops_ = 0.0;
+  Eigen::Array3d gains_ = Eigen::Array3d::Ones();
   bool adapted_ = false;
   std::uint64_t seed_;
   std::vector<float> vignette_;
   std::vector<float> noise_;    // standard normal
   std::vector<Channels> ring_;  // three rows, blurred across
   Channels mixed_;
+  Optics optics_;
   std::vector<float> luma_, blue_, red_;  // of one row, before noise
 };
 

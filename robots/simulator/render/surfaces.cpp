@@ -45,6 +45,8 @@ Surfaces::Hits::Hits(int width)
       azimuth(width),
       footprint(width),
       coverage(width),
+      on_wall(width),
+      gain(width),
       surface(width) {}
 
 Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width)
@@ -55,10 +57,13 @@ Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width)
       carpet_half_width_(static_cast<float>(0.5 * field.width + field.border)),
       hits_(image_width) {}
 
-void Surfaces::render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, Frame& frame) {
+void Surfaces::render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, const Changes& changes,
+                      Frame& frame) {
   for (int row = 0; row < frame.height; ++row) {
     intersect(rays, field_from_camera, row, frame);
     shade(row, frame);
+    if (!changes.patches.empty()) patch(row, changes.patches, frame);
+    if (!changes.illumination.as_usual()) relight(row, changes.illumination, frame);
     if (!frame.labels.empty()) label(row, frame);
   }
 }
@@ -188,6 +193,45 @@ void Surfaces::shade(int row, Frame& frame) {
     red[i] = color[0];
     green[i] = color[1];
     blue[i] = color[2];
+  }
+}
+
+void Surfaces::patch(int row, const WallPatches& patches, Frame& frame) {
+  for (int i = 0; i < frame.width; ++i) hits_.on_wall[i] = hits_.surface[i] == kWall ? 1.0f : 0.0f;
+  const std::size_t first = frame.row(row);
+  patches.paint({hits_.u.data(), hits_.v.data(), hits_.footprint.data(), hits_.on_wall.data(), frame.width},
+                frame.red.data() + first, frame.green.data() + first, frame.blue.data() + first);
+}
+
+void Surfaces::relight(int row, const Illumination& illumination, Frame& frame) {
+  constexpr float kLampOff = 0.03f;  // of a lamp's brightness
+  illumination.gains(hits_.x, hits_.y, hits_.gain);
+  const float dark_x = illumination.toward_dark.x();
+  const float dark_y = illumination.toward_dark.y();
+  const bool lamps_off = illumination.share_off > 0.0f;
+  const int width = frame.width;
+  const float* __restrict x = hits_.x.data();
+  const float* __restrict y = hits_.y.data();
+  const int* __restrict surface = hits_.surface.data();
+  const float* __restrict gains = hits_.gain.data();
+  float* __restrict red = frame.red.data() + frame.row(row);
+  float* __restrict green = frame.green.data() + frame.row(row);
+  float* __restrict blue = frame.blue.data() + frame.row(row);
+#pragma GCC ivdep
+  for (int i = 0; i < width; ++i) {
+    // What is brighter than white paper shines by itself: on walls windows, which no switch makes darker, and on the
+    // ceiling lamps, some of which are off.
+    const float excess = 0.299f * red[i] + 0.587f * green[i] + 0.114f * blue[i] - 1.0f;
+    const float positive = excess > 0.0f ? excess : 0.0f;
+    const float shines = positive < 1.0f ? positive : 1.0f;
+    const float gain = gains[i];
+    const float window = gain < 1.0f ? gain + shines * (1.0f - gain) : gain;
+    const bool off = lamps_off && dark_x * x[i] + dark_y * y[i] > 0.0f;
+    const float lamp = off ? gain + shines * (kLampOff - gain) : window;
+    const float factor = surface[i] == kWall ? window : (surface[i] == kCeiling ? lamp : gain);
+    red[i] *= factor;
+    green[i] *= factor;
+    blue[i] *= factor;
   }
 }
 

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "geometry/field_dimensions.h"
+#include "robots/simulator/light/illumination.h"
+#include "robots/simulator/light/wall_patches.h"
 #include "robots/simulator/render/framebuffer.h"
 #include "robots/simulator/render/scene/field_lines.h"
 #include "robots/simulator/room/room.h"
@@ -16,8 +18,14 @@ class Surfaces {
  public:
   Surfaces(const FieldDimensions& field, Room room, int image_width);
 
+  /// What has changed since the room was made.
+  struct Changes {
+    const Illumination& illumination;
+    const WallPatches& patches;
+  };
+
   /// Fills in every pixel of `frame`. The camera must be inside of the room and above its floor.
-  void render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, Frame& frame);
+  void render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, const Changes& changes, Frame& frame);
 
   const Room& room() const { return room_; }
 
@@ -33,12 +41,15 @@ class Surfaces {
     std::vector<float> azimuth;         // rad, seen from the middle of a round room
     std::vector<float> footprint;       // m, on the surface
     std::vector<float> coverage;        // share of line
+    std::vector<float> on_wall;         // 1 or 0; filled in where walls are changed
+    std::vector<float> gain;            // on the light; filled in where it is changed
     std::vector<int> surface;
   };
 
   void intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
-  void intersect_round_wall(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
   void shade(int row, Frame& frame);
+  void patch(int row, const WallPatches& patches, Frame& frame);
+  void relight(int row, const Illumination& illumination, Frame& frame);
   void label(int row, Frame& frame);
 
   Room room_;

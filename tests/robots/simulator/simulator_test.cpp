@@ -275,12 +275,15 @@ TEST(Simulator, DeclaresEveryParameterWithADefaultInsideOfItsRange) {
   Visitor simulator;
   Visitor body;
   Visitor sensor;
+  Visitor light;
   Visitor room;
   describe(parameters, simulator);
   describe(parameters.body, body);
   describe(parameters.sensor, sensor);
+  describe(parameters.light, light);
   describe(shape, room);
-  EXPECT_EQ(simulator.names.size() + body.names.size() + sensor.names.size() + room.names.size(), 12u + 26u + 12u + 6u);
+  EXPECT_EQ(simulator.names.size() + body.names.size() + sensor.names.size() + room.names.size(), 12u + 26u + 16u + 6u);
+  EXPECT_EQ(light.names.size(), 13u);
 }
 
 }  // namespace

@@ -4,19 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "robots/simulator/render/coverage.h"
+
 namespace reorient {
-namespace {
-
-/// Share of [center - half, center + half] that lies in [low, high].
-inline float share(float center, float half, float low, float high) {
-  const float from = center - half > low ? center - half : low;
-  const float to = center + half < high ? center + half : high;
-  const float inside = to - from;
-  return inside > 0.0f ? inside / (2.0f * half) : 0.0f;
-}
-
-}  // namespace
-
 FieldLines::FieldLines(const FieldDimensions& field) {
   const auto strip = [&](double low_x, double high_x, double low_y, double high_y) {
     strips_.push_back(
@@ -76,7 +66,7 @@ void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage)
       const float across_x = half_x[i] * x[i] / radius;
       const float across_y = half_y[i] * y[i] / radius;
       const float half = std::sqrt(across_x * across_x + across_y * across_y) + 1e-6f;
-      coverage[i] = share(radius, half, circle - half_line, outer);
+      coverage[i] = covered_share(radius, half, circle - half_line, outer);
     }
   } else {
     std::fill(coverage, coverage + count, 0.0f);
@@ -84,8 +74,8 @@ void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage)
   for (const Strip& strip : strips_) {
     if (strip.low_x > most_x || strip.high_x < least_x || strip.low_y > most_y || strip.high_y < least_y) continue;
     for (int i = 0; i < count; ++i) {
-      const float part = share(std::fabs(x[i]), half_x[i], strip.low_x, strip.high_x) *
-                         share(std::fabs(y[i]), half_y[i], strip.low_y, strip.high_y);
+      const float part = covered_share(std::fabs(x[i]), half_x[i], strip.low_x, strip.high_x) *
+                         covered_share(std::fabs(y[i]), half_y[i], strip.low_y, strip.high_y);
       coverage[i] = part > coverage[i] ? part : coverage[i];
     }
   }

@@ -7,6 +7,8 @@
 
 #include "geometry/field_dimensions.h"
 #include "geometry/pose2.h"
+#include "robots/simulator/light/illumination.h"
+#include "robots/simulator/light/wall_patches.h"
 #include "robots/simulator/render/scene/shapes.h"
 
 namespace reorient {
@@ -15,7 +17,10 @@ struct Scene {
   std::vector<Capsule> capsules;
   std::vector<Net> nets;
   std::vector<Shadow> shadows;
+  Illumination illumination;
+  WallPatches patches;
 
+  /// Nothing stands there any more; light and walls remain.
   void clear();
 };
 

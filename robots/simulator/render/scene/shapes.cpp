@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "robots/simulator/render/coverage.h"
+
 namespace reorient {
 namespace {
 
@@ -40,7 +42,7 @@ class Bounds {
     if (beyond_left_ || beyond_right_ || beyond_top_ || beyond_bottom_) return {0, 0, -1, -1};
     // A distorted straight line bends out of the box of its ends.
     const double bend = std::min(0.25, 0.5 * std::abs(camera_.k1) + 0.5 * std::abs(camera_.k2));
-    const double margin = 1.0 + bend * (right_ - left_ + bottom_ - top_);
+    const double margin = 1.0 + bend * (right_ - left_ + bottom_ - top_) + static_cast<double>(rays_.slack);
     const auto pixel = [](double value, int count) {
       return static_cast<int>(std::clamp(std::floor(value), -1.0, static_cast<double>(count)));
     };
@@ -75,11 +77,6 @@ class Bounds {
   double top_ = 1e9;
   double bottom_ = -1e9;
 };
-
-inline float overlap(float center, float half, float low, float high) {
-  const float inside = std::min(center + half, high) - std::max(center - half, low);
-  return inside > 0.0f ? inside / (2.0f * half) : 0.0f;
-}
 
 inline void blend(Frame& frame, std::size_t pixel, float coverage, const LinearColor& color) {
   frame.red[pixel] += coverage * (color.x() - frame.red[pixel]);
@@ -189,11 +186,11 @@ struct CapsuleInView {
     const Eigen::Vector3f apart = c.t * direction - from - c.along * axis;
     const float half_pixel = 0.5f * c.t * rays.pixel_angle;
     const float distance = apart.norm();
-    float coverage = overlap(distance, half_pixel, -radius, radius);
+    float coverage = covered_share(distance, half_pixel, -radius, radius);
     const float sagitta = std::sqrt(std::max(0.0f, radius * radius - distance * distance));
     const bool side = c.anywhere >= 0.0f && c.anywhere <= length;
     const float surface = std::max(kNearest, c.t - (side ? sagitta / std::sqrt(c.sine2) : sagitta));
-    if (capsule.flat_ends) coverage *= overlap(eye_along + c.cosine * surface, half_pixel, 0.0f, length);
+    if (capsule.flat_ends) coverage *= covered_share(eye_along + c.cosine * surface, half_pixel, 0.0f, length);
     const float depth = surface / rays.length[pixel];
     if (coverage <= 0.0f || depth > frame.depth[pixel]) return;
     const Eigen::Vector3f center = from + std::clamp(c.along, 0.0f, length) * axis;
@@ -265,7 +262,7 @@ void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_
   const auto strings = [](float at, float half, float size) {
     if (at < -0.5f * kString || at > size + 0.5f * kString) return 0.0f;
     if (half > 0.5f * kMesh) return kString / kMesh;
-    return overlap(at - kMesh * std::round(at / kMesh), half, -0.5f * kString, 0.5f * kString);
+    return covered_share(at - kMesh * std::round(at / kMesh), half, -0.5f * kString, 0.5f * kString);
   };
   for_each(bounds.box(), rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
     const float depth = offset / ray.dot(normal);

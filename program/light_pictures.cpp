@@ -1,0 +1,94 @@
+// light_pictures OUT.png [ROOM]: what the upper camera sees of a room (a panorama; else the hall) under each of the
+// lights that assets/parameters/light has, and as ever. A row for each light; four ways to look, and one while the head
+// turns.
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "geometry/angle.h"
+#include "program/options.h"
+#include "program/robots.h"
+#include "workbench/views/pictures/canvas/canvas.h"
+#include "workbench/views/pictures/canvas/png_file.h"
+#include "workbench/views/pictures/canvas/ycbcr.h"
+
+namespace reorient {
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 240;
+constexpr int kLooks = 5;
+constexpr double kLabel = 24.0;  // pixels
+
+RobotInstance robot_in(const std::string& room, const std::string& light, std::uint64_t seed, RoomCache& rooms) {
+  RobotOptions options;
+  options.room = room;
+  options.seed = seed;
+  options.rooms = &rooms;
+  if (light != "same") {
+    ParameterOptions parameters;
+    parameters.files.emplace_back("light/" + light);
+    options.parameters = overrides_of(parameters);
+  }
+  return make_robot("simulator", options);
+}
+
+/// The robot turns to each side in turn, and turns its head in the end.
+void draw_row(RobotInstance& robot, double top, pictures::Canvas& canvas) {
+  constexpr int kSettle = 75;  // frames, until the exposure has adapted
+  Observation observation;
+  for (int look = 0; look < kLooks; ++look) {
+    robot.experimenter->put_down(Pose2(-0.5, 0.3, 0.5 * kPi * look));
+    for (int frame = 0; frame < kSettle; ++frame) {
+      Answer answer;
+      const bool turns = look == kLooks - 1 && frame > kSettle - 10;
+      answer.request.head = HeadRequest{{turns ? 1.5 : 0.0, -0.05}, 2.5};
+      robot.robot->answer(answer);
+      robot.robot->observe(observation);
+    }
+    canvas.image(pictures::to_picture(observation.upper->image),
+                 {static_cast<double>(look * kWidth), top, kWidth, kHeight});
+  }
+}
+
+void draw_sheet(const std::string& file, const std::string& room) {
+  struct Row {
+    const char* light;
+    std::uint64_t seed;
+  };
+  // Of the hard lights, one with all lamps and one with half of them.
+  constexpr Row kRows[] = {{"same", 1}, {"mild", 1}, {"mild", 2}, {"hard", 1}, {"hard", 2}, {"hard", 3}};
+  constexpr int kCount = static_cast<int>(std::size(kRows));
+  pictures::Canvas canvas(kLooks * kWidth, static_cast<int>(kCount * (kHeight + kLabel)));
+  RoomCache rooms;
+  double top = 0.0;
+  for (const Row& row : kRows) {
+    RobotInstance robot = robot_in(room, row.light, row.seed, rooms);
+    robot.experimenter->change_light();
+    pictures::TextStyle style;
+    style.size = 16.0;
+    canvas.text({6.0, top + 0.7 * kLabel}, std::string(row.light) + ", seed " + std::to_string(row.seed), style);
+    draw_row(robot, top + kLabel, canvas);
+    top += kHeight + kLabel;
+  }
+  pictures::write_png(file, canvas.finish());
+}
+
+}  // namespace
+}  // namespace reorient
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3) {
+    std::cerr << "light_pictures OUT.png [ROOM]: name a file to write, and perhaps a panorama\n";
+    return 2;
+  }
+  try {
+    reorient::draw_sheet(argv[1], argc > 2 ? argv[2] : "");
+  } catch (const std::exception& error) {
+    std::cerr << "light_pictures: " << error.what() << "\n";
+    return 2;
+  }
+  return 0;
+}

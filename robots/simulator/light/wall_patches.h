@@ -1,0 +1,52 @@
+// What is new on the walls: banners, doors, curtains, a projector's picture. Rectangles in front of the wall's texture,
+// so that no room has to be painted again; their edges are as soft as the pixels are large.
+#pragma once
+
+#include <vector>
+
+#include "geometry/random.h"
+#include "robots/simulator/room/room.h"
+
+namespace reorient {
+
+/// A row of pixels, of which some look at the wall. All arrays have `count` values.
+struct WallRow {
+  const float* u = nullptr;          ///< m, along the wall (room.h)
+  const float* v = nullptr;          ///< m above the floor
+  const float* footprint = nullptr;  ///< m of wall that a pixel spans
+  const float* on_wall = nullptr;    ///< 1 where the pixel looks at the wall, else 0
+  int count = 0;
+};
+
+class WallPatches {
+ public:
+  WallPatches() = default;
+
+  /// Patches that cover `share` of the wall between the floor and `reach` metres, in colours that `room` lights.
+  /// As little as it takes is left out where they find no place.
+  WallPatches(double share, double reach, const Room& room, Random& random);
+
+  bool empty() const { return rectangles_.empty(); }
+  /// The wall that they cover, m^2.
+  double area() const { return area_; }
+
+  /// Paints over red, green and blue, `row.count` values each.
+  void paint(const WallRow& row, float* red, float* green, float* blue) const;
+
+ private:
+  struct Rectangle {
+    float left, right, bottom, top;
+    LinearColor color;
+  };
+
+  void add(double left, double bottom, double width, double height, const LinearColor& color);
+  void add_banner(const Rectangle& outline, const LinearColor& light, Random& random);
+  void add_door(const Rectangle& outline, const LinearColor& light, Random& random);
+  void add_projection(const Rectangle& outline, Random& random);
+  void add_curtain(const Rectangle& outline, const LinearColor& light, Random& random);
+
+  std::vector<Rectangle> rectangles_;  // in the order in which they are painted
+  double area_ = 0.0;
+};
+
+}  // namespace reorient

@@ -1,0 +1,35 @@
+// What the lens and the time of exposure do to the light before the sensor's pixels see it: both blur it. Angles count,
+// so that images of all sizes are as sharp as each other.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "robots/simulator/render/framebuffer.h"
+
+namespace reorient {
+
+class Optics {
+ public:
+  /// `blur`: standard deviation of the lens's blur, rad; `exposure_time` in s. What is 0 costs nothing.
+  Optics(double blur, double exposure_time, const RayTable& rays);
+
+  /// The light of `frame` as it reaches the sensor while the camera turns at `angular_velocity` (rad/s, in its own
+  /// frame): `frame` itself, or an image that is valid until the next call. The motion is the same all over the image.
+  const Frame& image(const Frame& frame, const Eigen::Vector3d& angular_velocity);
+
+ private:
+  void blur_by_lens(const Frame& from, Frame& to);
+  void blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to);
+  void pad(const float* row, int width, int margin);
+
+  std::vector<float> kernel_;  // from the middle outwards; empty: a sharp lens
+  Eigen::Vector2d focal_;      // pixels
+  double exposure_time_;
+  std::optional<Frame> lens_, across_, motion_;
+  std::vector<float> padded_;  // a row, continued beyond its ends
+};
+
+}  // namespace reorient
