@@ -1,12 +1,16 @@
 #include "robots/simulator/simulator.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
+
+constexpr std::uint64_t kLink = 0x117c;  // random stream
 
 CameraModel camera_of(const SimulatorParameters& parameters) {
   constexpr int kWidth[] = {640, 320, 160};
@@ -19,11 +23,11 @@ CameraModel camera_of(const SimulatorParameters& parameters) {
   return camera;
 }
 
-RobotDimensions with_tilt_error(RobotDimensions dimensions, double deviation, std::uint64_t seed) {
+RobotDimensions with_tilt_error(RobotDimensions dimensions, double deviation, double offset, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 0x7117;
   Random random(seed, kStream);
-  dimensions.camera_tilt += deviation * random.normal();
-  dimensions.lower_camera_tilt += deviation * random.normal();
+  dimensions.camera_tilt += offset + deviation * random.normal();
+  dimensions.lower_camera_tilt += offset + deviation * random.normal();
   return dimensions;
 }
 
@@ -80,27 +84,54 @@ Simulator::Simulator(const SimulatorParameters& parameters, const FieldDimension
       room_(room),
       bounds_(bounds_of(room)),
       goals_(barriers_of(field)),
-      true_dimensions_(with_tilt_error(dimensions_, parameters.tilt_error, seed)),
+      true_dimensions_(with_tilt_error(dimensions_, parameters.tilt_error, parameters.tilt_offset, seed)),
       camera_(camera_of(parameters)),
       body_(parameters.body, true_dimensions_, start, seed),
       players_(parameters.other_robots, field, start.position, seed),
       ball_(somewhere_on(field, seed)),
       spectators_(parameters.spectators, room.shape, field, room.light, seed),
       light_(parameters.light, room.shape.height, seed),
-      upper_(camera_, field, room, parameters.labels, parameters.sensor, seed) {
+      link_(seed, kLink),
+      upper_(camera_, field, room, parameters.labels, parameters, seed) {
   constexpr std::uint64_t kLowerNoise = 0x10e6;
-  if (parameters.cameras == Cameras::both)
-    lower_.emplace(camera_, field, room, false, parameters.sensor, seed ^ kLowerNoise);
+  if (parameters.cameras == Cameras::both) lower_.emplace(camera_, field, room, false, parameters, seed ^ kLowerNoise);
   add_goals(scene_, field_, room_.light);
   standing_capsules_ = scene_.capsules.size();
   standing_shadows_ = scene_.shadows.size();
 }
 
 bool Simulator::observe(Observation& observation) {
+  body_samples_.clear();
   move();
+  while (is_dropped()) {
+    ++frame_;
+    move();
+  }
   look(observation);
   ++frame_;
   return true;
+}
+
+/// The first image tells the robot who it is: it always arrives.
+bool Simulator::is_dropped() {
+  return parameters_.dropped_frames > 0.0 && frame_ > 0 && link_.uniform() < parameters_.dropped_frames;
+}
+
+void Simulator::answer(const Answer& answer) {
+  if (parameters_.latency <= 0.0) {
+    request_ = answer.request;
+    return;
+  }
+  const auto frames = static_cast<std::uint64_t>(std::ceil(parameters_.latency * parameters_.frame_rate));
+  waiting_.push_back({frame_ + frames, answer.request});
+}
+
+void Simulator::take_requests() {
+  const auto due =
+      std::find_if(waiting_.begin(), waiting_.end(), [this](const Waiting& one) { return one.from > frame_; });
+  if (due == waiting_.begin()) return;
+  request_ = std::prev(due)->request;
+  waiting_.erase(waiting_.begin(), due);
 }
 
 void Simulator::move() {
@@ -110,7 +141,7 @@ void Simulator::move() {
   for (const Player& player : players_.all()) {
     barriers_.push_back({player.pose.position, player.pose.position, Players::kRadius});
   }
-  body_samples_.clear();
+  take_requests();
   const int samples = std::max(1, parameters_.body_samples);
   const double now = static_cast<double>(frame_) * time_step;
   for (int i = 1; i <= samples; ++i) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/field_dimensions.h"
+#include "geometry/random.h"
 #include "geometry/transform.h"
 #include "robots/camera_pairing.h"
 #include "robots/experimenter.h"
@@ -37,13 +38,17 @@ struct SimulatorParameters {
   double distortion_k1 = 0.03;
   double distortion_k2 = 0.0;
   double tilt_error = 0.002;
+  double tilt_offset = 0.0;
+  double dropped_frames = 0.0;
+  double latency = 0.0;
+  double worn_lines = 0.0;
   int other_robots = 3;
   int spectators = 36;
   bool ball = true;
   bool labels = false;  ///< whether labels() and depth() are kept; not a parameter of the program
   BodyParameters body;
   SensorParameters sensor;
-  LightParameters light;
+  HallLightParameters light;
 };
 
 template <typename Visit>
@@ -60,6 +65,11 @@ void describe(SimulatorParameters& p, Visit&& visit) {
   visit("distortion_k2", p.distortion_k2, -0.1, 0.3, "", "radial distortion of the camera, to the fourth power");
   visit("tilt_error", p.tilt_error, 0.0, 0.1, "rad",
         "standard deviation of the robot's own camera tilt that its calibration missed");
+  visit("tilt_offset", p.tilt_offset, -0.2, 0.2, "rad",
+        "the same, not left to chance: how much lower the cameras look than the robot believes");
+  visit("dropped_frames", p.dropped_frames, 0.0, 0.95, "", "share of the images that never arrive");
+  visit("latency", p.latency, 0.0, 2.0, "s", "how long after its image an answer reaches the body");
+  visit("worn_lines", p.worn_lines, 0.0, 1.0, "", "share of the field's lines that is worn away, in patches");
   visit("other_robots", p.other_robots, 0, 11, "", "how many other robots stroll about the field");
   visit("spectators", p.spectators, 0, 300, "", "how many people stand around the field");
   visit("ball", p.ball, "whether a ball lies on the field");
@@ -72,7 +82,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
 
   /// Moves the world on by one frame and looks at it. Never ends, never waits.
   bool observe(Observation& observation) override;
-  void answer(const Answer& answer) override { request_ = answer.request; }
+  void answer(const Answer& answer) override;
   GroundTruth ground_truth() const override { return body_.ground_truth(); }
 
   void pick_up() override { body_.pick_up(); }
@@ -96,9 +106,9 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   /// What takes the images of one camera.
   struct Eye {
     Eye(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool labels,
-        const SensorParameters& parameters, std::uint64_t seed)
-        : renderer(camera, field, room, labels),
-          sensor(parameters, renderer.rays(), seed),
+        const SimulatorParameters& parameters, std::uint64_t seed)
+        : renderer(camera, field, room, labels, parameters.worn_lines),
+          sensor(parameters.sensor, renderer.rays(), seed),
           image(camera.width, camera.height) {}
 
     Renderer renderer;
@@ -107,7 +117,15 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
     std::optional<Eigen::Matrix3d> field_from_camera;  // the rotation of the image before
   };
 
+  /// A request on its way to the body.
+  struct Waiting {
+    std::uint64_t from;  ///< frame in which the body obeys
+    Request request;
+  };
+
   void move();
+  void take_requests();
+  bool is_dropped();
   void place_people(double time);
   void light_up();
   void look(Observation& observation);
@@ -130,6 +148,8 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   Spectators spectators_;
   HallLight light_;
   Request request_;
+  std::vector<Waiting> waiting_;  // the oldest first
+  Random link_;                   // between cameras and program
 
   Eye upper_;
   std::optional<Eye> lower_;

@@ -357,7 +357,7 @@ function print(...) end
 ---@alias reorient.CommandName "flip_pose"|"purge_reflection"|"reset_orientation"|"pause_training"|"pause_evaluation"
 ---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
 ---@alias reorient.PauseName "pause_training"|"pause_evaluation"
----@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"
 ---@alias reorient.MachineName string
 ---@alias reorient.StatePath string
 ---@alias reorient.BehaviorScript string

@@ -1,6 +1,7 @@
 --- One trial of an experiment: a robot that knows its room, then something happens to it, and what it believes from then
---- on is measured. What happens, where and when is for parameters to say; the rest is left to chance, which is to say to
---- the seed. assets/experiments uses it throughout; `reorient run trial --set trial.event=fallen` shows one.
+--- on is measured. The light is another one than that in which the room was learned, where the parameters `light.*` say
+--- so. What happens, where and when is for parameters to say, too; the rest is left to chance, which is to say to the
+--- seed. assets/experiments uses it throughout; `reorient run trial --set trial.event=fallen` shows one.
 
 local ground_truth = require "lib.ground_truth"
 
@@ -13,6 +14,7 @@ local p = param {
     "fallen",         -- it is pushed over
     "penalized",      -- it is taken out of the game, and comes back from the sideline
     "misled",         -- it is brought to where it started, and told the reflection of that
+    "half_time",      -- the teams change sides
   } },
   side    = { "own", choices = { "own", "opponent" }, doc = "the half of the field beside which it starts" },
   learn   = { 40.0,  range = { 0, 600 },   unit = "s", doc = "how long the robot may learn the room" },
@@ -52,6 +54,7 @@ local DEEDS = {
     experimenter.put_down(start_pose())
     experimenter.penalize(false)
   end,
+  half_time = function() experimenter.half_time() end,
   misled = function()
     local x, y, rotation = start_pose()
     experimenter.put_down(x, y, rotation)
@@ -82,7 +85,10 @@ scenario "trial" {
   },
 
   state "waiting" {
-    enter = function() memory.wait = chance.between(p.wait_least, math.max(p.wait_least, p.wait_most)) end,
+    enter = function()
+      memory.wait = chance.between(p.wait_least, math.max(p.wait_least, p.wait_most))
+      experimenter.change_light()
+    end,
     { "carried", when = function() return CARRIED[p.event] and time_in_state() >= memory.wait end,
       because = "somebody takes the robot" },
     { "out of the game", when = function() return p.event == "penalized" and time_in_state() >= memory.wait end,

@@ -63,6 +63,12 @@ test("tells the robot the reflection of where it stands", function()
   expect.action("set_initial_pose")
 end)
 
+test("turns the field's axes at half-time", function()
+  learn("half_time")
+  advance(0.5)
+  expect.action("half_time")
+end)
+
 test("pushes the robot over", function()
   learn("fallen")
   advance(0.5)

@@ -8,13 +8,13 @@
 
 namespace reorient {
 
-HallLight::HallLight(const LightParameters& parameters, double room_height, std::uint64_t seed)
+HallLight::HallLight(const HallLightParameters& parameters, double room_height, std::uint64_t seed)
     : parameters_(parameters), random_(seed, 0x119473) {
   illumination_.lamp_height = static_cast<float>(room_height);
 }
 
 void HallLight::change() {
-  const LightParameters& p = parameters_;
+  const HallLightParameters& p = parameters_;
   const auto within = [&](double spread) { return random_.uniform(-spread, spread); };
   changed_ = true;
   time_ = 0.0;

@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-struct LightParameters {
+struct HallLightParameters {
   double exposure_spread = 0.0;
   double white_balance_spread = 0.0;
   double white_balance_drift = 0.0;
@@ -29,7 +29,7 @@ struct LightParameters {
 };
 
 template <typename Visit>
-void describe(LightParameters& p, Visit&& visit) {
+void describe(HallLightParameters& p, Visit&& visit) {
   visit("exposure_spread", p.exposure_spread, 0.0, 2.0, "",
         "the changed light against the exposure: natural logarithm, at most this much up or down");
   visit("white_balance_spread", p.white_balance_spread, 0.0, 1.0, "",
@@ -51,7 +51,7 @@ void describe(LightParameters& p, Visit&& visit) {
 
 class HallLight {
  public:
-  HallLight(const LightParameters& parameters, double room_height, std::uint64_t seed);  ///< height in m
+  HallLight(const HallLightParameters& parameters, double room_height, std::uint64_t seed);  ///< height in m
 
   /// Draws another light, which holds from now on; its daylight wanders and its white balance drifts.
   void change();
@@ -69,7 +69,7 @@ class HallLight {
  private:
   void turn_daylight();
 
-  LightParameters parameters_;
+  HallLightParameters parameters_;
   Random random_;
   bool changed_ = false;
   double time_ = 0.0;  // s since the change

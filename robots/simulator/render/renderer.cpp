@@ -23,8 +23,11 @@ Eigen::Isometry3f inside(const Room& room, const Isometry3& field_from_camera) {
 
 }  // namespace
 
-Renderer::Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels)
-    : rays_(camera), background_(field, room, camera.width), frame_(camera.width, camera.height, with_labels) {}
+Renderer::Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels,
+                   double worn_lines)
+    : rays_(camera),
+      background_(field, room, camera.width, worn_lines),
+      frame_(camera.width, camera.height, with_labels) {}
 
 const RayTable& Renderer::rays_of_frame(const Eigen::Vector3d& angular_velocity, double readout_time) {
   if (readout_time <= 0.0 || angular_velocity.isZero(0.0)) return rays_;

@@ -15,7 +15,8 @@ namespace reorient {
 
 class Renderer {
  public:
-  Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels);
+  Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels,
+           double worn_lines = 0.0);
 
   /// The result is valid until the next call. The camera is kept inside of the room and above its floor. A camera that
   /// turns (rad/s, in its own frame) while its rows are read within `readout_time` (s) sees a skewed picture.

@@ -49,9 +49,9 @@ Surfaces::Hits::Hits(int width)
       gain(width),
       surface(width) {}
 
-Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width)
+Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width, double worn_lines)
     : room_(std::move(room)),
-      lines_(field),
+      lines_(field, worn_lines),
       carpet_(make_carpet(field.length + 2.0 * field.border, field.width + 2.0 * field.border, room_.light)),
       carpet_half_length_(static_cast<float>(0.5 * field.length + field.border)),
       carpet_half_width_(static_cast<float>(0.5 * field.width + field.border)),

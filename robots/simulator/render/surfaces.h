@@ -16,7 +16,8 @@ namespace reorient {
 
 class Surfaces {
  public:
-  Surfaces(const FieldDimensions& field, Room room, int image_width);
+  /// `worn_lines`: share of the lines that is gone.
+  Surfaces(const FieldDimensions& field, Room room, int image_width, double worn_lines);
 
   /// What has changed since the room was made.
   struct Changes {

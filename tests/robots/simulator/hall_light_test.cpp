@@ -18,8 +18,8 @@ const Room& usual_hall() {
   return room;
 }
 
-LightParameters hard_light() {
-  LightParameters light;
+HallLightParameters hard_light() {
+  HallLightParameters light;
   light.exposure_spread = 0.5;
   light.white_balance_spread = 0.18;
   light.white_balance_drift = 0.06;
@@ -53,7 +53,7 @@ TEST(HallLight, IsAsUsualUntilItIsChanged) {
 }
 
 TEST(HallLight, StaysAsUsualWhereNothingIsToChange) {
-  HallLight light(LightParameters{}, 7.0, 1);
+  HallLight light(HallLightParameters{}, 7.0, 1);
   light.change();
   light.advance(1.0);
   EXPECT_TRUE(light.illumination().as_usual());
@@ -79,7 +79,7 @@ TEST(HallLight, DrawsExposureAndWhiteBalanceFromAllOfTheirSpread) {
 }
 
 TEST(HallLight, LetsTheWhiteBalanceDriftWithItsDeviationAndTimeConstant) {
-  LightParameters parameters;
+  HallLightParameters parameters;
   parameters.white_balance_drift = 0.06;
   parameters.white_balance_time = 15.0;
   double early = 0.0;
@@ -98,7 +98,7 @@ TEST(HallLight, LetsTheWhiteBalanceDriftWithItsDeviationAndTimeConstant) {
 }
 
 TEST(HallLight, TurnsOffHalfOfTheLampsInAThirdOfTheHalls) {
-  LightParameters parameters;
+  HallLightParameters parameters;
   parameters.lamps_off = 1.0 / 3.0;
   int off = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
@@ -110,7 +110,7 @@ TEST(HallLight, TurnsOffHalfOfTheLampsInAThirdOfTheHalls) {
 }
 
 TEST(HallLight, LetsDaylightWanderToAndFro) {
-  LightParameters parameters;
+  HallLightParameters parameters;
   parameters.daylight = 1.0;
   parameters.daylight_wander = 0.8;
   parameters.daylight_period = 100.0;

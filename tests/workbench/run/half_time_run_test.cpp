@@ -17,6 +17,7 @@ struct Hands : Experimenter {
   void push_over() override {}
   void penalize(bool) override {}
   void set_exposure_compensation(double) override {}
+  void change_light() override {}
 
   std::optional<Pose2> stands_at;
 };

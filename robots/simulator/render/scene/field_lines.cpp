@@ -2,12 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "robots/simulator/render/coverage.h"
 
 namespace reorient {
-FieldLines::FieldLines(const FieldDimensions& field) {
+namespace {
+
+/// In [0, 1), the same for all points of a patch of ground (the finaliser of splitmix64).
+float chance_of_patch(float x, float y) {
+  constexpr float kPatch = 0.25f;  // m
+  const auto column = static_cast<std::int32_t>(std::floor(x / kPatch));
+  const auto row = static_cast<std::int32_t>(std::floor(y / kPatch));
+  std::uint64_t value =
+      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32) | static_cast<std::uint32_t>(row);
+  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9ull;
+  value = (value ^ (value >> 27)) * 0x94D049BB133111EBull;
+  value ^= value >> 31;
+  return static_cast<float>(value >> 40) * 0x1p-24f;
+}
+
+}  // namespace
+
+FieldLines::FieldLines(const FieldDimensions& field, double worn) : worn_(static_cast<float>(worn)) {
   const auto strip = [&](double low_x, double high_x, double low_y, double high_y) {
     strips_.push_back(
         {static_cast<float>(low_x), static_cast<float>(high_x), static_cast<float>(low_y), static_cast<float>(high_y)});
@@ -78,6 +96,10 @@ void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage)
                          covered_share(std::fabs(y[i]), half_y[i], strip.low_y, strip.high_y);
       coverage[i] = part > coverage[i] ? part : coverage[i];
     }
+  }
+  if (worn_ <= 0.0f) return;
+  for (int i = 0; i < count; ++i) {
+    if (coverage[i] > 0.0f && chance_of_patch(x[i], y[i]) < worn_) coverage[i] = 0.0f;
   }
 }
 

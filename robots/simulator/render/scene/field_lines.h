@@ -19,7 +19,8 @@ struct GroundPatches {
 
 class FieldLines {
  public:
-  explicit FieldLines(const FieldDimensions& field);
+  /// `worn`: share of the lines that is gone, in patches.
+  explicit FieldLines(const FieldDimensions& field, double worn = 0.0);
 
   /// Writes the share of every patch that is line, in [0, 1]. Reads and writes patches.count values.
   void cover(const GroundPatches& patches, float* coverage) const;
@@ -34,6 +35,7 @@ class FieldLines {
   std::vector<Strip> strips_;
   float circle_radius_ = 0.0f;
   float half_line_ = 0.0f;
+  float worn_ = 0.0f;
 };
 
 }  // namespace reorient
