@@ -41,7 +41,7 @@ std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
   const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty()) return {};
   std::vector<const CLI::App*> asked{&app};
-  for (const CLI::App* sub : app.get_subcommands()) asked.push_back(sub);
+  while (!asked.back()->get_subcommands().empty()) asked.push_back(asked.back()->get_subcommands().back());
   std::vector<std::string> known;
   if (unknown.front().starts_with("-")) {
     for (const CLI::App* parser : asked) {
@@ -86,8 +86,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    CLI::App* asked = &app;
-    for (CLI::App* sub : app.get_subcommands()) asked = sub;
+    const CLI::App* asked = &app;
+    while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().back();
     out << asked->help();
     return kSuccess;
   } catch (const CLI::CallForVersion& asked) {

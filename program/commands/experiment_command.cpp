@@ -10,6 +10,9 @@
 #include <unistd.h>
 
 #include "engine/parameters/utf8.h"
+#include "program/commands/compare_command.h"
+#include "program/experiment/report_folder.h"
+#include "program/experiment/rows_report.h"
 #include "program/experiment/session.h"
 #include "program/experiment/trial_runner.h"
 #include "program/experiment/worker_pool.h"
@@ -31,6 +34,7 @@ struct ExperimentOptions : SessionOptions {
   int trial = 0;                   ///< to be shown; 0: none
   std::filesystem::path pictures;  ///< of that trial
   std::filesystem::path json;
+  std::filesystem::path report;
 };
 
 std::string quoted(const std::string& word) {
@@ -41,8 +45,8 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// What runs one task, for a shell.
-std::string command_of(const ExperimentOptions& options, const Session& session, int task) {
+/// The experiment with all that its results follow from, for a shell.
+std::string command_of(const ExperimentOptions& options) {
   std::string line = "reorient experiment " + quoted(options.experiment);
   const auto add = [&line](const char* option, const std::string& value) {
     line.append(" ").append(option).append(" ").append(quoted(value));
@@ -58,9 +62,21 @@ std::string command_of(const ExperimentOptions& options, const Session& session,
   for (const std::filesystem::path& file : options.parameters.files) add("--params", file.string());
   for (const std::string& assignment : options.parameters.assignments) add("--set", assignment);
   if (!options.scripts.empty()) add("--scripts", options.scripts.string());
-  add("--out", session.folder().string());
-  add("--task", std::to_string(task));
   return line;
+}
+
+/// What runs one task.
+std::string task_command(const ExperimentOptions& options, const Session& session, int task) {
+  return command_of(options) + " --out " + quoted(session.folder().string()) + " --task " + std::to_string(task);
+}
+
+Report report_of(const ExperimentOptions& options, const Session& session, std::vector<CellResults> cells) {
+  std::string command = command_of(options);
+  if (!options.out.empty()) command += " --out " + quoted(options.out.string());
+  command += " --report " + quoted(options.report.string());
+  return {session.experiment(), std::move(cells), provenance_here(command), [options](int task) {
+            return fmt::format("{} --trial {} --pictures out/trial-{}", command_of(options), task, task);
+          }};
 }
 
 /// How far it is, and how long it still takes: a line that a terminal overwrites, else one every ten seconds.
@@ -123,7 +139,7 @@ RunOutcome run_tasks(const ExperimentOptions& options, Session& session, const s
         ++outcome.crashed;
         err << fmt::format("reorient: task {}, {}: crashed ({}); this runs it again: {}\n", end.number,
                            session.name_of(end.number), strsignal(end.signal),
-                           as_line(command_of(options, session, end.number)));
+                           as_line(task_command(options, session, end.number)));
         return true;
       },
       [] { return Interruption::signal() != 0; });
@@ -158,6 +174,9 @@ int show_trial(const ExperimentOptions& options, const Session& session, std::os
 }
 
 int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ostream& err) {
+  if (options.experiment.empty())
+    throw std::runtime_error(
+        "name an experiment: a file, or one of assets/experiments (see reorient experiment --help)");
   Session session(options);
   if (options.trial > 0) return show_trial(options, session, out, err);
   const int count = static_cast<int>(session.tasks().size());
@@ -165,12 +184,13 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
   std::iota(wanted.begin(), wanted.end(), 1);
   if (!options.tasks.empty()) wanted = numbers_in(options.tasks, count);
   if (options.plan) {
-    for (const int task : wanted) out << command_of(options, session, task) << '\n';
+    for (const int task : wanted) out << task_command(options, session, task) << '\n';
     return kSuccess;
   }
   const Interruption interruption;
   require_writable_folder(session.folder(), "--out");
   if (!options.json.empty()) require_writable_file(options.json, "--json");
+  if (!options.report.empty()) require_writable_folder(options.report, "--report");
   const std::vector<int> missing = session.missing(wanted);
   if (options.tasks.empty() && !options.resume && missing.size() < wanted.size())
     throw std::runtime_error(
@@ -190,11 +210,19 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
     return kWrong;
   }
   if (!options.tasks.empty()) return kSuccess;  // the rest is run elsewhere
-  const std::vector<CellRow> rows = session.rows();
+  std::vector<CellResults> cells = session.cell_results();
   out << as_line(session.experiment().title) << "\n\n";
-  print_rows(session.experiment(), rows, out);
-  if (!options.json.empty()) write_whole_file(options.json, rows_as_json(session.experiment(), rows));
-  return kSuccess;
+  print_rows(session.experiment(), cells, out);
+  std::vector<std::string> failures;
+  if (!options.json.empty())
+    try_to_write(failures, [&] { write_whole_file(options.json, rows_as_json(session.experiment(), cells)); });
+  if (!options.report.empty()) {
+    for (std::string& failure : write_report(report_of(options, session, std::move(cells)), options.report))
+      failures.push_back(std::move(failure));
+    out << "\nreport: " << (options.report / "index.html").string() << "\n";
+  }
+  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
+  return failures.empty() ? kSuccess : kBadInput;
 }
 
 }  // namespace
@@ -205,8 +233,8 @@ Subcommand add_experiment(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand("experiment", "run many trials, and tell what they show");
   parser->fallthrough();
   parser->add_option("experiment", options->experiment, "a file, or the name of one in assets/experiments")
-      ->check(check_not_empty)
-      ->required();
+      ->check(check_not_empty);
+  const Subcommand compare = add_compare(*parser);
   parser->add_option("--trials", options->trials, "of each cell (default: the file's)")
       ->check(CLI::Range(1, kMostTrials));
   parser->add_option("--seed", options->seed, "of the first trial of each cell; the others follow")
@@ -230,6 +258,8 @@ Subcommand add_experiment(CLI::App& program) {
   parser->add_option("--out", options->out, "folder for the results (default: out/experiments/NAME)")
       ->check(check_not_empty);
   parser->add_option("--json", options->json, "write the table into this file, for programs")->check(check_not_empty);
+  parser->add_option("--report", options->report, "write a page with tables and figures into this folder")
+      ->check(check_not_empty);
   CLI::Option* const plan = parser->add_flag("--plan", options->plan, "print a command for each trial, and run none");
   parser
       ->add_option("--task,--tasks", options->tasks,
@@ -243,7 +273,10 @@ Subcommand add_experiment(CLI::App& program) {
       ->check(check_not_empty)
       ->needs(trial);
   parser->add_flag("--resume", options->resume, "go on where an earlier run ended")->excludes(plan);
-  return {parser, [options](std::ostream& out, std::ostream& err) { return run_experiment(*options, out, err); }};
+  return {parser, [options, compare](std::ostream& out, std::ostream& err) {
+            if (compare.parser->parsed()) return compare.run(out, err);
+            return run_experiment(*options, out, err);
+          }};
 }
 
 }  // namespace reorient

@@ -8,6 +8,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/utf8.h"
+#include "program/experiment/text_table.h"
+#include "workbench/experiments/tables/outcome.h"
 
 namespace reorient {
 namespace {
@@ -28,7 +30,7 @@ std::string mean_text(const TimeRow& row) {
   return fmt::format("{:.1f} [{:.1f}, {:.1f}]", *row.mean, row.interval->low, row.interval->high);
 }
 
-std::vector<std::string> cells_of(const CellRow& cell) {
+std::vector<std::string> cells_of(const CellResults& cell) {
   const Row& row = cell.row;
   std::vector<std::string> cells;
   for (const std::string& choice : cell.choices) cells.push_back(as_line(choice));
@@ -45,31 +47,69 @@ std::vector<std::string> cells_of(const CellRow& cell) {
   return cells;
 }
 
+/// What others measured in cases that were tried here, too.
+TextTable lines_of_references(const Experiment& experiment, const std::vector<CellResults>& cells) {
+  TextTable lines;
+  const auto rate = [](const std::optional<double>& value) { return value ? percent(*value) + " %" : "-"; };
+  for (const Reference& reference : experiment.references) {
+    const bool is_tried = std::any_of(cells.begin(), cells.end(), [&](const CellResults& cell) {
+      return belongs_to(reference, experiment, cell.choices);
+    });
+    if (!is_tried) continue;
+    if (lines.empty()) lines.push_back({"measured by", "case", "trials", "failed", "mended after, s", "flip", "purge"});
+    std::string choices;
+    for (const auto& [axis, choice] : reference.choices) choices += (choices.empty() ? "" : ", ") + as_line(choice);
+    lines.push_back({as_line(reference.label), choices, reference.trials ? std::to_string(*reference.trials) : "-",
+                     rate(reference.failed), seconds(reference.mean_s), rate(reference.flip), rate(reference.purge)});
+  }
+  return lines;
+}
+
+ordered_json outcome_as_json(const Outcome& outcome) {
+  return {{"seed", outcome.seed},
+          {"disturbed", outcome.disturbed},
+          {"failed", outcome.failed},
+          {"right_after_s", or_null(outcome.right_after)},
+          {"mended_after_s", or_null(outcome.mended_after)},
+          {"mended_by", outcome.mended_by ? ordered_json(to_string(*outcome.mended_by)) : ordered_json()},
+          {"false_flips", outcome.false_flips}};
+}
+
+/// A line for each value of a row, and for each entry of a list in it.
+std::string on_lines(const ordered_json& row) {
+  std::string text = "  {";
+  for (const auto& [key, value] : row.items()) {
+    text.append(text.size() > 3 ? ",\n    " : "\n    ").append(ordered_json(key).dump()).append(": ");
+    if (!value.is_array()) {
+      text += value.dump();
+      continue;
+    }
+    for (std::size_t i = 0; i < value.size(); ++i)
+      text.append(i == 0 ? "[\n      " : ",\n      ").append(value[i].dump());
+    text += value.empty() ? "[]" : "\n    ]";
+  }
+  return text + "\n  }";
+}
+
 }  // namespace
 
-void print_rows(const Experiment& experiment, const std::vector<CellRow>& rows, std::ostream& out) {
-  std::vector<std::vector<std::string>> lines(1);
+void print_rows(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out) {
+  TextTable lines(1);
   for (const Axis& axis : experiment.axes) lines[0].push_back(as_line(axis.name));
   for (const char* title : {"trials", "failed [95 %]", "right after, s", "median", "p90", "mended after, s", "flips",
                             "purges", "false flips", "right hours"})
     lines[0].emplace_back(title);
-  for (const CellRow& row : rows) lines.push_back(cells_of(row));
-  std::vector<std::size_t> widths(lines[0].size());
-  for (const std::vector<std::string>& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  }
-  for (const std::vector<std::string>& line : lines) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i)
-      text += i < experiment.axes.size() ? fmt::format("{:<{}}  ", line[i], widths[i])
-                                         : fmt::format("{:>{}}  ", line[i], widths[i]);
-    out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
-  }
+  for (const CellResults& cell : cells) lines.push_back(cells_of(cell));
+  print_table(lines, experiment.axes.size(), out);
+  const TextTable references = lines_of_references(experiment, cells);
+  if (references.empty()) return;
+  out << '\n';
+  print_table(references, 2, out);
 }
 
-std::string rows_as_json(const Experiment& experiment, const std::vector<CellRow>& rows) {
-  ordered_json list = ordered_json::array();
-  for (const CellRow& cell : rows) {
+std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& rows) {
+  std::string text;
+  for (const CellResults& cell : rows) {
     const Row& row = cell.row;
     ordered_json json;
     for (std::size_t i = 0; i < experiment.axes.size(); ++i)
@@ -106,9 +146,11 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRow
     json["kidnap_failed"] = share(row.kidnapped_failed, row.kidnapped);
     json["kidnap_mean_s"] = or_null(row.kidnapped_right.mean);
     json["usable_mean_s"] = or_null(row.usable.mean);
-    list.push_back(std::move(json));
+    json["outcomes"] = ordered_json::array();
+    for (const TrialResult& trial : cell.trials) json["outcomes"].push_back(outcome_as_json(outcome_of(trial)));
+    text.append(text.empty() ? "[\n" : ",\n").append(on_lines(json));
   }
-  return list.dump(2) + '\n';
+  return (text.empty() ? "[" : text + "\n") + "]\n";
 }
 
 }  // namespace reorient

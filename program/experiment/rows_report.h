@@ -6,20 +6,15 @@
 #include <vector>
 
 #include "workbench/experiments/condition/condition.h"
-#include "workbench/experiments/tables/row.h"
+#include "workbench/experiments/tables/cell_results.h"
 
 namespace reorient {
 
-struct CellRow {
-  std::vector<std::string> choices;  ///< one for each axis
-  Row row;
-};
+/// A table as wide as its texts; below it, what others measured.
+void print_rows(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out);
 
-/// A table as wide as its texts.
-void print_rows(const Experiment& experiment, const std::vector<CellRow>& rows, std::ostream& out);
-
-/// A list of rows: the axes' choices, then the numbers (docs/experiments.md); ends with a line break. What is not known
-/// is null.
-std::string rows_as_json(const Experiment& experiment, const std::vector<CellRow>& rows);
+/// A list of rows: the axes' choices, the numbers, and a line for each trial (docs/experiments.md); ends with a line
+/// break. What is not known is null.
+std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& rows);
 
 }  // namespace reorient

@@ -164,14 +164,13 @@ std::vector<int> Session::missing(const std::vector<int>& tasks) const {
   return missing;
 }
 
-std::vector<CellRow> Session::rows() const {
-  std::vector<std::vector<TrialResult>> results(cells_.size());
-  for (const Task& task : tasks_) results[task.cell].push_back(result(task.number).value());
-  std::vector<CellRow> rows;
-  rows.reserve(cells_.size());
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell)
-    rows.push_back({cells_[cell].choices, row_of(results[cell])});
-  return rows;
+std::vector<CellResults> Session::cell_results() const {
+  std::vector<CellResults> results;
+  results.reserve(cells_.size());
+  for (const Cell& cell : cells_) results.push_back({cell.choices, {}, {}});
+  for (const Task& task : tasks_) results[task.cell].trials.push_back(result(task.number).value());
+  for (CellResults& cell : results) cell.row = row_of(cell.trials);
+  return results;
 }
 
 }  // namespace reorient

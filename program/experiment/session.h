@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "program/experiment/rows_report.h"
 #include "program/experiment/task_results.h"
 #include "program/options.h"
 #include "program/robots.h"
 #include "workbench/experiments/condition/condition.h"
 #include "workbench/experiments/plan/plan.h"
+#include "workbench/experiments/tables/cell_results.h"
 
 namespace reorient {
 
@@ -56,8 +56,8 @@ class Session {
   /// Those without a result. Throws as result().
   std::vector<int> missing(const std::vector<int>& tasks) const;
 
-  /// Once no result is missing.
-  std::vector<CellRow> rows() const;
+  /// In the order of the plan, once no result is missing.
+  std::vector<CellResults> cell_results() const;
 
  private:
   const Task& task(int number) const { return tasks_[static_cast<std::size_t>(number) - 1]; }

@@ -215,6 +215,36 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"EscapeSequence", "title = \"x\"\n\"\\u001b[2J\" = 1", ":2: there is no key '"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
+constexpr const char* kReference = R"([[reference]]
+label = "paper, real robot"
+choices.mode = "paper"
+choices.motion = "walk"
+trials = 10
+failed = 0.1
+mean_s = 45.4
+)";
+
+TEST(ExperimentFile, MayTellWhatOthersMeasured) {
+  const Experiment experiment = parsed(kTwoAxes + std::string(kReference));
+  ASSERT_EQ(experiment.references.size(), 1U);
+  const Reference& reference = experiment.references[0];
+  EXPECT_EQ(reference.label, "paper, real robot");
+  EXPECT_EQ(reference.choices.size(), 2U);
+  EXPECT_EQ(reference.trials, 10);
+  EXPECT_EQ(reference.failed, 0.1);
+  EXPECT_EQ(reference.mean_s, 45.4);
+  EXPECT_FALSE(reference.flip);
+}
+
+TEST(ExperimentFile, RefusesReferencesThatBelongToNothing) {
+  const std::string reference = kReference;
+  const auto with = [&reference](const std::string& more) { return refusal(kTwoAxes + reference + more); };
+  EXPECT_NE(with("choices.mod = \"paper\"\n").find("there is no axis 'mod' with a choice 'paper'"), std::string::npos);
+  EXPECT_NE(with("flip = 70\n").find("where.toml:38: flip is a number from 0 to 1"), std::string::npos);
+  EXPECT_NE(with("flp = 0.7\n").find("did you mean 'flip'?"), std::string::npos);
+  EXPECT_NE(with("[[reference]]\ntrials = 3\n").find("a reference needs a label"), std::string::npos);
+}
+
 TEST(ExperimentFile, ThatIsNotThereIsNamed) {
   try {
     read_experiment("/no/such/file.toml", {});

@@ -55,6 +55,7 @@ TEST(PoissonInterval, HoldsForThousandsOfEventsToo) {
 TEST(PoissonInterval, OfARateIsPerUnitOfExposure) {
   expect_interval(poisson_rate(0, 10.0), 0.0, 0.3689, 5e-5);
   expect_interval(poisson_rate(5, 0.5), 3.246, 23.336, 1e-3);
+  EXPECT_TRUE(std::isinf(poisson_rate(0, 0.0).high));
 }
 
 TEST(KaplanMeier, IsTheirsForTheLeukemiaTrial) {  // Freireich et al. 1963, weeks in remission under 6-MP
@@ -72,6 +73,24 @@ TEST(KaplanMeier, IsTheirsForTheLeukemiaTrial) {  // Freireich et al. 1963, week
   }
   EXPECT_EQ(time_by_which(curve, 0.5), 23.0);
   EXPECT_TRUE(std::isnan(time_by_which(curve, 0.9)));
+}
+
+TEST(KaplanMeier, HasTheBandOfTheLeukemiaTrial) {  // log-log, as Stata's sts list shows it
+  std::vector<CensoredTime> times;
+  for (const double seen : {6, 6, 6, 7, 10, 13, 16, 22, 23}) times.push_back({seen, true});
+  for (const double left : {6, 9, 10, 11, 17, 19, 20, 25, 32, 32, 34, 35}) times.push_back({left, false});
+  const std::vector<SurvivalStep> curve = kaplan_meier(times);
+  constexpr double kBounds[][2] = {{0.6197, 0.9516}, {0.5631, 0.9228}, {0.5032, 0.8894}, {0.4316, 0.8491},
+                                   {0.3675, 0.8049}, {0.2678, 0.7468}, {0.1881, 0.6801}};
+  ASSERT_EQ(curve.size(), std::size(kBounds));
+  for (std::size_t i = 0; i < curve.size(); ++i) expect_interval(curve[i].band, kBounds[i][0], kBounds[i][1], 1e-4);
+}
+
+TEST(KaplanMeier, KeepsItsUpperBoundWhereNobodyIsLeft) {
+  const std::vector<SurvivalStep> curve = kaplan_meier({{1.0, true}, {2.0, true}, {3.0, true}});
+  ASSERT_EQ(curve.size(), 3U);
+  expect_interval(curve[2].band, 0.0, curve[1].band.high, 0.0);
+  expect_interval(kaplan_meier({{1.0, true}})[0].band, 0.0, 1.0, 0.0);
 }
 
 TEST(KaplanMeier, WithoutCensoringCountsTheRest) {
@@ -108,6 +127,21 @@ TEST(BootstrapInterval, OfOneValueIsThatValue) {
   EXPECT_TRUE(std::isnan(bootstrap_interval({}).low));
 }
 
+TEST(BootstrapInterval, OfAMedianDoesNotMindOneWildValue) {
+  std::vector<double> values{1e9};
+  for (int i = 0; i < 30; ++i) values.push_back(i % 5);
+  const Interval interval = bootstrap_median_interval(values);
+  EXPECT_GE(interval.low, 1.0);
+  EXPECT_LE(interval.high, 3.0);
+  EXPECT_TRUE(std::isnan(bootstrap_median_interval({}).high));
+}
+
+TEST(McNemar, HoldsForThousandsOfPairs) {
+  EXPECT_EQ(mcnemar_p(1500, 1500), 1.0);
+  EXPECT_NEAR(mcnemar_p(2450, 2550), 0.1615, 5e-4);  // R's binom.test(2450, 5000)
+  EXPECT_EQ(mcnemar_p(0, 5000), 0.0);
+}
+
 TEST(McNemar, IsTheTwoSidedBinomialTest) {
   EXPECT_NEAR(mcnemar_p(6, 16), 0.0525, 5e-5);  // R's binom.test(6, 22)
   EXPECT_NEAR(mcnemar_p(16, 6), 0.0525, 5e-5);
@@ -134,6 +168,17 @@ TEST(Wilcoxon, CountsEqualDifferencesWithTheirMeanRankAndLeavesOutPairsThatDoNot
   EXPECT_NEAR(wilcoxon_p({{2, 1}, {3, 2}, {4, 3}, {1, 2}, {5, 5}}), 10.0 / 16.0, 1e-12);
   EXPECT_EQ(wilcoxon_p({{5, 5}, {6, 6}}), 1.0);
   EXPECT_EQ(wilcoxon_p({}), 1.0);
+}
+
+TEST(Wilcoxon, GoesOverToTheNormalDistributionWithoutAJump) {
+  const auto p = [](int count) {
+    std::vector<std::pair<double, double>> pairs;
+    for (int i = 1; i <= count; ++i) pairs.emplace_back(0.0, i % 5 < 3 ? i : -i);
+    return wilcoxon_p(pairs);
+  };
+  EXPECT_LT(p(300), 0.01);
+  EXPECT_NEAR(p(305), p(300), 2e-4);
+  EXPECT_LT(p(5000), 1e-6);
 }
 
 RC_GTEST_PROP(WilcoxonProperty, DoesNotCareWhichWayIsTheFirst, (const std::vector<std::pair<int, int>>& values)) {

@@ -114,4 +114,13 @@ std::vector<Cell> cells_of(const Experiment& experiment) {
   return cells;
 }
 
+bool belongs_to(const Reference& reference, const Experiment& experiment, const std::vector<std::string>& choices) {
+  return std::all_of(reference.choices.begin(), reference.choices.end(), [&](const auto& wanted) {
+    for (std::size_t i = 0; i < experiment.axes.size(); ++i) {
+      if (experiment.axes[i].name == wanted.first && choices[i] == wanted.second) return true;
+    }
+    return false;
+  });
+}
+
 }  // namespace reorient

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/parameters/parameter.h"
+#include "workbench/experiments/condition/reference.h"
 #include "workbench/experiments/trial/trial_observer.h"
 
 namespace reorient {
@@ -81,7 +82,11 @@ struct Experiment {
   ConditionPatch base;
   std::vector<ConditionPatch> alternates;  ///< each cell's trials take turns with these
   std::vector<Axis> axes;
+  std::vector<Reference> references;
 };
+
+/// Whether it stands beside a cell of these choices, one for each axis.
+bool belongs_to(const Reference& reference, const Experiment& experiment, const std::vector<std::string>& choices);
 
 /// Leaves only these choices of the axis so called. A name that is no choice of it becomes one by `otherwise`, or is
 /// refused by it. Throws std::runtime_error with one line where there is no such axis.

@@ -9,8 +9,9 @@
 
 #include <toml++/toml.h>
 
-#include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
+#include "workbench/experiments/condition/reference_reader.h"
+#include "workbench/experiments/condition/table_reader.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/files/toml_text.h"
 
@@ -20,79 +21,6 @@ namespace {
 constexpr std::size_t kMostAxes = 8;
 constexpr std::size_t kMostChoices = 1000;  // of one axis
 constexpr int kMostTrials = 100'000;
-
-/// A table whose keys are all known.
-class TableReader {
- public:
-  TableReader(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
-
-  [[noreturn]] void refuse(const toml::node& node, const std::string& why) const {
-    throw std::runtime_error(as_line(file_ + ":" + std::to_string(node.source().begin.line) + ": " + why));
-  }
-
-  /// Each key with what reads it. Whatever else stands in the table is a mistake.
-  using Readers = std::map<std::string, std::function<void(const std::string& key, const toml::node& value)>>;
-  void read(const Readers& readers) const {
-    for (const auto& [key, value] : table_) {
-      const std::string name(key.str());
-      const auto reader = readers.find(name);
-      if (reader == readers.end()) refuse(value, "there is no key '" + name + "' here" + nearest(name, readers));
-      reader->second(name, value);
-    }
-  }
-
-  std::string text(const std::string& key, const toml::node& node) const {
-    const auto value = node.value_exact<std::string>();
-    if (!value || value->empty()) refuse(node, key + " is a text in quotes");
-    return *value;
-  }
-  bool yes(const std::string& key, const toml::node& node) const {
-    const auto value = node.value_exact<bool>();
-    if (!value) refuse(node, key + " is true or false");
-    return *value;
-  }
-  double number(const std::string& key, const toml::node& node, double least, double most) const {
-    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value || !(*value >= least && *value <= most))
-      refuse(node, key + " is a number from " + to_text(least) + " to " + to_text(most));
-    return *value;
-  }
-  std::int64_t whole(const std::string& key, const toml::node& node, std::int64_t least, std::int64_t most) const {
-    const auto value = node.value_exact<std::int64_t>();
-    if (!value || *value < least || *value > most)
-      refuse(node, key + " is a whole number from " + std::to_string(least) + " to " + std::to_string(most));
-    return *value;
-  }
-  std::vector<std::string> texts(const std::string& key, const toml::node& node) const {
-    const toml::array* const array = node.as_array();
-    if (array == nullptr) refuse(node, key + R"( is a list of texts: ["one", "two"])");
-    std::vector<std::string> all;
-    for (const toml::node& one : *array) all.push_back(text(key, one));
-    return all;
-  }
-  const toml::table& table(const std::string& key, const toml::node& node) const {
-    if (const toml::table* const table = node.as_table()) return *table;
-    refuse(node, key + " is a table: [" + key + "]");
-  }
-  const toml::array& tables(const std::string& key, const toml::node& node) const {
-    const toml::array* const array = node.as_array();
-    if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table))
-      refuse(node, key + " is one table or several: [[" + key + "]]");
-    return *array;
-  }
-
- private:
-  static std::string nearest(const std::string& name, const Readers& readers) {
-    std::vector<std::string> names;
-    for (const auto& [known, reader] : readers) names.push_back(known);
-    return did_you_mean(name, names);
-  }
-
-  static std::string to_text(double number) { return reorient::to_text(ParameterValue(number)); }
-
-  const toml::table& table_;
-  std::string file_;
-};
 
 class ExperimentReader {
  public:
@@ -121,7 +49,10 @@ class ExperimentReader {
              experiment.alternates.push_back(read_patch(*one.as_table(), {}));
          }},
         {"axis", [&](auto& key, auto& value) { read_axes(in, in.tables(key, value), experiment.axes); }},
+        {"reference",
+         [&](auto& key, auto& value) { experiment.references = read_references(in, in.tables(key, value), file_); }},
     });
+    for (const Reference& reference : experiment.references) require_choices(in, table, reference, experiment.axes);
     if (experiment.title.empty()) in.refuse(table, "title is missing: what the experiment asks, in one sentence");
     if (!names_scenario(experiment.base)) require_scenario(in, table, experiment.axes);
     return experiment;
@@ -141,6 +72,19 @@ class ExperimentReader {
                          [](const AxisChoice& choice) { return names_scenario(choice.patch); });
     });
     if (!is_chosen) in.refuse(table, "no scenario is named: [condition] scenario = \"turned_round\"");
+  }
+
+  static void require_choices(const TableReader& in, const toml::table& table, const Reference& reference,
+                              const std::vector<Axis>& axes) {
+    for (const auto& [name, choice] : reference.choices) {
+      const bool is_there = std::any_of(axes.begin(), axes.end(), [&](const Axis& axis) {
+        return axis.name == name && std::any_of(axis.choices.begin(), axis.choices.end(),
+                                                [&](const AxisChoice& one) { return one.name == choice; });
+      });
+      if (!is_there)
+        in.refuse(table, "the reference '" + reference.label + "': there is no axis '" + name + "' with a choice '" +
+                             choice + "'");
+    }
   }
 
   void read_axes(const TableReader& in, const toml::array& tables, std::vector<Axis>& axes) const {

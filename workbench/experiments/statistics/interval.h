@@ -10,5 +10,7 @@ struct Interval {
 };
 
 inline constexpr double kConfidence = 0.95;
+inline constexpr double kTail = (1.0 - kConfidence) / 2.0;    ///< beyond each bound
+inline constexpr double kNormalQuantile = 1.959963984540054;  ///< of 0.975
 
 }  // namespace reorient

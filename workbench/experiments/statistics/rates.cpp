@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
-
-constexpr double kNormalQuantile = 1.959963984540054;  // of 0.975
-constexpr double kTail = (1.0 - kConfidence) / 2.0;
 
 /// The probability of at most so many events where `mean` are expected.
 double poisson_cumulative(int events, double mean) {
@@ -49,6 +47,7 @@ Interval poisson_interval(int events) {
 }
 
 Interval poisson_rate(int events, double exposure) {
+  if (exposure <= 0.0) return {0.0, std::numeric_limits<double>::infinity()};
   const Interval expected = poisson_interval(events);
   return {expected.low / exposure, expected.high / exposure};
 }

@@ -11,7 +11,7 @@ Interval wilson_interval(int events, int trials);
 /// Of the number of events that are to be expected where so many were seen: exact, if wide (Garwood 1936).
 Interval poisson_interval(int events);
 
-/// Of the rate of events over an exposure > 0, in events per unit of it.
+/// Of the rate of events over an exposure, in events per unit of it. Without exposure: 0 to infinity.
 Interval poisson_rate(int events, double exposure);
 
 }  // namespace reorient

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "geometry/pinned_math.h"
 #include "geometry/random.h"
 
 namespace reorient {
@@ -13,12 +14,34 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int kResamples = 2000;
 
+/// `variance`: Greenwood's sum, the relative variance of the share.
+Interval log_log_band(double share, double variance, const Interval& before) {
+  if (share <= 0.0) return {0.0, before.high};
+  const double logarithm = pinned::log(share);
+  const double spread = pinned::exp(kNormalQuantile * std::sqrt(variance) / -logarithm);
+  return {pinned::exp(logarithm * spread), pinned::exp(logarithm / spread)};
+}
+
+template <typename Statistic>
+Interval bootstrap(const std::vector<double>& values, std::uint64_t seed, Statistic&& statistic) {
+  if (values.empty()) return {kUnknown, kUnknown};
+  Random random(seed, 0xB0075);
+  std::vector<double> results, sample(values.size());
+  results.reserve(kResamples);
+  for (int i = 0; i < kResamples; ++i) {
+    for (double& drawn : sample) drawn = values[random.below(values.size())];
+    results.push_back(statistic(sample));
+  }
+  return {quantile(results, kTail), quantile(results, 1.0 - kTail)};
+}
+
 }  // namespace
 
 std::vector<SurvivalStep> kaplan_meier(std::vector<CensoredTime> times) {
   std::sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
   std::vector<SurvivalStep> curve;
-  double share = 1.0;
+  double share = 1.0, variance = 0.0;
+  Interval band{1.0, 1.0};
   for (std::size_t i = 0; i < times.size();) {
     const double now = times[i].seconds;
     const auto at_risk = static_cast<int>(times.size() - i);
@@ -26,7 +49,9 @@ std::vector<SurvivalStep> kaplan_meier(std::vector<CensoredTime> times) {
     for (; i < times.size() && times[i].seconds == now; ++i) events += times[i].happened ? 1 : 0;
     if (events == 0) continue;
     share *= 1.0 - static_cast<double>(events) / at_risk;
-    curve.push_back({now, share, at_risk});
+    variance += static_cast<double>(events) / (static_cast<double>(at_risk) * (at_risk - events));
+    band = log_log_band(share, variance, band);
+    curve.push_back({now, share, at_risk, band});
   }
   return curve;
 }
@@ -54,17 +79,11 @@ double quantile(std::vector<double> values, double share) {
 }
 
 Interval bootstrap_interval(const std::vector<double>& values, std::uint64_t seed) {
-  if (values.empty()) return {kUnknown, kUnknown};
-  Random random(seed, 0xB0075);
-  std::vector<double> means;
-  means.reserve(kResamples);
-  for (int i = 0; i < kResamples; ++i) {
-    double sum = 0.0;
-    for (std::size_t draw = 0; draw < values.size(); ++draw) sum += values[random.below(values.size())];
-    means.push_back(sum / static_cast<double>(values.size()));
-  }
-  constexpr double kTail = (1.0 - kConfidence) / 2.0;
-  return {quantile(means, kTail), quantile(means, 1.0 - kTail)};
+  return bootstrap(values, seed, [](const std::vector<double>& sample) { return mean(sample); });
+}
+
+Interval bootstrap_median_interval(const std::vector<double>& values, std::uint64_t seed) {
+  return bootstrap(values, seed, [](const std::vector<double>& sample) { return quantile(sample, 0.5); });
 }
 
 }  // namespace reorient

@@ -1,10 +1,8 @@
 #include "workbench/experiments/tables/row.h"
 
 #include <cmath>
-#include <limits>
 
 #include "workbench/experiments/statistics/rates.h"
-#include "workbench/experiments/statistics/times.h"
 
 namespace reorient {
 namespace {
@@ -21,7 +19,7 @@ std::optional<double> if_known(double value) { return std::isnan(value) ? std::n
 Row row_of(const std::vector<TrialResult>& results) {
   Row row;
   std::vector<double> right, mended, by_flip, by_purge, kidnapped_right, usable;
-  std::vector<CensoredTime> until_right, until_mended;
+  std::vector<CensoredTime> until_mended;
   double right_seconds = 0.0;
   for (const TrialResult& result : results) {
     ++row.trials;
@@ -37,11 +35,10 @@ Row row_of(const std::vector<TrialResult>& results) {
       row.kidnapped_failed += result.failed() ? 1 : 0;
       if (result.right_after) kidnapped_right.push_back(*result.right_after);
     }
-    if (result.started && result.correct_at_start) continue;
+    if (!result.disturbed()) continue;
     ++row.disturbed;
     row.failed += result.failed() ? 1 : 0;
     row.uninformative += result.failed() && result.ended_uninformative ? 1 : 0;
-    until_right.push_back({result.right_after.value_or(result.seconds), result.right_after.has_value()});
     until_mended.push_back({result.mended_after.value_or(result.seconds), result.mended_after.has_value()});
     if (result.right_after) right.push_back(*result.right_after);
     if (!result.mended_after) continue;
@@ -55,7 +52,7 @@ Row row_of(const std::vector<TrialResult>& results) {
   constexpr double kHour = 3600.0;  // s
   row.failed_rate = wilson_interval(row.failed, row.disturbed);
   row.right = time_row(right);
-  const std::vector<SurvivalStep> curve = kaplan_meier(until_right);
+  const std::vector<SurvivalStep> curve = kaplan_meier(times_until_right(results));
   row.right_median = if_known(time_by_which(curve, 0.5));
   row.right_p90 = if_known(time_by_which(curve, 0.9));
   row.mended = time_row(mended);
@@ -67,9 +64,17 @@ Row row_of(const std::vector<TrialResult>& results) {
   row.flip_time = time_row(by_flip);
   row.purge_time = time_row(by_purge);
   row.right_hours = right_seconds / kHour;
-  row.false_flip_rate = row.right_hours > 0.0 ? poisson_rate(row.false_flips, row.right_hours)
-                                              : Interval{0.0, std::numeric_limits<double>::infinity()};
+  row.false_flip_rate = poisson_rate(row.false_flips, row.right_hours);
   return row;
+}
+
+std::vector<CensoredTime> times_until_right(const std::vector<TrialResult>& results) {
+  std::vector<CensoredTime> times;
+  for (const TrialResult& result : results) {
+    if (result.disturbed())
+      times.push_back({result.right_after.value_or(result.seconds), result.right_after.has_value()});
+  }
+  return times;
 }
 
 }  // namespace reorient

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "workbench/experiments/statistics/interval.h"
+#include "workbench/experiments/statistics/times.h"
 #include "workbench/experiments/trial/trial_result.h"
 
 namespace reorient {
@@ -48,5 +49,8 @@ struct Row {
 };
 
 Row row_of(const std::vector<TrialResult>& results);
+
+/// Until the belief is right and stays; of the disturbed trials.
+std::vector<CensoredTime> times_until_right(const std::vector<TrialResult>& results);
 
 }  // namespace reorient

@@ -49,6 +49,8 @@ struct TrialResult {
   std::vector<ConfidenceSample> confidences;  ///< twice a second
 
   bool failed() const { return !right_after.has_value() && !(symmetric_room && ended_uninformative); }
+  /// Its belief was wrong when the clock started; one whose clock never did counts as such.
+  bool disturbed() const { return !started || !correct_at_start; }
 };
 template <typename Visit>
 void fields(Visit&& visit, TrialResult& result) {

@@ -1,0 +1,52 @@
+#include "program/commands/compare_command.h"
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "engine/parameters/utf8.h"
+#include "program/experiment/rows_comparison.h"
+#include "program/options.h"
+#include "program/program.h"
+
+namespace reorient {
+namespace {
+
+struct CompareOptions {
+  std::filesystem::path first;
+  std::filesystem::path second;  ///< empty: two choices of the first are compared
+  std::string axis, from, to;
+};
+
+PairedRows paired_rows(const CompareOptions& options) {
+  if (options.axis.empty() == options.second.empty())
+    throw std::runtime_error("compare takes two tables, or one with --axis NAME --from CHOICE --to CHOICE");
+  if (!options.axis.empty()) return pair_choices(read_rows(options.first), options.axis, options.from, options.to);
+  return pair_rows({as_line(options.first.string()), read_rows(options.first)},
+                   {as_line(options.second.string()), read_rows(options.second)});
+}
+
+}  // namespace
+
+Subcommand add_compare(CLI::App& experiment) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* const parser = experiment.add_subcommand("compare", "what changed between two tables, pair by pair");
+  parser->add_option("first", options->first, "a file that experiment --json wrote")
+      ->check(check_not_empty)
+      ->required();
+  parser->add_option("second", options->second, "another one")->check(check_not_empty);
+  CLI::Option* const axis =
+      parser->add_option("--axis", options->axis, "compare two choices of this axis within the first table")
+          ->check(check_not_empty);
+  CLI::Option* const from = parser->add_option("--from", options->from, "the one choice")->needs(axis);
+  CLI::Option* const to = parser->add_option("--to", options->to, "the other choice")->needs(axis);
+  axis->needs(from)->needs(to);
+  return {parser, [options](std::ostream& out, std::ostream&) {
+            print_comparison(paired_rows(*options), out);
+            return kSuccess;
+          }};
+}
+
+}  // namespace reorient

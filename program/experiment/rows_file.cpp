@@ -1,0 +1,145 @@
+#include "program/experiment/rows_file.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/parameters/utf8.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// What is wrong, without the file's name.
+struct Flaw : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+constexpr double kLongest = 1e9;  // s or hours: more than anybody measures
+constexpr int kMostEvents = 1'000'000'000;
+
+const ordered_json& at(const ordered_json& table, const char* key, const char* what) {
+  const auto found = table.find(key);
+  if (found == table.end()) throw Flaw(fmt::format("{} without \"{}\"", what, key));
+  return *found;
+}
+
+double number_at(const ordered_json& table, const char* key, const char* what) {
+  const ordered_json& value = at(table, key, what);
+  const double number = value.is_number() ? value.get<double>() : -1.0;
+  if (!(number >= 0.0 && number <= kLongest))
+    throw Flaw(fmt::format("{} whose \"{}\" is no number from 0 on", what, key));
+  return number;
+}
+
+std::optional<double> optional_number_at(const ordered_json& table, const char* key, const char* what) {
+  if (at(table, key, what).is_null()) return std::nullopt;
+  return number_at(table, key, what);
+}
+
+int count_at(const ordered_json& table, const char* key, const char* what) {
+  const ordered_json& value = at(table, key, what);
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostEvents)
+    throw Flaw(fmt::format("{} whose \"{}\" is no whole number from 0 on", what, key));
+  return value.get<int>();
+}
+
+bool yes_at(const ordered_json& table, const char* key, const char* what) {
+  const ordered_json& value = at(table, key, what);
+  if (!value.is_boolean()) throw Flaw(fmt::format("{} whose \"{}\" is neither true nor false", what, key));
+  return value.get<bool>();
+}
+
+std::optional<Reorientation> reorientation_at(const ordered_json& table, const char* key, const char* what) {
+  const ordered_json& value = at(table, key, what);
+  if (value.is_null()) return std::nullopt;
+  for (int i = 0; i < enum_count(Reorientation()); ++i) {
+    const auto reorientation = static_cast<Reorientation>(i);
+    if (value == to_string(reorientation)) return reorientation;
+  }
+  throw Flaw(fmt::format("{} whose \"{}\" is no command", what, key));
+}
+
+Outcome outcome_from(const ordered_json& table) {
+  constexpr const char* kWhat = "an outcome";
+  if (!table.is_object()) throw Flaw("an outcome that is no object");
+  const ordered_json& seed = at(table, "seed", kWhat);
+  if (!seed.is_number_unsigned()) throw Flaw("an outcome whose \"seed\" is no whole number from 0 on");
+  return {seed.get<std::uint64_t>(),
+          yes_at(table, "disturbed", kWhat),
+          yes_at(table, "failed", kWhat),
+          optional_number_at(table, "right_after_s", kWhat),
+          optional_number_at(table, "mended_after_s", kWhat),
+          reorientation_at(table, "mended_by", kWhat),
+          count_at(table, "false_flips", kWhat)};
+}
+
+StoredRow row_from(const ordered_json& table) {
+  constexpr const char* kWhat = "a row";
+  if (!table.is_object()) throw Flaw("a row that is no object");
+  static_cast<void>(at(table, "trials", kWhat));
+  StoredRow row;
+  // The axes' choices come first.
+  for (auto entry = table.begin(); entry != table.end() && entry.key() != "trials"; ++entry) {
+    if (!entry->is_string()) throw Flaw(fmt::format("a row whose choice of \"{}\" is no text", entry.key()));
+    row.choices.emplace_back(entry.key(), entry->get<std::string>());
+  }
+  row.false_flips = count_at(table, "false_flips", kWhat);
+  row.right_hours = number_at(table, "right_hours", kWhat);
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  row.false_flip_rate = {optional_number_at(table, "false_flips_per_hour_low", kWhat).value_or(0.0),
+                         optional_number_at(table, "false_flips_per_hour_high", kWhat).value_or(kInfinite)};
+  const ordered_json& outcomes = at(table, "outcomes", kWhat);
+  if (!outcomes.is_array()) throw Flaw("a row whose \"outcomes\" are no list");
+  std::set<std::uint64_t> seeds;
+  for (const ordered_json& one : outcomes) {
+    row.outcomes.push_back(outcome_from(one));
+    const std::uint64_t seed = row.outcomes.back().seed;
+    if (!seeds.insert(seed).second) throw Flaw(fmt::format("a row with two outcomes of seed {}", seed));
+  }
+  return row;
+}
+
+std::vector<StoredRow> rows_from(const ordered_json& list) {
+  if (!list.is_array() || list.empty()) throw Flaw("it is no list of rows");
+  std::vector<StoredRow> rows;
+  std::set<std::vector<std::pair<std::string, std::string>>> seen;
+  for (const ordered_json& one : list) {
+    rows.push_back(row_from(one));
+    if (!seen.insert(rows.back().choices).second) throw Flaw("it has two rows of the same choices");
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<StoredRow> read_rows(const std::filesystem::path& file) {
+  const auto refuse = [&file](const std::string& why) {
+    throw std::runtime_error(as_line(file.string() + ": " + why));
+  };
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) refuse("there is no such file; experiment --json writes one");
+  const std::optional<std::string> text = read_whole_file(file);
+  if (!text) refuse("it cannot be read; check its permissions");
+  try {
+    return rows_from(ordered_json::parse(*text));
+  } catch (const nlohmann::json::parse_error& mistake) {
+    const auto until = text->begin() + static_cast<std::ptrdiff_t>(std::min(mistake.byte, text->size()));
+    throw std::runtime_error(
+        as_line(fmt::format("{}:{}: this is no JSON, or it is cut short; experiment --json writes it anew",
+                            file.string(), 1 + std::count(text->begin(), until, '\n'))));
+  } catch (const nlohmann::json::exception&) {
+    refuse("it holds a number that is too large; experiment --json writes it anew");
+  } catch (const Flaw& flaw) {
+    refuse(std::string("this is no table of an experiment: ") + flaw.what() + "; experiment --json writes it anew");
+  }
+  return {};
+}
+
+}  // namespace reorient

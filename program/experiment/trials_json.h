@@ -1,0 +1,16 @@
+// All that was measured of each trial, for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workbench/experiments/condition/condition.h"
+#include "workbench/experiments/tables/cell_results.h"
+
+namespace reorient {
+
+/// A list with a line for each trial, in the order of the plan: the axes' choices, what was measured, and the
+/// confidences as lists of equal length (docs/experiments.md). What is not known is null.
+std::string trials_as_json(const Experiment& experiment, const std::vector<CellResults>& cells);
+
+}  // namespace reorient

@@ -1,0 +1,169 @@
+// `reorient experiment compare`: tables as the program writes them, and tables that it never would.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geometry/random.h"
+#include "tests/program/child_program.h"
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+std::string outcome(int seed, const std::string& right_after) {
+  return R"({"seed":)" + std::to_string(seed) + R"(,"disturbed":true,"failed":)" +
+         (right_after == "null" ? "true" : "false") + R"(,"right_after_s":)" + right_after +
+         R"(,"mended_after_s":null,"mended_by":"flip_pose","false_flips":0})";
+}
+
+std::string row(const std::string& choices, const std::string& outcomes) {
+  return "{" + choices + R"("trials": 3, "false_flips": 1, "right_hours": 0.5, "false_flips_per_hour_low": 0.05,
+    "false_flips_per_hour_high": 11.1, "outcomes": [)" +
+         outcomes + "]}";
+}
+
+const std::string kDefault = R"("mode": "default", )", kPaper = R"("mode": "paper", )";
+const std::string kFast = outcome(1, "2.0") + "," + outcome(2, "3.0") + "," + outcome(3, "null");
+const std::string kSlow = outcome(1, "4.0") + "," + outcome(2, "5.5") + "," + outcome(3, "9.0");
+
+class CompareTest : public ::testing::Test {
+ protected:
+  std::string table(const std::string& name, const std::string& text) const {
+    return folder.write(name + ".json", text).string();
+  }
+  static ProgramRun compare(const std::vector<std::string>& words) {
+    std::vector<std::string> all{"experiment", "compare"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_reorient(all);
+  }
+  static void expect_refused(const std::vector<std::string>& words, const std::string& culprit) {
+    const ProgramRun refused = compare(words);
+    EXPECT_EQ(refused.code, kBadInput);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_NE(refused.err.find(culprit), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+
+  TemporaryFolder folder;
+  std::string before = table("before", "[" + row(kDefault, kFast) + ",\n" + row(kPaper, kSlow) + "]");
+};
+
+TEST_F(CompareTest, TellsWhatChangedInPairs) {
+  const std::string after = table("after", "[" + row(kDefault, kSlow) + "]");
+  const ProgramRun done = compare({before, after});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_TRUE(done.out.starts_with("A: " + before + "\nB: " + after + "\n\n")) << done.out;
+  EXPECT_NE(
+      done.out.find("mode default      3    1 of 3    0 of 3        1        0  1.0000     +2.2 [+2.0, +2.5]  0.5000"
+                    "  2.00 [0.05, 11.10]  2.00 [0.05, 11.10]\n"),
+      std::string::npos)
+      << done.out;
+  EXPECT_NE(done.out.find("\nmode paper: only in A\n"), std::string::npos) << done.out;
+}
+
+TEST_F(CompareTest, TellsChoicesOfAnAxisWithinOneTable) {
+  const ProgramRun done = compare({before, "--axis", "mode", "--from", "paper", "--to", "default"});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_TRUE(done.out.starts_with("A: mode paper\nB: mode default\n\n")) << done.out;
+  EXPECT_NE(done.out.find("-2.2 [-2.5, -2.0]"), std::string::npos) << done.out;
+  expect_refused({before, "--axis", "mod", "--from", "paper", "--to", "default"}, "did you mean 'mode'?");
+  expect_refused({before, "--axis", "mode", "--from", "papr", "--to", "default"}, "did you mean 'paper'?");
+  expect_refused({before, "--axis", "mode"}, "--axis requires");
+  expect_refused({before, before, "--axis", "mode", "--from", "paper", "--to", "default"},
+                 "compare takes two tables, or");
+  expect_refused({before}, "compare takes two tables, or one with --axis");
+}
+
+TEST_F(CompareTest, TellsSeedsWithoutAPartner) {
+  const std::string after = table("after", "[" + row(kDefault, outcome(2, "3.0") + "," + outcome(7, "1.0")) + "]");
+  EXPECT_NE(compare({before, after}).out.find("mode default: 3 trials have no partner of their seed\n"),
+            std::string::npos);
+  const std::string other = table("other", "[" + row(kDefault, outcome(8, "3.0")) + "]");
+  expect_refused({before, other}, "no trial of");
+  const std::string stranger = table("stranger", "[" + row(R"("light": "hard", )", kFast) + "]");
+  expect_refused({before, stranger}, "no row of");
+}
+
+TEST_F(CompareTest, PairsRowsWhateverTheOrderOfTheirAxes) {
+  const std::string one = table("one", "[" + row(R"("mode": "m", "light": "l", )", kFast) + "]");
+  const std::string two = table("two", "[" + row(R"("light": "l", "mode": "m", )", kFast) + "]");
+  const ProgramRun done = compare({one, two});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_NE(done.out.find("+0.0 [+0.0, +0.0]"), std::string::npos) << done.out;
+}
+
+TEST_F(CompareTest, RefusesWhatIsNoTable) {
+  const std::string good = row(kDefault, kFast);
+  const std::pair<std::string, std::string> kBad[] = {
+      {"", "this is no JSON"},
+      {"[\n\n{\"mode\": ", "bad.json:3: this is no JSON"},
+      {"[" + good.substr(0, good.size() / 2), "this is no JSON"},
+      {"not JSON", "this is no JSON"},
+      {"\xFF\xFE[]", "this is no JSON"},
+      {"[{\"mode\": \"\xC0\xAF\"}]", "this is no JSON"},
+      {std::string(100'000, '['), "this is no JSON"},
+      {"[]", "no list of rows"},
+      {"{}", "no list of rows"},
+      {"null", "no list of rows"},
+      {"[1]", "a row that is no object"},
+      {"[{}]", "a row without \"trials\""},
+      {R"([{"trials": 2}])", "a row without \"false_flips\""},
+      {R"([{"mode": 3, "trials": 2}])", "a row whose choice of \"mode\" is no text"},
+      {"[" + good + "," + good + "]", "two rows of the same choices"},
+      {"[" + row(kDefault, "7") + "]", "an outcome that is no object"},
+      {"[" + row(kDefault, "{}") + "]", "an outcome without \"seed\""},
+      {"[" + row(kDefault, R"({"seed": -1})") + "]", "whose \"seed\" is no whole number"},
+      {"[" + row(kDefault, R"({"seed": 1e400})") + "]", "a number that is too large"},
+      {"[" + row(kDefault, R"({"seed": 1, "disturbed": 1})") + "]", "\"disturbed\" is neither true nor false"},
+      {"[" + row(kDefault, outcome(1, "1e300")) + "]", "\"right_after_s\" is no number from 0 on"},
+      {"[" + row(kDefault, outcome(1, "-1")) + "]", "\"right_after_s\" is no number from 0 on"},
+      {"[" + row(kDefault, outcome(1, "1") + "," + outcome(1, "2")) + "]", "two outcomes of seed 1"},
+      {"[" + row(kDefault, outcome(1, "1").replace(outcome(1, "1").find("flip_pose"), 4, "slip")) + "]",
+       "is no command"},
+  };
+  for (const auto& [text, why] : kBad) {
+    const std::string bad = table("bad", text);
+    expect_refused({before, bad}, why);
+    expect_refused({bad, before}, why);
+  }
+  expect_refused({before, (folder.path() / "gone.json").string()}, "gone.json: there is no such file");
+  expect_refused({folder.path().string(), before}, "there is no such file");
+  expect_refused({before, ""}, "second");
+}
+
+TEST_F(CompareTest, SaysNamesOfPeopleOnOneLine) {
+  const std::string hostile = "[" + row(R"("m\u001b\n": "\u001b[31m<b>", )", kFast) + "]";
+  const ProgramRun done = compare({table("one", hostile), table("two", hostile)});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_EQ(done.out.find('\x1B'), std::string::npos);
+  EXPECT_NE(done.out.find("\nm\\x1B \\x1B[31m<b>  "), std::string::npos) << done.out;
+}
+
+TEST_F(CompareTest, SurvivesWhateverIsDoneToATable) {
+  const std::string good = read_text(before);
+  Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    std::string text = good;
+    for (std::uint32_t changes = 1 + random.below(4); changes > 0; --changes)
+      text[random.below(text.size())] = static_cast<char>(random.below(256));
+    const ProgramRun done = compare({before, table("changed", text)});
+    ASSERT_TRUE(done.code == kSuccess || done.code == kBadInput) << text;
+    ASSERT_LE(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+  }
+}
+
+TEST_F(CompareTest, IsNotInTheWayOfAnExperimentOfThatName) {
+  folder.write("compare.toml", "title = 3");
+  const ProgramRun done = run_reorient({"experiment", (folder.path() / "compare.toml").string()});
+  EXPECT_EQ(done.code, kBadInput);
+  EXPECT_NE(done.err.find("compare.toml:1: title"), std::string::npos) << done.err;
+  EXPECT_NE(run_reorient({"experiment"}).err.find("name an experiment"), std::string::npos);
+  EXPECT_NE(run_reorient({"experiment", "compare", "--help"}).out.find("--axis"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace reorient

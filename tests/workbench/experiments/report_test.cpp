@@ -1,0 +1,154 @@
+// The page and the table of trials, from results made up.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "geometry/random.h"
+#include "tests/well_formed.h"
+#include "workbench/experiments/report/page.h"
+#include "workbench/experiments/report/trials_csv.h"
+
+namespace reorient {
+namespace {
+
+const std::string kHostile = "<script>alert('x')</script> \"&\x01\xFF\xC0,\n=1";
+
+/// Comes right at a time by its seed, every fifth never; the confidences cross when it does.
+TrialResult shown_result(std::uint64_t seed, bool is_disturbed) {
+  Random random(seed, 7);
+  TrialResult trial;
+  trial.seed = seed;
+  trial.started = true;
+  trial.correct_at_start = !is_disturbed;
+  trial.seconds = 70.0;
+  if (!is_disturbed) trial.right_after = 0.0;
+  if (is_disturbed && seed % 5 != 0) {
+    trial.right_after = random.uniform(1.0, 50.0);
+    trial.mended_after = *trial.right_after;
+    trial.mended_by = seed % 2 == 0 ? Reorientation::flip_pose : Reorientation::purge_reflection;
+  }
+  trial.right_seconds = 60.0;
+  for (double time = 0.5; time < 70.0; time += 0.5) {
+    const bool correct = trial.right_after && time >= *trial.right_after;
+    trial.confidences.push_back({time, correct ? 0.8 : 0.3, correct ? 0.1 : 0.6, RoomStatus::usable, correct});
+  }
+  return trial;
+}
+
+Report report_with(const std::string& name, int trials) {
+  Report report;
+  report.experiment.name = name;
+  report.experiment.title = name;
+  report.experiment.description = name;
+  report.experiment.trials = trials;
+  report.experiment.axes = {{name, {{name + "1", {}}, {name + "2", {}}}}, {"mode", {{"default", {}}, {name, {}}}}};
+  report.experiment.references = {{name, {{name, name + "1"}}, 20, 0.7, {}, 0.15, 18.1, {}, {}}};
+  for (const Cell& cell : cells_of(report.experiment)) {
+    CellResults results{cell.choices, {}, {}};
+    for (int i = 0; i < trials; ++i) results.trials.push_back(shown_result(1 + i, i % 3 != 2));
+    results.row = row_of(results.trials);
+    report.cells.push_back(std::move(results));
+  }
+  report.provenance = {"reorient " + name, "1.2.3 " + name, name, "today"};
+  report.command_of = [name](int task) { return "reorient again " + name + std::to_string(task); };
+  return report;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(ReportPage, IsWellFormedAndHasItsFiguresAndTables) {
+  const std::string page = report_page(report_with("halls", 12));
+  EXPECT_EQ(mistake_in_markup(page), "");
+  for (const char* id : {"failures", "times", "false-flips", "roc"})
+    EXPECT_TRUE(has(page, std::string("<figure id=\"") + id + "\">")) << id;
+  for (const char* role : {"best", "median", "worst", "failed"})
+    EXPECT_TRUE(has(page, std::string("<strong>") + role)) << role;
+  EXPECT_TRUE(has(page, "<code>reorient again halls10</code>")) << "the failed trial's own command";
+  EXPECT_EQ(std::count(page.begin(), page.end(), '\r'), 0);
+}
+
+TEST(ReportPage, NeedsNoNetworkAndNoScript) {
+  const std::string page = report_page(report_with("halls", 3));
+  for (const char* word : {"http:", "https:", "src=", "@import", "url(", "<script", "<link"})
+    EXPECT_FALSE(has(page, word)) << word;
+}
+
+TEST(ReportPage, TakesNothingThatPeopleSayForMarkup) {
+  const std::string page = report_page(report_with(kHostile, 6));
+  EXPECT_EQ(mistake_in_markup(page), "");
+  EXPECT_FALSE(has(page, "<script"));
+  EXPECT_TRUE(has(page, "&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &quot;&amp;\\x01\\xFF\\xC0, =1"));
+}
+
+TEST(ReportPage, IsTheSameForEqualReports) {
+  EXPECT_EQ(report_page(report_with("halls", 9)), report_page(report_with("halls", 9)));
+}
+
+TEST(ReportPage, ShowsTheNumbersOfTheRows) {
+  Report report = report_with("halls", 9);
+  Row& row = report.cells[0].row;
+  row.right.mean = 123.4;  // no second computation of what the row says
+  row.right.interval = Interval{120.1, 129.9};
+  row.right_median = 77.7;
+  row.mended.mean = 55.5;
+  row.mended.interval = Interval{51.0, 59.0};
+  const std::string page = report_page(report);
+  for (const char* text : {"123.4 [120.1, 129.9]", "77.7", "55.5 [51.0, 59.0]"}) EXPECT_TRUE(has(page, text)) << text;
+}
+
+TEST(ReportPage, SaysThatATimeIsLaterThanTheLimit) {
+  Report report = report_with("halls", 10);
+  for (CellResults& cell : report.cells) {
+    for (TrialResult& trial : cell.trials) trial.right_after = trial.mended_after = {};
+    cell.row = row_of(cell.trials);
+  }
+  const std::string page = report_page(report);
+  EXPECT_EQ(mistake_in_markup(page), "");
+  EXPECT_TRUE(has(page, "<td>&gt; 60</td>"));
+}
+
+TEST(ReportPage, PutsOnesOwnRowsBesideWhatOthersMeasured) {
+  const std::string page = report_page(report_with("halls", 6));
+  EXPECT_TRUE(has(page, "<td>70 %</td>"));
+  EXPECT_TRUE(has(page, "<td>18.1</td>"));
+  EXPECT_TRUE(has(page, "here, mode default"));
+}
+
+TEST(ReportPage, OfTrialsThatShowNothingIsStillAPage) {
+  Report report = report_with("halls", 2);
+  for (CellResults& cell : report.cells) {
+    cell.trials.assign(2, TrialResult());
+    cell.row = row_of(cell.trials);
+  }
+  EXPECT_EQ(mistake_in_markup(report_page(report)), "");
+  report.cells.clear();
+  EXPECT_EQ(mistake_in_markup(report_page(report)), "");
+}
+
+TEST(ReportPage, OfAnExperimentWithoutAxesHasOneSeries) {
+  Report report = report_with("halls", 4);
+  report.cells.resize(1);
+  report.cells[0].choices.clear();
+  report.experiment.axes.clear();
+  report.experiment.references.clear();
+  const std::string page = report_page(report);
+  EXPECT_EQ(mistake_in_markup(page), "");
+  EXPECT_TRUE(has(page, "all trials"));
+}
+
+TEST(TrialsCsv, HasALineForEachTrial) {
+  const std::string csv = trials_as_csv(report_with("halls", 3));
+  EXPECT_TRUE(csv.starts_with("halls,mode,task,seed,started,disturbed,failed,measured_s,right_after_s,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 3);
+  EXPECT_TRUE(has(csv, "\r\nhalls1,halls,4,1,true,true,false,70,"));
+}
+
+TEST(TrialsCsv, QuotesWhatPeopleSay) {
+  const std::string csv = trials_as_csv(report_with(kHostile, 1));
+  EXPECT_TRUE(csv.starts_with("\"<script>alert('x')</script> \"\"&\\x01\\xFF\\xC0, =1\",mode,"));
+  EXPECT_TRUE(is_utf8(csv));
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,48 @@
+// HTML and SVG that are well-formed XML, whatever names and titles people give.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace reorient {
+
+/// For text and for attributes in double quotes. Bytes that are no UTF-8, and control characters, are written out.
+std::string escaped(std::string_view text);
+
+class Markup {
+ public:
+  using Attributes = std::initializer_list<std::pair<std::string_view, std::string_view>>;
+
+  void text(std::string_view text) { out_ += escaped(text); }
+  /// An element with nothing but a text.
+  void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
+  /// An element without an end of its own, as HTML's <meta> and SVG's <path>.
+  void single(std::string_view name, Attributes attributes);
+  /// As it stands: for what is no text of people, a doctype or a style sheet.
+  void raw(std::string_view markup) { out_ += markup; }
+
+  const std::string& str() const { return out_; }
+
+ private:
+  friend class Element;
+  void begin(std::string_view name, Attributes attributes);
+
+  std::string out_;
+};
+
+/// Open while it lives.
+class Element {
+ public:
+  Element(Markup& out, std::string_view name, Markup::Attributes attributes = {});
+  ~Element();
+  Element(const Element&) = delete;
+  Element& operator=(const Element&) = delete;
+
+ private:
+  Markup& out_;
+  std::string name_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,29 @@
+// Numbers as people read them: the same text everywhere, whatever the locale.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "workbench/experiments/statistics/interval.h"
+
+namespace reorient {
+
+/// With so many digits behind the point; what is not finite is a dash.
+std::string fixed(double value, int digits);
+
+/// The same of a number that may be unknown: a dash then.
+std::string fixed(const std::optional<double>& value, int digits);
+
+/// A difference: "+1.2", or with a true minus sign.
+std::string with_sign(double value, int digits);
+
+/// "[1.2, 3.4]".
+std::string fixed(const Interval& interval, int digits);
+
+/// "30 %" of 0.3.
+std::string percent(double share);
+
+/// "0.013", or "< 0.001".
+std::string p_value(double p);
+
+}  // namespace reorient

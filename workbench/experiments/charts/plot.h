@@ -1,0 +1,61 @@
+// Lines over an abscissa and an ordinate, as an SVG picture of its own. Colours and dashes are the page's: classes s0,
+// s1, ... name the series (report/style).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/experiments/charts/markup.h"
+#include "workbench/experiments/charts/scale.h"
+
+namespace reorient {
+
+struct PlotAxis {
+  std::string label;
+  double low = 0.0;
+  double high = 1.0;
+  int ticks = 5;             ///< about so many
+  bool percent = false;      ///< numbers are shares, and shown in %
+  bool logarithmic = false;  ///< both bounds above 0
+};
+
+/// Those of an axis.
+std::vector<double> ticks(const PlotAxis& axis);
+
+struct PlotPoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Open while it lives: what is drawn later lies above. What lies beyond the axes is cut off.
+class Plot {
+ public:
+  /// `description`: what there is to see, for those who cannot.
+  Plot(Markup& out, std::string_view description, const PlotAxis& x, const PlotAxis& y, bool square = false);
+
+  void line(const std::vector<PlotPoint>& points, std::string_view style);
+  /// Between two lines of equally many points.
+  void band(const std::vector<PlotPoint>& low, const std::vector<PlotPoint>& high, std::string_view style);
+  /// A stretch of the abscissa, over the whole height.
+  void stretch(double from, double to, std::string_view style);
+  /// An upright line with a word at its top.
+  void moment(double x, std::string_view word);
+  /// A short stroke across the end of a line: what comes behind is not known.
+  void end_mark(const PlotPoint& point, std::string_view style);
+
+ private:
+  void draw_axes(const PlotAxis& x, const PlotAxis& y);
+  std::string path(const std::vector<PlotPoint>& points, bool backwards = false) const;
+  PlotPoint place(const PlotPoint& point) const;
+
+  Markup& out_;
+  double width_, height_;
+  Element svg_;
+  Scale x_, y_;
+};
+
+/// As a curve that keeps its value until the next point, up to `until`.
+std::vector<PlotPoint> as_steps(const std::vector<PlotPoint>& points, double until);
+
+}  // namespace reorient

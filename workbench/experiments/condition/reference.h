@@ -1,0 +1,24 @@
+// What others measured, to stand beside one's own rows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace reorient {
+
+/// As much of a row as they tell; shares from 0 to 1.
+struct Reference {
+  std::string label;                                         ///< "paper, real robot"
+  std::vector<std::pair<std::string, std::string>> choices;  ///< axis and choice: the rows that it belongs to
+  std::optional<int> trials;
+  std::optional<double> flip;
+  std::optional<double> purge;
+  std::optional<double> failed;
+  std::optional<double> mean_s;
+  std::optional<double> flip_mean_s;
+  std::optional<double> purge_mean_s;
+};
+
+}  // namespace reorient

@@ -1,0 +1,15 @@
+// The [[reference]] tables of an experiment file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workbench/experiments/condition/reference.h"
+#include "workbench/experiments/condition/table_reader.h"
+
+namespace reorient {
+
+/// Throws std::runtime_error with one line: file, line, why.
+std::vector<Reference> read_references(const TableReader& in, const toml::array& tables, const std::string& file);
+
+}  // namespace reorient

@@ -1,0 +1,82 @@
+#include "workbench/experiments/condition/table_reader.h"
+
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/parameter.h"
+#include "engine/parameters/utf8.h"
+
+namespace reorient {
+namespace {
+
+std::string nearest(const std::string& name, const TableReader::Readers& readers) {
+  std::vector<std::string> names;
+  for (const auto& [known, reader] : readers) names.push_back(known);
+  return did_you_mean(name, names);
+}
+
+std::string number_text(double number) { return to_text(ParameterValue(number)); }
+
+}  // namespace
+
+void TableReader::refuse(const toml::node& node, const std::string& why) const {
+  throw std::runtime_error(as_line(file_ + ":" + std::to_string(node.source().begin.line) + ": " + why));
+}
+
+void TableReader::read(const Readers& readers) const {
+  for (const auto& [key, value] : table_) {
+    const std::string name(key.str());
+    const auto reader = readers.find(name);
+    if (reader == readers.end()) refuse(value, "there is no key '" + name + "' here" + nearest(name, readers));
+    reader->second(name, value);
+  }
+}
+
+std::string TableReader::text(const std::string& key, const toml::node& node) const {
+  const auto value = node.value_exact<std::string>();
+  if (!value || value->empty()) refuse(node, key + " is a text in quotes");
+  return *value;
+}
+
+bool TableReader::yes(const std::string& key, const toml::node& node) const {
+  const auto value = node.value_exact<bool>();
+  if (!value) refuse(node, key + " is true or false");
+  return *value;
+}
+
+double TableReader::number(const std::string& key, const toml::node& node, double least, double most) const {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value || !(*value >= least && *value <= most))
+    refuse(node, key + " is a number from " + number_text(least) + " to " + number_text(most));
+  return *value;
+}
+
+std::int64_t TableReader::whole(const std::string& key, const toml::node& node, std::int64_t least,
+                                std::int64_t most) const {
+  const auto value = node.value_exact<std::int64_t>();
+  if (!value || *value < least || *value > most)
+    refuse(node, key + " is a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  return *value;
+}
+
+std::vector<std::string> TableReader::texts(const std::string& key, const toml::node& node) const {
+  const toml::array* const array = node.as_array();
+  if (array == nullptr) refuse(node, key + R"( is a list of texts: ["one", "two"])");
+  std::vector<std::string> all;
+  for (const toml::node& one : *array) all.push_back(text(key, one));
+  return all;
+}
+
+const toml::table& TableReader::table(const std::string& key, const toml::node& node) const {
+  if (const toml::table* const table = node.as_table()) return *table;
+  refuse(node, key + " is a table: [" + key + "]");
+}
+
+const toml::array& TableReader::tables(const std::string& key, const toml::node& node) const {
+  const toml::array* const array = node.as_array();
+  if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table))
+    refuse(node, key + " is one table or several: [[" + key + "]]");
+  return *array;
+}
+
+}  // namespace reorient

@@ -1,0 +1,40 @@
+// A TOML table whose keys are all known. What is wrong with it is thrown as std::runtime_error with one line: file,
+// line, why.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+namespace reorient {
+
+class TableReader {
+ public:
+  /// `file`: for messages.
+  TableReader(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
+
+  [[noreturn]] void refuse(const toml::node& node, const std::string& why) const;
+
+  /// Each key with what reads it. Whatever else stands in the table is a mistake.
+  using Readers = std::map<std::string, std::function<void(const std::string& key, const toml::node& value)>>;
+  void read(const Readers& readers) const;
+
+  // A value of a kind, or a mistake.
+  std::string text(const std::string& key, const toml::node& node) const;  ///< not empty
+  bool yes(const std::string& key, const toml::node& node) const;
+  double number(const std::string& key, const toml::node& node, double least, double most) const;
+  std::int64_t whole(const std::string& key, const toml::node& node, std::int64_t least, std::int64_t most) const;
+  std::vector<std::string> texts(const std::string& key, const toml::node& node) const;
+  const toml::table& table(const std::string& key, const toml::node& node) const;
+  const toml::array& tables(const std::string& key, const toml::node& node) const;  ///< one or more
+
+ private:
+  const toml::table& table_;
+  std::string file_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cmath>
+
+#include "workbench/experiments/charts/numbers.h"
+#include "workbench/experiments/charts/plot.h"
+#include "workbench/experiments/report/figures.h"
+#include "workbench/experiments/statistics/roc.h"
+#include "workbench/experiments/statistics/times.h"
+
+namespace reorient {
+namespace {
+
+/// From below the first event to the limit.
+PlotAxis time_axis(const Report& report) {
+  constexpr double kLeast = 0.1;  // s
+  PlotAxis axis{"time, s", 1.0, 2.0, 5, false, true};
+  for (std::size_t cell = 0; cell < report.cells.size(); ++cell) {
+    axis.high = std::max(axis.high, limit_of(report, cell));
+    for (const CensoredTime& time : times_until_right(report.cells[cell].trials)) {
+      if (time.happened) axis.low = std::min(axis.low, std::max(kLeast, 0.8 * time.seconds));
+    }
+  }
+  return axis;
+}
+
+void draw_curve(Plot& plot, const std::vector<CensoredTime>& times, const PlotAxis& axis, const std::string& style) {
+  double until = axis.low;
+  bool is_censored = false;
+  for (const CensoredTime& time : times) {
+    until = std::max(until, std::min(time.seconds, axis.high));
+    is_censored |= !time.happened;
+  }
+  std::vector<PlotPoint> share{{axis.low, 0.0}}, low{{axis.low, 0.0}}, high{{axis.low, 0.0}};
+  if (!is_censored) until = axis.high;
+  double band_until = until;
+  for (const SurvivalStep& step : kaplan_meier(times)) {
+    share.push_back({step.seconds, 1.0 - step.share});
+    if (step.share <= 0.0) {  // nobody is left who could tell more
+      band_until = step.seconds;
+      break;
+    }
+    low.push_back({step.seconds, 1.0 - step.band.high});
+    high.push_back({step.seconds, 1.0 - step.band.low});
+  }
+  plot.band(as_steps(low, band_until), as_steps(high, band_until), style);
+  plot.line(as_steps(share, until), style);
+  if (is_censored) plot.end_mark({until, share.back().y}, style);
+}
+
+/// How many came right, of how many: "default 8 of 8, none 0 of 8".
+std::string count_text(const Report& report, const std::vector<Series>& series, const CellGroup& group) {
+  std::string text;
+  for (const std::size_t cell : group.cells) {
+    const std::vector<CensoredTime> times = times_until_right(report.cells[cell].trials);
+    if (times.empty()) continue;
+    const auto right = std::count_if(times.begin(), times.end(), [](const auto& time) { return time.happened; });
+    text += (text.empty() ? "" : ", ") + series_of_cell(series, cell).name + " " + std::to_string(right) + " of " +
+            std::to_string(times.size());
+  }
+  return text;
+}
+
+struct ScoredSamples {
+  std::vector<double> wrong, right;  ///< scores while the belief was so
+};
+
+ScoredSamples samples_of(const Report& report, const Series& series) {
+  ScoredSamples samples;
+  for (const std::size_t cell : series.cells) {
+    for (const TrialResult& trial : report.cells[cell].trials) {
+      for (const ConfidenceSample& sample : trial.confidences) {
+        if (sample.status != RoomStatus::off)
+          (sample.correct ? samples.right : samples.wrong).push_back(sample.opposite - sample.current);
+      }
+    }
+  }
+  return samples;
+}
+
+/// Without the points that nobody could tell from their neighbours.
+std::vector<PlotPoint> as_points(const std::vector<RocPoint>& curve) {
+  constexpr double kVisible = 0.002;
+  std::vector<PlotPoint> points;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const PlotPoint point{curve[i].false_positives, curve[i].true_positives};
+    const bool is_end = i == 0 || i + 1 == curve.size();
+    if (is_end || point.x - points.back().x > kVisible || point.y - points.back().y > kVisible) points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace
+
+void draw_time_to_right(Markup& out, const Report& report) {
+  const bool has_any = std::any_of(report.cells.begin(), report.cells.end(),
+                                   [](const CellResults& cell) { return cell.row.disturbed > 0; });
+  if (!has_any) return;
+  out.leaf("h2", "How soon a belief is right again");
+  const Element figure(out, "figure", {{"id", "times"}});
+  const std::vector<Series> series = series_of(report);
+  draw_legend(out, series);
+  const PlotAxis axis = time_axis(report);
+  {
+    const Element panels(out, "div", {{"class", "panels"}});
+    for (const CellGroup& group : groups_of(report)) {
+      const std::string counts = count_text(report, series, group);
+      const Element panel(out, "div", {{"class", "panel"}});
+      if (!group.name.empty()) out.leaf("p", group.name, {{"class", "panel-name"}});
+      {
+        Plot plot(out, "share of right beliefs over time: " + counts, axis, {"belief is right, %", 0.0, 1.0, 5, true});
+        for (const std::size_t cell : group.cells) {
+          const std::vector<CensoredTime> times = times_until_right(report.cells[cell].trials);
+          if (!times.empty()) draw_curve(plot, times, axis, series_of_cell(series, cell).style);
+        }
+      }
+      out.leaf("p", "right: " + counts, {{"class", "reading"}});
+    }
+  }
+  draw_caption(
+      out, report,
+      "Time until the belief is right and stays so (Kaplan and Meier), of trials with a wrong belief at the start. "
+      "Shaded: 95 %, point by point (log-log, Greenwood\u2019s variance), as long as a trial is left. A stroke at a "
+      "line\u2019s end: the "
+      "trials that were not right by then are censored there. The abscissa is logarithmic.");
+}
+
+void draw_roc(Markup& out, const Report& report) {
+  const std::vector<Series> series = series_of(report);
+  std::vector<std::pair<const Series*, std::vector<RocPoint>>> curves;
+  std::string reading;
+  for (const Series& one : series) {
+    ScoredSamples samples = samples_of(report, one);
+    const std::string wrong = std::to_string(samples.wrong.size()), right = std::to_string(samples.right.size());
+    std::vector<RocPoint> curve = roc_curve(std::move(samples.wrong), std::move(samples.right));
+    reading += (reading.empty() ? "" : "; ") + one.name;
+    reading += curve.empty() ? ": no curve (" : ": area " + fixed(area_below(curve), 3) + " (";
+    reading += wrong + " wrong, " + right + " right)";
+    if (!curve.empty()) curves.emplace_back(&one, std::move(curve));
+  }
+  if (curves.empty()) return;
+  out.leaf("h2", "What the confidences know");
+  const Element figure(out, "figure", {{"id", "roc"}});
+  draw_legend(out, series);
+  {
+    const Element panels(out, "div", {{"class", "panels"}});
+    const Element panel(out, "div", {{"class", "panel"}});
+    {
+      Plot plot(out, "ROC curves: " + reading, {"false alarms, % of right beliefs", 0.0, 1.0, 5, true},
+                {"detected, % of wrong beliefs", 0.0, 1.0, 5, true}, true);
+      plot.line({{0.0, 0.0}, {1.0, 1.0}}, "chance");
+      for (const auto& [one, curve] : curves) plot.line(as_points(curve), one->style);
+    }
+    out.leaf("p", reading, {{"class", "reading"}});
+  }
+  draw_caption(
+      out, report,
+      "What the confidences know: how well their difference, opposite less current, tells a wrong belief from a "
+      "right one, over all thresholds (ROC; dotted: chance). Two samples a second from all trials of a choice; "
+      "samples of one trial depend on each other.");
+}
+
+}  // namespace reorient

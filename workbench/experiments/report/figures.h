@@ -1,0 +1,29 @@
+// The figures of a report, each with what it shows, how it is read, and where it comes from.
+#pragma once
+
+#include "workbench/experiments/charts/markup.h"
+#include "workbench/experiments/report/report.h"
+
+namespace reorient {
+
+// Shares and rates, a dot with its interval for each cell.
+void draw_failures(Markup& out, const Report& report);
+void draw_false_flips(Markup& out, const Report& report);
+
+/// Which share of the beliefs is right, over time: a line for each series, a picture for each group.
+void draw_time_to_right(Markup& out, const Report& report);
+
+/// How well the confidences tell a wrong belief from a right one: a line for each series.
+void draw_roc(Markup& out, const Report& report);
+
+/// The confidences of the best, the median, the worst and the failed trials of each series.
+void draw_confidences(Markup& out, const Report& report);
+
+// What figures have in common.
+
+/// Colour, dash and name of each series; `wrong`: of stretches in which the belief is wrong, too.
+void draw_legend(Markup& out, const std::vector<Series>& series, bool wrong = false);
+/// The last words of a figure: its caption, and a line that says where it comes from.
+void draw_caption(Markup& out, const Report& report, std::string_view caption);
+
+}  // namespace reorient

@@ -1,0 +1,126 @@
+#include "workbench/experiments/report/page.h"
+
+#include "workbench/experiments/report/figures.h"
+#include "workbench/experiments/report/style.h"
+#include "workbench/experiments/report/tables.h"
+
+namespace reorient {
+namespace {
+
+void draw_facts(Markup& out, const Report& report) {
+  const Provenance& from = report.provenance;
+  std::size_t trials = 0;
+  for (const CellResults& cell : report.cells) trials += cell.trials.size();
+  const Element list(out, "dl");
+  const auto add = [&out](std::string_view name, std::string_view value) {
+    out.leaf("dt", name);
+    out.leaf("dd", value);
+  };
+  out.leaf("dt", "Command");
+  {
+    const Element command(out, "dd");
+    out.leaf("code", from.command);
+  }
+  add("Trials", std::to_string(trials) + " in " + std::to_string(report.cells.size()) + " cells");
+  add("Seeds", seeds_of(report) + ", the same in each cell");
+  add("Version", "reorient " + from.version);
+  add("Machine", from.machine);
+  add("Written", from.when);
+}
+
+/// In a sentence, how often each choice failed.
+std::string finding_of(const Report& report) {
+  std::string text;
+  for (const Series& series : series_of(report)) {
+    int failed = 0, disturbed = 0;
+    for (const std::size_t cell : series.cells) {
+      failed += report.cells[cell].row.failed;
+      disturbed += report.cells[cell].row.disturbed;
+    }
+    if (disturbed == 0) continue;
+    text += (text.empty() ? "Of the trials with a wrong belief at the start, these failed: " : "; ") + series.name +
+            " " + std::to_string(failed) + " of " + std::to_string(disturbed);
+  }
+  return text.empty() ? "No trial had a wrong belief at its start: they tell whether a right one is left in peace."
+                      : text + ".";
+}
+
+void draw_header(Markup& out, const Report& report) {
+  const Element header(out, "header");
+  out.leaf("p", "Reorient experiment \u00b7 " + report.experiment.name, {{"class", "kicker"}});
+  out.leaf("h1", report.experiment.title);
+  if (!report.experiment.description.empty()) out.leaf("p", report.experiment.description);
+  out.leaf("p", finding_of(report));
+  draw_facts(out, report);
+}
+
+void draw_method(Markup& out) {
+  out.leaf("h2", "How it was measured");
+  const Element list(out, "ul", {{"class", "notes"}});
+  for (const std::string_view note :
+       {"A trial is a simulated run; its clock starts when its scenario enters the state from which is measured. A "
+        "trial "
+        "whose belief is wrong then tells how a belief is corrected; the others tell whether a right one is left in "
+        "peace. A trial whose clock never starts has failed.",
+        "A belief is right from the first moment, within the limit, after which it stays right for as long as the "
+        "experiment asks. Where that moment never comes, the trial has failed: its time is censored, not left out.",
+        "The trials of all cells have the same seeds, so the same noise and people: choices are compared in pairs.",
+        "All intervals and bands are of 95 %. Shares: Wilson 1927. Rates: Garwood 1936. Means and medians: 2000 "
+        "bootstrap "
+        "resamples (Efron 1979), percentiles. Curves: Kaplan and Meier 1958; bands: Kalbfleisch and Prentice 1980. "
+        "Paired: McNemar 1947, exact; Wilcoxon 1945, exact up to 300 pairs."})
+    out.leaf("li", note);
+}
+
+void draw_files(Markup& out) {
+  out.leaf("h2", "The data");
+  const Element list(out, "ul", {{"class", "notes"}});
+  constexpr std::pair<std::string_view, std::string_view> kFiles[] = {
+      {"rows.json", "the rows of Table 1 as --json writes them, with the outcome of each trial"},
+      {"trials.csv", "a line for each trial"},
+      {"trials.json", "each trial with all that was measured, the confidences among it"}};
+  for (const auto& [file, text] : kFiles) {
+    const Element item(out, "li");
+    out.leaf("a", file, {{"href", file}});
+    out.text(": " + std::string(text));
+  }
+}
+
+}  // namespace
+
+std::string report_page(const Report& report) {
+  Markup out;
+  out.raw("<!DOCTYPE html>\n");
+  {
+    const Element html(out, "html", {{"lang", "en"}});
+    {
+      const Element head(out, "head");
+      out.single("meta", {{"charset", "utf-8"}});
+      out.single("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
+      out.leaf("title", report.experiment.title);
+      const Element style(out, "style");
+      out.raw(report_style());
+    }
+    const Element body(out, "body");
+    draw_header(out, report);
+    {
+      const Element content(out, "main");
+      out.leaf("h2", "What it showed");
+      draw_rows(out, report);
+      draw_failures(out, report);
+      draw_references(out, report);
+      draw_time_to_right(out, report);
+      draw_comparisons(out, report);
+      draw_false_flips(out, report);
+      draw_roc(out, report);
+      draw_confidences(out, report);
+      draw_method(out);
+      draw_files(out);
+    }
+    const Element footer(out, "footer");
+    out.leaf("code", report.provenance.command);
+  }
+  return out.str();
+}
+
+}  // namespace reorient

@@ -1,0 +1,12 @@
+// How a report looks: on a screen, light or dark, wide or narrow, and on paper.
+#pragma once
+
+#include <string_view>
+
+namespace reorient {
+
+/// Cascading style sheet. Colours of series are those of Okabe and Ito (2008), which the colour-blind tell apart;
+/// dashes tell them apart without colours.
+std::string_view report_style();
+
+}  // namespace reorient

@@ -1,0 +1,18 @@
+// The tables of a report.
+#pragma once
+
+#include "workbench/experiments/charts/markup.h"
+#include "workbench/experiments/report/report.h"
+
+namespace reorient {
+
+/// A row for each cell.
+void draw_rows(Markup& out, const Report& report);
+
+/// What others measured, with one's own rows of the same choices; nothing where nobody measured anything.
+void draw_references(Markup& out, const Report& report);
+
+/// Each series against the first, in pairs of equal seeds; nothing where there is but one.
+void draw_comparisons(Markup& out, const Report& report);
+
+}  // namespace reorient

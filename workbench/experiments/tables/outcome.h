@@ -1,0 +1,26 @@
+// What became of one trial, as far as it is compared with others.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "workbench/experiments/trial/trial_result.h"
+
+namespace reorient {
+
+/// Times in s since the trial's clock started.
+struct Outcome {
+  std::uint64_t seed = 0;
+  bool disturbed = false;  ///< the belief was wrong at the start
+  bool failed = false;
+  std::optional<double> right_after;   ///< from when on the belief was right and stayed so
+  std::optional<double> mended_after;  ///< the command that put the belief right; nothing: none did
+  std::optional<Reorientation> mended_by;
+  int false_flips = 0;
+};
+
+Outcome outcome_of(const TrialResult& result);
+std::vector<Outcome> outcomes_of(const std::vector<TrialResult>& results);
+
+}  // namespace reorient
