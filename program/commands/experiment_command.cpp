@@ -11,6 +11,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "program/commands/compare_command.h"
+#include "program/commands/tables_command.h"
 #include "program/experiment/report_folder.h"
 #include "program/experiment/rows_report.h"
 #include "program/experiment/session.h"
@@ -235,6 +236,7 @@ Subcommand add_experiment(CLI::App& program) {
   parser->add_option("experiment", options->experiment, "a file, or the name of one in assets/experiments")
       ->check(check_not_empty);
   const Subcommand compare = add_compare(*parser);
+  const Subcommand tables = add_tables(*parser);
   parser->add_option("--trials", options->trials, "of each cell (default: the file's)")
       ->check(CLI::Range(1, kMostTrials));
   parser->add_option("--seed", options->seed, "of the first trial of each cell; the others follow")
@@ -273,8 +275,9 @@ Subcommand add_experiment(CLI::App& program) {
       ->check(check_not_empty)
       ->needs(trial);
   parser->add_flag("--resume", options->resume, "go on where an earlier run ended")->excludes(plan);
-  return {parser, [options, compare](std::ostream& out, std::ostream& err) {
+  return {parser, [options, compare, tables](std::ostream& out, std::ostream& err) {
             if (compare.parser->parsed()) return compare.run(out, err);
+            if (tables.parser->parsed()) return tables.run(out, err);
             return run_experiment(*options, out, err);
           }};
 }

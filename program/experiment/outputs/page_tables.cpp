@@ -1,0 +1,193 @@
+#include "program/experiment/outputs/page_tables.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
+
+namespace reorient {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::string_view kBegin = "<!-- rows ";
+constexpr std::string_view kEnd = "<!-- end of rows -->";
+
+/// What a comment asks for.
+struct TableWish {
+  std::string file;
+  std::vector<std::string> columns;
+  std::vector<std::pair<std::string, std::string>> only;  ///< key and value that a row must have
+};
+
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    if (std::string part = trimmed(text.substr(0, end)); !part.empty()) parts.push_back(std::move(part));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+TableWish wish_of(std::string_view comment) {
+  constexpr std::string_view kClose = "-->";
+  if (!comment.ends_with(kClose)) throw std::runtime_error("the comment does not end on its line");
+  comment = comment.substr(kBegin.size(), comment.size() - kBegin.size() - kClose.size());
+  const std::size_t colon = comment.find(':');
+  if (colon == std::string_view::npos) throw std::runtime_error("write FILE.json: columns");
+  TableWish wish;
+  wish.file = trimmed(comment.substr(0, colon));
+  const std::vector<std::string> parts = split(comment.substr(colon + 1), '|');
+  for (const std::string& part : parts) {
+    for (const std::string& one : split(part, ',')) {
+      const std::size_t equals = one.find('=');
+      if (equals == std::string::npos) {
+        wish.columns.push_back(one);
+      } else {
+        wish.only.emplace_back(trimmed(one.substr(0, equals)), trimmed(one.substr(equals + 1)));
+      }
+    }
+  }
+  if (wish.file.empty() || wish.columns.empty()) throw std::runtime_error("write FILE.json: columns");
+  return wish;
+}
+
+ordered_json parsed(const std::string& text, const std::string& file) {
+  ordered_json json = ordered_json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw std::runtime_error(file + " is no JSON");
+  return json;
+}
+
+const ordered_json& value_of(const ordered_json& row, const std::string& key) {
+  const auto found = row.find(key);
+  if (found != row.end()) return *found;
+  std::vector<std::string> keys;
+  for (const auto& [name, value] : row.items()) keys.push_back(name);
+  throw std::runtime_error("a row has no '" + key + "'" + did_you_mean(key, keys));
+}
+
+bool is_share(const std::string& key) {
+  constexpr std::string_view kShares[] = {"failed", "flip", "purge", "reset", "uninformative", "kidnap_failed"};
+  return std::find(std::begin(kShares), std::end(kShares), key) != std::end(kShares);
+}
+
+std::string number_text(const std::string& key, const ordered_json& value, const char* nothing = "–") {
+  if (value.is_null()) return nothing;
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
+  if (!value.is_number()) throw std::runtime_error("'" + key + "' is no number and no text");
+  if (is_share(key)) return fmt::format("{:.1f} %", 100.0 * value.get<double>());
+  return fmt::format("{:.{}f}", value.get<double>(), key.ends_with("_s") || key.ends_with("_mean_low") ? 1 : 2);
+}
+
+/// One cell; rates and means stand with their intervals.
+std::string cell_of(const ordered_json& row, const std::string& key) {
+  if (key == "false_flips_per_hour") {
+    return number_text(key, value_of(row, key + "_low")) + " to " +
+           number_text(key, value_of(row, key + "_high"), "any number");
+  }
+  std::string text = number_text(key, value_of(row, key));
+  const ordered_json nothing;
+  const std::string low = key == "right_mean_s" ? "right_mean_low" : key + "_low";
+  const std::string high = key == "right_mean_s" ? "right_mean_high" : key + "_high";
+  if (!row.contains(low) || !row.contains(high) || row[low].is_null() || row[high].is_null()) return text;
+  return text + " (" + number_text(key, row[low]) + " to " + number_text(key, row[high]) + ")";
+}
+
+/// "mean_s" as "mean, s".
+std::string title_of(std::string key) {
+  if (key.ends_with("_s")) key = key.substr(0, key.size() - 2) + ", s";
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
+/// A bar or a line break would end the cell.
+std::string in_cell(const std::string& text) {
+  std::string cell;
+  for (const char letter : as_line(text)) cell += letter == '|' ? std::string("\\|") : std::string(1, letter);
+  return cell;
+}
+
+std::string table_of(const TableWish& wish, const ordered_json& rows) {
+  if (!rows.is_array()) throw std::runtime_error(wish.file + " is no list of rows");
+  std::string head = "|", line = "|", body;
+  for (const std::string& column : wish.columns) {
+    head += " " + in_cell(title_of(column)) + " |";
+    line += "---|";
+  }
+  for (const ordered_json& row : rows) {
+    if (!row.is_object()) throw std::runtime_error(wish.file + " is no list of rows");
+    const bool is_wanted = std::all_of(wish.only.begin(), wish.only.end(), [&row](const auto& only) {
+      return number_text(only.first, value_of(row, only.first)) == only.second;
+    });
+    if (!is_wanted) continue;
+    body += "|";
+    for (const std::string& column : wish.columns) body += " " + in_cell(cell_of(row, column)) + " |";
+    body += "\n";
+  }
+  if (body.empty()) throw std::runtime_error(wish.file + " has no such rows");
+  return head + "\n" + line + "\n" + body;
+}
+
+/// One line: how the results were made.
+std::string origin_of(const std::string& text, const std::string& file) {
+  if (text.empty()) return {};
+  const ordered_json run = parsed(text, file);
+  if (!run.is_object()) throw std::runtime_error(file + " is no table");
+  std::string line = "\n";
+  for (const char* key : {"command", "commit", "seeds", "machine", "when"}) {
+    const std::string value = as_line(number_text(key, value_of(run, key)));
+    line += line.size() > 1 ? "; " : "";
+    line += std::string_view(key) == "command" ? "`" + value + "`" : key + (" " + value);
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string with_tables(std::string_view page,
+                        const std::function<std::string(const std::filesystem::path& file)>& read) {
+  std::istringstream in{std::string(page)};
+  std::string made;
+  int open = 0;  // line of the comment that began the table; 0: none did
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line == kEnd) {
+      if (open == 0) throw std::runtime_error(fmt::format("line {}: no rows begin before this end", number));
+      open = 0;
+    } else if (open > 0 && !line.starts_with(kBegin)) {
+      continue;  // what stood there before
+    }
+    made.append(line).append("\n");
+    if (!line.starts_with(kBegin)) continue;
+    if (open > 0) throw std::runtime_error(fmt::format("line {}: the rows from line {} on do not end", number, open));
+    open = number;
+    try {
+      const TableWish wish = wish_of(line);
+      const std::filesystem::path file = wish.file;
+      made += table_of(wish, parsed(read(file), wish.file));
+      const std::filesystem::path run = std::filesystem::path(file).replace_extension(".run.json");
+      made += origin_of(read(run), run.string());
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("line {}: {}", number, error.what()));
+    }
+  }
+  if (open > 0) throw std::runtime_error(fmt::format("line {}: these rows do not end; add {}", open, kEnd));
+  return made;
+}
+
+}  // namespace reorient

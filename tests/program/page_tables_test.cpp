@@ -1,0 +1,112 @@
+// Tables of a page that are made from stored results; the page of evidence among them.
+#include "program/experiment/outputs/page_tables.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/child_program.h"
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+constexpr const char* kRows = R"([
+  {"test": "head only", "mode": "default", "trials": 100, "failed": 0.02, "failed_low": 0.0055, "failed_high": 0.07,
+   "mean_s": 2.26, "right_mean_s": 3.04, "right_mean_low": 2.5, "right_mean_high": 3.96, "right_hours": 1.234,
+   "false_flips_per_hour_low": 0.0, "false_flips_per_hour_high": null, "flip": 0.98},
+  {"test": "a | b", "mode": "none", "trials": 100, "failed": 1.0, "failed_low": 0.96, "failed_high": 1.0,
+   "mean_s": null, "right_mean_s": null, "right_mean_low": null, "right_mean_high": null, "right_hours": 0.0,
+   "false_flips_per_hour_low": 0.0, "false_flips_per_hour_high": 3.0, "flip": 0.0}
+])";
+constexpr const char* kRun = R"({"command": "reorient experiment table1", "commit": "abc", "seeds": "1 to 100",
+                                 "machine": "a computer", "when": "2026-11-22"})";
+
+const std::map<std::string, std::string> kFiles{
+    {"t.json", kRows}, {"run.json", kRows}, {"run.run.json", kRun}, {"bad.json", "[{"}, {"table.json", "{}"}};
+
+std::string filled(const std::string& page) {
+  return with_tables(page, [](const std::filesystem::path& file) {
+    const auto found = kFiles.find(file.string());
+    if (found != kFiles.end()) return found->second;
+    if (file.string().ends_with(".run.json")) return std::string();
+    throw std::runtime_error(file.string() + " cannot be read");
+  });
+}
+
+std::string mistake(const std::string& page) {
+  try {
+    filled(page);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(PageTables, AreMadeAnewAndAllElseStays) {
+  const std::string begin = "# Words\n\n<!-- rows t.json: test, trials, mean_s -->\n";
+  const std::string end = "<!-- end of rows -->\n\nMore words.\n";
+  const std::string made = filled(begin + "something old\n" + end);
+  EXPECT_EQ(
+      made,
+      begin + "| test | trials | mean, s |\n|---|---|---|\n| head only | 100 | 2.3 |\n| a \\| b | 100 | – |\n" + end);
+  EXPECT_EQ(filled(made), made) << "a second time changes nothing";
+}
+
+TEST(PageTables, ShowRatesAndMeansWithTheirIntervals) {
+  const std::string made = filled(
+      "<!-- rows t.json: failed, right_mean_s, right_hours, false_flips_per_hour, flip -->\n<!-- end of rows -->\n");
+  EXPECT_NE(made.find("| 2.0 % (0.6 % to 7.0 %) | 3.0 (2.5 to 4.0) | 1.23 | 0.00 to any number | 98.0 % |"),
+            std::string::npos)
+      << made;
+}
+
+TEST(PageTables, ShowOnlyTheRowsThatAreAskedFor) {
+  const std::string made = filled("<!-- rows t.json: test, mode | trials | mode = default -->\n<!-- end of rows -->\n");
+  EXPECT_NE(made.find("| head only | default | 100 |"), std::string::npos) << made;
+  EXPECT_EQ(made.find("none"), std::string::npos) << made;
+}
+
+TEST(PageTables, SayHowTheirResultsWereMade) {
+  const std::string made = filled("<!-- rows run.json: trials -->\n<!-- end of rows -->\n");
+  EXPECT_NE(
+      made.find("\n`reorient experiment table1`; commit abc; seeds 1 to 100; machine a computer; when 2026-11-22\n"),
+      std::string::npos)
+      << made;
+}
+
+TEST(PageTables, NameTheLineOfAMistake) {
+  const std::string end = "\n<!-- end of rows -->\n";
+  EXPECT_EQ(mistake("\n<!-- rows t.json: trails -->" + end), "line 2: a row has no 'trails' (did you mean 'trials'?)");
+  EXPECT_EQ(mistake("<!-- rows gone.json: trials -->" + end), "line 1: gone.json cannot be read");
+  EXPECT_EQ(mistake("<!-- rows bad.json: trials -->" + end), "line 1: bad.json is no JSON");
+  EXPECT_EQ(mistake("<!-- rows table.json: trials -->" + end), "line 1: table.json is no list of rows");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials | mode = paper -->" + end), "line 1: t.json has no such rows");
+  EXPECT_EQ(mistake("<!-- rows t.json -->" + end), "line 1: write FILE.json: columns");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials" + end), "line 1: the comment does not end on its line");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials -->\n"), "line 1: these rows do not end; add <!-- end of rows -->");
+  EXPECT_EQ(mistake("<!-- end of rows -->\n"), "line 1: no rows begin before this end");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials -->\n<!-- rows t.json: trials -->" + end),
+            "line 2: the rows from line 1 on do not end");
+}
+
+/// REORIENT_REGENERATE in the environment makes them anew instead of comparing them.
+TEST(GeneratedFiles, TheTablesOfTheEvidenceAreThoseOfTheStoredResults) {
+  const std::filesystem::path docs = std::filesystem::path(REORIENT_SOURCE_DIR) / "docs";
+  const std::filesystem::path committed = docs / "evidence.md";
+  const TemporaryFolder folder;
+  const bool regenerate = std::getenv("REORIENT_REGENERATE") != nullptr;
+  if (std::filesystem::exists(docs / "evidence")) std::filesystem::copy(docs / "evidence", folder.path() / "evidence");
+  std::filesystem::copy(committed, folder.path() / "evidence.md");
+  const std::filesystem::path page = regenerate ? committed : folder.path() / "evidence.md";
+  const ProgramRun made = run_reorient({"experiment", "tables", page.string()});
+  ASSERT_EQ(made.code, kSuccess) << made.err;
+  EXPECT_EQ(read_text(page), read_text(committed))
+      << committed << " is stale: reorient experiment tables docs/evidence.md makes it anew";
+}
+
+}  // namespace
+}  // namespace reorient
