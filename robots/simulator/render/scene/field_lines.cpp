@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "robots/simulator/render/coverage.h"
+#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 FieldLines::FieldLines(const FieldDimensions& field) {
@@ -35,7 +36,7 @@ FieldLines::FieldLines(const FieldDimensions& field) {
   half_line_ = static_cast<float>(half);
 }
 
-void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage) const {
+REORIENT_WIDE void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage) const {
   const int count = patches.count;
   if (count <= 0) return;
   const float* __restrict x = patches.x;
