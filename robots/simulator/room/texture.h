@@ -63,8 +63,8 @@ class Texture {
     return exponent < 0 ? 0 : (exponent >= kLevels ? kLevels - 1 : exponent);
   }
 
-  /// Bilinear, at `count` places of one level: u and v in metres, inside of
-  /// the extent (a hair outside, from rounding, is fine). Calls take(i, color) for each.
+  /// Bilinear, at `count` places of one level: u and v in metres, inside of the extent (a hair outside, from rounding,
+  /// is fine). Calls take(i, color) for each.
   template <typename Take>
   void sample(const float* u, const float* v, int count, int level, Take&& take) const;
 
