@@ -55,7 +55,9 @@ Eigen::Vector3d CameraModel::ray(const Eigen::Vector2d& pixel) const {
       const double r2 = radius * radius;
       const double slope = distortion_slope(*this, r2);
       if (slope <= 0.1) break;
-      radius -= (radius * distortion(*this, r2) - distorted_radius) / slope;
+      const double next = radius - (radius * distortion(*this, r2) - distorted_radius) / slope;
+      if (next == radius) break;  // it would stay there
+      radius = next;
     }
   }
   const Eigen::Vector2d ideal =

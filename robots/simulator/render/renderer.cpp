@@ -55,9 +55,11 @@ const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& s
   // What is far away first, so that soft edges blend with what is behind them.
   const Eigen::Isometry3f camera_from_field = camera.inverse();
   const Eigen::Vector3f eye = camera.translation();
+  const Frustum frustum(rays, camera_from_field);
   order_.clear();
   for (std::size_t i = 0; i < capsules.size(); ++i) {
     const Capsule& capsule = capsules[i];
+    if (!frustum.may_show(capsule)) continue;
     order_.push_back({(0.5f * (capsule.from + capsule.to) - eye).norm(), static_cast<int>(i)});
   }
   for (std::size_t i = 0; i < scene.nets.size(); ++i) {

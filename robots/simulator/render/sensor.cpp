@@ -1,10 +1,13 @@
 #include "robots/simulator/render/sensor.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "geometry/pinned_math.h"
 #include "geometry/random.h"
+#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 namespace {
@@ -62,10 +65,12 @@ Sensor::Sensor(const SensorParameters& parameters, const RayTable& rays, std::ui
       optics_(parameters.blur_angle, parameters.exposure_time, rays),
       luma_(static_cast<std::size_t>(rays.camera.width)),
       blue_(static_cast<std::size_t>(rays.camera.width)),
-      red_(static_cast<std::size_t>(rays.camera.width)) {}
+      red_(static_cast<std::size_t>(rays.camera.width)),
+      levels_(static_cast<std::size_t>(rays.camera.width)),
+      pairs_(static_cast<std::size_t>(rays.camera.width) / 2) {}
 
-void Sensor::expose(const Frame& scene, std::uint64_t number, double time_step, Image& image,
-                    const Eigen::Vector3d& angular_velocity) {
+REORIENT_WIDE void Sensor::expose(const Frame& scene, std::uint64_t number, double time_step, Image& image,
+                                  const Eigen::Vector3d& angular_velocity) {
   if (parameters_.automatic_exposure) adapt(scene, time_step);
   const Frame& frame = optics_.image(scene, angular_velocity);
   const Amplifier amplified = amplifier();
@@ -110,12 +115,12 @@ void Sensor::adapt(const Frame& frame, double time_step) {
   exposure_ *= pinned::pow(wanted / exposure_, share);
 }
 
-void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
+REORIENT_WIDE void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
   const auto side = static_cast<float>(parameters_.blur);
   const float middle = 1.0f - 2.0f * side;
   const std::size_t first = frame.row(row);
   const int last = frame.width - 1;
-  const auto pass = [&](const float* __restrict from, float* __restrict to) {
+  const auto pass = [&](const float* __restrict from, float* __restrict to) __attribute__((always_inline)) {
     to[0] = (middle + side) * from[0] + side * from[1];
     for (int i = 1; i < last; ++i) to[i] = middle * from[i] + side * (from[i - 1] + from[i + 1]);
     to[last] = (middle + side) * from[last] + side * from[last - 1];
@@ -136,7 +141,8 @@ Sensor::Amplifier Sensor::amplifier() const {
           static_cast<float>(parameters_.luma_noise * noise), static_cast<float>(parameters_.chroma_noise * noise)};
 }
 
-void Sensor::develop(const Channels& light, const Amplifier& amplifier, const float* __restrict vignette, int width) {
+REORIENT_WIDE void Sensor::develop(const Channels& light, const Amplifier& amplifier, const float* __restrict vignette,
+                                   int width) {
   const float gain_red = amplifier.red;
   const float gain_green = amplifier.green;
   const float gain_blue = amplifier.blue;
@@ -163,7 +169,8 @@ void Sensor::develop(const Channels& light, const Amplifier& amplifier, const fl
   }
 }
 
-void Sensor::write_row(std::uint64_t number, int row, const Amplifier& amplifier, std::uint8_t* __restrict bytes) {
+REORIENT_WIDE void Sensor::write_row(std::uint64_t number, int row, const Amplifier& amplifier,
+                                     std::uint8_t* __restrict bytes) {
   const std::size_t width = luma_.size();
   const std::uint64_t place =
       scatter(seed_ + number * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(row) * 0xD1B54A32D192ED03ull);
@@ -177,16 +184,20 @@ void Sensor::write_row(std::uint64_t number, int row, const Amplifier& amplifier
   const float luma_sigma = amplifier.luma_sigma;
   const float chroma_sigma = amplifier.chroma_sigma;
   constexpr float kRounding = 0.5f;
+  int* __restrict level = levels_.data();
+  for (std::size_t i = 0; i < width; ++i) {
+    level[i] = static_cast<int>(limited(luma[i] + luma_sigma * luma_noise[i] + kRounding));
+  }
+  // Two pixels are four bytes: Y, Cb, Y, Cr.
+  static_assert(std::endian::native == std::endian::little, "the first byte is the lowest one");
+  std::uint32_t* __restrict pairs = pairs_.data();
   for (std::size_t i = 0; i < width / 2; ++i) {
-    const float y0 = luma[2 * i] + luma_sigma * luma_noise[2 * i] + kRounding;
-    const float y1 = luma[2 * i + 1] + luma_sigma * luma_noise[2 * i + 1] + kRounding;
     const float b = 0.5f * (cb[2 * i] + cb[2 * i + 1]) + chroma_sigma * cb_noise[i] + kRounding;
     const float r = 0.5f * (cr[2 * i] + cr[2 * i + 1]) + chroma_sigma * cr_noise[i] + kRounding;
-    bytes[4 * i] = static_cast<std::uint8_t>(static_cast<int>(limited(y0)));
-    bytes[4 * i + 1] = static_cast<std::uint8_t>(static_cast<int>(limited(b)));
-    bytes[4 * i + 2] = static_cast<std::uint8_t>(static_cast<int>(limited(y1)));
-    bytes[4 * i + 3] = static_cast<std::uint8_t>(static_cast<int>(limited(r)));
+    const int pair = level[2 * i] | static_cast<int>(limited(b)) << 8 | level[2 * i + 1] << 16;
+    pairs[i] = static_cast<std::uint32_t>(pair) | static_cast<std::uint32_t>(static_cast<int>(limited(r))) << 24;
   }
+  std::memcpy(bytes, pairs, 2 * width);
 }
 
 }  // namespace reorient

@@ -102,6 +102,8 @@ class Sensor {
   Channels mixed_;
   Optics optics_;
   std::vector<float> luma_, blue_, red_;  // of one row, before noise
+  std::vector<int> levels_;               // of its pixels' Y
+  std::vector<std::uint32_t> pairs_;      // of its pixels, as they are delivered
 };
 
 }  // namespace reorient

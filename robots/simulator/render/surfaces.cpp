@@ -1,10 +1,12 @@
 #include "robots/simulator/render/surfaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "geometry/pinned_math.h"
 #include "geometry/random.h"
+#include "robots/simulator/render/wide.h"
 #include "robots/simulator/room/texture_painter.h"
 
 namespace reorient {
@@ -47,7 +49,8 @@ Surfaces::Hits::Hits(int width)
       coverage(width),
       on_wall(width),
       gain(width),
-      surface(width) {}
+      surface(width),
+      level(width) {}
 
 Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width, double worn_lines)
     : room_(std::move(room)),
@@ -61,7 +64,7 @@ void Surfaces::render(const RayTable& rays, const Eigen::Isometry3f& field_from_
                       Frame& frame) {
   for (int row = 0; row < frame.height; ++row) {
     intersect(rays, field_from_camera, row, frame);
-    shade(row, frame);
+    shade(rays, field_from_camera, row, frame);
     if (!changes.patches.empty()) patch(row, changes.patches, frame);
     if (!changes.illumination.as_usual()) relight(row, changes.illumination, frame);
     if (!frame.labels.empty()) label(row, frame);
@@ -69,7 +72,26 @@ void Surfaces::render(const RayTable& rays, const Eigen::Isometry3f& field_from_
 }
 
 void Surfaces::intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame) {
-  const bool round = room_.shape.form == RoomForm::cylinder;
+  if (room_.shape.form == RoomForm::cylinder) {
+    intersect_round(rays, field_from_camera, row, frame);
+  } else {
+    intersect_box(rays, field_from_camera, row, frame);
+  }
+}
+
+REORIENT_WIDE void Surfaces::intersect_box(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                           Frame& frame) {
+  intersect_with<false>(rays, field_from_camera, row, frame);
+}
+
+REORIENT_WIDE void Surfaces::intersect_round(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                             Frame& frame) {
+  intersect_with<true>(rays, field_from_camera, row, frame);
+}
+
+template <bool round>
+inline void Surfaces::intersect_with(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                     Frame& frame) {
   const Eigen::Matrix3f rotation = field_from_camera.linear();
   const float r00 = rotation(0, 0), r01 = rotation(0, 1), r02 = rotation(0, 2);
   const float r10 = rotation(1, 0), r11 = rotation(1, 1), r12 = rotation(1, 2);
@@ -95,8 +117,6 @@ void Surfaces::intersect(const RayTable& rays, const Eigen::Isometry3f& field_fr
   float* __restrict depth = frame.depth.data() + first;
   float* __restrict hit_x = hits_.x.data();
   float* __restrict hit_y = hits_.y.data();
-  float* __restrict half_x = hits_.half_x.data();
-  float* __restrict half_y = hits_.half_y.data();
   float* __restrict hit_u = hits_.u.data();
   float* __restrict hit_v = hits_.v.data();
   float* __restrict footprint = hits_.footprint.data();
@@ -147,12 +167,8 @@ void Surfaces::intersect(const RayTable& rays, const Eigen::Isometry3f& field_fr
         round ? (to_arc * across + along) / half_length : (at_end ? std::fabs(dx) : std::fabs(dy));
     const float facing = (level ? std::fabs(dz) : facing_wall) / length[i] + 1e-4f;
     footprint[i] = lateral / std::sqrt(facing);
-    const float side = 0.5f * lateral / std::sqrt(across);
-    const float ahead = side / facing;
-    half_x[i] = std::sqrt(dx * dx * ahead * ahead + dy * dy * side * side);
-    half_y[i] = std::sqrt(dy * dy * ahead * ahead + dx * dx * side * side);
   }
-  if (!round) return;
+  if constexpr (!round) return;
   constexpr float kStart = static_cast<float>(-kPi / 4.0);
   constexpr float kTurn = static_cast<float>(2.0 * kPi);
   pinned::atan2(hits_.y, hits_.x, hits_.azimuth);
@@ -163,19 +179,50 @@ void Surfaces::intersect(const RayTable& rays, const Eigen::Isometry3f& field_fr
   }
 }
 
-void Surfaces::shade(int row, Frame& frame) {
+REORIENT_WIDE void Surfaces::spread(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                    const Columns& columns, const Frame& frame) {
+  const Eigen::Matrix3f rotation = field_from_camera.linear();
+  const float r00 = rotation(0, 0), r01 = rotation(0, 1), r02 = rotation(0, 2);
+  const float r10 = rotation(1, 0), r11 = rotation(1, 1), r12 = rotation(1, 2);
+  const float r20 = rotation(2, 0), r21 = rotation(2, 1), r22 = rotation(2, 2);
+  const float pixel_angle = rays.pixel_angle;
+  const std::size_t first = frame.row(row);
+  const float* __restrict left = rays.left.data() + first;
+  const float* __restrict up = rays.up.data() + first;
+  const float* __restrict length = rays.length.data() + first;
+  const float* __restrict depth = frame.depth.data() + first;
+  float* __restrict half_x = hits_.half_x.data();
+  float* __restrict half_y = hits_.half_y.data();
+#pragma GCC ivdep
+  for (int i = columns.first; i < columns.end; ++i) {
+    const float dx = r00 + r01 * left[i] + r02 * up[i];
+    const float dy = r10 + r11 * left[i] + r12 * up[i];
+    const float dz = r20 + r21 * left[i] + r22 * up[i];
+    const float across = dx * dx + dy * dy + 1e-12f;
+    const float facing = std::fabs(dz) / length[i] + 1e-4f;
+    const float side = 0.5f * (depth[i] * length[i] * pixel_angle) / std::sqrt(across);
+    const float ahead = side / facing;
+    half_x[i] = std::sqrt(dx * dx * ahead * ahead + dy * dy * side * side);
+    half_y[i] = std::sqrt(dy * dy * ahead * ahead + dx * dx * side * side);
+  }
+}
+
+REORIENT_WIDE void Surfaces::shade(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                   Frame& frame) {
   const Texture* const textures[kSurfaces] = {&room_.walls, &room_.ceiling, &room_.floor, &carpet_};
   float texels_per_meter[kSurfaces];
   for (int i = 0; i < kSurfaces; ++i) texels_per_meter[i] = textures[i]->texels_per_meter();
 
   const int width = frame.width;
+  const int* __restrict surfaces = hits_.surface.data();
   int first_carpet = width;
   int last_carpet = -1;
   for (int i = 0; i < width; ++i) {
-    if (hits_.surface[i] != kCarpet) continue;
-    if (first_carpet == width) first_carpet = i;
-    last_carpet = i;
+    const bool carpet = surfaces[i] == kCarpet;
+    first_carpet = std::min(first_carpet, carpet ? i : width);
+    last_carpet = std::max(last_carpet, carpet ? i : -1);
   }
+  spread(rays, field_from_camera, row, {first_carpet, last_carpet + 1}, frame);
   lines_.cover({hits_.x.data() + first_carpet, hits_.y.data() + first_carpet, hits_.half_x.data() + first_carpet,
                 hits_.half_y.data() + first_carpet, last_carpet - first_carpet + 1},
                hits_.coverage.data() + first_carpet);
@@ -185,14 +232,22 @@ void Surfaces::shade(int row, Frame& frame) {
   float* __restrict blue = frame.blue.data() + frame.row(row);
   const LinearColor line = kLineAlbedo * room_.light;
   const Texture::Color white{line.x(), line.y(), line.z(), 0.0f};
-  for (int i = 0; i < width; ++i) {
-    const int surface = hits_.surface[i];
-    const int level = Texture::level_for(hits_.footprint[i] * texels_per_meter[surface]);
-    Texture::Color color = textures[surface]->sample(hits_.u[i], hits_.v[i], level);
-    if (surface == kCarpet) color += hits_.coverage[i] * (white * color[3] - color);
-    red[i] = color[0];
-    green[i] = color[1];
-    blue[i] = color[2];
+  const float* __restrict footprint = hits_.footprint.data();
+  int* __restrict levels = hits_.level.data();
+  for (int i = 0; i < width; ++i) levels[i] = Texture::level_for(footprint[i] * texels_per_meter[surfaces[i]]);
+  // A row shows few surfaces at few levels, each for many pixels.
+  for (int begin = 0, end = 0; begin < width; begin = end) {
+    const int surface = surfaces[begin];
+    const int level = levels[begin];
+    while (end < width && surfaces[end] == surface && levels[end] == level) ++end;
+    const float* coverage = hits_.coverage.data() + begin;
+    const auto take = [&](int i, Texture::Color color) __attribute__((always_inline)) {
+      if (surface == kCarpet) color += coverage[i] * (white * color[3] - color);
+      red[begin + i] = color[0];
+      green[begin + i] = color[1];
+      blue[begin + i] = color[2];
+    };
+    textures[surface]->sample(hits_.u.data() + begin, hits_.v.data() + begin, end - begin, level, take);
   }
 }
 

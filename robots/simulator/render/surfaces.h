@@ -37,7 +37,7 @@ class Surfaces {
   struct Hits {
     explicit Hits(int width);
     std::vector<float> x, y;            // m, on the ground
-    std::vector<float> half_x, half_y;  // m, half the ground that a pixel covers
+    std::vector<float> half_x, half_y;  // m, half the ground that a pixel covers; filled in for carpet alone
     std::vector<float> u, v;            // m, in the surface's texture
     std::vector<float> azimuth;         // rad, seen from the middle of a round room
     std::vector<float> footprint;       // m, on the surface
@@ -45,10 +45,22 @@ class Surfaces {
     std::vector<float> on_wall;         // 1 or 0; filled in where walls are changed
     std::vector<float> gain;            // on the light; filled in where it is changed
     std::vector<int> surface;
+    std::vector<int> level;  // of the surface's texture
+  };
+
+  struct Columns {
+    int first, end;
   };
 
   void intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
-  void shade(int row, Frame& frame);
+  template <bool round>
+  [[gnu::always_inline]] void intersect_with(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                             Frame& frame);
+  void intersect_box(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
+  void intersect_round(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
+  void spread(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, const Columns& columns,
+              const Frame& frame);
+  void shade(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
   void patch(int row, const WallPatches& patches, Frame& frame);
   void relight(int row, const Illumination& illumination, Frame& frame);
   void label(int row, Frame& frame);

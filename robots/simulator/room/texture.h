@@ -63,19 +63,16 @@ class Texture {
     return exponent < 0 ? 0 : (exponent >= kLevels ? kLevels - 1 : exponent);
   }
 
-  /// Bilinear. `u` and `v` in metres, inside of the extent (a hair outside, from rounding, is fine).
+  /// Bilinear, at `count` places of one level: u and v in metres, inside of the extent (a hair outside, from rounding,
+  /// is fine). Calls take(i, color) for each.
+  template <typename Take>
+  void sample(const float* u, const float* v, int count, int level, Take&& take) const;
+
+  /// At one place.
   Color sample(float u, float v, int level) const {
-    const Level& l = levels_[static_cast<std::size_t>(level)];
-    const float column = limit(u * l.scale_u + 0.5f, l.last_column);
-    const float row = limit(v * l.scale_v + 0.5f, l.last_row);
-    const int i = static_cast<int>(column);
-    const int j = static_cast<int>(row);
-    const float a = column - static_cast<float>(i);
-    const float b = row - static_cast<float>(j);
-    const Texel* lower = l.texels + static_cast<std::ptrdiff_t>(j) * l.stride + i;
-    const Color from = between(lower, a);
-    const Color to = between(lower + l.stride, a);
-    return (from + b * (to - from)) * (1.0f / kUnit);
+    Color sampled{};
+    sample(&u, &v, 1, level, [&](int, Color color) { sampled = color; });
+    return sampled;
   }
 
  private:
@@ -114,6 +111,41 @@ class Texture {
   std::array<Level, kLevels> levels_;
   float texels_per_meter_ = 0.0f;
 };
+
+template <typename Take>
+[[gnu::always_inline]] inline void Texture::sample(const float* u, const float* v, int count, int level,
+                                                   Take&& take) const {
+  constexpr int kBlock = 64;  // places whose texels are looked up together
+  constexpr int kAhead = 12;  // places by which texels are asked for in advance: they lie anywhere in memory
+  const Level l = levels_[static_cast<std::size_t>(level)];
+  alignas(32) int offset[kBlock + kAhead];
+  alignas(32) float across[kBlock];
+  alignas(32) float up[kBlock];
+  for (int begin = 0; begin < count; begin += kBlock) {
+    const int places = count - begin < kBlock ? count - begin : kBlock;
+    const float* __restrict from_left = u + begin;
+    const float* __restrict from_below = v + begin;
+#pragma GCC ivdep
+    for (int i = 0; i < places; ++i) {
+      const float column = limit(from_left[i] * l.scale_u + 0.5f, l.last_column);
+      const float row = limit(from_below[i] * l.scale_v + 0.5f, l.last_row);
+      const int left = static_cast<int>(column);
+      const int below = static_cast<int>(row);
+      offset[i] = below * l.stride + left;
+      across[i] = column - static_cast<float>(left);
+      up[i] = row - static_cast<float>(below);
+    }
+    for (int i = 0; i < kAhead; ++i) offset[places + i] = offset[places - 1];
+    for (int i = 0; i < places; ++i) {
+      __builtin_prefetch(l.texels + offset[i + kAhead]);
+      __builtin_prefetch(l.texels + offset[i + kAhead] + l.stride);
+      const Texel* lower = l.texels + offset[i];
+      const Color from = between(lower, across[i]);
+      const Color to = between(lower + l.stride, across[i]);
+      take(begin + i, (from + up[i] * (to - from)) * (1.0f / kUnit));
+    }
+  }
+}
 
 /// The number of texels for `meters` at about `per_meter`, rounded up to what a Texture asks for.
 int texels_for(double meters, double per_meter);

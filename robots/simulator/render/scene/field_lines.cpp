@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "robots/simulator/render/coverage.h"
+#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 namespace {
@@ -53,7 +54,7 @@ FieldLines::FieldLines(const FieldDimensions& field, double worn) : worn_(static
   half_line_ = static_cast<float>(half);
 }
 
-void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage) const {
+REORIENT_WIDE void FieldLines::cover(const GroundPatches& patches, float* __restrict coverage) const {
   const int count = patches.count;
   if (count <= 0) return;
   const float* __restrict x = patches.x;

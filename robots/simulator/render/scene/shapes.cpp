@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robots/simulator/render/coverage.h"
+#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 namespace {
@@ -30,16 +31,20 @@ class Bounds {
     beyond_right_ = beyond_right_ && beyond(-center.y(), rays_.most_right);
     beyond_top_ = beyond_top_ && beyond(center.z(), rays_.most_up);
     beyond_bottom_ = beyond_bottom_ && beyond(-center.z(), rays_.most_down);
-    const float nearest = std::max(center.x() - radius, kNearest);
-    for (const float side : {-radius, radius}) {
-      for (const float depth : {nearest, center.x() + radius}) {
-        add_pixel({depth, center.y() + side, center.z() + side});
-      }
-    }
+    balls_[static_cast<std::size_t>(count_++)] = {center, radius};
   }
 
-  Box box() const {
+  Box box() {
     if (beyond_left_ || beyond_right_ || beyond_top_ || beyond_bottom_) return {0, 0, -1, -1};
+    for (int i = 0; i < count_; ++i) {
+      const auto& [center, radius] = balls_[static_cast<std::size_t>(i)];
+      const float nearest = std::max(center.x() - radius, kNearest);
+      for (const float side : {-radius, radius}) {
+        for (const float depth : {nearest, center.x() + radius}) {
+          add_pixel({depth, center.y() + side, center.z() + side});
+        }
+      }
+    }
     // A distorted straight line bends out of the box of its ends.
     const double bend = std::min(0.25, 0.5 * std::abs(camera_.k1) + 0.5 * std::abs(camera_.k2));
     const double margin = 1.0 + bend * (right_ - left_ + bottom_ - top_) + static_cast<double>(rays_.slack);
@@ -66,8 +71,16 @@ class Bounds {
     bottom_ = std::max(bottom_, pixel.y());
   }
 
+  struct Ball {
+    Eigen::Vector3f center;
+    float radius;
+  };
+  static constexpr std::size_t kMost = 8;  // of a net: both ends of each side
+
   const RayTable& rays_;
   const CameraModel& camera_;
+  std::array<Ball, kMost> balls_;
+  int count_ = 0;
   bool beyond_left_ = true;
   bool beyond_right_ = true;
   bool beyond_top_ = true;
@@ -144,7 +157,7 @@ struct CapsuleInView {
     float toward, cosine, sine2, anywhere, along, t;
   };
 
-  Closest closest(const Eigen::Vector3f& direction) const {
+  [[gnu::always_inline]] Closest closest(const Eigen::Vector3f& direction) const {
     Closest c{};
     c.toward = -(direction.x() * from.x() + direction.y() * from.y() + direction.z() * from.z());
     c.cosine = direction.x() * axis.x() + direction.y() * axis.y() + direction.z() * axis.z();
@@ -158,7 +171,7 @@ struct CapsuleInView {
   }
 
   /// Which of kLanes pixels from `first` on may be touched. False: none of them. Written for SIMD.
-  bool find(std::size_t first, std::array<bool, kLanes>& near) const {
+  [[gnu::always_inline]] bool find(std::size_t first, std::array<bool, kLanes>& near) const {
     float clear[kLanes];
     for (int lane = 0; lane < kLanes; ++lane) {
       const std::size_t pixel = first + static_cast<std::size_t>(lane);
@@ -179,26 +192,59 @@ struct CapsuleInView {
     return any;
   }
 
-  void paint(std::size_t pixel, Frame& frame) const {
+  /// What kLanes pixels from `first` on show of it. Written for SIMD.
+  struct Look {
+    float coverage[kLanes];      // in [0, 1]
+    float between_ends[kLanes];  // share of a cylinder, in [0, 1]
+    float depth[kLanes];         // m
+    float shade[kLanes];         // factor on the colour
+    float normal_x[kLanes], normal_y[kLanes], normal_z[kLanes];
+  };
+
+  [[gnu::always_inline]] void look(std::size_t first, Look& seen) const {
     const float radius = capsule.radius;
-    const Eigen::Vector3f direction = Eigen::Vector3f(1.0f, rays.left[pixel], rays.up[pixel]) / rays.length[pixel];
-    const Closest c = closest(direction);
-    const Eigen::Vector3f apart = c.t * direction - from - c.along * axis;
-    const float half_pixel = 0.5f * c.t * rays.pixel_angle;
-    const float distance = apart.norm();
-    float coverage = covered_share(distance, half_pixel, -radius, radius);
-    const float sagitta = std::sqrt(std::max(0.0f, radius * radius - distance * distance));
-    const bool side = c.anywhere >= 0.0f && c.anywhere <= length;
-    const float surface = std::max(kNearest, c.t - (side ? sagitta / std::sqrt(c.sine2) : sagitta));
-    if (capsule.flat_ends) coverage *= covered_share(eye_along + c.cosine * surface, half_pixel, 0.0f, length);
-    const float depth = surface / rays.length[pixel];
-    if (coverage <= 0.0f || depth > frame.depth[pixel]) return;
-    const Eigen::Vector3f center = from + std::clamp(c.along, 0.0f, length) * axis;
-    const Eigen::Vector3f normal = (surface * direction - center) / radius;
-    // Lamps above, a little more light from one side, and what the ground sends back.
-    const float shade = std::clamp(0.66f + 0.34f * normal.dot(up) - 0.12f * normal.y(), 0.2f, 1.2f);
+#pragma GCC ivdep
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const std::size_t pixel = first + static_cast<std::size_t>(lane);
+      const float ray = rays.length[pixel];
+      const Eigen::Vector3f direction(1.0f / ray, rays.left[pixel] / ray, rays.up[pixel] / ray);
+      const Closest c = closest(direction);
+      const float apart_x = c.t * direction.x() - from.x() - c.along * axis.x();
+      const float apart_y = c.t * direction.y() - from.y() - c.along * axis.y();
+      const float apart_z = c.t * direction.z() - from.z() - c.along * axis.z();
+      const float half_pixel = 0.5f * c.t * rays.pixel_angle;
+      const float distance = std::sqrt(apart_x * apart_x + (apart_y * apart_y + apart_z * apart_z));
+      const float free = radius * radius - distance * distance;
+      const float sagitta = std::sqrt(free > 0.0f ? free : 0.0f);
+      const float slanted = sagitta / std::sqrt(c.sine2);
+      const float from_side = c.anywhere >= 0.0f ? slanted : sagitta;
+      const float to_surface = c.t - (c.anywhere <= length ? from_side : sagitta);
+      const float surface = to_surface > kNearest ? to_surface : kNearest;
+      seen.coverage[lane] = covered_share(distance, half_pixel, -radius, radius);
+      seen.between_ends[lane] = covered_share(eye_along + c.cosine * surface, half_pixel, 0.0f, length);
+      seen.depth[lane] = surface / ray;
+      const float from_start = c.along > 0.0f ? c.along : 0.0f;
+      const float along = from_start < length ? from_start : length;
+      const float x = (surface * direction.x() - (from.x() + along * axis.x())) / radius;
+      const float y = (surface * direction.y() - (from.y() + along * axis.y())) / radius;
+      const float z = (surface * direction.z() - (from.z() + along * axis.z())) / radius;
+      // Lamps above, a little more light from one side, and what the ground sends back.
+      const float shade = 0.66f + 0.34f * (x * up.x() + (y * up.y() + z * up.z())) - 0.12f * y;
+      const float bright = shade > 0.2f ? shade : 0.2f;
+      seen.shade[lane] = bright < 1.2f ? bright : 1.2f;
+      seen.normal_x[lane] = x;
+      seen.normal_y[lane] = y;
+      seen.normal_z[lane] = z;
+    }
+  }
+
+  void paint(std::size_t pixel, const Look& seen, int lane, Frame& frame) const {
+    const float coverage = capsule.flat_ends ? seen.coverage[lane] * seen.between_ends[lane] : seen.coverage[lane];
+    if (coverage <= 0.0f || seen.depth[lane] > frame.depth[pixel]) return;
+    const Eigen::Vector3f normal(seen.normal_x[lane], seen.normal_y[lane], seen.normal_z[lane]);
     const bool dark = capsule.football && on_patch(field_from_camera * normal);
-    cover(frame, pixel, coverage, capsule.color * (dark ? 0.06f * shade : shade), depth, capsule.label);
+    const float shade = dark ? 0.06f * seen.shade[lane] : seen.shade[lane];
+    cover(frame, pixel, coverage, capsule.color * shade, seen.depth[lane], capsule.label);
   }
 
   const Capsule& capsule;
@@ -212,7 +258,43 @@ struct CapsuleInView {
   float eye_along = 0.0f;           // where the camera is along the axis, m from `from`
 };
 
+REORIENT_WIDE void draw_in(const Box& box, const CapsuleInView& view, Frame& frame) {
+  std::array<bool, kLanes> near{};
+  CapsuleInView::Look seen;
+  for (int y = box.top; y <= box.bottom; ++y) {
+    for (int x = box.left; x <= box.right; x += kLanes) {
+      const int start = std::min(x, frame.width - kLanes);  // some pixels twice rather than the next row's
+      const std::size_t first = frame.row(y) + static_cast<std::size_t>(start);
+      if (!view.find(first, near)) continue;
+      view.look(first, seen);
+      for (int lane = x - start; lane < kLanes; ++lane) {
+        if (near[static_cast<std::size_t>(lane)]) view.paint(first + static_cast<std::size_t>(lane), seen, lane, frame);
+      }
+    }
+  }
+}
+
 }  // namespace
+
+Frustum::Frustum(const RayTable& rays, const Eigen::Isometry3f& camera_from_field)
+    : camera_from_field_(camera_from_field) {
+  const auto side = [](float across, float up, float steepest) {
+    const float length = std::sqrt(1.0f + steepest * steepest);
+    return Side{across / length, up / length, -steepest / length};
+  };
+  sides_ = {side(1.0f, 0.0f, rays.most_left), side(-1.0f, 0.0f, rays.most_right), side(0.0f, 1.0f, rays.most_up),
+            side(0.0f, -1.0f, rays.most_down)};
+}
+
+bool Frustum::may_show(const Capsule& capsule) const {
+  constexpr float kRounding = 1e-3f;  // m
+  const Eigen::Vector3f center = camera_from_field_ * Eigen::Vector3f(0.5f * (capsule.from + capsule.to));
+  const float radius = capsule.radius + 0.5f * (capsule.to - capsule.from).norm() + kRounding;
+  if (center.x() + radius < kNearest) return false;
+  return std::none_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+    return side.across * center.y() + side.up * center.z() + side.ahead * center.x() > radius;
+  });
+}
 
 void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {
   const CapsuleInView view(capsule, rays, camera_from_field);
@@ -222,18 +304,7 @@ void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f&
   Bounds bounds(rays);
   bounds.add(from, capsule.radius);
   bounds.add(to, capsule.radius);
-  const Box box = bounds.box();
-  std::array<bool, kLanes> near{};
-  for (int y = box.top; y <= box.bottom; ++y) {
-    for (int x = box.left; x <= box.right; x += kLanes) {
-      const int start = std::min(x, frame.width - kLanes);  // some pixels twice rather than the next row's
-      const std::size_t first = frame.row(y) + static_cast<std::size_t>(start);
-      if (!view.find(first, near)) continue;
-      for (int lane = x - start; lane < kLanes; ++lane) {
-        if (near[static_cast<std::size_t>(lane)]) view.paint(first + static_cast<std::size_t>(lane), frame);
-      }
-    }
-  }
+  draw_in(bounds.box(), view, frame);
 }
 
 void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {

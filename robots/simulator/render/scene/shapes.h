@@ -2,6 +2,8 @@
 // Each is drawn into the box of pixels that it can touch, with soft edges and against the depth of what is there.
 #pragma once
 
+#include <array>
+
 #include <Eigen/Geometry>
 
 #include "robots/simulator/render/framebuffer.h"
@@ -33,6 +35,22 @@ struct Shadow {
   Eigen::Vector2f center = Eigen::Vector2f::Zero();
   float radius = 0.1f;
   float darkness = 0.5f;  ///< in its middle, in [0, 1]
+};
+
+/// What the camera sees of the room, as far as it can be told without looking at pixels.
+class Frustum {
+ public:
+  Frustum(const RayTable& rays, const Eigen::Isometry3f& camera_from_field);
+
+  /// False: draw() would not touch a pixel.
+  bool may_show(const Capsule& capsule) const;
+
+ private:
+  struct Side {
+    float across, up, ahead;  // the outward normal, of unit length
+  };
+  Eigen::Isometry3f camera_from_field_;
+  std::array<Side, 4> sides_;
 };
 
 void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
