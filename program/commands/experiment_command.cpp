@@ -11,8 +11,8 @@
 
 #include "engine/parameters/utf8.h"
 #include "program/commands/compare_command.h"
-#include "program/experiment/report_folder.h"
-#include "program/experiment/rows_report.h"
+#include "program/experiment/outputs/report_folder.h"
+#include "program/experiment/outputs/rows_report.h"
 #include "program/experiment/session.h"
 #include "program/experiment/trial_runner.h"
 #include "program/experiment/worker_pool.h"
