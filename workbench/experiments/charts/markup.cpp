@@ -25,8 +25,6 @@ std::string escaped(std::string_view text) {
         out += "&#39;";
         break;
       case '\n':
-        out += ' ';
-        break;
       case '\t':
         out += ' ';
         break;
