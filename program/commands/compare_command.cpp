@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/parameters/utf8.h"
-#include "program/experiment/rows_comparison.h"
+#include "program/experiment/outputs/rows_comparison.h"
 #include "program/options.h"
 #include "program/program.h"
 

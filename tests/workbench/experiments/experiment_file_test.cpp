@@ -229,7 +229,8 @@ TEST(ExperimentFile, MayTellWhatOthersMeasured) {
   ASSERT_EQ(experiment.references.size(), 1U);
   const Reference& reference = experiment.references[0];
   EXPECT_EQ(reference.label, "paper, real robot");
-  EXPECT_EQ(reference.choices.size(), 2U);
+  ASSERT_EQ(reference.choices.size(), 2U);
+  EXPECT_EQ(reference.choices[0].first, "motion") << "in the order of the axes";
   EXPECT_EQ(reference.trials, 10);
   EXPECT_EQ(reference.failed, 0.1);
   EXPECT_EQ(reference.mean_s, 45.4);

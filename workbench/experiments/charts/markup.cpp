@@ -25,8 +25,6 @@ std::string escaped(std::string_view text) {
         out += "&#39;";
         break;
       case '\n':
-        out += ' ';
-        break;
       case '\t':
         out += ' ';
         break;
@@ -58,6 +56,10 @@ Element::Element(Markup& out, std::string_view name, Markup::Attributes attribut
   out_.out_ += ">";
 }
 
-Element::~Element() { out_.out_.append("</").append(name_).append(">\n"); }
+Element::~Element() {
+  // A line break is a blank where text goes on.
+  const bool is_within_text = name_ == "a" || name_ == "code" || name_ == "strong" || name_ == "span";
+  out_.out_.append("</").append(name_).append(is_within_text ? ">" : ">\n");
+}
 
 }  // namespace reorient

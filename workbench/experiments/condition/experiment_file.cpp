@@ -52,7 +52,10 @@ class ExperimentReader {
         {"reference",
          [&](auto& key, auto& value) { experiment.references = read_references(in, in.tables(key, value), file_); }},
     });
-    for (const Reference& reference : experiment.references) require_choices(in, table, reference, experiment.axes);
+    for (Reference& reference : experiment.references) {
+      require_choices(in, table, reference, experiment.axes);
+      sort_choices(reference, experiment.axes);
+    }
     if (experiment.title.empty()) in.refuse(table, "title is missing: what the experiment asks, in one sentence");
     if (!names_scenario(experiment.base)) require_scenario(in, table, experiment.axes);
     return experiment;
@@ -76,15 +79,25 @@ class ExperimentReader {
 
   static void require_choices(const TableReader& in, const toml::table& table, const Reference& reference,
                               const std::vector<Axis>& axes) {
-    for (const auto& [name, choice] : reference.choices) {
-      const bool is_there = std::any_of(axes.begin(), axes.end(), [&](const Axis& axis) {
-        return axis.name == name && std::any_of(axis.choices.begin(), axis.choices.end(),
-                                                [&](const AxisChoice& one) { return one.name == choice; });
-      });
-      if (!is_there)
-        in.refuse(table, "the reference '" + reference.label + "': there is no axis '" + name + "' with a choice '" +
-                             choice + "'");
+    for (const std::pair<std::string, std::string>& wanted : reference.choices) {
+      const auto has_it = [&wanted](const Axis& axis) {
+        const auto is_it = [&wanted](const AxisChoice& choice) { return choice.name == wanted.second; };
+        return axis.name == wanted.first && std::any_of(axis.choices.begin(), axis.choices.end(), is_it);
+      };
+      if (std::any_of(axes.begin(), axes.end(), has_it)) continue;
+      std::string why = "the reference '" + reference.label;
+      why.append("': there is no axis '").append(wanted.first).append("' with a choice '").append(wanted.second);
+      in.refuse(table, why + "'");
     }
+  }
+
+  /// A TOML table forgets the order in which it was written.
+  static void sort_choices(Reference& reference, const std::vector<Axis>& axes) {
+    const auto place = [&axes](const std::string& name) {
+      return std::find_if(axes.begin(), axes.end(), [&name](const Axis& axis) { return axis.name == name; });
+    };
+    std::sort(reference.choices.begin(), reference.choices.end(),
+              [&place](const auto& a, const auto& b) { return place(a.first) < place(b.first); });
   }
 
   void read_axes(const TableReader& in, const toml::array& tables, std::vector<Axis>& axes) const {

@@ -132,9 +132,9 @@ void draw_roc(Markup& out, const Report& report) {
     ScoredSamples samples = samples_of(report, one);
     const std::string wrong = std::to_string(samples.wrong.size()), right = std::to_string(samples.right.size());
     std::vector<RocPoint> curve = roc_curve(std::move(samples.wrong), std::move(samples.right));
-    reading += (reading.empty() ? "" : "; ") + one.name;
+    reading.append(reading.empty() ? "" : "; ").append(one.name);
     reading += curve.empty() ? ": no curve (" : ": area " + fixed(area_below(curve), 3) + " (";
-    reading += wrong + " wrong, " + right + " right)";
+    reading.append(wrong).append(" wrong, ").append(right).append(" right)");
     if (!curve.empty()) curves.emplace_back(&one, std::move(curve));
   }
   if (curves.empty()) return;

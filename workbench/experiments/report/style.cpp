@@ -43,7 +43,7 @@ table.numbers { min-width: 100%; border-bottom: 1.5px solid var(--ink); }
 .caption { margin: 1.2rem 0 0.6rem; max-width: 58rem; color: var(--soft); font: 0.83rem/1.5 system-ui, sans-serif; }
 .caption::before { counter-increment: table; content: "Table " counter(table) ". "; color: var(--ink); font-weight: 600; }
 th, td { padding: 0.3rem 0.6rem; text-align: right; vertical-align: baseline; font-weight: 400; white-space: nowrap; }
-th.name { text-align: left; }
+th.name { text-align: left; white-space: normal; min-width: 4rem; }
 thead th { color: var(--soft); border-top: 1.5px solid var(--ink); border-bottom: 1px solid var(--ink); vertical-align: bottom; }
 tr.group th, tr.group td { border-top: 1px solid var(--rule); }
 tr.own th, tr.own td { background: var(--faint); }

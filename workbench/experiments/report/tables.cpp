@@ -134,8 +134,9 @@ void draw_references(Markup& out, const Report& report) {
   if (references.empty()) return;
   out.leaf("h2", "Beside what others measured");
   NumberTable table(out,
-                    "Beside what others measured. Trials: those with a wrong belief at the start. Mean times are those "
-                    "until the command that mended the belief, s.",
+                    "What others measured, and one\u2019s own trials of the same case (shaded). Trials: those with a "
+                    "wrong belief at the "
+                    "start. Times: means until the command that mended the belief, s.",
                     {"case", "measured by"}, {"trials", "flip", "purge", "failed", "mean", "by flip", "by purge"});
   for (auto at = references.begin(); at != references.end();) {
     // References of equal choices stand together, with one's own rows below.

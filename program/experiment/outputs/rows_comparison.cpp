@@ -1,4 +1,4 @@
-#include "program/experiment/rows_comparison.h"
+#include "program/experiment/outputs/rows_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
-#include "program/experiment/text_table.h"
+#include "program/experiment/outputs/text_table.h"
 #include "workbench/experiments/tables/paired_comparison.h"
 
 namespace reorient {

@@ -1,4 +1,4 @@
-#include "program/experiment/rows_file.h"
+#include "program/experiment/outputs/rows_file.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "program/experiment/text_table.h"
+#include "program/experiment/outputs/text_table.h"
 
 #include <algorithm>
 #include <ostream>

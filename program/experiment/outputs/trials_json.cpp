@@ -1,4 +1,4 @@
-#include "program/experiment/trials_json.h"
+#include "program/experiment/outputs/trials_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "program/experiment/rows_report.h"
+#include "program/experiment/outputs/rows_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/utf8.h"
-#include "program/experiment/text_table.h"
+#include "program/experiment/outputs/text_table.h"
 #include "workbench/experiments/tables/outcome.h"
 
 namespace reorient {

@@ -1,4 +1,4 @@
-#include "program/experiment/report_folder.h"
+#include "program/experiment/outputs/report_folder.h"
 
 #include <array>
 #include <ctime>
@@ -7,8 +7,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "program/experiment/rows_report.h"
-#include "program/experiment/trials_json.h"
+#include "program/experiment/outputs/rows_report.h"
+#include "program/experiment/outputs/trials_json.h"
 #include "workbench/experiments/report/page.h"
 #include "workbench/experiments/report/trials_csv.h"
 #include "workbench/files/atomic_file.h"

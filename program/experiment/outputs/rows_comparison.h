@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "program/experiment/rows_file.h"
+#include "program/experiment/outputs/rows_file.h"
 
 namespace reorient {
 
