@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -64,6 +65,15 @@ void print_rows(const Experiment& experiment, const std::vector<CellRow>& rows, 
       text += i < experiment.axes.size() ? fmt::format("{:<{}}  ", line[i], widths[i])
                                          : fmt::format("{:>{}}  ", line[i], widths[i]);
     out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
+  }
+}
+
+void check_axis_names(const Experiment& experiment) {
+  const auto numbers = ordered_json::parse(rows_as_json({}, {CellRow()})).at(0);
+  for (const Axis& axis : experiment.axes) {
+    if (numbers.contains(as_utf8(axis.name)))
+      throw std::runtime_error("the axis '" + as_line(axis.name) +
+                               "' is called as one of the numbers of a row; give it another name");
   }
 }
 

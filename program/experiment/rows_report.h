@@ -15,6 +15,10 @@ struct CellRow {
   Row row;
 };
 
+/// Throws std::runtime_error with one line where an axis is called as one of a row's numbers, and would be hidden by
+/// it.
+void check_axis_names(const Experiment& experiment);
+
 /// A table as wide as its texts.
 void print_rows(const Experiment& experiment, const std::vector<CellRow>& rows, std::ostream& out);
 

@@ -1,5 +1,10 @@
 #include "workbench/experiments/condition/condition.h"
 
+#include <cstddef>
+#include <stdexcept>
+
+#include "engine/parameters/utf8.h"
+
 namespace reorient {
 namespace {
 
@@ -73,6 +78,15 @@ std::string as_text(const Condition& condition) {
 }
 
 std::vector<Cell> cells_of(const Experiment& experiment) {
+  constexpr std::size_t kMostCells = 10'000;
+  std::size_t count = 1;
+  for (const Axis& axis : experiment.axes) {
+    count *= axis.choices.size();
+    if (count > kMostCells)
+      throw std::runtime_error(as_line(experiment.name) + " varies so much that it has more than " +
+                               std::to_string(kMostCells) +
+                               " cells; take choices away, or make several experiments of it");
+  }
   Cell first;
   apply(experiment.base, first.condition);
   std::vector<Cell> cells;
