@@ -21,6 +21,7 @@ stds.reorient = { read_globals = {
   scenario = {},
   state = {},
   time_in_state = {},
+  chance = fields("between"),
   clock = fields("time", "step", "frame"),
   command = fields("flip_pose", "purge_reflection", "reset_orientation", "pause_training", "pause_evaluation"),
   confidence = fields("current", "opposite", "raw_current", "raw_opposite", "goal_opponent", "goal_own", "coverage", "distinctiveness", "age", "seen", "status", "visible_tiles"),

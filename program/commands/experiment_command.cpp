@@ -11,10 +11,13 @@
 
 #include "engine/parameters/utf8.h"
 #include "program/experiment/session.h"
+#include "program/experiment/trial_runner.h"
 #include "program/experiment/worker_pool.h"
 #include "program/interruption.h"
 #include "program/program.h"
+#include "program/run/run_scenario.h"
 #include "program/subcommand.h"
+#include "workbench/experiments/trial/trial_observer.h"
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
@@ -25,6 +28,8 @@ struct ExperimentOptions : SessionOptions {
   std::string tasks;  ///< a list; empty: all
   bool plan = false;
   bool resume = false;
+  int trial = 0;                   ///< to be shown; 0: none
+  std::filesystem::path pictures;  ///< of that trial
   std::filesystem::path json;
 };
 
@@ -46,6 +51,10 @@ std::string command_of(const ExperimentOptions& options, const Session& session,
   if (options.width) add("--width", std::to_string(*options.width));
   add("--seed", std::to_string(options.seed));
   for (const std::string& room : options.rooms) add("--room", room);
+  for (const std::string& mode : options.modes) add("--mode", mode);
+  for (const std::string& motion : options.motions) add("--motion", motion);
+  for (const std::string& light : options.lights) add("--light", light);
+  for (const std::string& choice : options.only) add("--only", choice);
   for (const std::filesystem::path& file : options.parameters.files) add("--params", file.string());
   for (const std::string& assignment : options.parameters.assignments) add("--set", assignment);
   if (!options.scripts.empty()) add("--scripts", options.scripts.string());
@@ -121,8 +130,36 @@ RunOutcome run_tasks(const ExperimentOptions& options, Session& session, const s
   return outcome;
 }
 
+std::string seconds_text(const std::optional<double>& time) { return time ? fmt::format("{:.1f} s", *time) : "never"; }
+
+/// One trial alone, as `reorient run` shows a run; its result is not kept.
+int show_trial(const ExperimentOptions& options, const Session& session, std::ostream& out, std::ostream& err) {
+  const int count = static_cast<int>(session.tasks().size());
+  if (options.trial > count)
+    throw std::runtime_error(fmt::format("there is no trial {}; there are 1 to {}", options.trial, count));
+  const Condition condition = session.condition_of(options.trial);
+  RunOptions run;
+  static_cast<SimulationOptions&>(run) = options_of(condition, session.seed_of(options.trial), session.scripts());
+  run.pictures = !options.pictures.empty();
+  run.out = options.pictures;
+  out << as_line(session.name_of(options.trial)) << "\n";
+  TrialObserver observer(condition.measurement);
+  const int code = run_scenario(run, {{&observer}, [&observer] { return observer.is_over(); }}, out, err);
+  const TrialResult& result = observer.result();
+  if (!result.started) {
+    out << "trial: it never came to the state '" << as_line(condition.measurement.from) << "'\n";
+  } else {
+    out << fmt::format("trial: belief {} at first; right and staying so after: {}; mended by a command after: {}\n",
+                       result.correct_at_start ? "right" : "wrong", seconds_text(result.right_after),
+                       seconds_text(result.mended_after));
+  }
+  if (code == kBadInput || Interruption::signal() != 0) return code;
+  return result.failed() ? kWrong : kSuccess;
+}
+
 int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ostream& err) {
   Session session(options);
+  if (options.trial > 0) return show_trial(options, session, out, err);
   const int count = static_cast<int>(session.tasks().size());
   std::vector<int> wanted(static_cast<std::size_t>(count));
   std::iota(wanted.begin(), wanted.end(), 1);
@@ -163,7 +200,7 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
 }  // namespace
 
 Subcommand add_experiment(CLI::App& program) {
-  constexpr int kMostTrials = 100'000, kMostJobs = 1'000;
+  constexpr int kMostTrials = 100'000, kMostJobs = 1'000, kMostTasks = 1'000'000;
   const auto options = std::make_shared<ExperimentOptions>();
   CLI::App* const parser = program.add_subcommand("experiment", "run many trials, and tell what they show");
   parser->fallthrough();
@@ -177,9 +214,14 @@ Subcommand add_experiment(CLI::App& program) {
       ->capture_default_str();
   parser->add_option("--width", options->width, "of the camera image, pixels (default: the file's)")
       ->check(CLI::IsMember({160, 320, 640}));
-  parser->add_option("--room", options->rooms, "a panorama instead of the file's rooms; may be given again")
-      ->check(check_not_empty)
-      ->allow_extra_args(false);
+  const auto add_list = [parser](const char* names, std::vector<std::string>& list, const char* text) {
+    parser->add_option(names, list, text)->check(check_not_empty);
+  };
+  add_list("--rooms,--room", options->rooms, "panoramas instead of the file's rooms; 'hall' is the built-in one");
+  add_list("--mode", options->modes, "only these: choices of the axis 'mode', or condition files of your own");
+  add_list("--motion", options->motions, "the same of the axis 'motion'");
+  add_list("--light", options->lights, "the same of the axis 'light'");
+  add_list("--only", options->only, "AXIS=CHOICE: the same of any axis");
   add_parameter_options(*parser, options->parameters);
   add_scripts_option(*parser, options->scripts);
   parser->add_option("--jobs", options->jobs, "how many processes share the trials")
@@ -193,6 +235,13 @@ Subcommand add_experiment(CLI::App& program) {
       ->add_option("--task,--tasks", options->tasks,
                    "only these trials: 17, or 1-64; without this option, --resume then tells what all showed")
       ->check(check_not_empty);
+  CLI::Option* const trial =
+      parser->add_option("--trial", options->trial, "run this trial alone, and show it as `reorient run` does")
+          ->check(CLI::Range(1, kMostTasks))
+          ->excludes(plan);
+  parser->add_option("--pictures", options->pictures, "folder for the pictures of that trial")
+      ->check(check_not_empty)
+      ->needs(trial);
   parser->add_flag("--resume", options->resume, "go on where an earlier run ended")->excludes(plan);
   return {parser, [options](std::ostream& out, std::ostream& err) { return run_experiment(*options, out, err); }};
 }

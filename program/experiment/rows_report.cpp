@@ -94,7 +94,10 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRow
     json["flip"] = share(row.flip, row.disturbed);
     json["purge"] = share(row.purge, row.disturbed);
     json["reset"] = share(row.reset, row.disturbed);
-    json["mean_s"] = or_null(row.mended.mean);
+    const bool of_command = experiment.times == TimeOf::command;
+    json["mean_s"] = or_null(of_command ? row.mended.mean : row.right.mean);
+    json["median_s"] = or_null(of_command ? row.mended_median : row.right_median);
+    json["p90_s"] = or_null(of_command ? row.mended_p90 : row.right_p90);
     json["flip_mean_s"] = or_null(row.flip_time.mean);
     json["purge_mean_s"] = or_null(row.purge_time.mean);
     json["right_mean_s"] = or_null(row.right.mean);
@@ -109,6 +112,10 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRow
     json["right_hours"] = row.right_hours;
     json["false_flips_per_hour_low"] = or_null(row.false_flip_rate.low);
     json["false_flips_per_hour_high"] = or_null(row.false_flip_rate.high);
+    json["kidnap_trials"] = row.kidnapped;
+    json["kidnap_failed"] = share(row.kidnapped_failed, row.kidnapped);
+    json["kidnap_mean_s"] = or_null(row.kidnapped_right.mean);
+    json["usable_mean_s"] = or_null(row.usable.mean);
     list.push_back(std::move(json));
   }
   return list.dump(2) + '\n';

@@ -21,31 +21,70 @@
 namespace reorient {
 namespace {
 
-constexpr std::string_view kExperimentFiles[] = {".toml"};
+constexpr std::string_view kHall = "hall";  // the built-in one, where rooms are named
+constexpr std::string_view kTomlFiles[] = {".toml"};
+
+ConditionPatch named_condition(const std::string& named) {
+  const std::filesystem::path file = asset_file("conditions", named, kTomlFiles);
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return read_condition(file);
+  throw std::runtime_error("there is no condition '" + as_line(named) + "'" +
+                           did_you_mean(named, asset_names("conditions", kTomlFiles)) +
+                           "; name a file, or one of assets/conditions");
+}
 
 Experiment named_experiment(const std::string& named) {
-  const std::filesystem::path file = asset_file("experiments", named, kExperimentFiles);
+  const std::filesystem::path file = asset_file("experiments", named, kTomlFiles);
   std::error_code error;
-  if (std::filesystem::exists(file, error)) return read_experiment(file);
+  if (std::filesystem::exists(file, error)) return read_experiment(file, named_condition);
   throw std::runtime_error("there is no experiment '" + named + "'" +
-                           did_you_mean(named, asset_names("experiments", kExperimentFiles)) +
+                           did_you_mean(named, asset_names("experiments", kTomlFiles)) +
                            "; name a file, or one of assets/experiments");
+}
+
+/// What an axis does not have may be a condition file, shipped or a person's own.
+AxisChoice choice_from_file(const Axis& axis, const std::string& named) {
+  const std::filesystem::path file = asset_file("conditions", named, kTomlFiles);
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return {file.stem().string(), read_condition(file)};
+  std::vector<std::string> known = asset_names("conditions", kTomlFiles);
+  for (const AxisChoice& choice : axis.choices) known.push_back(choice.name);
+  throw std::runtime_error("the axis " + as_line(axis.name) + " has no choice '" + as_line(named) + "'" +
+                           did_you_mean(named, known) + "; it may be a condition file, too");
+}
+
+void choose_as_told(const SessionOptions& options, Experiment& experiment) {
+  std::map<std::string, std::vector<std::string>> chosen;
+  if (!options.modes.empty()) chosen["mode"] = options.modes;
+  if (!options.motions.empty()) chosen["motion"] = options.motions;
+  if (!options.lights.empty()) chosen["light"] = options.lights;
+  for (const std::string& one : options.only) {
+    const std::size_t equals = one.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == one.size())
+      throw std::runtime_error("--only " + as_line(one) + ": write AXIS=CHOICE");
+    chosen[one.substr(0, equals)].push_back(one.substr(equals + 1));
+  }
+  for (const auto& [axis, names] : chosen) choose(experiment, axis, names, choice_from_file);
 }
 
 /// With what the command line says otherwise.
 Experiment wanted_experiment(const SessionOptions& options) {
   Experiment experiment = named_experiment(options.experiment);
   if (options.trials) experiment.trials = *options.trials;
+  choose_as_told(options, experiment);
   if (options.rooms.empty()) return experiment;
-  Axis axis{"room", {}};
+  Axis axis;
+  axis.name = "room";
   for (const std::string& room : options.rooms) {
-    const std::string name = std::filesystem::path(room).stem().string();
-    for (const AxisChoice& other : axis.choices) {
-      if (other.name == name)
-        throw std::runtime_error("--room " + room + ": another room is called '" + name + "', too; rename one of them");
-    }
+    const auto is_called = [](const std::string& name) {
+      return [&name](const AxisChoice& choice) { return choice.name == name; };
+    };
+    std::string name = std::filesystem::path(room).stem().string();
+    if (std::any_of(axis.choices.begin(), axis.choices.end(), is_called(name))) name = room;
+    if (std::any_of(axis.choices.begin(), axis.choices.end(), is_called(name)))
+      throw std::runtime_error("the room " + as_line(room) + " is named twice");
     axis.choices.push_back({name, {}});
-    axis.choices.back().patch.room = room;
+    axis.choices.back().patch.room = room == kHall ? "" : room;
   }
   std::erase_if(experiment.axes, [](const Axis& one) { return one.name == "room"; });
   experiment.axes.insert(experiment.axes.begin(), std::move(axis));

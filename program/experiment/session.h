@@ -23,8 +23,12 @@ struct SessionOptions {
   std::optional<int> width;        ///< of the images; nothing: the file's
   std::uint64_t seed = 1;          ///< of the first trial of each cell
   std::vector<std::string> rooms;  ///< instead of the file's own axis "room"; empty: the file's
-  ParameterOptions parameters;     ///< for every cell, behind its own
-  std::filesystem::path out;       ///< empty: out/experiments/NAME
+  std::vector<std::string> modes;  ///< of the axis "mode": its choices, or condition files; empty: the usual ones
+  std::vector<std::string> motions;
+  std::vector<std::string> lights;
+  std::vector<std::string> only;  ///< "AXIS=CHOICE", of any axis
+  ParameterOptions parameters;    ///< for every cell, behind its own
+  std::filesystem::path out;      ///< empty: out/experiments/NAME
 };
 
 class Session {
@@ -36,6 +40,11 @@ class Session {
   const std::vector<Task>& tasks() const { return tasks_; }
   const std::filesystem::path& folder() const { return folder_; }
   // Tasks are called by their numbers.
+
+  /// What a task is run under.
+  Condition condition_of(int number) const { return condition_of(task(number)); }
+  std::uint64_t seed_of(int number) const { return task(number).seed; }
+  const std::filesystem::path& scripts() const { return scripts_; }
 
   /// "room hall, mode paper, trial 3 (seed 3)".
   std::string name_of(int number) const;

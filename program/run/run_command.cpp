@@ -1,48 +1,12 @@
-#include <chrono>
 #include <memory>
-#include <optional>
 #include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <spdlog/fmt/fmt.h>
-#include <unistd.h>
-
-#include "program/interruption.h"
-#include "program/program.h"
 #include "program/robots.h"
-#include "program/run/console/history_file.h"
-#include "program/run/console/live_console.h"
-#include "program/run/report.h"
-#include "program/run/run_observers.h"
-#include "program/run/simulation.h"
-#include "program/run/timeline_printer.h"
+#include "program/run/run_scenario.h"
 #include "program/subcommand.h"
-#include "workbench/files/atomic_file.h"
-#include "workbench/files/parameter_file.h"
-#include "workbench/files/script_files.h"
-#include "workbench/run/digest_observer.h"
-#include "workbench/run/frame_times.h"
-#include "workbench/run/run_summary.h"
-#include "workbench/views/pictures/run_pictures.h"
 
 namespace reorient {
 namespace {
-
-/// Edits on the disk become inputs.
-class ScriptEdits : public InputSource {
- public:
-  explicit ScriptEdits(const std::filesystem::path& root) : files_(root) {}
-
-  void add_to(FrameInputs& inputs) override {
-    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
-    for (ScriptEdit& edit : files_.poll(now.count())) inputs.script_edits.push_back(std::move(edit));
-  }
-
- private:
-  ScriptFiles files_;
-};
 
 void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("scenario", options.scenario, "scripts/scenarios/NAME.lua, or a path to a file")
@@ -89,89 +53,6 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("--every-transition", options.every_transition, "show in the timeline what repeats itself, too");
 }
 
-void require_writable_outputs(const RunOptions& options) {
-  if (!options.json.empty()) require_writable_file(options.json, "--json");
-  if (!options.save_parameters.empty()) require_writable_file(options.save_parameters, "--save-params");
-  if (options.pictures) require_writable_folder(options.out, "--out");
-}
-
-int run_scenario(const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const Interruption interruption;
-  // Before the scripts are read, so that no edit is missed.
-  std::optional<ScriptEdits> edits;
-  if (options.realtime) edits.emplace(options.scripts);
-  Simulation simulation(options);
-  // Last, so that a mistake in anything else leaves no empty folder behind.
-  require_writable_outputs(options);
-
-  SummaryObserver summary;
-  CommandHistory commands;
-  FrameTimes frame_times;
-  DigestObserver digest;
-  RunPictures pictures;
-  RunLog log;
-  LiveConsole console(STDIN_FILENO, out,
-                      {.scenario = &simulation.scenario(),
-                       .parameters = [&] { return simulation.parameters(); },
-                       .kept_parameters = [&] { return simulation.kept_parameters(); },
-                       .scripts = options.scripts},
-                      history_path());
-  const RoomForLog room_for_log([&] { console.make_room(); });
-  Progress progress(err, [&] { return console.is_open(); });
-  TimelinePrinter timeline(out, options.every_transition, [&] {
-    progress.make_room();
-    console.begin_line();
-  });
-
-  RunParts parts = simulation.parts();
-  parts.observers = {&summary, &commands, &frame_times, &digest, &log, &timeline};
-  if (options.pictures) parts.observers.push_back(&pictures);
-  parts.observers.push_back(&progress);
-  parts.in_real_time = options.realtime;
-  parts.stop = [] { return Interruption::signal() != 0; };
-  if (options.realtime) {
-    parts.sources = {&*edits, &console};
-    parts.observers.push_back(&console);
-    parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
-    if (isatty(STDIN_FILENO) == 1)
-      err << "saved scripts are taken over at once; Enter opens a prompt (help lists its commands)\n";
-  }
-  const auto start = std::chrono::steady_clock::now();
-  const RunEnd end = RunLoop(std::move(parts)).run();
-  progress.end();
-
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const RunCircumstances circumstances{.scenario = options.scenario,
-                                       .room = simulation.venue().name(),
-                                       .seed = options.seed,
-                                       .room_awareness = options.room_awareness,
-                                       .wall_seconds = took.count(),
-                                       .digest = digest.hex(),
-                                       .frame_time = frame_times.whole(),
-                                       .frame_time_without_rendering = frame_times.without_observing(),
-                                       .reloads_accepted = log.reloads_accepted(),
-                                       .reloads_rejected = log.reloads_rejected()};
-  const RunSummary result = summary.summary(end);
-  std::vector<std::string> failures;
-  if (!options.json.empty())
-    try_to_write(failures, [&] { write_summary(result, commands, circumstances, options.json); });
-  if (!options.save_parameters.empty()) {
-    try_to_write(failures, [&] {
-      save_parameters(simulation.parameters(), simulation.kept_parameters(), options.save_parameters);
-    });
-  }
-  if (options.pictures) {
-    for (std::string& failure : pictures.write(options.out)) failures.push_back(std::move(failure));
-  }
-  if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
-  if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
-  print_summary(result, circumstances, out);
-  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
-  if (!failures.empty()) return kBadInput;
-  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
-  return result.succeeded ? kSuccess : kWrong;
-}
-
 }  // namespace
 
 Subcommand add_run(CLI::App& program) {
@@ -180,7 +61,7 @@ Subcommand add_run(CLI::App& program) {
   add_options(*parser, *options);
   return {parser, [options](std::ostream& out, std::ostream& err) {
             options->scripts = scripts_root(options->scripts);
-            return run_scenario(*options, out, err);
+            return run_scenario(*options, {}, out, err);
           }};
 }
 

@@ -64,7 +64,7 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms) : lon
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),
-                                             overrides, behaviors_);
+                                             overrides, behaviors_, options.seed);
   venue_ = venue_of(options, scenario_->setting());
   FrameSetup setup;
   setup.field = load_field(venue_.field);

@@ -187,6 +187,14 @@ function experimenter.set_initial_pose(x, y, rotation) end
 ---Tells the robot that the teams change sides; it stays where it is, and from here on all poses are in the axes of the new half.
 function experimenter.half_time() end
 
+chance = {}
+
+---A random number from low on and below high; the run's seed says which.
+---@param low number
+---@param high number
+---@return number
+function chance.between(low, high) end
+
 verdict = {}
 
 ---Ends the run: the robot did right, and why.

@@ -84,10 +84,6 @@ INSTANTIATE_TEST_SUITE_P(
         UnmeantExperiment{"TasksBackwards", kShort, {"--tasks", "3-1"}, "'3-1' counts backwards; write 1-3"},
         UnmeantExperiment{"TasksWithAGap", kShort, {"--tasks", "1,,2"}, "'1,,2' is no list of tasks"},
         UnmeantExperiment{"TasksInWords", kShort, {"--tasks", "all"}, "'all' is no list of tasks"},
-        UnmeantExperiment{"RoomsOfOneName",
-                          kShort,
-                          {"--room", "here/hall.hdr", "--room", "there/hall.hdr"},
-                          "--room there/hall.hdr: another room is called 'hall', too"},
         UnmeantExperiment{"PlanGoesOnNowhere", kShort, {"--plan", "--resume"}, "--plan"}),
     [](const auto& each) { return std::string(each.param.name); });
 

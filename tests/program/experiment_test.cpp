@@ -94,6 +94,37 @@ TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   EXPECT_NE(unknown.err.find("did you mean 'turned_round'?"), std::string::npos) << unknown.err;
 }
 
+TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
+  const std::string one = table("one", {"--mode", "none", "--trials", "1"});
+  EXPECT_EQ(one.find("\"default\""), std::string::npos) << one;
+  EXPECT_NE(one.find("\"mode\": \"none\""), std::string::npos) << one;
+  EXPECT_EQ(table("only", {"--only", "mode=none", "--trials", "1"}), one);
+  const std::filesystem::path mine = folder.write("eager.toml", "parameters.orientation.lead = 0.1\n");
+  const std::string own = table("own", {"--mode", "none", "--mode", mine.string(), "--trials", "1"});
+  EXPECT_NE(own.find("\"mode\": \"eager\""), std::string::npos) << own;
+  expect_refused({"--mode", "nnoe"}, "the axis mode has no choice 'nnoe' (did you mean 'none'?)");
+  expect_refused({"--light", "hard"}, "has no axis 'light'");
+  expect_refused({"--only", "mode"}, "--only mode: write AXIS=CHOICE");
+  folder.write("eager.toml", "parameters.orientation.laed = 0.1\nlimti = 3\n");
+  expect_refused({"--mode", mine.string()}, "eager.toml:2: there is no key 'limti' here");
+}
+
+TEST_F(ExperimentTest, TakesRoomsInsteadOfTheFilesOwn) {
+  const std::string halls = table("out", {"--rooms", "hall", "--mode", "none", "--trials", "1"});
+  EXPECT_NE(halls.find("\"room\": \"hall\""), std::string::npos) << halls;
+  expect_refused({"--rooms", "hall", "hall"}, "the room hall is named twice");
+}
+
+TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
+  const ProgramRun shown = run({"--trial", "3", "--pictures", path("pictures")});
+  EXPECT_EQ(shown.code, kSuccess) << shown.err;
+  for (const char* text : {"mode none, trial 1 (seed 1)\n", "trial: belief right at first", "turned_round"})
+    EXPECT_NE(shown.out.find(text), std::string::npos) << shown.out;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures/confidences.png"));
+  expect_refused({"--trial", "5"}, "there is no trial 5; there are 1 to 4");
+  expect_refused({"--pictures", path("pictures")}, "--trial");
+}
+
 TEST_F(ExperimentTest, StopsAtAMistakeThatOnlyATrialFinds) {
   folder.write("short.toml", std::string(kShort) + "parameters.orientation.laed = 1\n");
   expect_refused({"--out", path("out")}, "task 3, mode none, trial 1 (seed 1): ");

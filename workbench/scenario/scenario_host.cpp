@@ -28,8 +28,8 @@ bool RecordedBehaviors::is_published(std::string_view flag) const {
 }
 
 ScenarioHost::ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
-                           const MachineDirectory& behaviors)
-    : host_(std::move(texts), language_, parameters_, kDefaultLimits, &behaviors) {
+                           const MachineDirectory& behaviors, std::uint64_t seed)
+    : language_(seed), host_(std::move(texts), language_, parameters_, kDefaultLimits, &behaviors) {
   for (const ParameterChange& change : parameters) parameters_.set_early(change);
   host_.load(name);
   record_.names = host_.names().table();

@@ -66,9 +66,10 @@ class RecordedBehaviors : public MachineDirectory {
 class ScenarioHost {
  public:
   /// `name`: "turned_round", or a file below the scripts' root. `behaviors`: what the scenario sees of those; must
-  /// outlive the host. Throws std::runtime_error (of a script: ScriptError) with one line.
+  /// outlive the host. `seed`: of what the scenario leaves to chance. Throws std::runtime_error (of a script:
+  /// ScriptError) with one line.
   ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
-               const MachineDirectory& behaviors);
+               const MachineDirectory& behaviors, std::uint64_t seed = 1);
 
   /// The behaviours that it wants to be loaded.
   std::vector<std::string> wanted_behaviors() const;

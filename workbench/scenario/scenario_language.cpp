@@ -83,6 +83,8 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
           "experimenter.half_time", {},
           "Tells the robot that the teams change sides; it stays where it is, and from here on "
           "all poses are in the axes of the new half."),
+      script_function<&A::draw>("chance.between", {"low", "high"},
+                                "A random number from low on and below high; the run's seed says which."),
       script_function<&A::succeed>("verdict.succeed", {"text"}, "Ends the run: the robot did right, and why."),
       script_function<&A::fail>("verdict.fail", {"text"}, "Ends the run: the robot did wrong, and why."),
       script_function<&A::inform>("log.info", {"text"},
@@ -110,6 +112,12 @@ void ScenarioActions::put_down(double x, double y, double rotation) {
 
 void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
   act({ExperimenterAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
+}
+
+double ScenarioActions::draw(double low, double high) {
+  require_acting();
+  if (!(low <= high)) throw std::runtime_error("chance.between wants the lower number first");
+  return random_.uniform(low, high);
 }
 
 void ScenarioActions::judge(bool succeeded, std::string_view text) {

@@ -9,6 +9,7 @@
 #include "engine/script/language/script_language.h"
 #include "engine/script/language/world_fields.h"
 #include "engine/world/world.h"
+#include "geometry/random.h"
 #include "robots/experimenter.h"
 #include "robots/robot.h"
 
@@ -44,6 +45,8 @@ void fields(Visit&& visit, ScenarioVerdict& verdict) {
 
 class ScenarioActions : public ScriptActions {
  public:
+  explicit ScenarioActions(std::uint64_t seed) : random_(seed, kStream) {}
+
   void begin_frame(ScriptOutput& output, double time) override;
 
   const std::vector<ExperimenterAction>& actions() const { return actions_; }  ///< of this frame
@@ -58,6 +61,8 @@ class ScenarioActions : public ScriptActions {
   }
   void set_initial_pose(double x, double y, double rotation);
   void half_time() { act({ExperimenterAction::Kind::half_time, {}, 0.0, false}); }
+  /// In [low, high): the same ones for the same seed, as long as the scenario asks for the same.
+  double draw(double low, double high);
   void succeed(std::string_view text) { judge(true, text); }
   void fail(std::string_view text) { judge(false, text); }
 
@@ -65,12 +70,18 @@ class ScenarioActions : public ScriptActions {
   void act(const ExperimenterAction& action);
   void judge(bool succeeded, std::string_view text);
 
+  static constexpr std::uint64_t kStream = 0xc4a9ce;
+
+  Random random_;
   std::vector<ExperimenterAction> actions_;
   std::optional<ScenarioVerdict> verdict_;
 };
 
 class ScenarioLanguage : public ScriptLanguage {
  public:
+  /// `seed`: of what a scenario leaves to chance.
+  explicit ScenarioLanguage(std::uint64_t seed = 1) : actions_(seed) {}
+
   ScriptKind kind() const override { return ScriptKind::scenario; }
   std::string_view folder() const override { return "scenarios"; }
   std::span<const WorldTable> tables() const override;

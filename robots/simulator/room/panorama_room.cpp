@@ -9,6 +9,7 @@
 #include "geometry/transform.h"
 #include "robots/simulator/room/panorama.h"
 #include "robots/simulator/room/room.h"
+#include "robots/simulator/room/room_images.h"
 
 namespace reorient {
 namespace {
@@ -91,7 +92,7 @@ class Viewpoint {
   const RoomShape& shape_;
 };
 
-Texture bake_walls(const Viewpoint& viewpoint, const RoomShape& shape) {
+LinearImage bake_walls(const Viewpoint& viewpoint, const RoomShape& shape) {
   const double perimeter = wall_perimeter(shape);
   LinearImage image(texels_for(perimeter, kTexelsPerMeter), texels_for(shape.height, kTexelsPerMeter));
   for (int i = 0; i < image.width; ++i) {
@@ -100,10 +101,10 @@ Texture bake_walls(const Viewpoint& viewpoint, const RoomShape& shape) {
       image.at(i, j) = viewpoint.toward({ground.x(), ground.y(), (j + 0.5) * shape.height / image.height});
     }
   }
-  return {image, {}, {perimeter, shape.height}, Texture::Edge::wrap};
+  return image;
 }
 
-Texture bake_level(const Viewpoint& viewpoint, const RoomShape& shape, double height) {
+LinearImage bake_level(const Viewpoint& viewpoint, const RoomShape& shape, double height) {
   const Eigen::Vector2d extent = floor_extent(shape);
   LinearImage image(texels_for(extent.x(), kLevelTexelsPerMeter), texels_for(extent.y(), kLevelTexelsPerMeter));
   for (int j = 0; j < image.height; ++j) {
@@ -112,7 +113,7 @@ Texture bake_level(const Viewpoint& viewpoint, const RoomShape& shape, double he
       image.at(i, j) = viewpoint.toward({((i + 0.5) / image.width - 0.5) * extent.x(), y, height});
     }
   }
-  return {image, {}, extent, Texture::Edge::clamp};
+  return image;
 }
 
 }  // namespace
@@ -127,14 +128,9 @@ Room room_from(LinearImage panorama, const std::string& name, const RoomShape& s
   while (panorama.width > kWidest) panorama = halve(panorama);
   normalize(panorama);
   const Viewpoint viewpoint(panorama, shape);
-  Room room;
-  room.name = name;
-  room.shape = shape;
-  room.walls = bake_walls(viewpoint, shape);
-  room.ceiling = bake_level(viewpoint, shape, shape.height);
-  room.floor = bake_level(viewpoint, shape, 0.0);
-  room.light = light_of(panorama);
-  return room;
+  return room_of(
+      {bake_walls(viewpoint, shape), bake_level(viewpoint, shape, shape.height), bake_level(viewpoint, shape, 0.0)},
+      name, shape, light_of(panorama));
 }
 
 }  // namespace reorient

@@ -5,6 +5,7 @@
 
 #include "geometry/random.h"
 #include "robots/simulator/room/room.h"
+#include "robots/simulator/room/room_images.h"
 #include "robots/simulator/room/texture_painter.h"
 
 namespace reorient {
@@ -335,10 +336,6 @@ TexturePainter paint_floor(const RoomShape& shape, const Palette& palette, Rando
   return canvas;
 }
 
-Texture to_texture(const TexturePainter& canvas, Texture::Edge edge) {
-  return {canvas.image(), {}, canvas.extent(), edge};
-}
-
 }  // namespace
 
 Room procedural_hall(std::uint64_t seed, const RoomShape& shape) {
@@ -348,14 +345,9 @@ Room procedural_hall(std::uint64_t seed, const RoomShape& shape) {
   Random wall_random(seed, kWalls);
   Random ceiling_random(seed, kCeiling);
   Random floor_random(seed, kFloor);
-  Room room;
-  room.name = "hall";
-  room.shape = shape;
-  room.walls = to_texture(paint_walls(shape, palette, wall_random), Texture::Edge::wrap);
-  room.ceiling = to_texture(paint_ceiling(shape, ceiling_random), Texture::Edge::clamp);
-  room.floor = to_texture(paint_floor(shape, palette, floor_random), Texture::Edge::clamp);
-  room.light = LinearColor(0.56f, 0.55f, 0.52f);
-  return room;
+  return room_of({paint_walls(shape, palette, wall_random).image(), paint_ceiling(shape, ceiling_random).image(),
+                  paint_floor(shape, palette, floor_random).image()},
+                 "hall", shape, LinearColor(0.56f, 0.55f, 0.52f));
 }
 
 }  // namespace reorient

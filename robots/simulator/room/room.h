@@ -13,6 +13,9 @@ namespace reorient {
 
 enum class RoomForm { box, cylinder };
 
+/// What a room looks like after half a turn, or a quarter: the hardest rooms are those that cannot tell.
+enum class RoomSymmetry { none, two_fold, four_fold };
+
 /// The room's centre is the field's centre; its floor is the field's plane.
 struct RoomShape {
   RoomForm form = RoomForm::box;
@@ -21,6 +24,8 @@ struct RoomShape {
   double height = 7.0;            ///< m
   double viewpoint_height = 1.3;  ///< m above the floor, where a panorama was taken
   double turn = 0.0;              ///< rad to the left, by which a panorama is turned about the field's centre
+  RoomSymmetry symmetry = RoomSymmetry::none;
+  double color = 1.0;  ///< share of its colours that is left; 0: grey
 };
 
 template <typename Visit>
@@ -31,6 +36,9 @@ void describe(RoomShape& shape, Visit&& visit) {
   visit("height", shape.height, 2.5, 30.0, "m", "from the floor to the ceiling");
   visit("viewpoint_height", shape.viewpoint_height, 0.3, 2.4, "m", "height at which the panorama was taken");
   visit("turn", shape.turn, -3.1416, 3.1416, "rad", "turns the panorama to the left about the field's centre");
+  visit("symmetry", shape.symmetry, {"none", "two_fold", "four_fold"},
+        "two_fold: opposite walls are the same; four_fold: all of them are, stretched to their width");
+  visit("color", shape.color, 0.0, 1.0, "", "share of the room's colours that is left; 0: a grey room");
 }
 
 /// A room that is ready to be rendered. Immutable; copies share their memory.

@@ -5,7 +5,7 @@
 local walking = require "lib.walk"
 
 local p = param {
-  turn     = { 0.6,  range = { 0.1, 2 }, unit = "rad/s", doc = "how fast to turn while the room is learned" },
+  turn     = { 0.6,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn while the room is learned" },
   min_time = { 20.0, range = { 0, 600 }, unit = "s",     doc = "how long to train before the evaluation begins" },
 }
 

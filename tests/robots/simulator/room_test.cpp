@@ -1,5 +1,6 @@
 #include "robots/simulator/room/room.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -93,6 +94,58 @@ TEST(ProceduralHall, IsTheSameForTheSameSeedAndAnotherOneForAnother) {
     difference += (color_of(hall.walls, along, 1.7, 4) - color_of(other.walls, along, 1.7, 4)).abs().sum();
   }
   EXPECT_GT(difference, 1.0);
+}
+
+/// The greatest difference of any channel between a room and itself after `turns` quarters of a turn.
+float difference_after_quarters(const Room& room, int quarters) {
+  float greatest = 0.0f;
+  for (int side = 0; side < 4; ++side) {
+    const int other = (side + quarters) % 4;
+    for (double share = 0.02; share < 1.0; share += 0.04) {
+      const auto at = [&](int wall) {
+        const double begin = wall_begin(room.shape, wall);
+        return begin + share * (wall_begin(room.shape, wall + 1) - begin);
+      };
+      for (double height = 0.5; height < 5.0; height += 0.5)
+        greatest = std::max(
+            greatest,
+            (color_of(room.walls, at(side), height, 2) - color_of(room.walls, at(other), height, 2)).abs().maxCoeff());
+    }
+  }
+  return greatest;
+}
+
+TEST(SymmetricRoom, LooksTheSameAfterHalfATurn) {
+  RoomShape shape;
+  shape.symmetry = RoomSymmetry::two_fold;
+  const Room room = procedural_hall(1, shape);
+  EXPECT_LT(difference_after_quarters(room, 2), 1e-3f);
+  EXPECT_GT(difference_after_quarters(room, 1), 0.2f);
+  for (const double x : {1.0, 4.0, 9.0}) {
+    const Eigen::Vector2d extent = floor_extent(shape);
+    const Eigen::Array3f here = color_of(room.floor, x, 3.0, 0);
+    EXPECT_LT((here - color_of(room.floor, extent.x() - x, extent.y() - 3.0, 0)).abs().maxCoeff(), 1e-3f);
+  }
+}
+
+TEST(SymmetricRoom, OfFourEqualWallsLooksMuchTheSameAfterAQuarter) {
+  RoomShape shape;
+  shape.width = shape.length;
+  shape.symmetry = RoomSymmetry::four_fold;
+  EXPECT_LT(difference_after_quarters(procedural_hall(1, shape), 1), 0.1f);
+}
+
+TEST(ColorlessRoom, IsGreyAndAsBrightAsBefore) {
+  RoomShape shape;
+  const Room colored = procedural_hall(1, shape);
+  shape.color = 0.0;
+  const Room grey = procedural_hall(1, shape);
+  for (double along = 0.5; along < 50.0; along += 3.7) {
+    const Eigen::Array3f before = color_of(colored.walls, along, 2.0, 4);
+    const Eigen::Array3f after = color_of(grey.walls, along, 2.0, 4);
+    EXPECT_LT(after.maxCoeff() - after.minCoeff(), 2e-3f);
+    EXPECT_NEAR(after.x(), 0.299f * before.x() + 0.587f * before.y() + 0.114f * before.z(), 3e-3f);
+  }
 }
 
 TEST(ProceduralHall, LooksDifferentAfterHalfATurnForEverySeed) {

@@ -91,6 +91,75 @@ TEST(ExperimentFile, WithoutAxesIsOneCell) {
   EXPECT_TRUE(cells[0].choices.empty());
 }
 
+/// "paper" is the only condition file.
+ConditionPatch named_condition(const std::string& name) {
+  if (name != "paper") throw std::runtime_error("there is no condition '" + name + "'");
+  return parse_condition("params = [\"paper\"]\nwithout = [\"orientation\"]\nlimit = 200", "paper.toml");
+}
+
+TEST(ExperimentFile, MayNameConditionsThatSeveralExperimentsShare) {
+  const std::string text =
+      "title = \"x\"\n[condition]\nscenario = \"a\"\nlimit = 60\n[[axis]]\nname = \"mode\"\n[[axis.choice]]\n"
+      "name = \"paper\"\nconditions = [\"paper\"]\nwithout = [\"goal_search\"]\n[[axis.choice]]\nname = \"short\"\n"
+      "conditions = [\"paper\"]\nlimit = 5\n";
+  const std::vector<Cell> cells = cells_of(parse_experiment(text, "x.toml", named_condition));
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].condition.without, (std::vector<std::string>{"orientation", "goal_search"}));
+  EXPECT_EQ(cells[0].condition.measurement.limit, 200.0) << "what a choice names counts more than the base";
+  EXPECT_EQ(cells[1].condition.measurement.limit, 5.0) << "and what it says itself counts most";
+}
+
+TEST(ExperimentFile, SaysWhichConditionThereIsNot) {
+  try {
+    parse_experiment("title = \"x\"\n[condition]\nscenario = \"a\"\nconditions = [\"papper\"]", "x.toml",
+                     named_condition);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "x.toml:4: there is no condition 'papper'");
+  }
+}
+
+TEST(ConditionFile, NamesNoOtherConditions) {
+  EXPECT_THROW(parse_condition("conditions = [\"paper\"]", "x.toml"), std::runtime_error);
+  EXPECT_THROW(parse_condition("limti = 3", "x.toml"), std::runtime_error);
+}
+
+std::string with_usual(const std::string& usual) {
+  return "title = \"x\"\n[condition]\nscenario = \"a\"\n[[axis]]\nname = \"light\"\nusual = [" + usual +
+         "]\n[[axis.choice]]\nname = \"same\"\n[[axis.choice]]\nname = \"hard\"\nlimit = 5\n";
+}
+
+TEST(ExperimentFile, TakesTheUsualChoicesOfAnAxis) {
+  const std::vector<Cell> cells = cells_of(parsed(with_usual("\"hard\"")));
+  ASSERT_EQ(cells.size(), 1U);
+  EXPECT_EQ(cells[0].choices, std::vector<std::string>{"hard"});
+  EXPECT_NE(refusal(with_usual("\"hrad\"")).find("has no choice 'hrad'"), std::string::npos);
+}
+
+TEST(Choices, AreThoseThatAreAskedForInTheirOrderAndOnce) {
+  Experiment experiment = parsed(with_usual("\"hard\""));
+  const auto refuse = [](const Axis& axis, const std::string& name) -> AxisChoice {
+    throw std::runtime_error(axis.name + " has no " + name);
+  };
+  choose(experiment, "light", {"hard", "same", "hard"}, refuse);
+  const std::vector<Cell> cells = cells_of(experiment);
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].condition.measurement.limit, 5.0);
+  EXPECT_EQ(cells[1].choices, std::vector<std::string>{"same"});
+  EXPECT_THROW(choose(experiment, "light", {"dark"}, refuse), std::runtime_error);
+  EXPECT_THROW(choose(experiment, "lihgt", {"same"}, refuse), std::runtime_error);
+}
+
+TEST(Choices, MayBeMadeWhereTheAxisHasThemNot) {
+  Experiment experiment = parsed(with_usual("\"hard\""));
+  choose(experiment, "light", {"mine"}, [](const Axis&, const std::string& name) {
+    AxisChoice choice{name, {}};
+    choice.patch.limit = 7.0;
+    return choice;
+  });
+  EXPECT_EQ(cells_of(experiment).at(0).condition.measurement.limit, 7.0);
+}
+
 struct Mistake {
   const char* name;
   std::string text;
@@ -126,6 +195,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Flag", kBegin + "room_awareness = 1", ":4: room_awareness is true or false"},
         Mistake{"Parameter", kBegin + "parameters.lead = 1", ":4: a parameter stands in the table of its module"},
         Mistake{"ParameterValue", kBegin + "parameters.a.b = [1]", ":4: a.b is a number, true, false or a name"},
+        Mistake{"Times", "title = \"x\"\ntimes = \"soon\"", ":2: times are of"},
+        Mistake{"Conditions", kBegin + "conditions = [\"paper\"]", ":4: there is no key 'conditions' here"},
         Mistake{"NameInTheBase", kBegin + "name = \"a\"", ":4: there is no key 'name' here"},
         Mistake{"AxisIsNoTable", "title = \"x\"\naxis = 3", ":2: axis is one table or several"},
         Mistake{"AxisWithoutName", kBegin + "[[axis]]\n[[axis.choice]]\nname = \"a\"", "an axis needs a name"},
@@ -146,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ExperimentFile, ThatIsNotThereIsNamed) {
   try {
-    read_experiment("/no/such/file.toml");
+    read_experiment("/no/such/file.toml", {});
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("/no/such/file.toml: there is no such experiment"), std::string::npos);

@@ -46,6 +46,23 @@ TEST(Row, CountsFailuresOfThoseThatWereDisturbed) {
   EXPECT_GT(row.failed_rate.high, 2.0 / 3.0);
 }
 
+TEST(Row, TellsOfTheKidnappedByThemselves) {
+  TrialResult carried = corrected(4.0);
+  TrialResult lost = failed();
+  carried.kidnapped = lost.kidnapped = true;
+  const Row row = row_of({carried, lost, corrected(8.0), in_peace(10.0, 0)});
+  EXPECT_EQ(row.kidnapped, 2);
+  EXPECT_EQ(row.kidnapped_failed, 1);
+  EXPECT_EQ(row.kidnapped_right.mean, 4.0);
+}
+
+TEST(Row, CountsATrialWithoutACommandAsLaterThanAllOthers) {
+  const Row row =
+      row_of({corrected(3.0, Reorientation::flip_pose, 1.0), corrected(3.0, Reorientation::flip_pose, 2.0), failed()});
+  EXPECT_EQ(row.mended_median, 2.0);
+  EXPECT_FALSE(row.mended_p90);
+}
+
 TEST(Row, TellsTheTimesOfThoseThatDidNotFail) {
   const Row row = row_of({corrected(3.0), corrected(5.0), failed()});
   EXPECT_EQ(row.right.mean, 4.0);

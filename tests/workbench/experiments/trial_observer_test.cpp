@@ -115,6 +115,65 @@ TEST(Trial, ThatWasNeverWrongIsRightAtOnce) {
   EXPECT_FALSE(trial.observer.is_over());
 }
 
+TEST(Trial, IsJudgedFromWhatTheScenarioDidOnNotBefore) {
+  Told trial(from_lost());
+  trial.believe(kTruth, 5.0, "learning");
+  trial.show(trial.frame(kTruth), "lost");  // the scenario enters the state, and tells the robot something wrong
+  trial.believe(reflect(kTruth), 3.0);
+  EXPECT_FALSE(trial.result().correct_at_start);
+}
+
+TEST(Trial, OfACarriedRobotIsJudgedOnceItStands) {
+  Told trial(from_lost());
+  trial.believe(kTruth, 5.0, "learning");
+  trial.believe(kTruth, 2.0, "lost", true);
+  trial.believe(kTruth, 1.0);
+  EXPECT_TRUE(trial.result().correct_at_start);
+}
+
+TEST(Trial, TellsWhenTheRoomCanTell) {
+  Told trial(from_lost());
+  trial.believe(kTruth, 2.0);
+  EXPECT_FALSE(trial.result().usable_after);
+  FrameRecord frame = trial.frame(kTruth);
+  frame.world.room_status = RoomStatus::usable;
+  trial.show(frame, "lost");
+  trial.believe(kTruth, 2.0);
+  ASSERT_TRUE(trial.result().usable_after);
+  EXPECT_NEAR(*trial.result().usable_after, 2.0, 1e-9);
+}
+
+/// Carried from the truth to somewhere.
+TrialResult carried_to(const Pose2& where) {
+  Told trial(from_lost());
+  StageRecord stage;
+  stage.truth = GroundTruth{kTruth, false, false};
+  stage.scenario.actions.push_back({ExperimenterAction::Kind::pick_up, {}, 0.0, false});
+  trial.observer.observe(trial.frame(kTruth), stage);
+  stage.truth->carried = true;
+  stage.scenario.actions = {{ExperimenterAction::Kind::put_down, where, 0.0, false}};
+  trial.observer.observe(trial.frame(kTruth), stage);
+  return trial.result();
+}
+
+TEST(Trial, KnowsAKidnappedRobotFromOneThatIsPutBack) {
+  EXPECT_TRUE(carried_to(reflect(kTruth)).kidnapped);
+  EXPECT_FALSE(carried_to(Pose2(kTruth.position.x() + 0.05, kTruth.position.y(), kTruth.rotation)).kidnapped);
+}
+
+TEST(Trial, InASymmetricRoomHasNotFailedWhereTheRobotSaysSo) {
+  Measurement measurement = from_lost();
+  measurement.symmetric_room = true;
+  for (const RoomStatus status : {RoomStatus::usable, RoomStatus::symmetric}) {
+    Told trial(measurement);
+    trial.believe(reflect(kTruth), 2.0);
+    FrameRecord frame = trial.frame(reflect(kTruth));
+    frame.world.room_status = status;
+    trial.show(frame, "lost");
+    EXPECT_EQ(trial.result().failed(), status == RoomStatus::usable);
+  }
+}
+
 TEST(Trial, MayEndOnceItIsRight) {
   Measurement measurement = from_lost();
   measurement.to_the_end = false;

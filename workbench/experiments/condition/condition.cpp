@@ -1,8 +1,11 @@
 #include "workbench/experiments/condition/condition.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
+#include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
 
 namespace reorient {
@@ -18,12 +21,19 @@ void append(std::vector<Value>& all, const std::vector<Value>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
+/// Where an axis has usual choices, the others are for those who ask for them.
+bool is_taken(const Axis& axis, const AxisChoice& choice) {
+  return axis.usual.empty() || std::find(axis.usual.begin(), axis.usual.end(), choice.name) != axis.usual.end();
+}
+
 void add_cells(const Experiment& experiment, const Cell& so_far, std::vector<Cell>& cells) {
   if (so_far.choices.size() == experiment.axes.size()) {
     cells.push_back(so_far);
     return;
   }
-  for (const AxisChoice& choice : experiment.axes[so_far.choices.size()].choices) {
+  const Axis& axis = experiment.axes[so_far.choices.size()];
+  for (const AxisChoice& choice : axis.choices) {
+    if (!is_taken(axis, choice)) continue;
     Cell cell = so_far;
     cell.choices.push_back(choice.name);
     apply(choice.patch, cell.condition);
@@ -34,6 +44,7 @@ void add_cells(const Experiment& experiment, const Cell& so_far, std::vector<Cel
 }  // namespace
 
 void apply(const ConditionPatch& patch, Condition& condition) {
+  for (const ConditionPatch& first : patch.first) apply(first, condition);
   set(condition.scenario, patch.scenario);
   append(condition.with, patch.with);
   append(condition.without, patch.without);
@@ -50,6 +61,7 @@ void apply(const ConditionPatch& patch, Condition& condition) {
   set(condition.measurement.limit, patch.limit);
   set(condition.measurement.hold, patch.hold);
   set(condition.measurement.to_the_end, patch.to_the_end);
+  set(condition.measurement.symmetric_room, patch.symmetric_room);
 }
 
 std::string as_text(const Condition& condition) {
@@ -74,14 +86,37 @@ std::string as_text(const Condition& condition) {
   add("limit", number(condition.measurement.limit));
   add("hold", number(condition.measurement.hold));
   add("to_the_end", condition.measurement.to_the_end ? "true" : "false");
+  add("symmetric_room", condition.measurement.symmetric_room ? "true" : "false");
   return text;
+}
+
+void choose(Experiment& experiment, const std::string& axis, const std::vector<std::string>& names,
+            const std::function<AxisChoice(const Axis& axis, const std::string& name)>& otherwise) {
+  std::vector<std::string> axes;
+  for (Axis& one : experiment.axes) {
+    axes.push_back(one.name);
+    if (one.name != axis) continue;
+    std::vector<AxisChoice> chosen;
+    for (const std::string& name : names) {
+      const auto is_it = [&](const AxisChoice& choice) { return choice.name == name; };
+      const auto found = std::find_if(one.choices.begin(), one.choices.end(), is_it);
+      AxisChoice choice = found != one.choices.end() ? *found : otherwise(one, name);
+      if (std::none_of(chosen.begin(), chosen.end(), [&](const auto& other) { return other.name == choice.name; }))
+        chosen.push_back(std::move(choice));
+    }
+    one.choices = std::move(chosen);
+    one.usual.clear();
+    return;
+  }
+  throw std::runtime_error(as_line(experiment.name + " has no axis '" + axis + "'" + did_you_mean(axis, axes)));
 }
 
 std::vector<Cell> cells_of(const Experiment& experiment) {
   constexpr std::size_t kMostCells = 10'000;
   std::size_t count = 1;
   for (const Axis& axis : experiment.axes) {
-    count *= axis.choices.size();
+    count *= static_cast<std::size_t>(std::count_if(axis.choices.begin(), axis.choices.end(),
+                                                    [&](const auto& choice) { return is_taken(axis, choice); }));
     if (count > kMostCells)
       throw std::runtime_error(as_line(experiment.name) + " varies so much that it has more than " +
                                std::to_string(kMostCells) +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ std::string as_text(const Condition& condition);
 
 /// Part of a condition: what it holds is changed or added.
 struct ConditionPatch {
+  std::vector<ConditionPatch> first;  ///< applied before it: of condition files that it names
   std::optional<std::string> scenario;
   std::vector<std::string> with;
   std::vector<std::string> without;
@@ -48,6 +50,7 @@ struct ConditionPatch {
   std::optional<double> limit;
   std::optional<double> hold;
   std::optional<bool> to_the_end;
+  std::optional<bool> symmetric_room;
 };
 void apply(const ConditionPatch& patch, Condition& condition);
 
@@ -59,6 +62,13 @@ struct AxisChoice {
 struct Axis {
   std::string name;
   std::vector<AxisChoice> choices;
+  std::vector<std::string> usual{};  ///< those that are taken where nobody asks for others; empty: all
+};
+
+/// What the columns mean_s, median_s and p90_s are of.
+enum class TimeOf {
+  command,  ///< until the command that mends the belief: what the paper measures
+  belief,   ///< until the belief is right, and stays
 };
 
 /// A condition that is varied along axes, one or more trials for each combination of choices.
@@ -67,10 +77,16 @@ struct Experiment {
   std::string title;
   std::string description;
   int trials = 20;  ///< of each cell
+  TimeOf times = TimeOf::command;
   ConditionPatch base;
   std::vector<ConditionPatch> alternates;  ///< each cell's trials take turns with these
   std::vector<Axis> axes;
 };
+
+/// Leaves only these choices of the axis so called. A name that is no choice of it becomes one by `otherwise`, or is
+/// refused by it. Throws std::runtime_error with one line where there is no such axis.
+void choose(Experiment& experiment, const std::string& axis, const std::vector<std::string>& names,
+            const std::function<AxisChoice(const Axis& axis, const std::string& name)>& otherwise);
 
 /// One combination.
 struct Cell {

@@ -96,7 +96,8 @@ class TableReader {
 
 class ExperimentReader {
  public:
-  explicit ExperimentReader(std::string file) : file_(std::move(file)) {}
+  ExperimentReader(std::string file, const ConditionFiles& conditions)
+      : file_(std::move(file)), conditions_(conditions) {}
 
   Experiment read(const toml::table& table) const {
     Experiment experiment;
@@ -107,6 +108,12 @@ class ExperimentReader {
         {"description", [&](auto& key, auto& value) { experiment.description = in.text(key, value); }},
         {"trials",
          [&](auto& key, auto& value) { experiment.trials = static_cast<int>(in.whole(key, value, 1, kMostTrials)); }},
+        {"times",
+         [&](auto& key, auto& value) {
+           const std::string of = in.text(key, value);
+           if (of != "command" && of != "belief") in.refuse(value, "times are of \"command\" or of \"belief\"");
+           experiment.times = of == "command" ? TimeOf::command : TimeOf::belief;
+         }},
         {"condition", [&](auto& key, auto& value) { experiment.base = read_patch(in.table(key, value), {}); }},
         {"alternate",
          [&](auto& key, auto& value) {
@@ -116,15 +123,22 @@ class ExperimentReader {
         {"axis", [&](auto& key, auto& value) { read_axes(in, in.tables(key, value), experiment.axes); }},
     });
     if (experiment.title.empty()) in.refuse(table, "title is missing: what the experiment asks, in one sentence");
-    if (!experiment.base.scenario) require_scenario(in, table, experiment.axes);
+    if (!names_scenario(experiment.base)) require_scenario(in, table, experiment.axes);
     return experiment;
   }
 
+  /// The file is nothing but a condition.
+  ConditionPatch read_condition(const toml::table& table) const { return read_patch(table, {}); }
+
  private:
+  static bool names_scenario(const ConditionPatch& patch) {
+    return patch.scenario.has_value() || std::any_of(patch.first.begin(), patch.first.end(), names_scenario);
+  }
+
   void require_scenario(const TableReader& in, const toml::table& table, const std::vector<Axis>& axes) const {
     const bool is_chosen = std::any_of(axes.begin(), axes.end(), [](const Axis& axis) {
       return std::all_of(axis.choices.begin(), axis.choices.end(),
-                         [](const AxisChoice& choice) { return choice.patch.scenario.has_value(); });
+                         [](const AxisChoice& choice) { return names_scenario(choice.patch); });
     });
     if (!is_chosen) in.refuse(table, "no scenario is named: [condition] scenario = \"turned_round\"");
   }
@@ -137,9 +151,15 @@ class ExperimentReader {
       table.read({
           {"name", [&](auto& key, auto& value) { axis.name = table.text(key, value); }},
           {"choice", [&](auto& key, auto& value) { read_choices(table, table.tables(key, value), axis.choices); }},
+          {"usual", [&](auto& key, auto& value) { axis.usual = table.texts(key, value); }},
       });
       if (axis.name.empty()) table.refuse(one, "an axis needs a name");
       if (axis.choices.empty()) table.refuse(one, "the axis " + axis.name + " has no choices: [[axis.choice]]");
+      for (const std::string& usual : axis.usual) {
+        const auto is_it = [&](const AxisChoice& choice) { return choice.name == usual; };
+        if (std::none_of(axis.choices.begin(), axis.choices.end(), is_it))
+          table.refuse(one, "usual: the axis " + axis.name + " has no choice '" + usual + "'");
+      }
       for (const Axis& other : axes) {
         if (other.name == axis.name) table.refuse(one, "there are two axes '" + axis.name + "'");
       }
@@ -196,7 +216,19 @@ class ExperimentReader {
         {"limit", [&](auto& key, auto& value) { patch.limit = in.number(key, value, 0.0, kDay); }},
         {"hold", [&](auto& key, auto& value) { patch.hold = in.number(key, value, 0.0, kDay); }},
         {"to_the_end", [&](auto& key, auto& value) { patch.to_the_end = in.yes(key, value); }},
+        {"symmetric_room", [&](auto& key, auto& value) { patch.symmetric_room = in.yes(key, value); }},
     };
+    if (conditions_) {
+      readers["conditions"] = [&](auto& key, auto& value) {
+        for (const std::string& named : in.texts(key, value)) {
+          try {
+            patch.first.push_back(conditions_(named));
+          } catch (const std::runtime_error& error) {
+            in.refuse(value, error.what());
+          }
+        }
+      };
+    }
     if (name) readers["name"] = [&](auto& key, auto& value) { name(in, key, value); };
     in.read(readers);
     return patch;
@@ -231,28 +263,47 @@ class ExperimentReader {
   static constexpr std::int64_t kMostSeeds = 1'000'000'000;
 
   std::string file_;
+  const ConditionFiles& conditions_;
 };
 
-}  // namespace
-
-Experiment parse_experiment(std::string_view text, const std::string& name) {
+toml::table parsed(std::string_view text, const std::string& name) {
   if (const std::optional<TomlExcess> excess = excess_in_toml(text))
     throw std::runtime_error(as_line(name + ":" + std::to_string(excess->line) + ": " + excess->why));
   try {
-    return ExperimentReader(name).read(toml::parse(text));
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
     throw std::runtime_error(
         as_line(name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description())));
   }
 }
 
-Experiment read_experiment(const std::filesystem::path& file) {
+/// `folder`: of assets, which has some.
+std::string text_of(const std::filesystem::path& file, const std::string& kind, const std::string& folder) {
   std::error_code missing;
   if (!std::filesystem::is_regular_file(file, missing))
-    throw std::runtime_error(as_line(file.string() + ": there is no such experiment; assets/experiments has some"));
-  const std::optional<std::string> text = read_toml_text(file);
+    throw std::runtime_error(as_line(file.string() + ": there is no such " + kind + "; " + folder + " has some"));
+  std::optional<std::string> text = read_toml_text(file);
   if (!text) throw std::runtime_error(as_line(file.string() + ": it cannot be read; check its permissions"));
-  return parse_experiment(*text, file.string());
+  return *std::move(text);
+}
+
+}  // namespace
+
+Experiment parse_experiment(std::string_view text, const std::string& name, const ConditionFiles& conditions) {
+  return ExperimentReader(name, conditions).read(parsed(text, name));
+}
+
+Experiment read_experiment(const std::filesystem::path& file, const ConditionFiles& conditions) {
+  return parse_experiment(text_of(file, "experiment", "assets/experiments"), file.string(), conditions);
+}
+
+ConditionPatch parse_condition(std::string_view text, const std::string& name) {
+  const ConditionFiles none;
+  return ExperimentReader(name, none).read_condition(parsed(text, name));
+}
+
+ConditionPatch read_condition(const std::filesystem::path& file) {
+  return parse_condition(text_of(file, "condition", "assets/conditions"), file.string());
 }
 
 }  // namespace reorient

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -9,10 +10,16 @@
 
 namespace reorient {
 
-/// `name`: of the file, for messages; the experiment is called as its last part without ".toml". Throws
-/// std::runtime_error with one line: file, line, why.
-Experiment parse_experiment(std::string_view text, const std::string& name);
+/// The condition file of a name. Throws std::runtime_error with one line where there is none.
+using ConditionFiles = std::function<ConditionPatch(const std::string& name)>;
 
-Experiment read_experiment(const std::filesystem::path& file);
+/// `name`: of the file, for messages; the experiment is called as its last part without ".toml". `conditions`: those
+/// that it may name; empty: none. Throws std::runtime_error with one line: file, line, why.
+Experiment parse_experiment(std::string_view text, const std::string& name, const ConditionFiles& conditions = {});
+Experiment read_experiment(const std::filesystem::path& file, const ConditionFiles& conditions);
+
+/// A file with the keys of [condition], for several experiments. Throws as the above.
+ConditionPatch parse_condition(std::string_view text, const std::string& name);
+ConditionPatch read_condition(const std::filesystem::path& file);
 
 }  // namespace reorient

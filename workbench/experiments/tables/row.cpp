@@ -20,8 +20,8 @@ std::optional<double> if_known(double value) { return std::isnan(value) ? std::n
 
 Row row_of(const std::vector<TrialResult>& results) {
   Row row;
-  std::vector<double> right, mended, by_flip, by_purge;
-  std::vector<CensoredTime> until_right;
+  std::vector<double> right, mended, by_flip, by_purge, kidnapped_right, usable;
+  std::vector<CensoredTime> until_right, until_mended;
   double right_seconds = 0.0;
   for (const TrialResult& result : results) {
     ++row.trials;
@@ -31,11 +31,18 @@ Row row_of(const std::vector<TrialResult>& results) {
     row.false_flips += result.false_flips;
     row.false_purges += result.false_purges;
     right_seconds += result.right_seconds;
+    if (result.usable_after) usable.push_back(*result.usable_after);
+    if (result.kidnapped) {
+      ++row.kidnapped;
+      row.kidnapped_failed += result.failed() ? 1 : 0;
+      if (result.right_after) kidnapped_right.push_back(*result.right_after);
+    }
     if (result.started && result.correct_at_start) continue;
     ++row.disturbed;
     row.failed += result.failed() ? 1 : 0;
     row.uninformative += result.failed() && result.ended_uninformative ? 1 : 0;
-    until_right.push_back({result.right_after.value_or(result.seconds), !result.failed()});
+    until_right.push_back({result.right_after.value_or(result.seconds), result.right_after.has_value()});
+    until_mended.push_back({result.mended_after.value_or(result.seconds), result.mended_after.has_value()});
     if (result.right_after) right.push_back(*result.right_after);
     if (!result.mended_after) continue;
     mended.push_back(*result.mended_after);
@@ -52,6 +59,11 @@ Row row_of(const std::vector<TrialResult>& results) {
   row.right_median = if_known(time_by_which(curve, 0.5));
   row.right_p90 = if_known(time_by_which(curve, 0.9));
   row.mended = time_row(mended);
+  const std::vector<SurvivalStep> mended_curve = kaplan_meier(until_mended);
+  row.mended_median = if_known(time_by_which(mended_curve, 0.5));
+  row.mended_p90 = if_known(time_by_which(mended_curve, 0.9));
+  row.kidnapped_right = time_row(kidnapped_right);
+  row.usable = time_row(usable);
   row.flip_time = time_row(by_flip);
   row.purge_time = time_row(by_purge);
   row.right_hours = right_seconds / kHour;

@@ -29,7 +29,9 @@ struct Row {
   int flip = 0;   ///< disturbed trials whose belief was first mended by a flip
   int purge = 0;  ///< the same by a purge
   int reset = 0;
-  TimeRow mended;  ///< time until the command that mends the belief: the paper's measure
+  TimeRow mended;                       ///< time until the command that mends the belief: the paper's measure
+  std::optional<double> mended_median;  ///< with the trials without one as later than all others
+  std::optional<double> mended_p90;
   TimeRow flip_time;
   TimeRow purge_time;
   int flips = 0;  ///< commands in all trials
@@ -38,6 +40,10 @@ struct Row {
   int false_purges = 0;
   double right_hours = 0.0;  ///< for which the belief was right
   Interval false_flip_rate;  ///< per right hour; 0 to infinity where there are none
+  int kidnapped = 0;         ///< trials whose robot was put down elsewhere than it was picked up
+  int kidnapped_failed = 0;  ///< of those
+  TimeRow kidnapped_right;   ///< as `right`, of those
+  TimeRow usable;            ///< time until the room told the two poses apart, of the trials in which it did
   int uninformative = 0;     ///< of the failed: in the end the robot took its room for symmetric
 };
 

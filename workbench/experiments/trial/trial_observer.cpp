@@ -1,6 +1,7 @@
 #include "workbench/experiments/trial/trial_observer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "workbench/run/run_summary.h"
 
@@ -24,13 +25,24 @@ bool TrialObserver::starts(const ScenarioRecord& scenario) const {
          });
 }
 
+void TrialObserver::watch_carrying(const StageRecord& stage) {
+  for (const ExperimenterAction& action : stage.scenario.actions) {
+    if (action.kind == ExperimenterAction::Kind::pick_up && stage.truth) picked_up_at_ = stage.truth->pose;
+    if (action.kind != ExperimenterAction::Kind::put_down || !picked_up_at_) continue;
+    if (!is_correct(action.pose, *picked_up_at_)) result_.kidnapped = true;
+    picked_up_at_.reset();
+  }
+}
+
 void TrialObserver::observe(const FrameRecord& frame, const StageRecord& stage) {
+  watch_carrying(stage);
   const World& world = frame.world;
   const bool is_held = !stage.truth || stage.truth->carried;
   const bool correct = !is_held && is_correct(world.pose.pose, stage.truth->pose);
   if (result_.started) {
     const double time = world.time - started_at_;
     result_.seconds = time;
+    judge_start(is_held, correct);
     if (!is_held) judge_belief(world, correct);
     if (!correct) {
       right_since_.reset();
@@ -47,11 +59,18 @@ void TrialObserver::observe(const FrameRecord& frame, const StageRecord& stage) 
   // The scenario looks at a frame when it is over: what it does then is seen in the next one.
   if (!starts(stage.scenario)) return;
   result_.started = true;
-  result_.correct_at_start = correct;
+  result_.correct_at_start = false;
   started_at_ = world.time;
 }
 
+/// A robot that is still in the air is judged once it stands.
+void TrialObserver::judge_start(bool is_held, bool correct) {
+  if (is_held || std::exchange(is_start_judged_, true)) return;
+  result_.correct_at_start = correct;
+}
+
 void TrialObserver::judge_belief(const World& world, bool correct) {
+  if (!result_.usable_after && world.room_status == RoomStatus::usable) result_.usable_after = world.time - started_at_;
   result_.ended_uninformative = world.room_status == RoomStatus::symmetric;
   if (result_.ended_uninformative) result_.uninformative_seconds += world.time_step;
   if (world.upright()) (correct ? result_.right_seconds : result_.wrong_seconds) += world.time_step;

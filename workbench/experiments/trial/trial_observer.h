@@ -14,13 +14,16 @@ struct Measurement {
   std::string from;     ///< state of the scenario, or one around it, whose first entry starts the clock; empty: at once
   double limit = 60.0;  ///< s, within which the belief must be right
   double hold = 10.0;   ///< s, for which it must stay so, beyond the limit if need be
-  bool to_the_end = true;  ///< false: a trial is over once its belief is right and has stayed so
+  bool symmetric_room = false;  ///< nothing tells its two ends apart: a robot that says so has not failed
+  bool to_the_end = true;       ///< false: a trial is over once its belief is right and has stayed so
 };
 
 /// Between frames the belief counts as it was in the last one; in the air, and where nobody knows the truth, as wrong.
 class TrialObserver : public Observer {
  public:
-  explicit TrialObserver(Measurement measurement) : measurement_(std::move(measurement)) {}
+  explicit TrialObserver(Measurement measurement) : measurement_(std::move(measurement)) {
+    result_.symmetric_room = measurement_.symmetric_room;
+  }
 
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
 
@@ -30,13 +33,17 @@ class TrialObserver : public Observer {
 
  private:
   bool starts(const ScenarioRecord& scenario) const;
+  void watch_carrying(const StageRecord& stage);
+  void judge_start(bool is_held, bool correct);
   void judge_belief(const World& world, bool correct);
   void judge_reorientation(const ReorientationRecord& record, const GroundTruth& truth, double time);
   void sample(const World& world, bool correct, double time);
 
   Measurement measurement_;
   TrialResult result_;
-  double started_at_ = 0.0;            ///< s of the robot's time
+  double started_at_ = 0.0;  ///< s of the robot's time
+  std::optional<Pose2> picked_up_at_;
+  bool is_start_judged_ = false;
   std::optional<double> right_since_;  ///< s since the clock started
 };
 

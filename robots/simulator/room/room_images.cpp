@@ -1,0 +1,71 @@
+#include "robots/simulator/room/room_images.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace reorient {
+namespace {
+
+/// Half a turn about the middle leaves it as it is.
+void make_point_symmetric(LinearImage& level) {
+  const std::size_t count = level.pixels.size();
+  for (std::size_t i = 0; i < count / 2; ++i) level.pixels[count - 1 - i] = level.pixels[i];
+}
+
+/// The second half of the way around is the first one again.
+void repeat_half(LinearImage& walls) {
+  const int half = walls.width / 2;
+  for (int y = 0; y < walls.height; ++y) {
+    for (int x = 0; x < half; ++x) walls.at(half + x, y) = walls.at(x, y);
+  }
+}
+
+/// Each wall is the first one, as wide as the wall is.
+void repeat_first_wall(LinearImage& walls, const RoomShape& shape) {
+  const double columns = walls.width / wall_perimeter(shape);  // in a metre
+  const double first = wall_begin(shape, 1) - wall_begin(shape, 0);
+  const LinearImage painted = walls;
+  for (int side = 1; side < 4; ++side) {
+    const double begin = wall_begin(shape, side);
+    const double width = wall_begin(shape, side + 1) - begin;
+    const int last = side == 3 ? walls.width : static_cast<int>(columns * (begin + width));
+    for (int x = static_cast<int>(columns * begin); x < last; ++x) {
+      const double share = ((x + 0.5) / columns - begin) / width;
+      const int from = std::clamp(static_cast<int>(share * first * columns), 0, static_cast<int>(first * columns) - 1);
+      for (int y = 0; y < walls.height; ++y) walls.at(x, y) = painted.at(from, y);
+    }
+  }
+}
+
+/// `share` of the colours is left; brightness stays.
+void fade(LinearImage& image, float share) {
+  for (LinearColor& color : image.pixels) {
+    const float grey = 0.299f * color.x() + 0.587f * color.y() + 0.114f * color.z();
+    color = grey + share * (color - grey);
+  }
+}
+
+}  // namespace
+
+Room room_of(RoomImages images, const std::string& name, const RoomShape& shape, const LinearColor& light) {
+  if (shape.symmetry == RoomSymmetry::two_fold) repeat_half(images.walls);
+  if (shape.symmetry == RoomSymmetry::four_fold) repeat_first_wall(images.walls, shape);
+  if (shape.symmetry != RoomSymmetry::none) {
+    make_point_symmetric(images.ceiling);
+    make_point_symmetric(images.floor);
+  }
+  if (shape.color < 1.0) {
+    for (LinearImage* const image : {&images.walls, &images.ceiling, &images.floor})
+      fade(*image, static_cast<float>(shape.color));
+  }
+  Room room;
+  room.name = name;
+  room.shape = shape;
+  room.walls = {images.walls, {}, {wall_perimeter(shape), shape.height}, Texture::Edge::wrap};
+  room.ceiling = {images.ceiling, {}, floor_extent(shape), Texture::Edge::clamp};
+  room.floor = {images.floor, {}, floor_extent(shape), Texture::Edge::clamp};
+  room.light = light;
+  return room;
+}
+
+}  // namespace reorient

@@ -1,0 +1,125 @@
+--- One trial of an experiment: a robot that knows its room, then something happens to it, and what it believes from then
+--- on is measured. What happens, where and when is for parameters to say; the rest is left to chance, which is to say to
+--- the seed. assets/experiments uses it throughout; `reorient run trial --set trial.event=fallen` shows one.
+
+local ground_truth = require "lib.ground_truth"
+
+local p = param {
+  event = { "turned_round", doc = "what happens to the robot", choices = {
+    "none",           -- it is left in peace
+    "turned_round",   -- it is carried, and put down on the reflection of its belief
+    "put_back",       -- it is carried, and put down where it was
+    "kidnapped",      -- it is carried, and put down anywhere on the field
+    "fallen",         -- it is pushed over
+    "penalized",      -- it is taken out of the game, and comes back from the sideline
+    "misled",         -- it is brought to where it started, and told the reflection of that
+  } },
+  side    = { "own", choices = { "own", "opponent" }, doc = "the half of the field beside which it starts" },
+  learn   = { 40.0,  range = { 0, 600 },   unit = "s", doc = "how long the robot may learn the room" },
+  wait_least = { 0.0, range = { 0, 600 },  unit = "s", doc = "how long nothing happens after that, at least" },
+  wait_most  = { 0.0, range = { 0, 600 },  unit = "s", doc = "the same at most; chance says which" },
+  carry   = { 1.5,   range = { 0.2, 30 },  unit = "s", doc = "how long it is in the air" },
+  penalty = { 10.0,  range = { 0.5, 120 }, unit = "s", doc = "how long it is out of the game" },
+  margin  = { 0.5,   range = { 0, 3 },     unit = "m", doc = "how far from the lines a kidnapped robot is put down at least" },
+  timeout = { 60.0,  range = { 1, 36000 }, unit = "s", doc = "how long its belief is watched" },
+}
+
+local memory = keep { x = 0.0, y = 0.0, rotation = 0.0, wait = 0.0 }   -- the belief when something happens
+
+local function start_pose()
+  local start = ground_truth.START
+  if p.side == "own" then return start.x, start.y, start.rotation end
+  return -start.x, -start.y, start.rotation + math.pi
+end
+
+local function remember_belief()
+  memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
+end
+
+local function put_down_anywhere()
+  local x, y = field.length / 2 - p.margin, field.width / 2 - p.margin
+  experimenter.put_down(chance.between(-x, x), chance.between(-y, y), chance.between(-math.pi, math.pi))
+end
+
+-- What is done at the moment from which on the belief is watched.
+local DEEDS = {
+  none = function() end,
+  turned_round = function() experimenter.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,
+  put_back = function() experimenter.put_down(truth.x, truth.y, truth.rotation) end,
+  kidnapped = put_down_anywhere,
+  fallen = function() experimenter.push_over() end,
+  penalized = function()
+    experimenter.put_down(start_pose())
+    experimenter.penalize(false)
+  end,
+  misled = function()
+    local x, y, rotation = start_pose()
+    experimenter.put_down(x, y, rotation)
+    experimenter.set_initial_pose(-x, -y, rotation + math.pi)
+  end,
+}
+
+local CARRIED = { turned_round = true, put_back = true, kidnapped = true }
+
+scenario "trial" {
+  behaviors = {
+    "orientation", "background_training", "kidnap_recovery", "goal_search", "head_scan", "get_up", "penalty_marks",
+  },
+  priority = 100,
+  initial = "placing",
+
+  state "placing" {
+    enter = function()
+      local x, y, rotation = start_pose()
+      experimenter.put_down(x, y, rotation)
+      experimenter.set_initial_pose(x, y, rotation)
+    end,
+    { "learning", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "learning" {
+    { "waiting", after = "learn", because = "the time to learn is over" },
+  },
+
+  state "waiting" {
+    enter = function() memory.wait = chance.between(p.wait_least, math.max(p.wait_least, p.wait_most)) end,
+    { "carried", when = function() return CARRIED[p.event] and time_in_state() >= memory.wait end,
+      because = "somebody takes the robot" },
+    { "out of the game", when = function() return p.event == "penalized" and time_in_state() >= memory.wait end,
+      because = "the referee calls the robot" },
+    { "measured", when = function() return time_in_state() >= memory.wait end, because = "it is time" },
+  },
+
+  state "carried" {
+    enter = function()
+      remember_belief()
+      experimenter.pick_up()
+    end,
+    { "measured", after = "carry", because = "the robot is put down" },
+  },
+
+  state "out of the game" {
+    enter = function()
+      experimenter.penalize(true)
+      experimenter.pick_up()
+    end,
+    { "measured", after = "penalty", because = "the penalty is over" },
+  },
+
+  state "measured" {
+    enter = function()
+      ground_truth.note(p.event)
+      DEEDS[p.event]()
+    end,
+    { "right", when = ground_truth.is_belief_right, after = "timeout", because = "the time is up and the belief is right" },
+    { "wrong", after = "timeout", because = "the time is up and the belief is wrong" },
+  },
+
+  state "right" {
+    enter = function() verdict.succeed("in the end the belief is " .. ground_truth.error_in_words()) end,
+  },
+
+  state "wrong" {
+    enter = function() verdict.fail("in the end the belief is " .. ground_truth.error_in_words()) end,
+  },
+}
