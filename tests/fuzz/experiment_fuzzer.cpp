@@ -1,5 +1,5 @@
-// Arbitrary bytes as an experiment file: refused in one line that names the file, or an experiment whose cells and
-// tasks can be counted, and whose conditions are within their limits.
+// Arbitrary bytes as an experiment file or a condition file: refused in one line that names the file, or an experiment
+// whose cells and tasks can be counted, and whose conditions are within their limits.
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -58,10 +58,25 @@ void try_experiment(std::string_view text) {
   }
 }
 
+/// The same bytes as a condition file of its own.
+void try_condition(std::string_view text) {
+  const Haste haste(5.0);
+  try {
+    Condition condition;
+    apply(parse_condition(text, "experiment.toml"), condition);
+    if (!condition.scenario.empty()) require_condition(condition);
+  } catch (const std::runtime_error& error) {
+    require_message(error.what());
+    require(std::string_view(error.what()).starts_with("experiment.toml:"), "a refusal names the file");
+  }
+}
+
 }  // namespace
 }  // namespace reorient
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  reorient::try_experiment({reinterpret_cast<const char*>(data), size});
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  reorient::try_experiment(text);
+  reorient::try_condition(text);
   return 0;
 }
