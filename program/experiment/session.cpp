@@ -13,6 +13,7 @@
 #include "program/run/venue.h"
 #include "program/script_names.h"
 #include "workbench/experiments/condition/experiment_file.h"
+#include "workbench/files/atomic_file.h"
 #include "workbench/files/home.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_host.h"
@@ -97,6 +98,22 @@ std::uint64_t hash_of(const ScriptTexts& texts) {
   return content_hash(all);
 }
 
+/// Of files, each of which is read once.
+class FileHashes {
+ public:
+  /// Throws std::runtime_error with one line where it cannot be read.
+  std::uint64_t of(const std::filesystem::path& file) {
+    const auto known = hashes_.find(file);
+    if (known != hashes_.end()) return known->second;
+    const std::optional<std::string> bytes = read_whole_file(file);
+    if (!bytes) throw std::runtime_error(file.string() + ": it cannot be read; check its permissions");
+    return hashes_[file] = content_hash(*bytes);
+  }
+
+ private:
+  std::map<std::filesystem::path, std::uint64_t> hashes_;
+};
+
 }  // namespace
 
 Session::Session(const SessionOptions& options)
@@ -111,8 +128,8 @@ Session::Session(const SessionOptions& options)
     if (options.width) cell.condition.width = *options.width;
     cell.condition.parameters.insert(cell.condition.parameters.end(), overrides.begin(), overrides.end());
   }
-  scripts_hash_ = hash_of(read_scripts(scripts_));
-  check_conditions();
+  check_axis_names(experiment_);
+  prepare_conditions();
 }
 
 std::string Session::name_of(int number) const {
@@ -127,31 +144,48 @@ Condition Session::condition_of(const Task& task) const {
   return reorient::condition_of(experiment_, cells_[task.cell], task);
 }
 
-/// What is wrong with one of them is better told now than hours later.
-void Session::check_conditions() const {
+/// Which of the different conditions of its cell a task is run under: the one of the alternate whose turn it is.
+std::size_t Session::turn_of(const Task& task) const {
+  return static_cast<std::size_t>(task.trial) % std::max<std::size_t>(1, experiment_.alternates.size());
+}
+
+/// What is wrong with one of them is better told now than hours later. What each follows from, but for the seed, is
+/// noted.
+void Session::prepare_conditions() {
   const ScriptTexts texts = read_scripts(scripts_);
-  const int different = std::max(1, static_cast<int>(experiment_.alternates.size()));
+  scripts_hash_ = hash_of(texts);
+  FileHashes files;
+  origins_.resize(cells_.size());
   for (const Task& task : tasks_) {
-    if (task.trial >= different) continue;  // the same as an earlier one, but for the seed
-    const SimulationOptions options = options_of(condition_of(task), task.seed, scripts_);
+    std::vector<std::uint64_t>& origins = origins_[task.cell];
+    if (turn_of(task) < origins.size()) continue;  // the same as an earlier one
+    const Condition condition = condition_of(task);
+    const SimulationOptions options = options_of(condition, task.seed, scripts_);
+    const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
     const RecordedBehaviors nobody;
-    const ScenarioHost scenario(texts, scenario_file(scripts_, texts, options.scenario),
-                                overrides_of(options.parameters), nobody);
-    static_cast<void>(venue_of(options, scenario.setting()));
+    const ScenarioHost scenario(texts, scenario_file(scripts_, texts, options.scenario), overrides, nobody);
+    const Venue venue = venue_of(options, scenario.setting());
+    std::string text = fmt::format("{}\n{:x}\n{}", REORIENT_VERSION, scripts_hash_, as_text(condition));
+    for (const ParameterChange& change : overrides)
+      text.append(change.name).append(" = ").append(change.value).append("\n");
+    text += fmt::format("field {:x}\n", files.of(venue.field));
+    if (!venue.room.empty()) text += fmt::format("room {:x}\n", files.of(venue.room));
+    origins.push_back(content_hash(text));
   }
 }
 
 std::uint64_t Session::origin_of(const Task& task) const {
-  const Condition condition = condition_of(task);
-  std::string text = fmt::format("{}\n{}\n{:x}\n{}", REORIENT_VERSION, task.seed, scripts_hash_, as_text(condition));
-  for (const ParameterChange& change : overrides_of(options_of(condition, task.seed, scripts_).parameters))
-    text.append(change.name).append(" = ").append(change.value).append("\n");
-  return content_hash(text);
+  return content_hash(fmt::format("{:x}\n{}", origins_[task.cell][turn_of(task)], task.seed));
 }
 
 void Session::run(int number) {
+  if (result(number)) return;
   const Task& task = this->task(number);
-  results_.write(number, origin_of(task), run_trial(condition_of(task), task.seed, scripts_, rooms_));
+  const TrialResult result = run_trial(condition_of(task), task.seed, scripts_, rooms_);
+  // Each trial reads the scripts: an edit since the session began would be a result of others.
+  if (hash_of(read_scripts(scripts_)) != scripts_hash_)
+    throw std::runtime_error("the scripts in " + scripts_.string() + " have changed since this run began");
+  results_.write(number, origin_of(task), result);
 }
 
 std::optional<TrialResult> Session::result(int number) const { return results_.read(number, origin_of(task(number))); }
@@ -168,7 +202,12 @@ std::vector<CellResults> Session::cell_results() const {
   std::vector<CellResults> results;
   results.reserve(cells_.size());
   for (const Cell& cell : cells_) results.push_back({cell.choices, {}, {}});
-  for (const Task& task : tasks_) results[task.cell].trials.push_back(result(task.number).value());
+  for (const Task& task : tasks_) {
+    std::optional<TrialResult> found = result(task.number);
+    if (!found)
+      throw std::runtime_error(results_.file_of(task.number).string() + " is gone; --resume runs that trial again");
+    results[task.cell].trials.push_back(*std::move(found));
+  }
   for (CellResults& cell : results) cell.row = row_of(cell.trials);
   return results;
 }

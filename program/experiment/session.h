@@ -49,20 +49,22 @@ class Session {
   /// "room hall, mode paper, trial 3 (seed 3)".
   std::string name_of(int number) const;
 
-  /// Runs a task and writes its result. Throws std::runtime_error with one line.
+  /// Runs a task, unless somebody else has done so meanwhile, and writes its result. Throws std::runtime_error with one
+  /// line.
   void run(int number);
   /// Nothing: it was not run yet. Throws std::runtime_error with one line where what lies there is of another origin.
   std::optional<TrialResult> result(int number) const;
   /// Those without a result. Throws as result().
   std::vector<int> missing(const std::vector<int>& tasks) const;
 
-  /// In the order of the plan, once no result is missing.
+  /// In the order of the plan, once no result is missing. Throws std::runtime_error with one line where one is.
   std::vector<CellResults> cell_results() const;
 
  private:
   const Task& task(int number) const { return tasks_[static_cast<std::size_t>(number) - 1]; }
   Condition condition_of(const Task& task) const;
-  void check_conditions() const;
+  std::size_t turn_of(const Task& task) const;
+  void prepare_conditions();
   std::uint64_t origin_of(const Task& task) const;
 
   std::filesystem::path scripts_;
@@ -72,6 +74,7 @@ class Session {
   std::filesystem::path folder_;
   TaskResults results_;
   std::uint64_t scripts_hash_ = 0;
+  std::vector<std::vector<std::uint64_t>> origins_;  ///< of each cell's conditions, one for each alternate
   RoomCache rooms_;
 };
 

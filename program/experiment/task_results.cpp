@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/script/script_texts.h"
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
@@ -82,7 +83,10 @@ TrialResult result_from(const ordered_json& json) {
   return result;
 }
 
-std::string origin_text(std::uint64_t origin) { return fmt::format("{:016x}", origin); }
+std::string hexadecimal(std::uint64_t number) { return fmt::format("{:016x}", number); }
+
+/// A bit that fell over on a disk leaves a number that looks like any other.
+std::string checksum(const ordered_json& result) { return hexadecimal(content_hash(result.dump())); }
 
 }  // namespace
 
@@ -91,7 +95,9 @@ std::filesystem::path TaskResults::file_of(int task) const { return folder_ / fm
 void TaskResults::write(int task, std::uint64_t origin, const TrialResult& result) const {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);  // where that fails, writing tells
-  const ordered_json json{{"task", task}, {"origin", origin_text(origin)}, {"result", to_json(result)}};
+  const ordered_json content = to_json(result);
+  const ordered_json json{
+      {"task", task}, {"origin", hexadecimal(origin)}, {"checksum", checksum(content)}, {"result", content}};
   write_whole_file(file_of(task), json.dump() + '\n');
 }
 
@@ -103,10 +109,12 @@ std::optional<TrialResult> TaskResults::read(int task, std::uint64_t origin) con
   if (!text) throw std::runtime_error(file.string() + ": it cannot be read; check its permissions");
   try {
     const ordered_json json = ordered_json::parse(*text);
-    if (json.at("task").get<int>() != task || json.at("origin").get<std::string>() != origin_text(origin))
+    if (json.at("checksum").get<std::string>() != checksum(json.at("result")))
+      throw std::out_of_range("the numbers are not those that were written");
+    if (json.at("task").get<int>() != task || json.at("origin").get<std::string>() != hexadecimal(origin))
       throw std::runtime_error(file.string() +
-                               ": the result of another trial (other scripts, parameters or options, or another "
-                               "program); choose another --out, or remove the folder");
+                               ": the result of another trial (other scripts, files, parameters or options, or "
+                               "another program); choose another --out, or remove the folder");
     return result_from(json.at("result"));
   } catch (const nlohmann::json::exception&) {
   } catch (const std::out_of_range&) {

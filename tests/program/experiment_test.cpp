@@ -10,32 +10,10 @@
 
 #include "geometry/random.h"
 #include "tests/program/child_program.h"
-#include "tests/program/program_run.h"
-#include "tests/temporary_folder.h"
+#include "tests/program/short_experiment.h"
 
 namespace reorient {
 namespace {
-
-using Words = std::vector<std::string>;
-
-/// Seconds instead of minutes, in small images.
-constexpr const char* kShort = R"(title = "Who is right?"
-trials = 2
-[condition]
-scenario = "turned_round"
-width = 160
-seconds = 3
-measured_from = "learning"
-limit = 0.5
-hold = 0.5
-[[axis]]
-name = "mode"
-[[axis.choice]]
-name = "default"
-[[axis.choice]]
-name = "none"
-room_awareness = false
-)";
 
 std::string backwards(const std::string& text) {
   std::istringstream in(text);
@@ -44,34 +22,7 @@ std::string backwards(const std::string& text) {
   return all;
 }
 
-class ExperimentTest : public ::testing::Test {
- protected:
-  std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-  Words words(const Words& more) const {
-    Words all{"--log", "off", "experiment", file.string()};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-  ProgramRun run(const Words& more) const { return run_reorient(words(more)); }
-  /// Its table as JSON.
-  std::string table(const std::string& out, Words more = {}) const {
-    const std::string json = path(out + ".json");
-    more.insert(more.end(), {"--out", path(out), "--json", json});
-    const ProgramRun done = run(more);
-    EXPECT_EQ(done.code, kSuccess) << done.err;
-    return read_text(json);
-  }
-  void expect_refused(const Words& more, const std::string& culprit) const {
-    const ProgramRun refused = run(more);
-    EXPECT_EQ(refused.code, kBadInput);
-    EXPECT_EQ(refused.out, "");
-    EXPECT_NE(refused.err.find(culprit), std::string::npos) << refused.err;
-    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-  }
-
-  TemporaryFolder folder;
-  std::filesystem::path file = folder.write("short.toml", kShort);
-};
+using ExperimentTest = ShortExperiment;
 
 TEST_F(ExperimentTest, TellsARowForEachCell) {
   const ProgramRun done = run({"--out", path("out")});

@@ -5,29 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include <grp.h>
 #include <gtest/gtest.h>
-#include <sched.h>
-#include <sys/mount.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "tests/program/less_of_a_user.h"
 #include "tests/program/program_run.h"
 #include "tests/program/run_with_all_outputs.h"
 
 namespace reorient {
 namespace {
-
-constexpr int kCannot = 77;  // what a child ends with where it may not do what the test needs
-
-/// Runs in the child: from there on it is a program of nobody in particular, as long as that is allowed.
-void become_an_ordinary_user() {
-  constexpr uid_t kNobody = 65534;
-  if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(kCannot);
-  prctl(PR_SET_DUMPABLE, 1);  // or its files in /proc stay root's
-  if (access(REORIENT_PROGRAM, X_OK) != 0 || access(REORIENT_SOURCE_DIR "/scripts", R_OK) != 0) _exit(kCannot);
-}
 
 class UnwritableOutput : public RunWithAllOutputs {
  protected:
@@ -153,32 +140,6 @@ TEST_F(UnwritableOutput, TellsEachPictureWhereItsFolderMayNoLongerBeWritten) {
   EXPECT_EQ(left_overs(), 0);
 }
 
-/// Writes into a file of /proc; a child that may not ends.
-void tell_the_kernel(const char* file, const std::string& text) {
-  const int descriptor = open(file, O_WRONLY);
-  if (descriptor < 0 || write(descriptor, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-    _exit(kCannot);
-  close(descriptor);
-}
-
-/// Runs in the child: a disk of its own, that nobody else sees, stands in the place of `folder`. What is left on it
-/// when the program has ended is copied to `kept`.
-void put_a_small_disk(const std::filesystem::path& folder, const std::filesystem::path& kept) {
-  const std::string user = std::to_string(geteuid()), group = std::to_string(getegid());
-  if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) _exit(kCannot);
-  tell_the_kernel("/proc/self/setgroups", "deny");
-  tell_the_kernel("/proc/self/uid_map", "0 " + user + " 1");
-  tell_the_kernel("/proc/self/gid_map", "0 " + group + " 1");
-  if (mount("small", folder.c_str(), "tmpfs", 0, "size=64k") != 0) _exit(kCannot);
-  const pid_t program = fork();
-  if (program == 0) return;
-  int status = 0;
-  waitpid(program, &status, 0);
-  std::error_code failed;
-  std::filesystem::copy(folder, kept, failed);
-  _exit(WIFEXITED(status) && !failed ? WEXITSTATUS(status) : kCannot);
-}
-
 class FullDisk : public UnwritableOutput, public ::testing::WithParamInterface<bool> {};
 
 TEST_P(FullDisk, TakesWhatFitsAndKeepsNoHalfFiles) {
@@ -187,7 +148,7 @@ TEST_P(FullDisk, TakesWhatFitsAndKeepsNoHalfFiles) {
   const std::filesystem::path kept = folder.path() / "kept";
   ChildProgram run(folder.path(), words({"--seconds", "1"}), [&] {
     if (as_ordinary_user) become_an_ordinary_user();
-    put_a_small_disk(folder.path() / "pictures", kept);
+    put_a_small_disk(folder.path() / "pictures", kept, "64k");
   });
   const int code = run.wait();
   if (code == kCannot) GTEST_SKIP() << "this user may not have a disk of its own (user namespaces)";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -105,6 +106,15 @@ void print_rows(const Experiment& experiment, const std::vector<CellResults>& ce
   if (references.empty()) return;
   out << '\n';
   print_table(references, 2, out);
+}
+
+void check_axis_names(const Experiment& experiment) {
+  const auto numbers = ordered_json::parse(rows_as_json({}, {CellResults()})).at(0);
+  for (const Axis& axis : experiment.axes) {
+    if (numbers.contains(as_utf8(axis.name)))
+      throw std::runtime_error("the axis '" + as_line(axis.name) +
+                               "' is called as one of the numbers of a row; give it another name");
+  }
 }
 
 std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& rows) {

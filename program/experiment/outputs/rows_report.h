@@ -17,4 +17,8 @@ void print_rows(const Experiment& experiment, const std::vector<CellResults>& ce
 /// break. What is not known is null.
 std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& rows);
 
+/// Throws std::runtime_error with one line where an axis is called as one of a row's numbers, and would be hidden by
+/// it.
+void check_axis_names(const Experiment& experiment);
+
 }  // namespace reorient

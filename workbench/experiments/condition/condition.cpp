@@ -1,6 +1,7 @@
 #include "workbench/experiments/condition/condition.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -20,6 +21,11 @@ void append(std::vector<Value>& all, const std::vector<Value>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
+/// Where an axis has usual choices, the others are for those who ask for them.
+bool is_taken(const Axis& axis, const AxisChoice& choice) {
+  return axis.usual.empty() || std::find(axis.usual.begin(), axis.usual.end(), choice.name) != axis.usual.end();
+}
+
 void add_cells(const Experiment& experiment, const Cell& so_far, std::vector<Cell>& cells) {
   if (so_far.choices.size() == experiment.axes.size()) {
     cells.push_back(so_far);
@@ -27,8 +33,7 @@ void add_cells(const Experiment& experiment, const Cell& so_far, std::vector<Cel
   }
   const Axis& axis = experiment.axes[so_far.choices.size()];
   for (const AxisChoice& choice : axis.choices) {
-    if (!axis.usual.empty() && std::find(axis.usual.begin(), axis.usual.end(), choice.name) == axis.usual.end())
-      continue;
+    if (!is_taken(axis, choice)) continue;
     Cell cell = so_far;
     cell.choices.push_back(choice.name);
     apply(choice.patch, cell.condition);
@@ -107,6 +112,16 @@ void choose(Experiment& experiment, const std::string& axis, const std::vector<s
 }
 
 std::vector<Cell> cells_of(const Experiment& experiment) {
+  constexpr std::size_t kMostCells = 10'000;
+  std::size_t count = 1;
+  for (const Axis& axis : experiment.axes) {
+    count *= static_cast<std::size_t>(std::count_if(axis.choices.begin(), axis.choices.end(),
+                                                    [&](const auto& choice) { return is_taken(axis, choice); }));
+    if (count > kMostCells)
+      throw std::runtime_error(as_line(experiment.name) + " varies so much that it has more than " +
+                               std::to_string(kMostCells) +
+                               " cells; take choices away, or make several experiments of it");
+  }
   Cell first;
   apply(experiment.base, first.condition);
   std::vector<Cell> cells;

@@ -98,7 +98,7 @@ struct Cell {
   std::vector<std::string> choices;  ///< one for each axis, in their order
   Condition condition;
 };
-/// All of them, the last axis varying fastest.
+/// All of them, the last axis varying fastest. Throws std::runtime_error with one line where they are too many.
 std::vector<Cell> cells_of(const Experiment& experiment);
 
 }  // namespace reorient

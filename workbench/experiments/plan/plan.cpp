@@ -29,8 +29,8 @@ std::vector<Task> tasks_of(const Experiment& experiment, std::uint64_t first_see
   const std::size_t cells = cells_of(experiment).size();
   const auto trials = static_cast<std::size_t>(experiment.trials);
   if (cells * trials > kMostTasks)
-    throw std::runtime_error(experiment.name + " would be " + std::to_string(cells * trials) + " trials; at most " +
-                             std::to_string(kMostTasks) + " make one experiment");
+    throw std::runtime_error(as_line(experiment.name) + " would be " + std::to_string(cells * trials) +
+                             " trials; at most " + std::to_string(kMostTasks) + " make one experiment");
   std::vector<Task> tasks;
   tasks.reserve(cells * trials);
   for (std::size_t cell = 0; cell < cells; ++cell) {

@@ -1,0 +1,97 @@
+// Experiments that cannot be meant: refused in one line before anything is run or written.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/short_experiment.h"
+
+namespace reorient {
+namespace {
+
+struct UnmeantExperiment {
+  const char* name;
+  std::string text;
+  std::vector<std::string> words;
+  const char* told;
+};
+
+std::string with_line(const std::string& line) { return std::string(kShort) + line + "\n"; }
+
+/// `axes` axes of ten choices each.
+std::string many_cells(int axes) {
+  std::string text = "title = \"x\"\n[condition]\nscenario = \"turned_round\"\n";
+  for (int axis = 0; axis < axes; ++axis) {
+    text += "[[axis]]\nname = \"" + std::to_string(axis) + "\"\n";
+    for (int choice = 0; choice < 10; ++choice) text += "[[axis.choice]]\nname = \"" + std::to_string(choice) + "\"\n";
+  }
+  return text;
+}
+
+std::string axis_called(const std::string& name) {
+  return with_line("[[axis]]\nname = \"" + name + "\"\n[[axis.choice]]\nname = \"a\"");
+}
+
+class UnmeantExperimentTest : public ShortExperiment, public ::testing::WithParamInterface<UnmeantExperiment> {};
+
+TEST_P(UnmeantExperimentTest, IsRefusedInOneLineAndLeavesNothing) {
+  folder.write("short.toml", GetParam().text);
+  std::vector<std::string> all = GetParam().words;
+  all.insert(all.end(), {"--out", path("out")});
+  expect_refused(all, GetParam().told);
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, UnmeantExperimentTest,
+    ::testing::Values(
+        UnmeantExperiment{"MisspeltKey", with_line("scenari = \"fallen\""), {}, "did you mean 'scenario'?"},
+        UnmeantExperiment{"ImpossibleValue", with_line("limit = -1"), {}, ":17: limit is a number from 0 to 86400"},
+        UnmeantExperiment{"WrongType", with_line("seconds = \"long\""), {}, ":17: seconds is a number"},
+        UnmeantExperiment{"TrialsBeyondAllMeasure", "trials = 99999999999999999999\n", {}, "short.toml:1: "},
+        UnmeantExperiment{"Letters", "\xFF\xFE\x01 = 3", {}, "short.toml:1: "},
+        UnmeantExperiment{"Nothing", "", {}, "title is missing"},
+        UnmeantExperiment{"AxisTwice", axis_called("mode"), {}, "there are two axes 'mode'"},
+        UnmeantExperiment{
+            "ChoiceTwice", with_line("[[axis.choice]]\nname = \"none\""), {}, "there are two choices 'none'"},
+        UnmeantExperiment{"AxisCalledAsANumberOfTheRow",
+                          axis_called("false_flips"),
+                          {},
+                          "the axis 'false_flips' is called as one of the numbers of a row"},
+        UnmeantExperiment{"MoreCellsThanAnybodyCanRead", many_cells(5), {}, "short varies so much that it has more"},
+        UnmeantExperiment{"MoreTrialsThanAnybodyCanWaitFor",
+                          many_cells(3),
+                          {"--trials", "100000"},
+                          "short would be 100000000 trials; at most 1000000"},
+        UnmeantExperiment{"NoSuchRoom", with_line("room = \"gone.hdr\""), {}, "room 'gone.hdr' does not exist"},
+        UnmeantExperiment{"NoSuchField", with_line("field = \"spll\""), {}, "did you mean 'spl"},
+        UnmeantExperiment{"NoSuchParameters", with_line("params = [\"papre\"]"), {}, "did you mean 'paper'?"},
+        UnmeantExperiment{"NoSuchScenario", with_line("scenario = \"../x\""), {}, "../x"}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Options, UnmeantExperimentTest,
+    ::testing::Values(
+        UnmeantExperiment{"NoTrials", kShort, {"--trials", "0"}, "--trials"},
+        UnmeantExperiment{"NegativeTrials", kShort, {"--trials", "-1"}, "--trials"},
+        UnmeantExperiment{"HugeTrials", kShort, {"--trials", "99999999999999999999"}, "--trials"},
+        UnmeantExperiment{"ManyJobs", kShort, {"--jobs", "1001"}, "--jobs"},
+        UnmeantExperiment{"Width", kShort, {"--width", "200"}, "--width"},
+        UnmeantExperiment{"Seed", kShort, {"--seed", "-1"}, "--seed"},
+        UnmeantExperiment{"Task", kShort, {"--task", "0"}, "there is no task 0; there are 1 to 4"},
+        UnmeantExperiment{"TaskBeyondAll", kShort, {"--task", "5"}, "there is no task 5; there are 1 to 4"},
+        UnmeantExperiment{"TaskWithoutEnd", kShort, {"--tasks", "1-"}, "'1-' is no list of tasks; write 17"},
+        UnmeantExperiment{"TasksBackwards", kShort, {"--tasks", "3-1"}, "'3-1' counts backwards; write 1-3"},
+        UnmeantExperiment{"TasksWithAGap", kShort, {"--tasks", "1,,2"}, "'1,,2' is no list of tasks"},
+        UnmeantExperiment{"TasksInWords", kShort, {"--tasks", "all"}, "'all' is no list of tasks"},
+        UnmeantExperiment{"PlanGoesOnNowhere", kShort, {"--plan", "--resume"}, "--plan"}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+TEST_F(ShortExperiment, ThatIsAFolderIsRefused) {
+  const ProgramRun refused = run_reorient({"experiment", folder.path().string()});
+  EXPECT_EQ(refused.code, kBadInput);
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+}
+
+}  // namespace
+}  // namespace reorient

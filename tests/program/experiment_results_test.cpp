@@ -1,0 +1,212 @@
+// Results that lie on a disk: spoiled ones, those of something else, and what happens to them while others run.
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "program/experiment/session.h"
+#include "program/experiment/task_results.h"
+#include "tests/program/less_of_a_user.h"
+#include "tests/program/short_experiment.h"
+
+namespace reorient {
+namespace {
+
+using ResultsTest = ShortExperiment;
+
+/// A flat panorama of one grey.
+std::string grey_room(char grey) {
+  std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+  for (int i = 0; i < 32 * 64; ++i) bytes += std::string(3, grey) + "\x80";
+  return bytes;
+}
+
+TrialResult some_result() {
+  TrialResult result;
+  result.seed = 3;
+  result.started = true;
+  result.seconds = 61.25;
+  result.right_after = 8.5;
+  result.mended_by = Reorientation::flip_pose;
+  result.flips = 1;
+  result.confidences.push_back({0.5, 0.25, 0.75, RoomStatus::usable, false});
+  return result;
+}
+
+TEST(TaskResultsTest, OfWhichABitIsAnotherOrTheEndIsMissingAreRefused) {
+  constexpr std::uint64_t kOrigin = 0x1234;
+  const TemporaryFolder folder;
+  const TaskResults results(folder.path());
+  results.write(1, kOrigin, some_result());
+  ASSERT_EQ(results.read(1, kOrigin)->seconds, 61.25);
+  const std::string whole = read_text(results.file_of(1));
+  const auto expect_refused = [&](const std::string& spoiled, std::size_t where) {
+    std::ofstream(results.file_of(1), std::ios::binary) << spoiled;
+    try {
+      results.read(1, kOrigin);
+      ADD_FAILURE() << "accepted at byte " << where << ": " << spoiled;
+    } catch (const std::runtime_error& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(results.file_of(1).string() + ": ")) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+  };
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string spoiled = whole;
+    spoiled[i] = static_cast<char>(spoiled[i] ^ (1 << i % 8));
+    expect_refused(spoiled, i);
+    if (i + 1 < whole.size()) expect_refused(whole.substr(0, i), i);
+  }
+}
+
+TEST_F(ResultsTest, OfAnotherTaskAreRefusedAndStay) {
+  ASSERT_EQ(run({"--out", path("out"), "--tasks", "1-2"}).code, kSuccess);
+  std::filesystem::copy_file(result("out", 2), result("out", 3));
+  expect_refused({"--out", path("out"), "--resume"}, "000003.json: the result of another trial");
+  EXPECT_EQ(read_text(result("out", 3)), read_text(result("out", 2)));
+  std::filesystem::remove(result("out", 3));
+  std::filesystem::create_directory(result("out", 3));
+  expect_refused({"--out", path("out"), "--resume"}, "000003.json: it cannot be read");
+}
+
+TEST_F(ResultsTest, OfOtherScriptsAreRefused) {
+  const std::string scripts = copy_scripts(folder.path()).string();
+  const std::vector<std::string> one_task{"--scripts", scripts, "--out", path("out"), "--task", "1"};
+  ASSERT_EQ(run(one_task).code, kSuccess);
+  EXPECT_EQ(run(one_task).code, kSuccess);
+  folder.write("scripts/lib/of_our_own.lua", "return {}");
+  expect_refused(one_task, "000001.json: the result of another trial (other scripts, ");
+}
+
+TEST_F(ResultsTest, OfAnotherRoomOrFieldOfTheSameNameAreRefused) {
+  const std::string field = read_text(kProjectFolder / "assets/fields/spl.toml");
+  folder.write("own.toml", field);
+  folder.write("hall.hdr", grey_room('\x60'));
+  folder.write("short.toml", std::string(kShort) + "field = \"" + path("own.toml") + "\"\n");
+  // The second choice is the one with the field.
+  const auto in_hall = [&](const std::string& task) {
+    return std::vector<std::string>{"--room", path("hall.hdr"), "--out", path("out"), "--task", task};
+  };
+  ASSERT_EQ(run(in_hall("1")).code, kSuccess);
+  ASSERT_EQ(run(in_hall("3")).code, kSuccess);
+  folder.write("own.toml", field + "\n# another one\n");
+  EXPECT_EQ(run(in_hall("1")).code, kSuccess);
+  expect_refused(in_hall("3"), "000003.json: the result of another trial");
+  folder.write("hall.hdr", grey_room('\x61'));
+  expect_refused(in_hall("1"), "000001.json: the result of another trial");
+}
+
+TEST_F(ResultsTest, AreNotMadeWithScriptsThatChangedMeanwhile) {
+  SessionOptions options;
+  options.experiment = file.string();
+  options.scripts = copy_scripts(folder.path());
+  options.out = path("out");
+  Session session(options);
+  session.run(1);
+  folder.write("scripts/lib/of_our_own.lua", "return {}");
+  EXPECT_THROW(session.run(2), std::runtime_error);
+  EXPECT_TRUE(session.result(1));
+  EXPECT_FALSE(session.result(2));
+}
+
+TEST_F(ResultsTest, ThatVanishAreMissed) {
+  SessionOptions options;
+  options.experiment = file.string();
+  options.out = path("out");
+  Session session(options);
+  for (const int task : {1, 2, 3, 4}) session.run(task);
+  EXPECT_EQ(session.cell_results().size(), 2U);
+  std::filesystem::remove(result("out", 2));
+  try {
+    static_cast<void>(session.cell_results());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), result("out", 2).string() + " is gone; --resume runs that trial again");
+  }
+}
+
+TEST_F(ResultsTest, AreSharedByTwoRunsAtOnce) {
+  const std::string all = table("alone");
+  const TemporaryFolder other;
+  const auto at_once = [&](const std::string& json) {
+    return words({"--resume", "--jobs", "2", "--out", path("out"), "--json", path(json)});
+  };
+  ChildProgram first(folder.path(), at_once("first.json"));
+  ChildProgram second(other.path(), at_once("second.json"));
+  EXPECT_EQ(first.wait(), kSuccess) << first.err();
+  EXPECT_EQ(second.wait(), kSuccess) << second.err();
+  EXPECT_EQ(read_text(path("first.json")), all);
+  EXPECT_EQ(read_text(path("second.json")), all);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path("out")))
+    EXPECT_FALSE(entry.path().string().ends_with(".partial")) << entry.path();
+}
+
+/// A process that another one has started; 0: it has none.
+pid_t child_of(pid_t process) {
+  const std::string id = std::to_string(process);
+  const std::string children = read_text("/proc/" + id + "/task/" + id + "/children");
+  return children.empty() ? 0 : static_cast<pid_t>(std::stol(children));
+}
+
+TEST_F(ResultsTest, OfTheOthersAreThereWhereATrialCrashes) {
+  if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "no /proc here";
+  const std::string all = table("whole");
+  ChildProgram program(folder.path(), words({"--out", path("out")}));
+  pid_t worker = 0;
+  for (int i = 0; i < 10'000 && worker == 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    worker = child_of(program.id());
+  }
+  ASSERT_GT(worker, 0) << program.err();
+  ASSERT_EQ(::kill(worker, SIGSEGV), 0);
+  EXPECT_EQ(program.wait(), kWrong) << program.err();
+  const std::string told = program.err();
+  const std::size_t crashed = told.find(": crashed (Segmentation fault); this runs it again: reorient experiment ");
+  ASSERT_NE(crashed, std::string::npos) << told;
+  EXPECT_TRUE(told.ends_with("1 of 4 trials crashed; the others are in " + path("out") + "\n")) << told;
+  int there = 0;
+  for (const int task : {1, 2, 3, 4}) there += std::filesystem::exists(result("out", task)) ? 1 : 0;
+  EXPECT_EQ(there, 3);
+
+  const std::size_t command = told.find("reorient experiment ");
+  const std::string line = told.substr(command, told.find('\n', command) - command);
+  const std::string shell = "REORIENT_HOME='" REORIENT_SOURCE_DIR "' '" REORIENT_PROGRAM "' --log off ";
+  EXPECT_EQ(std::system((shell + line.substr(std::string("reorient ").size())).c_str()), 0) << line;
+  EXPECT_EQ(table("out", {"--resume"}), all);
+}
+
+TEST_F(ResultsTest, AreKeptWhereTheDiskIsFull) {
+  const std::string all = table("whole");
+  std::filesystem::create_directory(path("out"));
+  const std::string kept = path("kept");
+  // Two pages: a result needs one.
+  ChildProgram program(folder.path(), words({"--out", path("out")}),
+                       [&] { put_a_small_disk(path("out"), kept, "8k"); });
+  const int code = program.wait();
+  if (code == kCannot) GTEST_SKIP() << "this user may not have a disk of its own (user namespaces)";
+  EXPECT_EQ(code, kBadInput);
+  EXPECT_NE(program.err().find("cannot write '" + result("out", 3).string() +
+                               "': No space left on device; once it is mended, --resume goes on\n"),
+            std::string::npos)
+      << program.err();
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(result("kept", 1).parent_path()), {}), 2);
+  EXPECT_EQ(table("kept", {"--resume"}), all);
+}
+
+TEST_F(ResultsTest, ThatMayNotBeWrittenAreToldBeforeAnythingRuns) {
+  using std::filesystem::perms;
+  std::filesystem::permissions(folder.path(), perms::all);
+  std::filesystem::create_directory(path("out"));
+  std::filesystem::permissions(path("out"), perms::owner_read | perms::owner_exec | perms::others_read |
+                                                perms::others_exec | perms::group_read | perms::group_exec);
+  ChildProgram program(folder.path(), words({"--out", path("out")}), become_an_ordinary_user);
+  const int code = program.wait();
+  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not write everywhere";
+  EXPECT_EQ(code, kBadInput);
+  EXPECT_EQ(program.err(),
+            "reorient: cannot write into '" + path("out") + "': Permission denied; name another folder with --out\n");
+}
+
+}  // namespace
+}  // namespace reorient

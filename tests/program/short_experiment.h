@@ -1,0 +1,70 @@
+// An experiment of seconds, for the command's tests.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/child_program.h"
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+
+/// Seconds instead of minutes, in small images.
+inline constexpr const char* kShort = R"(title = "Who is right?"
+trials = 2
+[condition]
+scenario = "turned_round"
+width = 160
+seconds = 3
+measured_from = "learning"
+limit = 0.5
+hold = 0.5
+[[axis]]
+name = "mode"
+[[axis.choice]]
+name = "default"
+[[axis.choice]]
+name = "none"
+room_awareness = false
+)";
+
+class ShortExperiment : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+  std::vector<std::string> words(const std::vector<std::string>& more) const {
+    std::vector<std::string> all{"--log", "off", "experiment", file.string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  ProgramRun run(const std::vector<std::string>& more) const { return run_reorient(words(more)); }
+  /// Its table as JSON.
+  std::string table(const std::string& out, std::vector<std::string> more = {}) const {
+    const std::string json = path(out + ".json");
+    more.insert(more.end(), {"--out", path(out), "--json", json});
+    const ProgramRun done = run(more);
+    EXPECT_EQ(done.code, kSuccess) << done.err;
+    return read_text(json);
+  }
+  void expect_refused(const std::vector<std::string>& more, const std::string& culprit) const {
+    const ProgramRun refused = run(more);
+    EXPECT_EQ(refused.code, kBadInput);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_NE(refused.err.find(culprit), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+
+  /// Of a task that was run.
+  std::filesystem::path result(const std::string& out, int task) const {
+    return folder.path() / out / "tasks" / ("00000" + std::to_string(task) + ".json");
+  }
+
+  TemporaryFolder folder;
+  std::filesystem::path file = folder.write("short.toml", kShort);
+};
+
+}  // namespace reorient
