@@ -149,6 +149,15 @@ RunOutcome run_tasks(const ExperimentOptions& options, Session& session, const s
 
 std::string seconds_text(const std::optional<double>& time) { return time ? fmt::format("{:.1f} s", *time) : "never"; }
 
+std::string verdict_of(const TrialResult& result, const Measurement& measurement) {
+  if (!result.started) return "the trial never came to the state '" + as_line(measurement.from) + "'";
+  if (result.correct_at_start)
+    return result.right_after ? "the belief was right at first, and stayed so"
+                              : "the belief was right at first, and was lost";
+  return fmt::format("the belief was wrong at first; right, and staying so, after: {}; mended by a command after: {}",
+                     seconds_text(result.right_after), seconds_text(result.mended_after));
+}
+
 /// One trial alone, as `reorient run` shows a run; its result is not kept.
 int show_trial(const ExperimentOptions& options, const Session& session, std::ostream& out, std::ostream& err) {
   const int count = static_cast<int>(session.tasks().size());
@@ -161,17 +170,14 @@ int show_trial(const ExperimentOptions& options, const Session& session, std::os
   run.out = options.pictures;
   out << as_line(session.name_of(options.trial)) << "\n";
   TrialObserver observer(condition.measurement);
-  const int code = run_scenario(run, {{&observer}, [&observer] { return observer.is_over(); }}, out, err);
-  const TrialResult& result = observer.result();
-  if (!result.started) {
-    out << "trial: it never came to the state '" << as_line(condition.measurement.from) << "'\n";
-  } else {
-    out << fmt::format("trial: belief {} at first; right and staying so after: {}; mended by a command after: {}\n",
-                       result.correct_at_start ? "right" : "wrong", seconds_text(result.right_after),
-                       seconds_text(result.mended_after));
-  }
-  if (code == kBadInput || Interruption::signal() != 0) return code;
-  return result.failed() ? kWrong : kSuccess;
+  return run_scenario(run,
+                      {{&observer},
+                       [&observer] { return observer.is_over(); },
+                       [&](RunSummary& summary) {
+                         summary.succeeded = observer.result().started && !observer.result().failed();
+                         summary.verdict = verdict_of(observer.result(), condition.measurement);
+                       }},
+                      out, err);
 }
 
 int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ostream& err) {

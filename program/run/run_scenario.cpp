@@ -110,7 +110,8 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                                        .frame_time_without_rendering = frame_times.without_observing(),
                                        .reloads_accepted = log.reloads_accepted(),
                                        .reloads_rejected = log.reloads_rejected()};
-  const RunSummary result = summary.summary(end);
+  RunSummary result = summary.summary(end);
+  if (guests.verdict && Interruption::signal() == 0) guests.verdict(result);
   std::vector<std::string> failures;
   if (!options.json.empty())
     try_to_write(failures, [&] { write_summary(result, commands, circumstances, options.json); });

@@ -118,7 +118,7 @@ TEST_F(ExperimentTest, TakesRoomsInsteadOfTheFilesOwn) {
 TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
   const ProgramRun shown = run({"--trial", "3", "--pictures", path("pictures")});
   EXPECT_EQ(shown.code, kSuccess) << shown.err;
-  for (const char* text : {"mode none, trial 1 (seed 1)\n", "trial: belief right at first", "turned_round"})
+  for (const char* text : {"mode none, trial 1 (seed 1)\n", "right: the belief was right at first", "turned_round"})
     EXPECT_NE(shown.out.find(text), std::string::npos) << shown.out;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures/confidences.png"));
   expect_refused({"--trial", "5"}, "there is no trial 5; there are 1 to 4");
