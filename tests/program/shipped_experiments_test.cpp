@@ -1,0 +1,86 @@
+// The shipped experiments in a few seconds each: every cell is what a scenario, its behaviours and the robot can carry
+// out, and comes to the moment from which it is measured.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "program/experiment/trial_runner.h"
+#include "workbench/experiments/condition/experiment_file.h"
+#include "workbench/experiments/plan/plan.h"
+
+namespace reorient {
+namespace {
+
+const std::filesystem::path kSource = REORIENT_SOURCE_DIR;
+
+Experiment shipped(const std::string& name) {
+  return read_experiment(kSource / "assets/experiments" / (name + ".toml"), [](const std::string& condition) {
+    return read_condition(kSource / "assets/conditions" / (condition + ".toml"));
+  });
+}
+
+/// All that takes long is over soon.
+Condition shortened(Condition condition) {
+  condition.width = 160;
+  condition.seconds = 20.0;
+  condition.measurement.limit = 1.0;
+  condition.measurement.hold = 0.5;
+  for (const char* name : {"trial.learn", "turned_round.learn"})
+    condition.parameters.push_back({name, "2", ParameterOrigin::file, "this test"});
+  for (const char* name : {"trial.wait_least", "trial.wait_most"})
+    condition.parameters.push_back({name, "0", ParameterOrigin::file, "this test"});
+  condition.parameters.push_back({"trial.penalty", "1", ParameterOrigin::file, "this test"});
+  for (std::string& file : condition.parameter_files)
+    file = (kSource / "assets/parameters" / (file + ".toml")).string();
+  return condition;
+}
+
+std::string event_of(const Condition& condition) {
+  std::string event;
+  for (const ParameterChange& change : condition.parameters) {
+    if (change.name == "trial.event") event = change.value;
+  }
+  return event;
+}
+
+class ShippedExperiment : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
+  Experiment experiment = shipped(GetParam());
+  experiment.trials = 2;
+  RoomCache rooms;
+  const std::vector<Cell> cells = cells_of(experiment);
+  for (const Task& task : tasks_of(experiment, 1)) {
+    const Cell& cell = cells[task.cell];
+    std::string name = GetParam();
+    for (const std::string& choice : cell.choices) name += ", " + choice;
+    SCOPED_TRACE(name + ", seed " + std::to_string(task.seed));
+    const Condition condition = shortened(condition_of(experiment, cell, task));
+    const TrialResult result = run_trial(condition, task.seed, kSource / "scripts", rooms);
+    EXPECT_TRUE(result.started);
+    EXPECT_GT(result.seconds, 0.5);
+    const std::string event = event_of(condition);
+    EXPECT_EQ(result.kidnapped, event == "turned_round" || event == "kidnapped" || event.empty()) << event;
+    if (event == "none" || event == "turned_round" || event == "misled") {
+      EXPECT_EQ(result.correct_at_start, event == "none");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
+                         ::testing::Values("table1", "orientation", "companions", "stress", "ablation", "turned_round"),
+                         [](const auto& one) { return std::string(one.param); });
+
+TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
+    names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"ablation", "companions", "orientation", "stress", "table1", "turned_round"}));
+}
+
+}  // namespace
+}  // namespace reorient
