@@ -70,7 +70,8 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
-                         ::testing::Values("table1", "orientation", "companions", "stress", "ablation", "turned_round"),
+                         ::testing::Values("table1", "orientation", "companions", "stress", "ablation",
+                                           "paper_thresholds", "turned_round"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
@@ -78,8 +79,8 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"ablation", "companions", "orientation", "stress", "table1", "turned_round"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"ablation", "companions", "orientation", "paper_thresholds", "stress",
+                                             "table1", "turned_round"}));
 }
 
 }  // namespace
