@@ -1,0 +1,126 @@
+// What capsules, nets and shadows are drawn with: the box of pixels that they can touch, and the pixels in it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "robots/simulator/render/framebuffer.h"
+#include "robots/simulator/room/texture.h"
+
+namespace reorient {
+
+inline constexpr float kNearest = 0.02f;  // m in front of the camera
+
+/// Pixels, all four sides included.
+struct Box {
+  int left, top, right, bottom;
+};
+
+/// The pixels that the convex hull of balls (camera frame) can touch.
+class Bounds {
+ public:
+  explicit Bounds(const RayTable& rays) : rays_(rays), camera_(rays.camera) {}
+
+  void add(const Eigen::Vector3f& center, float radius) {
+    // Beyond one side of the pyramid that the camera sees? A ball reaches over a side by more than its radius.
+    const auto beyond = [&](float off_axis, float steepest) {
+      return off_axis - steepest * center.x() > radius * std::sqrt(1.0f + steepest * steepest);
+    };
+    beyond_left_ = beyond_left_ && beyond(center.y(), rays_.most_left);
+    beyond_right_ = beyond_right_ && beyond(-center.y(), rays_.most_right);
+    beyond_top_ = beyond_top_ && beyond(center.z(), rays_.most_up);
+    beyond_bottom_ = beyond_bottom_ && beyond(-center.z(), rays_.most_down);
+    balls_[static_cast<std::size_t>(count_++)] = {center, radius};
+  }
+
+  Box box() {
+    if (beyond_left_ || beyond_right_ || beyond_top_ || beyond_bottom_) return {0, 0, -1, -1};
+    for (int i = 0; i < count_; ++i) {
+      const auto& [center, radius] = balls_[static_cast<std::size_t>(i)];
+      const float nearest = std::max(center.x() - radius, kNearest);
+      for (const float side : {-radius, radius}) {
+        for (const float depth : {nearest, center.x() + radius}) {
+          add_pixel({depth, center.y() + side, center.z() + side});
+        }
+      }
+    }
+    // A distorted straight line bends out of the box of its ends.
+    const double bend = std::min(0.25, 0.5 * std::abs(camera_.k1) + 0.5 * std::abs(camera_.k2));
+    const double margin = 1.0 + bend * (right_ - left_ + bottom_ - top_) + static_cast<double>(rays_.slack);
+    const auto pixel = [](double value, int count) {
+      return static_cast<int>(std::clamp(std::floor(value), -1.0, static_cast<double>(count)));
+    };
+    return {std::max(0, pixel(left_ - margin, camera_.width)), std::max(0, pixel(top_ - margin, camera_.height)),
+            std::min(camera_.width - 1, pixel(right_ + margin + 1.0, camera_.width)),
+            std::min(camera_.height - 1, pixel(bottom_ + margin + 1.0, camera_.height))};
+  }
+
+ private:
+  void add_pixel(const Eigen::Vector3f& point) {
+    const Eigen::Vector3d exact = point.cast<double>();
+    const auto projected = camera_.project(exact);
+    // Where the distortion folds back the point is far outside of the image; so is its undistorted pixel.
+    const Eigen::Vector2d pixel = projected
+                                      ? *projected
+                                      : Eigen::Vector2d(camera_.center.x() - camera_.focal.x() * exact.y() / exact.x(),
+                                                        camera_.center.y() - camera_.focal.y() * exact.z() / exact.x());
+    left_ = std::min(left_, pixel.x());
+    right_ = std::max(right_, pixel.x());
+    top_ = std::min(top_, pixel.y());
+    bottom_ = std::max(bottom_, pixel.y());
+  }
+
+  struct Ball {
+    Eigen::Vector3f center;
+    float radius;
+  };
+  static constexpr std::size_t kMost = 8;  // of a net: both ends of each side
+
+  const RayTable& rays_;
+  const CameraModel& camera_;
+  std::array<Ball, kMost> balls_;
+  int count_ = 0;
+  bool beyond_left_ = true;
+  bool beyond_right_ = true;
+  bool beyond_top_ = true;
+  bool beyond_bottom_ = true;
+  double left_ = 1e9;
+  double right_ = -1e9;
+  double top_ = 1e9;
+  double bottom_ = -1e9;
+};
+
+inline void blend(Frame& frame, std::size_t pixel, float coverage, const LinearColor& color) {
+  frame.red[pixel] += coverage * (color.x() - frame.red[pixel]);
+  frame.green[pixel] += coverage * (color.y() - frame.green[pixel]);
+  frame.blue[pixel] += coverage * (color.z() - frame.blue[pixel]);
+}
+
+inline void cover(Frame& frame, std::size_t pixel, float coverage, const LinearColor& color, float depth, Label label) {
+  blend(frame, pixel, coverage, color);
+  if (coverage <= 0.5f) return;
+  frame.depth[pixel] = depth;
+  if (!frame.labels.empty()) frame.labels[pixel] = label;
+}
+
+/// The part of a line in front of the camera. False: there is none.
+inline bool clip(Eigen::Vector3f& from, Eigen::Vector3f& to, float nearest) {
+  if (from.x() < nearest && to.x() < nearest) return false;
+  if (from.x() < nearest) from += (nearest - from.x()) / (to.x() - from.x()) * (to - from);
+  if (to.x() < nearest) to += (nearest - to.x()) / (from.x() - to.x()) * (from - to);
+  return true;
+}
+
+/// Calls touch(pixel, ray, length of ray) for every pixel in the box.
+template <typename Touch>
+void for_each(const Box& box, const RayTable& rays, const Frame& frame, Touch&& touch) {
+  for (int y = box.top; y <= box.bottom; ++y) {
+    for (int x = box.left; x <= box.right; ++x) {
+      const std::size_t pixel = frame.row(y) + static_cast<std::size_t>(x);
+      touch(pixel, Eigen::Vector3f(1.0f, rays.left[pixel], rays.up[pixel]), rays.length[pixel]);
+    }
+  }
+}
+
+}  // namespace reorient
