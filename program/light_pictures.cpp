@@ -1,8 +1,9 @@
-// light_pictures OUT.png [ROOM]: what the upper camera sees of a room (a panorama; else the hall) under each of the
+// light_pictures OUT.png [ROOM...]: what the upper camera sees of a room (a panorama; else the hall) under each of the
 // lights that assets/parameters/light has, and as ever. A row for each light; four ways to look, and one while the head
-// turns.
+// turns. Of several rooms a row for each: two ways to look, as ever and under both lights.
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -35,22 +36,56 @@ RobotInstance robot_in(const std::string& room, const std::string& light, std::u
   return make_robot("simulator", options);
 }
 
-/// The robot turns to each side in turn, and turns its head in the end.
-void draw_row(RobotInstance& robot, double top, pictures::Canvas& canvas) {
+/// The robot stands with its front to one of four sides, the last time with its head on the move.
+Observation look_at_side(RobotInstance& robot, int look) {
   constexpr int kSettle = 75;  // frames, until the exposure has adapted
   Observation observation;
+  robot.experimenter->put_down(Pose2(-0.5, 0.3, 0.5 * kPi * look));
+  for (int frame = 0; frame < kSettle; ++frame) {
+    Answer answer;
+    const bool turns = look == kLooks - 1 && frame > kSettle - 10;
+    answer.request.head = HeadRequest{{turns ? 1.5 : 0.0, -0.05}, 2.5};
+    robot.robot->answer(answer);
+    robot.robot->observe(observation);
+  }
+  return observation;
+}
+
+void draw_row(RobotInstance& robot, double top, pictures::Canvas& canvas) {
   for (int look = 0; look < kLooks; ++look) {
-    robot.experimenter->put_down(Pose2(-0.5, 0.3, 0.5 * kPi * look));
-    for (int frame = 0; frame < kSettle; ++frame) {
-      Answer answer;
-      const bool turns = look == kLooks - 1 && frame > kSettle - 10;
-      answer.request.head = HeadRequest{{turns ? 1.5 : 0.0, -0.05}, 2.5};
-      robot.robot->answer(answer);
-      robot.robot->observe(observation);
-    }
+    const Observation observation = look_at_side(robot, look);
     canvas.image(pictures::to_picture(observation.upper->image),
                  {static_cast<double>(look * kWidth), top, kWidth, kHeight});
   }
+}
+
+void draw_overview(const std::string& file, const std::vector<std::string>& rooms) {
+  constexpr const char* kLights[] = {"same", "mild", "hard"};
+  constexpr int kSides[] = {0, 1};
+  constexpr double kSmall = 0.5;  // of the image
+  constexpr double kStep = kSmall * kWidth;
+  pictures::Canvas canvas(static_cast<int>(kStep * std::size(kLights) * std::size(kSides)),
+                          static_cast<int>(static_cast<double>(rooms.size()) * (kSmall * kHeight + kLabel)));
+  RoomCache cache;
+  double top = 0.0;
+  for (const std::string& room : rooms) {
+    pictures::TextStyle style;
+    style.size = 16.0;
+    canvas.text({6.0, top + 0.7 * kLabel}, std::filesystem::path(room).stem().string() + ": as ever, mild, hard",
+                style);
+    double left = 0.0;
+    for (const char* light : kLights) {
+      RobotInstance robot = robot_in(room, light, 1, cache);
+      robot.experimenter->change_light();
+      for (const int side : kSides) {
+        const Observation observation = look_at_side(robot, side);
+        canvas.image(pictures::to_picture(observation.upper->image), {left, top + kLabel, kStep, kSmall * kHeight});
+        left += kStep;
+      }
+    }
+    top += kSmall * kHeight + kLabel;
+  }
+  pictures::write_png(file, canvas.finish());
 }
 
 void draw_sheet(const std::string& file, const std::string& room) {
@@ -80,12 +115,16 @@ void draw_sheet(const std::string& file, const std::string& room) {
 }  // namespace reorient
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 3) {
-    std::cerr << "light_pictures OUT.png [ROOM]: name a file to write, and perhaps a panorama\n";
+  if (argc < 2) {
+    std::cerr << "light_pictures OUT.png [ROOM...]: name a file to write, and perhaps panoramas\n";
     return 2;
   }
   try {
-    reorient::draw_sheet(argv[1], argc > 2 ? argv[2] : "");
+    if (argc > 3) {
+      reorient::draw_overview(argv[1], {argv + 2, argv + argc});
+    } else {
+      reorient::draw_sheet(argv[1], argc > 2 ? argv[2] : "");
+    }
   } catch (const std::exception& error) {
     std::cerr << "light_pictures: " << error.what() << "\n";
     return 2;
