@@ -155,7 +155,7 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
 TEST_F(HalfTimeOnTheSimulator, OfAnotherLocalizationTurnsTheModelAlone) {
   learn(14.0);
   FrameInputs inputs;
-  const auto step = [&](bool half_time) -> const FrameRecord& {
+  const auto step = [&](bool half_time) -> FrameRecord {
     simulator_.observe(inputs.observation);
     inputs.observation.told.half_time = half_time;
     const Pose2 truth = simulator_.ground_truth().pose;
@@ -163,7 +163,7 @@ TEST_F(HalfTimeOnTheSimulator, OfAnotherLocalizationTurnsTheModelAlone) {
     return engine_->step(inputs, Topics::all());
   };
   const FrameRecord before = step(false);
-  const FrameRecord& after = step(true);
+  const FrameRecord after = step(true);
   expect_near(after.world.pose.pose, reflect(simulator_.ground_truth().pose), 1e-9);
   EXPECT_NEAR(after.world.confidence.current, before.world.confidence.current, 0.1) << "nothing was exchanged";
   EXPECT_GT(after.world.confidence.age, before.world.confidence.age);
