@@ -55,9 +55,8 @@ struct InputRecord {
 };
 template <typename Visit>
 void fields(Visit&& visit, InputRecord& in) {
-  SharedByte flags{in.external_belief, in.half_time};
-  visit(in.upper, in.lower, in.body, in.odometry, in.body_samples, in.reported_posture, flags, in.room_camera,
-        in.initial_pose, in.messages);
+  visit(in.upper, in.lower, in.body, in.odometry, in.body_samples, in.reported_posture, in.external_belief,
+        in.half_time, in.room_camera, in.initial_pose, in.messages);
 }
 
 /// A granted reorientation: the paper's Fig. 6.

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "engine/world/posture.h"
-#include "engine/world/shared_byte.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
@@ -63,11 +62,10 @@ struct World {
 };
 template <typename Visit>
 void fields(Visit&& visit, World& world) {
-  SharedByte game{world.penalized, world.sides_changed};
-  visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, game,
-        world.undisturbed_for, world.head, world.pose, world.recovery_probability, world.pose_known,
-        world.room_awareness, world.confidence, world.room_status, world.trained_seconds, world.training,
-        world.evaluating, world.goal_posts, world.line_points, world.field);
+  visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for,
+        world.penalized, world.sides_changed, world.undisturbed_for, world.head, world.pose, world.recovery_probability,
+        world.pose_known, world.room_awareness, world.confidence, world.room_status, world.trained_seconds,
+        world.training, world.evaluating, world.goal_posts, world.line_points, world.field);
 }
 
 }  // namespace reorient

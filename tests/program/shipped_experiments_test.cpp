@@ -55,7 +55,7 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
   for (const Task& task : tasks_of(experiment, 1)) {
     const Cell& cell = cells[task.cell];
     std::string name = GetParam();
-    for (const std::string& choice : cell.choices) name += ", " + choice;
+    for (const std::string& choice : cell.choices) name.append(", ").append(choice);
     SCOPED_TRACE(name + ", seed " + std::to_string(task.seed));
     const Condition condition = shortened(condition_of(experiment, cell, task));
     const TrialResult result = run_trial(condition, task.seed, kSource / "scripts", rooms);
