@@ -118,7 +118,7 @@ class FileHashes {
 
 Session::Session(const SessionOptions& options)
     : scripts_(scripts_root(options.scripts)),
-      experiment_(wanted_experiment(options)),
+      experiment_(with_usual_choices(wanted_experiment(options))),
       cells_(cells_of(experiment_)),
       tasks_(tasks_of(experiment_, options.seed)),
       folder_(options.out.empty() ? std::filesystem::path("out") / "experiments" / experiment_.name : options.out),

@@ -133,6 +133,8 @@ TEST(ExperimentFile, TakesTheUsualChoicesOfAnAxis) {
   const std::vector<Cell> cells = cells_of(parsed(with_usual("\"hard\"")));
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_EQ(cells[0].choices, std::vector<std::string>{"hard"});
+  EXPECT_EQ(with_usual_choices(parsed(with_usual("\"hard\""))).axes.at(0).choices.size(), 1U)
+      << "what is not taken is nothing to compare with";
   EXPECT_NE(refusal(with_usual("\"hrad\"")).find("has no choice 'hrad'"), std::string::npos);
 }
 

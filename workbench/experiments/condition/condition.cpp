@@ -21,19 +21,12 @@ void append(std::vector<Value>& all, const std::vector<Value>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Where an axis has usual choices, the others are for those who ask for them.
-bool is_taken(const Axis& axis, const AxisChoice& choice) {
-  return axis.usual.empty() || std::find(axis.usual.begin(), axis.usual.end(), choice.name) != axis.usual.end();
-}
-
 void add_cells(const Experiment& experiment, const Cell& so_far, std::vector<Cell>& cells) {
   if (so_far.choices.size() == experiment.axes.size()) {
     cells.push_back(so_far);
     return;
   }
-  const Axis& axis = experiment.axes[so_far.choices.size()];
-  for (const AxisChoice& choice : axis.choices) {
-    if (!is_taken(axis, choice)) continue;
+  for (const AxisChoice& choice : experiment.axes[so_far.choices.size()].choices) {
     Cell cell = so_far;
     cell.choices.push_back(choice.name);
     apply(choice.patch, cell.condition);
@@ -111,12 +104,23 @@ void choose(Experiment& experiment, const std::string& axis, const std::vector<s
   throw std::runtime_error(as_line(experiment.name + " has no axis '" + axis + "'" + did_you_mean(axis, axes)));
 }
 
-std::vector<Cell> cells_of(const Experiment& experiment) {
+Experiment with_usual_choices(Experiment experiment) {
+  for (Axis& axis : experiment.axes) {
+    if (axis.usual.empty()) continue;
+    std::erase_if(axis.choices, [&axis](const AxisChoice& choice) {
+      return std::find(axis.usual.begin(), axis.usual.end(), choice.name) == axis.usual.end();
+    });
+    axis.usual.clear();
+  }
+  return experiment;
+}
+
+std::vector<Cell> cells_of(const Experiment& all) {
+  const Experiment experiment = with_usual_choices(all);
   constexpr std::size_t kMostCells = 10'000;
   std::size_t count = 1;
   for (const Axis& axis : experiment.axes) {
-    count *= static_cast<std::size_t>(std::count_if(axis.choices.begin(), axis.choices.end(),
-                                                    [&](const auto& choice) { return is_taken(axis, choice); }));
+    count *= axis.choices.size();
     if (count > kMostCells)
       throw std::runtime_error(as_line(experiment.name) + " varies so much that it has more than " +
                                std::to_string(kMostCells) +

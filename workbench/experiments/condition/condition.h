@@ -93,6 +93,9 @@ bool belongs_to(const Reference& reference, const Experiment& experiment, const 
 void choose(Experiment& experiment, const std::string& axis, const std::vector<std::string>& names,
             const std::function<AxisChoice(const Axis& axis, const std::string& name)>& otherwise);
 
+/// Without the choices that are not usual.
+Experiment with_usual_choices(Experiment experiment);
+
 /// One combination.
 struct Cell {
   std::vector<std::string> choices;  ///< one for each axis, in their order

@@ -67,7 +67,7 @@ std::vector<CellGroup> groups_of(const Report& report) {
   for (std::size_t cell = 0; cell < report.cells.size(); ++cell) {
     std::string name;
     for (std::size_t i = 0; i < report.experiment.axes.size(); ++i) {
-      if (i != axis)
+      if (i != axis && report.experiment.axes[i].choices.size() > 1)
         name += (name.empty() ? "" : ", ") + report.experiment.axes[i].name + " " + report.cells[cell].choices[i];
     }
     auto found = std::find_if(groups.begin(), groups.end(), [&](const CellGroup& one) { return one.name == name; });
