@@ -32,8 +32,10 @@ Condition shortened(Condition condition) {
   for (const char* name : {"trial.wait_least", "trial.wait_most"})
     condition.parameters.push_back({name, "0", ParameterOrigin::file, "this test"});
   condition.parameters.push_back({"trial.penalty", "1", ParameterOrigin::file, "this test"});
-  for (std::string& file : condition.parameter_files)
-    file = (kSource / "assets/parameters" / (file + ".toml")).string();
+  for (std::string& file : condition.parameter_files) {
+    std::filesystem::path named = kSource / "assets/parameters" / file;
+    file = (named += ".toml").string();
+  }
   return condition;
 }
 

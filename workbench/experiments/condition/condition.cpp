@@ -115,11 +115,11 @@ Experiment with_usual_choices(Experiment experiment) {
   return experiment;
 }
 
-std::vector<Cell> cells_of(const Experiment& all) {
-  const Experiment experiment = with_usual_choices(all);
+std::vector<Cell> cells_of(const Experiment& experiment) {
+  const Experiment taken = with_usual_choices(experiment);
   constexpr std::size_t kMostCells = 10'000;
   std::size_t count = 1;
-  for (const Axis& axis : experiment.axes) {
+  for (const Axis& axis : taken.axes) {
     count *= axis.choices.size();
     if (count > kMostCells)
       throw std::runtime_error(as_line(experiment.name) + " varies so much that it has more than " +
@@ -127,9 +127,9 @@ std::vector<Cell> cells_of(const Experiment& all) {
                                " cells; take choices away, or make several experiments of it");
   }
   Cell first;
-  apply(experiment.base, first.condition);
+  apply(taken.base, first.condition);
   std::vector<Cell> cells;
-  add_cells(experiment, first, cells);
+  add_cells(taken, first, cells);
   return cells;
 }
 
