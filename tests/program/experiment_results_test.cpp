@@ -159,10 +159,10 @@ TEST_F(ResultsTest, OfTheOthersAreThereWhereATrialCrashes) {
     worker = child_of(program.id());
   }
   ASSERT_GT(worker, 0) << program.err();
-  ASSERT_EQ(::kill(worker, SIGSEGV), 0);
+  ASSERT_EQ(::kill(worker, SIGABRT), 0);
   EXPECT_EQ(program.wait(), kWrong) << program.err();
   const std::string told = program.err();
-  const std::size_t crashed = told.find(": crashed (Segmentation fault); this runs it again: reorient experiment ");
+  const std::size_t crashed = told.find(": crashed (Aborted); this runs it again: reorient experiment ");
   ASSERT_NE(crashed, std::string::npos) << told;
   EXPECT_TRUE(told.ends_with("1 of 4 trials crashed; the others are in " + path("out") + "\n")) << told;
   int there = 0;
