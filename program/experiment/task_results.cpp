@@ -1,6 +1,9 @@
 #include "program/experiment/task_results.h"
 
+#include <optional>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -14,72 +17,54 @@ namespace {
 using nlohmann::ordered_json;
 
 template <typename Value>
-ordered_json or_null(const std::optional<Value>& value) {
-  return value ? ordered_json(*value) : ordered_json();
+ordered_json as_json(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return static_cast<int>(value);
+  } else {
+    return value;
+  }
 }
-
 template <typename Value>
-std::optional<Value> optional_at(const ordered_json& json, const char* key) {
-  const ordered_json& value = json.at(key);
-  return value.is_null() ? std::nullopt : std::optional(value.get<Value>());
+ordered_json as_json(const std::optional<Value>& value) {
+  return value ? as_json(*value) : ordered_json();
 }
 
-/// An enumeration from its number. Throws std::out_of_range.
-template <typename Enum>
-Enum enum_at(const ordered_json& json) {
-  const int number = json.get<int>();
-  if (number < 0 || number >= enum_count(Enum())) throw std::out_of_range("a number that names nothing");
-  return static_cast<Enum>(number);
+/// Throws nlohmann::json::exception or, where a number is that of no enumerator, std::out_of_range.
+template <typename Value>
+void read_value(const ordered_json& json, Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    const int number = json.get<int>();
+    if (number < 0 || number >= enum_count(Value())) throw std::out_of_range("a number that names nothing");
+    value = static_cast<Value>(number);
+  } else {
+    json.get_to(value);
+  }
+}
+template <typename Value>
+void read_value(const ordered_json& json, std::optional<Value>& value) {
+  value.reset();
+  if (!json.is_null()) read_value(json, value.emplace());
 }
 
 ordered_json to_json(const TrialResult& result) {
-  ordered_json json{
-      {"seed", result.seed},
-      {"started", result.started},
-      {"seconds", result.seconds},
-      {"correct_at_start", result.correct_at_start},
-      {"right_after", or_null(result.right_after)},
-      {"mended_after", or_null(result.mended_after)},
-      {"mended_by", nullptr},
-      {"flips", result.flips},
-      {"purges", result.purges},
-      {"resets", result.resets},
-      {"false_flips", result.false_flips},
-      {"false_purges", result.false_purges},
-      {"right_seconds", result.right_seconds},
-      {"wrong_seconds", result.wrong_seconds},
-      {"uninformative_seconds", result.uninformative_seconds},
-      {"ended_uninformative", result.ended_uninformative},
-      {"confidences", ordered_json::array()},
-  };
-  if (result.mended_by) json["mended_by"] = static_cast<int>(*result.mended_by);
-  for (const ConfidenceSample& sample : result.confidences)
-    json["confidences"].push_back(
-        {sample.time, sample.current, sample.opposite, static_cast<int>(sample.status), sample.correct});
+  ordered_json json;
+  visit_named_values([&json](const char* name, const auto& value) { json[name] = as_json(value); }, result);
+  json["confidences"] = ordered_json::array();
+  for (const ConfidenceSample& sample : result.confidences) {
+    ordered_json values;
+    visit_values([&values](const auto& value) { values.push_back(as_json(value)); }, sample);
+    json["confidences"].push_back(std::move(values));
+  }
   return json;
 }
 
 TrialResult result_from(const ordered_json& json) {
   TrialResult result;
-  json.at("seed").get_to(result.seed);
-  json.at("started").get_to(result.started);
-  json.at("seconds").get_to(result.seconds);
-  json.at("correct_at_start").get_to(result.correct_at_start);
-  result.right_after = optional_at<double>(json, "right_after");
-  result.mended_after = optional_at<double>(json, "mended_after");
-  if (!json.at("mended_by").is_null()) result.mended_by = enum_at<Reorientation>(json.at("mended_by"));
-  json.at("flips").get_to(result.flips);
-  json.at("purges").get_to(result.purges);
-  json.at("resets").get_to(result.resets);
-  json.at("false_flips").get_to(result.false_flips);
-  json.at("false_purges").get_to(result.false_purges);
-  json.at("right_seconds").get_to(result.right_seconds);
-  json.at("wrong_seconds").get_to(result.wrong_seconds);
-  json.at("uninformative_seconds").get_to(result.uninformative_seconds);
-  json.at("ended_uninformative").get_to(result.ended_uninformative);
-  for (const ordered_json& sample : json.at("confidences"))
-    result.confidences.push_back({sample.at(0).get<double>(), sample.at(1).get<double>(), sample.at(2).get<double>(),
-                                  enum_at<RoomStatus>(sample.at(3)), sample.at(4).get<bool>()});
+  visit_named_values([&json](const char* name, auto& value) { read_value(json.at(name), value); }, result);
+  for (const ordered_json& values : json.at("confidences")) {
+    std::size_t i = 0;
+    visit_values([&](auto& value) { read_value(values.at(i++), value); }, result.confidences.emplace_back());
+  }
   return result;
 }
 

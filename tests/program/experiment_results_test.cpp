@@ -1,5 +1,7 @@
 // Results that lie on a disk: spoiled ones, those of something else, and what happens to them while others run.
+#include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -33,6 +35,66 @@ TrialResult some_result() {
   result.flips = 1;
   result.confidences.push_back({0.5, 0.25, 0.75, RoomStatus::usable, false});
   return result;
+}
+
+/// Another value than the one that everything begins with.
+struct Unusual {
+  void operator()(const char*, bool& value) const { value = !value; }
+  void operator()(const char*, int& value) const { value = 7; }
+  void operator()(const char*, double& value) const { value = 0.1; }
+  void operator()(const char*, std::uint64_t& value) const { value = ~std::uint64_t{0}; }
+  void operator()(const char*, std::optional<double>& value) const { value = 1.0 / 3.0; }
+  void operator()(const char*, std::optional<Reorientation>& value) const { value = Reorientation::purge_reflection; }
+};
+
+TEST(TaskResultsTest, AreReadAsTheyWereWrittenEachValueOfThem) {
+  const TemporaryFolder folder;
+  const TaskResults results(folder.path());
+  TrialResult written;
+  visit_named_values(Unusual(), written);
+  written.confidences.push_back({0.5, 0.25, 0.75, RoomStatus::usable, true});
+  results.write(1, 0x1234, written);
+  const TrialResult read = results.read(1, 0x1234).value();
+  EXPECT_EQ(read.seed, written.seed);
+  EXPECT_EQ(read.started, written.started);
+  EXPECT_EQ(read.seconds, written.seconds);
+  EXPECT_EQ(read.correct_at_start, written.correct_at_start);
+  EXPECT_EQ(read.right_after, written.right_after);
+  EXPECT_EQ(read.mended_after, written.mended_after);
+  EXPECT_EQ(read.mended_by, written.mended_by);
+  EXPECT_EQ(read.usable_after, written.usable_after);
+  EXPECT_EQ(read.kidnapped, written.kidnapped);
+  EXPECT_EQ(read.flips, written.flips);
+  EXPECT_EQ(read.purges, written.purges);
+  EXPECT_EQ(read.resets, written.resets);
+  EXPECT_EQ(read.false_flips, written.false_flips);
+  EXPECT_EQ(read.false_purges, written.false_purges);
+  EXPECT_EQ(read.right_seconds, written.right_seconds);
+  EXPECT_EQ(read.wrong_seconds, written.wrong_seconds);
+  EXPECT_EQ(read.uninformative_seconds, written.uninformative_seconds);
+  EXPECT_EQ(read.ended_uninformative, written.ended_uninformative);
+  EXPECT_EQ(read.symmetric_room, written.symmetric_room);
+  ASSERT_EQ(read.confidences.size(), 1U);
+  EXPECT_EQ(read.confidences[0].opposite, 0.75);
+  EXPECT_EQ(read.confidences[0].status, RoomStatus::usable);
+  EXPECT_TRUE(read.confidences[0].correct);
+}
+
+TEST_F(ResultsTest, KeepWhatOnlySomeExperimentsMeasure) {
+  folder.write("short.toml", R"(title = "Carried"
+trials = 1
+[condition]
+scenario = "trial"
+conditions = ["head"]
+width = 160
+seconds = 30
+parameters.trial.learn = 2.0
+measured_from = "measured"
+limit = 1
+hold = 0.5
+)");
+  const std::string rows = table("out");
+  EXPECT_NE(rows.find("\"kidnap_trials\": 1,"), std::string::npos) << rows;
 }
 
 TEST(TaskResultsTest, OfWhichABitIsAnotherOrTheEndIsMissingAreRefused) {

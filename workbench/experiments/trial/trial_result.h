@@ -18,9 +18,14 @@ struct ConfidenceSample {
   RoomStatus status = RoomStatus::resting;
   bool correct = false;  ///< the belief
 };
-template <typename Visit>
-void fields(Visit&& visit, ConfidenceSample& sample) {
-  visit(sample.time, sample.current, sample.opposite, sample.status, sample.correct);
+/// Its values in their order, to be read or written.
+template <typename Visit, typename Sample>
+void visit_values(Visit&& visit, Sample& sample) {
+  visit(sample.time);
+  visit(sample.current);
+  visit(sample.opposite);
+  visit(sample.status);
+  visit(sample.correct);
 }
 
 /// All times are in s since the trial's clock started: its scenario entered the state from which a condition measures.
@@ -52,12 +57,29 @@ struct TrialResult {
   /// Its belief was wrong when the clock started; one whose clock never did counts as such.
   bool disturbed() const { return !started || !correct_at_start; }
 };
-template <typename Visit>
-void fields(Visit&& visit, TrialResult& result) {
-  visit(result.seed, result.started, result.seconds, result.correct_at_start, result.right_after, result.mended_after,
-        result.mended_by, result.usable_after, result.kidnapped, result.flips, result.purges, result.resets,
-        result.false_flips, result.false_purges, result.right_seconds, result.wrong_seconds,
-        result.uninformative_seconds, result.ended_uninformative, result.symmetric_room, result.confidences);
+/// All of it but the confidences, each value with its name, to be read or written: what is missing here is lost between
+/// the process that runs a trial and the one that tells what many showed.
+template <typename Visit, typename Result>
+void visit_named_values(Visit&& visit, Result& result) {
+  visit("seed", result.seed);
+  visit("started", result.started);
+  visit("seconds", result.seconds);
+  visit("correct_at_start", result.correct_at_start);
+  visit("right_after", result.right_after);
+  visit("mended_after", result.mended_after);
+  visit("mended_by", result.mended_by);
+  visit("usable_after", result.usable_after);
+  visit("kidnapped", result.kidnapped);
+  visit("flips", result.flips);
+  visit("purges", result.purges);
+  visit("resets", result.resets);
+  visit("false_flips", result.false_flips);
+  visit("false_purges", result.false_purges);
+  visit("right_seconds", result.right_seconds);
+  visit("wrong_seconds", result.wrong_seconds);
+  visit("uninformative_seconds", result.uninformative_seconds);
+  visit("ended_uninformative", result.ended_uninformative);
+  visit("symmetric_room", result.symmetric_room);
 }
 
 }  // namespace reorient
