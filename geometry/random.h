@@ -10,6 +10,13 @@
 
 namespace reorient {
 
+/// Scatters numbers that lie close together (the finaliser of splitmix64); each has one that is its own.
+constexpr std::uint64_t scatter(std::uint64_t value) {
+  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9ull;
+  value = (value ^ (value >> 27)) * 0x94D049BB133111EBull;
+  return value ^ (value >> 31);
+}
+
 /// xoshiro256++ (Blackman and Vigna, 2019), seeded by splitmix64. A seed and a stream name one sequence.
 class Random {
  public:
@@ -66,10 +73,7 @@ class Random {
   static std::uint64_t rotate(std::uint64_t value, int bits) { return (value << bits) | (value >> (64 - bits)); }
   static std::uint64_t splitmix(std::uint64_t& state) {
     state += 0x9E3779B97F4A7C15ull;
-    std::uint64_t mixed = state;
-    mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9ull;
-    mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EBull;
-    return mixed ^ (mixed >> 31);
+    return scatter(state);
   }
 
   std::array<std::uint64_t, 4> state_{};

@@ -51,6 +51,12 @@ Observation look_at_side(RobotInstance& robot, int look) {
   return observation;
 }
 
+void draw_label(pictures::Canvas& canvas, double top, const std::string& text) {
+  pictures::TextStyle style;
+  style.size = 16.0;
+  canvas.text({6.0, top + 0.7 * kLabel}, text, style);
+}
+
 void draw_row(RobotInstance& robot, double top, pictures::Canvas& canvas) {
   for (int look = 0; look < kLooks; ++look) {
     const Observation observation = look_at_side(robot, look);
@@ -69,10 +75,7 @@ void draw_overview(const std::string& file, const std::vector<std::string>& room
   RoomCache cache;
   double top = 0.0;
   for (const std::string& room : rooms) {
-    pictures::TextStyle style;
-    style.size = 16.0;
-    canvas.text({6.0, top + 0.7 * kLabel}, std::filesystem::path(room).stem().string() + ": as ever, mild, hard",
-                style);
+    draw_label(canvas, top, std::filesystem::path(room).stem().string() + ": as ever, mild, hard");
     double left = 0.0;
     for (const char* light : kLights) {
       RobotInstance robot = robot_in(room, light, 1, cache);
@@ -102,9 +105,7 @@ void draw_sheet(const std::string& file, const std::string& room) {
   for (const Row& row : kRows) {
     RobotInstance robot = robot_in(room, row.light, row.seed, rooms);
     robot.experimenter->change_light();
-    pictures::TextStyle style;
-    style.size = 16.0;
-    canvas.text({6.0, top + 0.7 * kLabel}, std::string(row.light) + ", seed " + std::to_string(row.seed), style);
+    draw_label(canvas, top, std::string(row.light) + ", seed " + std::to_string(row.seed));
     draw_row(robot, top + kLabel, canvas);
     top += kHeight + kLabel;
   }

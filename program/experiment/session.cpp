@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include <spdlog/fmt/fmt.h>
 
@@ -24,29 +27,28 @@ namespace {
 constexpr std::string_view kHall = "hall";  // the built-in one, where rooms are named
 constexpr std::string_view kTomlFiles[] = {".toml"};
 
-ConditionPatch named_condition(const std::string& named) {
-  const std::filesystem::path file = asset_file("conditions", named, kTomlFiles);
+/// A file of one's own, or a shipped one by its name. Nothing: there is none.
+std::optional<std::filesystem::path> found_file(std::string_view folder, const std::string& named) {
+  std::filesystem::path file = asset_file(folder, named, kTomlFiles);
   std::error_code error;
-  if (std::filesystem::exists(file, error)) return read_condition(file);
-  throw std::runtime_error("there is no condition '" + as_line(named) + "'" +
-                           did_you_mean(named, asset_names("conditions", kTomlFiles)) +
-                           "; name a file, or one of assets/conditions");
+  return std::filesystem::exists(file, error) ? std::optional(std::move(file)) : std::nullopt;
 }
 
-Experiment named_experiment(const std::string& named) {
-  const std::filesystem::path file = asset_file("experiments", named, kTomlFiles);
-  std::error_code error;
-  if (std::filesystem::exists(file, error)) return read_experiment(file, named_condition);
-  throw std::runtime_error("there is no experiment '" + named + "'" +
-                           did_you_mean(named, asset_names("experiments", kTomlFiles)) +
-                           "; name a file, or one of assets/experiments");
+/// `kind`: "experiment"; its assets' folder has the name of several.
+std::filesystem::path named_file(const std::string& kind, const std::string& named) {
+  const std::string folder = kind + "s";
+  if (std::optional<std::filesystem::path> file = found_file(folder, named)) return *std::move(file);
+  throw std::runtime_error("there is no " + kind + " '" + as_line(named) + "'" +
+                           did_you_mean(named, asset_names(folder, kTomlFiles)) + "; name a file, or one of assets/" +
+                           folder);
 }
+
+ConditionPatch named_condition(const std::string& named) { return read_condition(named_file("condition", named)); }
 
 /// What an axis does not have may be a condition file, shipped or a person's own.
 AxisChoice choice_from_file(const Axis& axis, const std::string& named) {
-  const std::filesystem::path file = asset_file("conditions", named, kTomlFiles);
-  std::error_code error;
-  if (std::filesystem::exists(file, error)) return {file.stem().string(), read_condition(file)};
+  if (const std::optional<std::filesystem::path> file = found_file("conditions", named))
+    return {file->stem().string(), read_condition(*file)};
   std::vector<std::string> known = asset_names("conditions", kTomlFiles);
   for (const AxisChoice& choice : axis.choices) known.push_back(choice.name);
   throw std::runtime_error("the axis " + as_line(axis.name) + " has no choice '" + as_line(named) + "'" +
@@ -69,7 +71,7 @@ void choose_as_told(const SessionOptions& options, Experiment& experiment) {
 
 /// With what the command line says otherwise.
 Experiment wanted_experiment(const SessionOptions& options) {
-  Experiment experiment = named_experiment(options.experiment);
+  Experiment experiment = read_experiment(named_file("experiment", options.experiment), named_condition);
   if (options.trials) experiment.trials = *options.trials;
   choose_as_told(options, experiment);
   if (options.rooms.empty()) return experiment;

@@ -85,13 +85,10 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
   parts.observers.push_back(&progress);
   parts.in_real_time = options.realtime;
-  parts.stop = [&] { return Interruption::signal() != 0 || (guests.stop && guests.stop()); };
+  parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit() || (guests.stop && guests.stop()); };
   if (options.realtime) {
     parts.sources = {&*edits, &console};
     parts.observers.push_back(&console);
-    parts.stop = [&] {
-      return Interruption::signal() != 0 || console.wants_to_quit() || (guests.stop && guests.stop());
-    };
     if (isatty(STDIN_FILENO) == 1)
       err << "saved scripts are taken over at once; Enter opens a prompt (help lists its commands)\n";
   }

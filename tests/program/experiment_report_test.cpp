@@ -2,46 +2,37 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
-#include "tests/temporary_folder.h"
+#include "tests/program/short_experiment.h"
 #include "tests/well_formed.h"
 
 namespace reorient {
 namespace {
 
-constexpr const char* kHostileExperiment = R"(title = "<script>alert(\"&\")</script>"
-trials = 2
-[condition]
-scenario = "turned_round"
-width = 160
-seconds = 3
-measured_from = "learning"
-limit = 0.5
-hold = 0.5
-[[axis]]
-name = "<i>"
-[[axis.choice]]
-name = "a&b"
-[[axis.choice]]
-name = "\"none\""
-room_awareness = false
-)";
+/// The short experiment with names that mean something to a browser or a shell.
+std::string hostile_experiment() {
+  std::string text = kShort;
+  for (const auto& [plain, hostile] :
+       {std::pair("\"Who is right?\"", R"("<script>alert(\"&\")</script>")"), std::pair("\"mode\"", "\"<i>\""),
+        std::pair("\"default\"", "\"a&b\""), std::pair("\"none\"", R"("\"none\"")")})
+    text.replace(text.find(plain), std::string_view(plain).size(), hostile);
+  return text;
+}
 
-class ExperimentReport : public ::testing::Test {
+class ExperimentReport : public ShortExperiment {
  protected:
-  std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+  ExperimentReport() { folder.write("short.toml", hostile_experiment()); }
   ProgramRun run(std::vector<std::string> more) const {
-    more.insert(more.begin(), {"--log", "off", "experiment", file.string(), "--out", path("out"), "--resume"});
-    return run_reorient(more);
+    more.insert(more.begin(), {"--out", path("out"), "--resume"});
+    return ShortExperiment::run(more);
   }
-
-  TemporaryFolder folder;
-  std::filesystem::path file = folder.write("short.toml", kHostileExperiment);
 };
 
 TEST_F(ExperimentReport, IsAPageWithAllTrialsBesideIt) {

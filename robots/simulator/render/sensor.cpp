@@ -17,13 +17,6 @@ constexpr float kShoulder = 1.6f;      // the tone curve's softness towards whit
 constexpr float kWhite = 255.0f;
 constexpr std::size_t kRing = 3;
 
-/// Scatters frame and row over the noise table (the finaliser of splitmix64).
-std::uint64_t scatter(std::uint64_t value) {
-  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9ull;
-  value = (value ^ (value >> 27)) * 0x94D049BB133111EBull;
-  return value ^ (value >> 31);
-}
-
 std::vector<float> make_vignette(const RayTable& rays, double loss) {
   std::vector<float> vignette(rays.length.size());
   float greatest = 1.0f;

@@ -6,21 +6,17 @@
 #include <gtest/gtest.h>
 
 #include "robots/simulator/simulator.h"
+#include "tests/robots/simulator/shared_hall.h"
 
 namespace reorient {
 namespace {
-
-const Room& any_hall() {
-  static const Room room = procedural_hall(1, RoomShape{});
-  return room;
-}
 
 Simulator simulator_with(void (*fault)(SimulatorParameters&)) {
   SimulatorParameters parameters;
   parameters.image = ImageSize::qqvga_160x120;
   parameters.tilt_error = 0.0;
   fault(parameters);
-  return {parameters, FieldDimensions{}, any_hall(), Pose2(-3.2, -3.5, kPi / 2.0), 1};
+  return {parameters, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, kPi / 2.0), 1};
 }
 
 TEST(DroppedFrames, LeaveGapsInTimeAndNoneInTheBodysSamples) {

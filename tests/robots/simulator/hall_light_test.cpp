@@ -9,14 +9,10 @@
 #include "robots/simulator/render/renderer.h"
 #include "robots/simulator/simulator.h"
 #include "tests/robots/simulator/mean_luma.h"
+#include "tests/robots/simulator/shared_hall.h"
 
 namespace reorient {
 namespace {
-
-const Room& usual_hall() {
-  static const Room room = procedural_hall(1, RoomShape{});
-  return room;
-}
 
 HallLightParameters hard_light() {
   HallLightParameters light;
@@ -58,7 +54,7 @@ TEST(HallLight, StaysAsUsualWhereNothingIsToChange) {
   light.advance(1.0);
   EXPECT_TRUE(light.illumination().as_usual());
   EXPECT_TRUE((light.gains() == 1.0).all());
-  EXPECT_TRUE(light.draw_patches(usual_hall()).empty());
+  EXPECT_TRUE(light.draw_patches(shared_hall()).empty());
 }
 
 TEST(HallLight, DrawsExposureAndWhiteBalanceFromAllOfTheirSpread) {
@@ -202,8 +198,8 @@ TEST(WallPatches, LeaveEverythingButTheWallAlone) {
 TEST(ChangedLight, LeavesThePicturesBeforeTheChangeAsTheyWere) {
   SimulatorParameters usual = hard_simulator();
   usual.light = {};
-  Simulator one(usual, FieldDimensions{}, usual_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
-  Simulator two(hard_simulator(), FieldDimensions{}, usual_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator one(usual, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator two(hard_simulator(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
   Observation a;
   Observation b;
   for (int frame = 0; frame < 20; ++frame) {
@@ -223,8 +219,8 @@ TEST(ChangedLight, LeavesThePicturesBeforeTheChangeAsTheyWere) {
 TEST(ChangedLight, ChangesNothingWhereNothingIsToChange) {
   SimulatorParameters usual = hard_simulator();
   usual.light = {};
-  Simulator one(usual, FieldDimensions{}, usual_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
-  Simulator two(usual, FieldDimensions{}, usual_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator one(usual, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator two(usual, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
   Observation a;
   Observation b;
   one.change_light();
@@ -239,8 +235,8 @@ TEST(ChangedLight, IsTheSameForOneSeedAndAnotherForAnother) {
   Observation a;
   Observation b;
   for (const std::uint64_t other : {5u, 6u}) {
-    Simulator one(hard_simulator(), FieldDimensions{}, usual_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
-    Simulator two(hard_simulator(), FieldDimensions{}, usual_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), other);
+    Simulator one(hard_simulator(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+    Simulator two(hard_simulator(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), other);
     one.change_light();
     two.change_light();
     for (int frame = 0; frame < 20; ++frame) {
@@ -256,7 +252,7 @@ TEST(ChangedLight, SurvivesTheAutomaticExposure) {
   parameters.light = {};
   parameters.light.exposure_spread = 0.5;
   const auto settled = [&](bool change, std::uint64_t seed) {
-    Simulator simulator(parameters, FieldDimensions{}, usual_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), seed);
+    Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), seed);
     Observation observation;
     if (change) simulator.change_light();
     for (int frame = 0; frame < 90; ++frame) simulator.observe(observation);

@@ -8,16 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/robots/simulator/mean_luma.h"
+#include "tests/robots/simulator/shared_hall.h"
 
 namespace reorient {
 namespace {
 
 const Pose2 kBesideTheField(-3.2, -3.5, kPi / 2.0);
-
-const Room& hall() {
-  static const Room room = procedural_hall(1, RoomShape{});
-  return room;
-}
 
 SimulatorParameters small() {
   SimulatorParameters parameters;
@@ -37,8 +33,8 @@ std::vector<std::uint8_t> bytes_of(const ImageView& image) {
 }
 
 TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {
-  Simulator one(small(), FieldDimensions{}, hall(), kBesideTheField, 5);
-  Simulator two(small(), FieldDimensions{}, hall(), kBesideTheField, 5);
+  Simulator one(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
+  Simulator two(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
   Observation a;
   Observation b;
   for (int frame = 0; frame < 60; ++frame) {
@@ -55,8 +51,8 @@ TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {
 }
 
 TEST(Simulator, ShowsAnotherScenePerSeed) {
-  Simulator one(small(), FieldDimensions{}, hall(), kBesideTheField, 5);
-  Simulator two(small(), FieldDimensions{}, hall(), kBesideTheField, 6);
+  Simulator one(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
+  Simulator two(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 6);
   Observation a;
   Observation b;
   one.observe(a);
@@ -65,7 +61,7 @@ TEST(Simulator, ShowsAnotherScenePerSeed) {
 }
 
 TEST(Simulator, MovesOnByOneFramePerObservation) {
-  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   for (int frame = 0; frame < 31; ++frame) simulator.observe(observation);
   EXPECT_NEAR(observation.time, 1.0, 1e-9);
@@ -77,7 +73,7 @@ TEST(Simulator, DeliversEveryResolutionThroughTheSameWindow) {
   for (const auto& [size, width] : sizes) {
     SimulatorParameters parameters;
     parameters.image = size;
-    Simulator simulator(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
+    Simulator simulator(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
     Observation observation;
     simulator.observe(observation);
     EXPECT_EQ(observation.upper->image.width, width);
@@ -93,7 +89,7 @@ TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
   parameters.tilt_error = 0.0;
   parameters.other_robots = 0;
   parameters.body.head_noise = parameters.body.attitude_noise = parameters.body.attitude_bias = 0.0;
-  Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(2.0, 0.0, 0.0), 1);
+  Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(2.0, 0.0, 0.0), 1);
   Observation observation;
   simulator.observe(observation);
   const Isometry3 field_from_camera = to_isometry(simulator.ground_truth().pose) * observation.upper->robot_from_camera;
@@ -105,7 +101,7 @@ TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
 }
 
 TEST(Simulator, KeepsLabelsAndDepthOnlyWhenAsked) {
-  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
   EXPECT_TRUE(simulator.labels().empty());
@@ -119,8 +115,8 @@ TEST(Simulator, LooksTheSameInLabelsButNotInColoursAfterHalfATurn) {
   parameters.spectators = 0;
   parameters.ball = false;
   parameters.tilt_error = 0.0;
-  Simulator here(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
-  Simulator there(parameters, FieldDimensions{}, hall(), reflect(kBesideTheField), 1);
+  Simulator here(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator there(parameters, FieldDimensions{}, shared_hall(), reflect(kBesideTheField), 1);
   Observation a;
   Observation b;
   here.observe(a);
@@ -142,7 +138,7 @@ TEST(Simulator, SeesGroundOrCeilingAfterAFall) {
   parameters.labels = true;
   std::set<Label> seen;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(-1.5, 1.5, 0.0), seed);
+    Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(-1.5, 1.5, 0.0), seed);
     Observation observation;
     simulator.observe(observation);
     simulator.push_over();
@@ -155,7 +151,7 @@ TEST(Simulator, SeesGroundOrCeilingAfterAFall) {
 }
 
 TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
-  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
   const Pose2 odometry = observation.odometry;
@@ -171,9 +167,9 @@ TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
 
 TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
   SimulatorParameters parameters = small();
-  Simulator one(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator one(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   parameters.cameras = Cameras::both;
-  Simulator both(parameters, FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator both(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation upper_alone, observation;
   for (int i = 0; i < 5; ++i) {
     one.observe(upper_alone);
@@ -193,7 +189,7 @@ TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
 }
 
 TEST(Simulator, TellsOnceWhatTheRefereeSaid) {
-  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
   EXPECT_FALSE(observation.told.referee);
@@ -208,7 +204,7 @@ TEST(Simulator, TellsOnceWhatTheRefereeSaid) {
 }
 
 TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
-  Simulator simulator(small(), FieldDimensions{}, hall(), kBesideTheField, 1);
+  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   double before = 1e9;
   for (const double stops : {1.0, 0.0, -1.0, -2.0}) {
@@ -222,7 +218,7 @@ TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
 TEST(Simulator, StopsTheRobotAtAGoalPost) {
   SimulatorParameters parameters = small();
   parameters.other_robots = 0;
-  Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(4.0, 0.8, 0.0), 1);
+  Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(4.0, 0.8, 0.0), 1);
   Observation observation;
   Answer answer;
   answer.request.walk.forward = 0.25;
@@ -235,7 +231,7 @@ TEST(Simulator, StopsTheRobotAtAGoalPost) {
 TEST(Simulator, KeepsRobotsApart) {
   SimulatorParameters parameters = small();
   parameters.other_robots = 8;
-  Simulator simulator(parameters, FieldDimensions{}, hall(), Pose2(0.0, 0.0, 0.0), 3);
+  Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(0.0, 0.0, 0.0), 3);
   Observation observation;
   for (int i = 0; i < 600; ++i) {
     Answer answer;

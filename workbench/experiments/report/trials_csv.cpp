@@ -2,22 +2,27 @@
 
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string_view>
 
 #include "engine/parameters/utf8.h"
-#include "engine/world/commands.h"
+#include "workbench/experiments/report/trial_columns.h"
 
 namespace reorient {
 namespace {
 
+std::string text_of(const std::string& value) { return value; }
+std::string text_of(bool yes) { return yes ? "true" : "false"; }
 /// The shortest text that is this number again.
-std::string shortest(double value) {
+template <typename Number>
+std::string text_of(Number value) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
-std::string shortest(const std::optional<double>& value) { return value ? shortest(*value) : ""; }
-
-std::string yes_or_no(bool yes) { return yes ? "true" : "false"; }
+template <typename Value>
+std::string text_of(const std::optional<Value>& value) {
+  return value ? text_of(*value) : "";
+}
 
 std::string field(std::string_view text) {
   std::string clean = as_line(text);
@@ -37,38 +42,16 @@ void add_line(std::string& text, const std::vector<std::string>& fields) {
 std::string trials_as_csv(const Report& report) {
   std::vector<std::string> line;
   for (const Axis& axis : report.experiment.axes) line.push_back(axis.name);
-  for (const char* name : {"task",         "seed",          "started",        "disturbed",       "failed",
-                           "measured_s",   "right_after_s", "mended_after_s", "mended_by",       "usable_after_s",
-                           "kidnapped",    "flips",         "purges",         "resets",          "false_flips",
-                           "false_purges", "right_s",       "wrong_s",        "uninformative_s", "ended_uninformative"})
-    line.emplace_back(name);
+  line.emplace_back("task");
+  visit_columns([&line](const char* name, const auto&) { line.emplace_back(name); }, TrialResult());
   std::string text;
   add_line(text, line);
   int task = 0;
   for (const CellResults& cell : report.cells) {
     for (const TrialResult& trial : cell.trials) {
       line = cell.choices;
-      for (std::string value : {std::to_string(++task),
-                                std::to_string(trial.seed),
-                                yes_or_no(trial.started),
-                                yes_or_no(trial.disturbed()),
-                                yes_or_no(trial.failed()),
-                                shortest(trial.seconds),
-                                shortest(trial.right_after),
-                                shortest(trial.mended_after),
-                                std::string(trial.mended_by ? to_string(*trial.mended_by) : ""),
-                                shortest(trial.usable_after),
-                                yes_or_no(trial.kidnapped),
-                                std::to_string(trial.flips),
-                                std::to_string(trial.purges),
-                                std::to_string(trial.resets),
-                                std::to_string(trial.false_flips),
-                                std::to_string(trial.false_purges),
-                                shortest(trial.right_seconds),
-                                shortest(trial.wrong_seconds),
-                                shortest(trial.uninformative_seconds),
-                                yes_or_no(trial.ended_uninformative)})
-        line.push_back(std::move(value));
+      line.push_back(std::to_string(++task));
+      visit_columns([&line](const char*, const auto& value) { line.push_back(text_of(value)); }, trial);
       add_line(text, line);
     }
   }

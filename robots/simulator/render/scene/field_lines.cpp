@@ -5,23 +5,21 @@
 #include <cstdint>
 #include <limits>
 
+#include "geometry/random.h"
 #include "robots/simulator/render/coverage.h"
 #include "robots/simulator/render/wide.h"
 
 namespace reorient {
 namespace {
 
-/// In [0, 1), the same for all points of a patch of ground (the finaliser of splitmix64).
+/// In [0, 1), the same for all points of a patch of ground.
 float chance_of_patch(float x, float y) {
   constexpr float kPatch = 0.25f;  // m
   const auto column = static_cast<std::int32_t>(std::floor(x / kPatch));
   const auto row = static_cast<std::int32_t>(std::floor(y / kPatch));
-  std::uint64_t value =
+  const std::uint64_t patch =
       (static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32) | static_cast<std::uint32_t>(row);
-  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9ull;
-  value = (value ^ (value >> 27)) * 0x94D049BB133111EBull;
-  value ^= value >> 31;
-  return static_cast<float>(value >> 40) * 0x1p-24f;
+  return static_cast<float>(scatter(patch) >> 40) * 0x1p-24f;
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// What is told of each trial, in trials.csv and trials.json alike.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/world/commands.h"
+#include "workbench/experiments/trial/trial_result.h"
+
+namespace reorient {
+
+/// Calls visit(name, value) for each column: times in s, commands by their names.
+template <typename Visit>
+void visit_columns(Visit&& visit, const TrialResult& trial) {
+  visit("seed", trial.seed);
+  visit("started", trial.started);
+  visit("disturbed", trial.disturbed());
+  visit("failed", trial.failed());
+  visit("measured_s", trial.seconds);
+  visit("right_after_s", trial.right_after);
+  visit("mended_after_s", trial.mended_after);
+  visit("mended_by", trial.mended_by ? std::optional(std::string(to_string(*trial.mended_by))) : std::nullopt);
+  visit("usable_after_s", trial.usable_after);
+  visit("kidnapped", trial.kidnapped);
+  visit("flips", trial.flips);
+  visit("purges", trial.purges);
+  visit("resets", trial.resets);
+  visit("false_flips", trial.false_flips);
+  visit("false_purges", trial.false_purges);
+  visit("right_s", trial.right_seconds);
+  visit("wrong_s", trial.wrong_seconds);
+  visit("uninformative_s", trial.uninformative_seconds);
+  visit("ended_uninformative", trial.ended_uninformative);
+}
+
+}  // namespace reorient
