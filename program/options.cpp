@@ -46,7 +46,7 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
   for (const std::string& assignment : options.assignments) {
     const std::size_t equals = assignment.find('=');
     if (equals == 0 || equals == std::string::npos) {
-      throw std::runtime_error("--set '" + assignment + "': write NAME=VALUE, as in --set orientation.lead=0.3");
+      throw std::runtime_error("--set '" + assignment + "': write NAME=VALUE, as in --set decision.false_flips=1");
     }
     changes.push_back({assignment.substr(0, equals), assignment.substr(equals + 1), ParameterOrigin::command_line, ""});
   }

@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// "orientation" of "orientation.lead".
+/// "orientation" of "orientation.lingering".
 std::string module_of(std::string_view parameter);
 /// The module whose parameters a script declares: "orientation" of "behaviors/orientation.lua".
 std::string module_of_script(std::string_view file);

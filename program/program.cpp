@@ -27,7 +27,7 @@ constexpr const char* kExamples = R"(Examples:
   reorient run --seed 7 --room hall.hdr     the same in another room, with other noise
   reorient run --realtime                   at the robot's own pace: edit scripts/behaviors/*.lua meanwhile
   reorient run --no-room-awareness     the same robot without it stays wrong (exit code 1)
-  reorient run --set orientation.lead=0.3   any parameter for this run; reorient params lists them
+  reorient run --set decision.false_flips=1  any parameter for this run; reorient params lists them
   reorient new behavior ball_search         a small script with its test, to start from
   reorient check                            mistakes in scripts, with line and column
   reorient test --coverage                  the scripted behaviour tests, and what they leave out

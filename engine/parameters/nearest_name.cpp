@@ -57,7 +57,7 @@ std::optional<std::string> nearest_name(std::string_view wanted, std::span<const
     // As many letters more or fewer, and it cannot be near.
     const bool may_be_near = length_difference(name) <= static_cast<std::size_t>(tolerated);
     int distance = may_be_near ? edit_distance(wanted, name) : kFar;
-    // Without its prefix a name is still recognised: "lead" for "orientation.lead".
+    // Without its prefix a name is still recognised: "lingering" for "orientation.lingering".
     const std::size_t dot = name.rfind('.');
     if (dot != std::string::npos && wanted.find('.') == std::string_view::npos) {
       distance = std::min(distance, edit_distance(wanted, std::string_view(name).substr(dot + 1)));

@@ -14,7 +14,7 @@ RoomStatus room_status(const World& world, const RoomStatusParameters& p) {
   if (world.confidence.coverage < p.coverage) return RoomStatus::unlearned;
   if (world.confidence.distinctiveness < p.distinctiveness) return RoomStatus::symmetric;
   if (world.recovery_probability > p.recovery_probability) return RoomStatus::lost;
-  if (world.confidence.age < p.age || world.confidence.seen < p.seen) return RoomStatus::fresh;
+  if (world.confidence.age < p.age) return RoomStatus::fresh;
   return RoomStatus::usable;
 }
 

@@ -12,8 +12,7 @@ struct RoomStatusParameters {
   double coverage = 0.3;
   double distinctiveness = 0.05;
   double recovery_probability = 0.3;
-  double age = 0.3;
-  double seen = 0.1;
+  double age = 0.2;
 };
 
 template <typename Visit>
@@ -23,8 +22,7 @@ void describe(RoomStatusParameters& p, Visit&& visit) {
         "how much the room must differ from itself turned by half a turn");
   visit("recovery_probability", p.recovery_probability, 0.0, 1.0, "",
         "beyond this the pose filter counts as lost: then both poses may be wrong");
-  visit("age", p.age, 0.0, 60.0, "s", "how long views must have said something since the confidences began anew");
-  visit("seen", p.seen, 0.0, 1.0, "", "share of the wall's columns that such views must have shown since then");
+  visit("age", p.age, 0.0, 60.0, "s", "how long known tiles must have been in view since the confidences began anew");
 }
 
 /// The first reason in the order of RoomStatus.

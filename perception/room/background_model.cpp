@@ -25,7 +25,8 @@ void BackgroundModel::check(std::size_t tiles) const {
   for (const TileModel& tile : tiles_) {
     check_bytes(std::all_of(tile.mean.begin(), tile.mean.end(), is_share) &&
                     std::all_of(tile.variance.begin(), tile.variance.end(), is_share) && tile.visits >= 0 &&
-                    std::isfinite(tile.trained),
+                    std::isfinite(tile.trained) && std::isfinite(tile.light.luma) && std::isfinite(tile.light.cb) &&
+                    std::isfinite(tile.light.cr) && tile.light_visits >= 0,
                 "a tile of the model is none");
   }
 }
@@ -46,6 +47,15 @@ void BackgroundModel::train(int tile, const ColorHistogram& measured, const Trai
   }
   if (model.visits < std::numeric_limits<int>::max()) ++model.visits;
   model.trained += how.step;
+}
+
+void BackgroundModel::train_light(int tile, const RelativeLight& measured, const TrainingStep& how) {
+  TileModel& model = tiles_[static_cast<std::size_t>(tile)];
+  const double share = 1.0 / (std::min<double>(model.light_visits, how.n) + 1.0);
+  model.light.luma += share * (measured.luma - model.light.luma);
+  model.light.cb += share * (measured.cb - model.light.cb);
+  model.light.cr += share * (measured.cr - model.light.cr);
+  if (model.light_visits < std::numeric_limits<int>::max()) ++model.light_visits;
 }
 
 }  // namespace reorient

@@ -47,10 +47,12 @@ struct TileModel {
   ColorHistogram variance{};
   int visits = 0;        ///< 0: never seen
   double trained = 0.0;  ///< s
+  RelativeLight light;   ///< mean
+  int light_visits = 0;  ///< those with enough pixels that are neither too dark nor too bright
 };
 template <typename Visit>
 void fields(Visit&& visit, TileModel& tile) {
-  visit(tile.mean, tile.variance, tile.visits, tile.trained);
+  visit(tile.mean, tile.variance, tile.visits, tile.trained, tile.light, tile.light_visits);
 }
 
 class BackgroundModel {
@@ -58,6 +60,7 @@ class BackgroundModel {
   /// All tiles unseen.
   void forget(int tiles);
   void train(int tile, const ColorHistogram& measured, const TrainingStep& how);
+  void train_light(int tile, const RelativeLight& measured, const TrainingStep& how);
   /// The wall's tiles are counted from the other end of the field.
   void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
 

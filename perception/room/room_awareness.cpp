@@ -31,10 +31,10 @@ const Confidences& RoomAwareness::update(const RoomObservation& view) {
   const double step = std::min(elapsed, kLongestStep);
   perceive(view, elapsed);
   if (view.train) train(step);
-  compared_model_.prepare(model_, comparison());
+  compared_model_.prepare(model_, wall_, comparison());
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
-  confidences_.distinctiveness = distinctiveness(model_, compared_model_, wall_);
+  confidences_.distinctiveness = compared_model_.distinctiveness();
   return confidences_;
 }
 
@@ -48,8 +48,15 @@ double RoomAwareness::seconds_since_last(double time) {
 void RoomAwareness::perceive(const RoomObservation& view, double elapsed) {
   perceived_.find(view, wall_, parameters_.perception);
   light_.observe(perceived_.light(view.image, parameters_.light, parameters_.perception), elapsed, parameters_.light);
-  const Light light = parameters_.light.enabled ? light_.light() : Light{};
-  perceived_.count(view.image, color_thresholds(parameters_.color, light), parameters_.perception);
+  const Light mean = parameters_.light.enabled ? light_.light() : Light{};
+  believed_light_ = reflected_light_ = mean;
+  if (parameters_.light.enabled && parameters_.pose_light.enabled) {
+    pose_lights_.observe(perceived_.lights(), mean, model_, wall_, elapsed, parameters_.pose_light);
+    believed_light_ = pose_lights_.if_believed();
+    reflected_light_ = pose_lights_.if_reflected();
+  }
+  perceived_.count(view.image, color_thresholds(parameters_.color, believed_light_),
+                   color_thresholds(parameters_.color, reflected_light_), parameters_.perception);
   if (parameters_.color.blur > 0.0) perceived_.blur(parameters_.color.blur);
   const auto tiles = perceived_.tiles();
   confidences_.visible_tiles = static_cast<int>(
@@ -67,6 +74,10 @@ void RoomAwareness::train(double step) {
   for (const PerceivedTile& tile : perceived_.tiles()) {
     if (tile.counts) model_.train(tile.tile, tile.histogram, how);
   }
+  constexpr int kFewest = 5;  // pixels of a tile; fewer say nothing about its light
+  for (const TileLight& tile : perceived_.lights()) {
+    if (tile.sums.pixels >= kFewest) model_.train_light(tile.tile, relative(tile.sums.mean(), believed_light_), how);
+  }
 }
 
 void RoomAwareness::evaluate(const RoomObservation& view, double step) {
@@ -78,19 +89,13 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   filter_.correct(scores_, *view_center_, step, parameters_.view_filter);
   filter_.find_clusters();
   count_particles(confidences_, filter_, *view_center_, parameters_.confidence);
-  confidences_.evidence = updated_evidence(confidences_.evidence, scores_, step, parameters_.evidence);
-  if (!scores_.evidence() || step <= 0.0) return;
-  confidences_.age += step;
-  smooth(confidences_, smoothing_share(parameters_.confidence, step, confidences_.age));
-  note_seen_columns();
-}
-
-void RoomAwareness::note_seen_columns() {
-  for (const PerceivedTile& tile : perceived_.tiles()) {
-    if (tile.counts) seen_columns_[static_cast<std::size_t>(wall_.column_of(tile.tile))] = 1;
-  }
-  const auto seen = std::count(seen_columns_.begin(), seen_columns_.end(), 1);
-  confidences_.seen = static_cast<double>(seen) / static_cast<double>(seen_columns_.size());
+  evidence_.observe(scores_.places(), compared_model_, step, parameters_.evidence);
+  confidences_.evidence = evidence_.log_odds();
+  if (step <= 0.0) return;
+  if (!scores_.places().empty()) confidences_.age += step;
+  if (!scores_.evidence()) return;
+  confidences_.smoothed_for += step;
+  smooth(confidences_, smoothing_share(parameters_.confidence, step, confidences_.smoothed_for));
 }
 
 /// How far the view centre moved along the wall because head and body turned: the turn, linearised at the current view
@@ -116,13 +121,24 @@ Comparison RoomAwareness::comparison() const {
 
 void RoomAwareness::restart_confidences() {
   confidences_.current = confidences_.opposite = 0.0;
-  confidences_.age = confidences_.seen = 0.0;
-  std::fill(seen_columns_.begin(), seen_columns_.end(), std::uint8_t{0});
+  confidences_.age = confidences_.smoothed_for = 0.0;
 }
 
 void RoomAwareness::on_flip() {
   restart_confidences();
-  confidences_.evidence = -confidences_.evidence;
+  reflect_evidence();
+}
+
+void RoomAwareness::reflect_evidence() {
+  evidence_.reflect(wall_);
+  pose_lights_.reflect(wall_);
+  confidences_.evidence = evidence_.log_odds();
+}
+
+void RoomAwareness::restart_evidence() {
+  evidence_.restart(wall_.tiles());
+  pose_lights_.restart(wall_.tiles());
+  confidences_.evidence = 0.0;
 }
 
 void RoomAwareness::on_purge() {
@@ -131,7 +147,7 @@ void RoomAwareness::on_purge() {
 
 void RoomAwareness::on_reset() {
   restart_confidences();
-  confidences_.evidence = 0.0;
+  restart_evidence();
 }
 
 void RoomAwareness::begin_anew() {
@@ -145,27 +161,29 @@ void RoomAwareness::begin_anew() {
 void RoomAwareness::on_belief_reflected() {
   std::swap(confidences_.current, confidences_.opposite);
   std::swap(confidences_.raw_current, confidences_.raw_opposite);
-  confidences_.evidence = -confidences_.evidence;
+  reflect_evidence();
 }
 
 void RoomAwareness::on_half_time() {
   model_.turn_half(wall_);
+  compared_model_.clear();
   light_.turn_half(wall_);
+  pose_lights_.turn_half(wall_);
+  evidence_.turn_half(wall_);
   filter_.turn_half();
-  const auto half = seen_columns_.begin() + wall_.columns() / 2;
-  std::swap_ranges(seen_columns_.begin(), half, half);
   std::swap(confidences_.goal_own, confidences_.goal_opponent);
   if (view_center_) view_center_ = opposite(*view_center_);
 }
 
 void RoomAwareness::forget() {
   model_.forget(wall_.tiles());
+  compared_model_.clear();
   scores_.clear();
   perceived_.clear();
   filter_.spread(parameters_.view_filter.particles);
   filter_.find_clusters();
   confidences_ = {};
-  seen_columns_.assign(static_cast<std::size_t>(wall_.columns()), 0);
+  restart_evidence();
   light_.restart(wall_.tiles());
   last_time_.reset();
   last_direction_.reset();
@@ -174,7 +192,8 @@ void RoomAwareness::forget() {
 
 void RoomAwareness::set_parameters(const RoomParameters& parameters) {
   const bool model_holds = Wall(parameters.wall) == wall_ && same(parameters.color, parameters_.color) &&
-                           parameters.light.enabled == parameters_.light.enabled;
+                           parameters.light.enabled == parameters_.light.enabled &&
+                           parameters.pose_light.enabled == parameters_.pose_light.enabled;
   const bool particles_hold = parameters.view_filter.particles == parameters_.view_filter.particles;
   parameters_ = parameters;
   wall_ = Wall(parameters.wall);
@@ -188,7 +207,7 @@ void RoomAwareness::complete() {
     check_bytes(!value || std::isfinite(*value), "a time or an angle is not a number");
   for (const double value : {confidences_.current, confidences_.opposite, confidences_.evidence, confidences_.age})
     check_bytes(std::isfinite(value), "a confidence is not a number");
-  check_bytes(seen_columns_.size() == static_cast<std::size_t>(wall_.columns()), "another number of columns");
+  compared_model_.clear();
   perceived_.clear();
   scores_.clear();
 }

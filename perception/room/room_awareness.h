@@ -11,7 +11,9 @@
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/color/histogram_distance.h"
 #include "perception/room/color/light_adaptation.h"
-#include "perception/room/distinctiveness.h"
+#include "perception/room/compared_model.h"
+#include "perception/room/evidence/evidence.h"
+#include "perception/room/evidence/pose_lights.h"
 #include "perception/room/room_observation.h"
 #include "perception/room/view/confidences.h"
 #include "perception/room/view/view_filter.h"
@@ -27,6 +29,7 @@ struct RoomParameters {
   WallParameters wall;
   ColorParameters color;
   LightParameters light;
+  PoseLightParameters pose_light;
   PerceptionParameters perception;
   BackgroundParameters background;
   DistanceParameters distance;
@@ -41,6 +44,7 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("wall", p.wall);
   visit("color", p.color);
   visit("light_adaptation", p.light);
+  visit("pose_light", p.pose_light);
   visit("perceived_tiles", p.perception);
   visit("background_model", p.background);
   visit("histogram_distance", p.distance);
@@ -95,7 +99,7 @@ class RoomAwareness {
   /// are. Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(light_, model_, filter_, confidences_, seen_columns_, last_time_, last_direction_, view_center_);
+    archive(light_, pose_lights_, model_, filter_, evidence_, confidences_, last_time_, last_direction_, view_center_);
     if constexpr (Archive::kReads) complete();
   }
 
@@ -106,20 +110,23 @@ class RoomAwareness {
   void train(double step);
   void evaluate(const RoomObservation& view, double step);
   double turn_since_last(const RoomObservation& view);
-  void note_seen_columns();
   void restart_confidences();
+  void restart_evidence();
+  void reflect_evidence();
   Comparison comparison() const;
 
   RoomParameters parameters_;
   Wall wall_;
   LightAdaptation light_;
+  PoseLights pose_lights_;
   PerceivedTiles perceived_;
   BackgroundModel model_;
   ComparedModel compared_model_;
   ViewpointScores scores_;
   ViewFilter filter_;
+  Evidence evidence_;
   Confidences confidences_;
-  std::vector<std::uint8_t> seen_columns_;  // 1: shown by a view that said something since the confidences began anew
+  Light believed_light_, reflected_light_;  // of this frame
   std::optional<double> last_time_;
   std::optional<double> last_direction_;  // camera yaw in the robot + odometry at the last evaluation, rad
   std::optional<double> view_center_;

@@ -55,14 +55,14 @@ pose = {}
 ---@class reorient.confidence
 ---@field current number in the believed pose, smoothed
 ---@field opposite number in the reflection of the believed pose, smoothed
+---@field evidence number log-odds, how strongly the room speaks for the reflection of the believed pose: 4.6 is 99 in 100, 0 says nothing, below 0 it speaks for the believed pose
 ---@field raw_current number in the believed pose, this frame's
 ---@field raw_opposite number in the reflection, this frame's
 ---@field goal_opponent number that the robot looks at the wall behind the opponent goal
 ---@field goal_own number that the robot looks at the wall behind its own goal
 ---@field coverage number share of the wall that is trained well enough to be compared with
 ---@field distinctiveness number how much the room differs from itself turned by half a turn; 0: it looks the same
----@field age number s, for how long views have said something since the confidences began anew: after a lift, a fall, a penalty, a told pose, a flip or a jump of the belief
----@field seen number share of the wall's columns that those views have shown
+---@field age number s, for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told pose, a flip or a jump of the belief
 ---@field status string whether the confidences say something about the believed pose; if not, why not
 ---@field visible_tiles number how many tiles of the wall counted in this frame
 confidence = {}
@@ -209,6 +209,28 @@ function verdict.succeed(text) end
 function verdict.fail(text) end
 
 do
+---How much evidence does it take to act on it? What people want is a robot that errs at most so often. Evidence is told in log-odds: where it says 99 in 100, it is wrong once in a hundred times that it has a chance to be. So what is asked for follows from how often that is. One place decides it for all behaviours.
+---@class lib.decision
+local library = {}
+
+--- While nothing has happened to the robot that would put its pose in doubt.
+---@return number log_odds
+function library.in_peace() end
+
+--- While it is not known which of the two poses is the right one: after a disturbance, each of them may be.
+---@return number log_odds
+function library.in_doubt() end
+
+--- Whether the room says that the believed pose is right.
+---@return boolean
+function library.for_believed() end
+
+--- Whether the room says enough of either pose to act on it.
+---@return boolean
+function library.for_either() end
+end
+
+do
 ---Looking at a place on the field: with the head where the neck reaches, else by turning the body as well.
 ---@class lib.gaze
 local library = {}
@@ -331,6 +353,7 @@ function state(name) end
 function scenario(name) end
 
 ---What the file lib/walk.lua below the scripts' root returns. Stands at the top of a script.
+---@overload fun(module: "lib.decision"): lib.decision
 ---@overload fun(module: "lib.gaze"): lib.gaze
 ---@overload fun(module: "lib.ground_truth"): lib.ground_truth
 ---@overload fun(module: "lib.walk"): lib.walk

@@ -1,7 +1,7 @@
 --- When may the background model of the room be trained, when may the room be compared with it, and when is it trusted?
 --- With a known pose and no model the room is learned first, and the evaluation waits until enough of it is known; until
 --- then somebody's word is all that speaks against the reflected pose, so reflected beliefs are purged on it. From then
---- on the model is trained only while the believed pose clearly wins: training on a reflected belief would paint the
+--- on the model is trained only while the room speaks for the believed pose: training on a reflected belief would paint the
 --- room the wrong way round. While the robot is disturbed its camera is not where the pose says: both rest.
 
 local p = param {
@@ -11,8 +11,8 @@ local p = param {
   coverage      = { 0.5,  range = { 0, 1 },               doc = "share of the wall that must be learned before it is trusted" },
   lingering     = { 0.05, range = { 0, 1 },               doc = "share of reflected pose particles that is purged meanwhile" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
-  lead          = { 0.3,  range = { 0, 1 },               doc = "how far the believed pose must be ahead to train on" },
-  hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long that lead must last" },
+  proof         = { 4.6,  range = { -50, 50 },             doc = "log-odds of the believed pose that it takes to train on" },
+  hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long it must do so" },
 }
 
 -- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
@@ -28,7 +28,7 @@ end
 local function is_vouched_for() return pose.known and not memory.was_lifted end
 
 local function wins()
-  return confidence.status == "usable" and confidence.current - confidence.opposite > p.lead
+  return confidence.status == "usable" and confidence.evidence < -p.proof
 end
 
 behavior "background_training" {
@@ -88,11 +88,11 @@ behavior "background_training" {
 
     state "watching" {
       enter = function() command.pause_training() end,
-      { "refining", when = wins, lasting = "hold_time", because = "the current pose wins" },
+      { "refining", when = wins, lasting = "hold_time", because = "the room speaks for the believed pose" },
     },
 
     state "refining" {
-      { "watching", when = function() return not wins() end, because = "the current pose does not win clearly" },
+      { "watching", when = function() return not wins() end, because = "the room does not speak clearly for the believed pose" },
     },
   },
 }

@@ -3,12 +3,12 @@
 --- It decides nothing; it only brings the evidence before the eyes of those who do. Where no goal post is in view at
 --- either place, the belief is worth nothing, and neither is looking where it says.
 
+local decision = require "lib.decision"
 local gaze = require "lib.gaze"
 
-local p = param {
-  lead      = { 0.4,  range = { 0, 1 },                doc = "how far one pose must be ahead of the other for the robot to be sure" },
-  hold_time = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long that lead must last to end the search" },
-  unsure_time = { 10.0, range = { 0, 60 }, unit = "s", doc = "how long neither pose may lead before the search begins" },
+param {
+  hold_time = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long the room must speak for one pose to end the search" },
+  unsure_time = { 10.0, range = { 0, 60 }, unit = "s", doc = "how long it may speak for neither before the search begins" },
   unsure_time_after_disturbance = { 4.0, range = { 0, 60 }, unit = "s",
                 doc = "the same just after a disturbance: the usual scan of the head is often enough" },
   timeout   = { 20.0, range = { 1, 120 },  unit = "s", doc = "how long to search at most" },
@@ -27,7 +27,7 @@ local function own_goal() return -field.length / 2, 0.0 end
 local CANNOT_TELL = { off = true, resting = true, unlearned = true, symmetric = true, fresh = true }
 
 local function is_unsure()
-  return not CANNOT_TELL[confidence.status] and math.abs(confidence.current - confidence.opposite) < p.lead
+  return not CANNOT_TELL[confidence.status] and not decision.for_either()
 end
 
 local function is_sure() return not is_unsure() end
@@ -53,7 +53,7 @@ behavior "goal_search" {
   },
 
   state "resting" {
-    { "searching", when = is_unsure, lasting = "unsure_time", because = "neither pose leads" },
+    { "searching", when = is_unsure, lasting = "unsure_time", because = "the room speaks for neither pose" },
   },
 
   state "disturbed" {
@@ -61,10 +61,10 @@ behavior "goal_search" {
   },
 
   state "put down" {
-    { "searching", when = is_unsure, lasting = "unsure_time_after_disturbance", because = "neither pose leads since then" },
+    { "searching", when = is_unsure, lasting = "unsure_time_after_disturbance", because = "the room speaks for neither pose since then" },
     { "resting",
       when = function() return is_sure() and confidence.status ~= "fresh" end,
-      lasting = "unsure_time_after_disturbance", because = "one pose leads, or the room cannot tell" },
+      lasting = "unsure_time_after_disturbance", because = "the room speaks for one pose, or cannot tell" },
   },
 
   state "searching" {
@@ -72,7 +72,7 @@ behavior "goal_search" {
     initial = "choosing",
     enter = function() memory.looks, memory.saw_posts = 0, false end,
     { "resting", when = is_belief_worthless, because = "no goal stands where the belief says" },
-    { "resting", when = is_sure, lasting = "hold_time", because = "one pose leads" },
+    { "resting", when = is_sure, lasting = "hold_time", because = "the room speaks for one pose" },
     { "resting", after = "timeout", because = "the search took too long" },
 
     state "choosing" {

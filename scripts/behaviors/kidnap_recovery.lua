@@ -3,13 +3,13 @@
 --- the room has supported the believed pose long enough. If neither pose wins, the orientation is forgotten, once.
 --- Flips and purges are the business of orientation: a reflected pose wins or loses there.
 
+local decision = require "lib.decision"
 local walking = require "lib.walk"
 
 local p = param {
   lift_time      = { 0.5,  range = { 0, 5 },   unit = "s",     doc = "how long somebody must hold the robot" },
-  lead           = { 0.4,  range = { 0, 1 },                   doc = "how far the believed pose must be ahead of its reflection" },
-  hold_time      = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long that lead must last" },
-  min_age        = { 1.5,  range = { 0, 20 },  unit = "s",     doc = "how long views must have spoken since: a glimpse is not enough" },
+  share          = { 0.4,  range = { 0, 1 },                   doc = "confidence in the believed pose that it takes" },
+  hold_time      = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long the room must support the believed pose" },
   cluster_weight = { 0.6,  range = { 0, 1 },                   doc = "share of the pose particles that must agree on the believed pose" },
   recovery_probability = { 0.1, range = { 0, 1 },              doc = "how lost the pose filter may be: the place must fit, too" },
   timeout        = { 25.0, range = { 1, 120 }, unit = "s",     doc = "how long to search before the orientation is forgotten, and after" },
@@ -19,15 +19,13 @@ local p = param {
 
 local memory = keep { put_down_at = 0.0 }
 
-local function lead() return confidence.current - confidence.opposite end
-
 local function is_pose_found()
   return pose.cluster_weight >= p.cluster_weight and pose.recovery_probability <= p.recovery_probability
 end
 
 local function room_supports_the_pose()
-  local has_seen_enough = confidence.status == "usable" and confidence.age >= p.min_age
-  return has_seen_enough and lead() > p.lead and is_pose_found()
+  local is_right_way_round = confidence.status == "usable" and decision.for_believed()
+  return is_right_way_round and confidence.current > p.share and is_pose_found()
 end
 
 -- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
@@ -35,7 +33,7 @@ local CANNOT_TELL = { off = true, resting = true, unlearned = true, symmetric = 
 
 local function can_room_tell() return not CANNOT_TELL[confidence.status] end
 
-local function is_stuck() return can_room_tell() and math.abs(lead()) < p.lead and seen.goal_posts == 0 end
+local function is_stuck() return can_room_tell() and not decision.for_either() and seen.goal_posts == 0 end
 
 behavior "kidnap_recovery" {
   priority = 25,

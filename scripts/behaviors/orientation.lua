@@ -1,25 +1,26 @@
---- Which of the two look-alike poses is the robot really in? When the reflection of the believed pose wins, the belief
---- is flipped; when the believed pose wins while wrong beliefs linger, those are purged; after a fall that the robot got
---- up from, the orientation is reset. Whether the room may speak at all, the core says: confidence.status.
+--- Which of the two look-alike poses is the robot really in? When the room speaks for the reflection of the believed pose,
+--- the belief is flipped; when it speaks for the believed pose while wrong beliefs linger, those are purged; after a fall
+--- that the robot got up from, the orientation is reset. Whether the room may speak at all, the core says:
+--- confidence.status. How much it must say is asked of lib.decision: less while the pose is in doubt, so that a robot that
+--- was put down is soon right, and more in peace, where it would have to be wrong again and again for hours.
+
+local decision = require "lib.decision"
 
 local p = param {
-  lead      = { 0.5, range = { 0, 1 },              doc = "how far one pose must be ahead of the other" },
-  hold_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long the lead must last" },
+  hold_time = { 0.2, range = { 0, 10 }, unit = "s", doc = "how long the room must say so" },
   min_time  = { 3.0, range = { 0, 30 }, unit = "s", doc = "how long to wait after a command, until its effect shows" },
   lingering = { 0.1, range = { 0, 1 },              doc = "share of reflected pose particles that is worth a purge" },
 }
 
 local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false }
 
--- A flip turns every belief round, right ones as well, and a reset spreads them: once the current pose has proved right
+-- A flip turns every belief round, right ones as well, and a reset spreads them: once the believed pose has proved right
 -- after either, what is wrong is purged. The purge also says that the pose is known again, so that training may go on.
 local function is_purge_due() return memory.confirm or pose.reflected_weight > p.lingering end
 
 local function may_decide() return confidence.status == "usable" end
 
-local function opposite_leads() return confidence.opposite - confidence.current > p.lead end
-
-local function current_leads() return confidence.current - confidence.opposite > p.lead end
+local function believed_pose_won() return may_decide() and decision.for_believed() end
 
 local function is_upright() return robot.posture == "upright" end
 
@@ -32,12 +33,24 @@ behavior "orientation" {
   },
 
   state "watching" {
-    { "correcting",
-      when = function() return may_decide() and opposite_leads() end,
-      lasting = "hold_time", because = "the opposite pose won" },
+    initial = "in doubt",
     { "purging",
-      when = function() return may_decide() and current_leads() and is_purge_due() end,
-      lasting = "hold_time", because = "the current pose won while reflected beliefs may linger" },
+      when = function() return believed_pose_won() and is_purge_due() end,
+      lasting = "hold_time", because = "the believed pose won while reflected beliefs may linger" },
+
+    state "in doubt" {
+      { "correcting",
+        when = function() return may_decide() and confidence.evidence > decision.in_doubt() end,
+        lasting = "hold_time", because = "the reflected pose won" },
+      { "in peace", when = believed_pose_won, lasting = "hold_time", because = "the believed pose won" },
+    },
+
+    state "in peace" {
+      { "correcting",
+        when = function() return may_decide() and confidence.evidence > decision.in_peace() end,
+        lasting = "hold_time", because = "the reflected pose won" },
+      { "in doubt", when = function() return confidence.age == 0 end, because = "what was seen before says nothing any more" },
+    },
   },
 
   state "correcting" {

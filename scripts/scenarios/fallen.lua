@@ -1,16 +1,14 @@
 --- A robot that has learned the room is pushed over. It should get up, forget its orientation (nobody knows how far the
 --- feet slipped round), and find its pose again with the help of the room.
 
+local decision = require "lib.decision"
 local ground_truth = require "lib.ground_truth"
 
-local p = param {
+param {
   learn   = { 60.0,  range = { 0, 600 }, unit = "s", doc = "how long the robot may learn the room" },
-  sure    = { 0.4,   range = { 0, 1 },               doc = "how far the believed pose must be ahead in the end" },
   stay    = { 10.0,  range = { 0, 60 },  unit = "s", doc = "how long the belief must be right and sure" },
   timeout = { 120.0, range = { 1, 600 }, unit = "s", doc = "how long all that may take" },
 }
-
-local function is_sure() return confidence.current - confidence.opposite > p.sure end
 
 scenario "fallen" {
   behaviors = {
@@ -44,7 +42,7 @@ scenario "fallen" {
 
     state "up again" {
       { "right",
-        when = function() return ground_truth.is_belief_right() and is_sure() end,
+        when = function() return ground_truth.is_belief_right() and decision.for_believed() end,
         lasting = "stay", because = "the robot knows its pose again" },
     },
 

@@ -77,13 +77,13 @@ end)
 
 test("it trains on only while the current pose clearly wins", function()
   learned()
-  set_world { confidence = { current = 0.8, opposite = 0.1 } }
+  set_world { confidence = { evidence = -7 } }
   advance(0.9)
   expect.lease("pause_training")
   advance(0.3)
   expect.state("background_training", "trusting/refining")
   expect.no_lease("pause_training")
-  set_world { confidence = { current = 0.3 } }
+  set_world { confidence = { evidence = -3 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
@@ -92,7 +92,7 @@ end)
 for what, change in pairs(DISTURBANCES) do
   test("it stops refining while the robot is " .. what .. ", and neither trains nor evaluates", function()
     learned()
-    set_world { confidence = { current = 0.9 } }
+    set_world { confidence = { evidence = -9 } }
     advance(2)
     expect.state("background_training", "trusting/refining")
     set_world { robot = change[1] }
@@ -122,7 +122,7 @@ for what, change in pairs(DISTURBANCES) do
 
   test("both rest while the robot is " .. what .. ", and a moment longer", function()
     learned()
-    set_world { confidence = { current = 0.9 }, robot = change[1] }
+    set_world { confidence = { evidence = -9 }, robot = change[1] }
     advance(1)
     expect_pause()
     set_world { robot = change[2] }
@@ -218,7 +218,7 @@ test("after it was put down it does not train on confidences that are not usable
   learned()
   set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { posture = "upright" }, confidence = { current = 0.9, status = "fresh" } }
+  set_world { robot = { posture = "upright" }, confidence = { evidence = -9, status = "fresh" } }
   advance(9)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
@@ -263,7 +263,7 @@ end)
 
 test("a reload in the middle keeps the leases", function()
   learned()
-  reload { from = "doc = \"how long that lead must last\"", to = "doc = \"how long it must last\"" }
+  reload { from = "doc = \"how long it must do so\"", to = "doc = \"how long it must last\"" }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")

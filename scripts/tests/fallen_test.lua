@@ -31,7 +31,7 @@ test("succeeds when the robot got up and is sure of a right pose", function()
   get_up()
   expect.state("fallen", "pushed over/up again")
   expect.reason("fallen", "the robot got up and forgot its orientation")
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9 } }
   advance(9)
   expect.state("fallen", "pushed over/up again")
   advance(2)
@@ -47,7 +47,7 @@ end)
 
 test("is not content with a right pose without a reset", function()
   fall()
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9 } }
   advance(30)
   expect.state("fallen", "pushed over/down")
 end)
@@ -55,7 +55,7 @@ end)
 test("fails when the time is up, and says how far off the belief is", function()
   fall()
   get_up()
-  set_world { confidence = { current = 0.9 }, pose = { x = -1, y = -0.5, rotation = math.pi } }
+  set_world { confidence = { evidence = -9 }, pose = { x = -1, y = -0.5, rotation = math.pi } }
   advance(120)
   expect.verdict(false, "2.24 m and 180 degrees off")
 end)

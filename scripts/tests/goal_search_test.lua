@@ -15,7 +15,7 @@ end
 local function start()
   load_behavior "goal_search"
   stand_between_the_goals()
-  set_world { confidence = { current = 0.9, coverage = 0.9, distinctiveness = 0.3 }, seen = { goal_posts = 2 } }
+  set_world { confidence = { evidence = -9, coverage = 0.9, distinctiveness = 0.3 }, seen = { goal_posts = 2 } }
   advance(0.1)
 end
 
@@ -23,7 +23,7 @@ end
 local function put_down()
   set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { posture = "upright" }, confidence = { current = 0.0 } }
+  set_world { robot = { posture = "upright" }, confidence = { evidence = 0 } }
   advance(4.2 + FRESH)
 end
 
@@ -33,55 +33,55 @@ local DISTURBANCES = {
   penalized = { { penalized = true }, { penalized = false } },
 }
 
-test("leaves head and legs to others while one pose leads", function()
+test("leaves head and legs to others while the room speaks for one pose", function()
   start()
   advance(60)
   expect.state("goal_search", "resting")
-  set_world { confidence = { current = 0.0, opposite = 0.9 } }
+  set_world { confidence = { evidence = 9 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)
 
-test("searches when neither pose leads for a while", function()
+test("searches when the room speaks for neither pose for a while", function()
   start()
-  set_world { confidence = { current = 0.2 } }
+  set_world { confidence = { evidence = -2 } }
   advance(9.5)
   expect.state("goal_search", "resting")
   advance(0.6)
   expect.state("goal_search", "searching/opponent goal")
 end)
 
-test("gives as its reason that neither pose leads", function()
+test("gives as its reason that the room speaks for neither pose", function()
   start()
-  set_world { confidence = { current = 0.2 } }
+  set_world { confidence = { evidence = -2 } }
   advance(10.03)
   expect.state("goal_search", "searching/choosing")
-  expect.reason("goal_search", "neither pose leads")
+  expect.reason("goal_search", "the room speaks for neither pose")
   expect.walk(0, 0, 0)
 end)
 
 test("does not search in a room that is not known", function()
   start()
-  set_world { confidence = { coverage = 0.1, current = 0.0 } }
+  set_world { confidence = { evidence = 0, coverage = 0.1 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)
 
 test("does not search in a room that looks the same after half a turn", function()
   start()
-  set_world { confidence = { current = 0.0, distinctiveness = 0.01 } }
+  set_world { confidence = { evidence = 0, distinctiveness = 0.01 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)
 
 for what, change in pairs(DISTURBANCES) do
-  test("waits for fresh confidences after the robot was " .. what .. ", then searches if neither pose leads", function()
+  test("waits for fresh confidences after the robot was " .. what .. ", then searches if the room speaks for neither pose", function()
     start()
     set_world { robot = change[1] }
     advance(1)
     expect.state("goal_search", "disturbed")
     expect.reason("goal_search", "the robot is not upright on the field, or is penalized")
-    set_world { robot = change[2], confidence = { current = 0.1 } }
+    set_world { robot = change[2], confidence = { evidence = -1 } }
     advance(4.2)
     expect.state("goal_search", "put down")
     expect.reason("goal_search", "the robot may stand elsewhere than before")
@@ -90,19 +90,19 @@ for what, change in pairs(DISTURBANCES) do
   end)
 end
 
-test("rests after a disturbance when one pose leads", function()
+test("rests after a disturbance when the room speaks for one pose", function()
   start()
   set_world { robot = { posture = "lifted" } }
   advance(1)
   set_world { robot = { posture = "upright" } }
   advance(4.2 + FRESH)
   expect.state("goal_search", "resting")
-  expect.reason("goal_search", "one pose leads, or the room cannot tell")
+  expect.reason("goal_search", "the room speaks for one pose, or cannot tell")
 end)
 
 test("rests after a disturbance when the room is not known", function()
   start()
-  set_world { robot = { posture = "lifted" }, confidence = { coverage = 0.1, current = 0.0 } }
+  set_world { robot = { posture = "lifted" }, confidence = { evidence = 0, coverage = 0.1 } }
   advance(1)
   set_world { robot = { posture = "upright" } }
   advance(4.2 + FRESH)
@@ -113,7 +113,7 @@ test("a disturbance while the confidences catch up begins the wait anew", functi
   start()
   set_world { robot = { posture = "lifted" } }
   advance(1)
-  set_world { robot = { posture = "upright" }, confidence = { current = 0.0 } }
+  set_world { robot = { posture = "upright" }, confidence = { evidence = 0 } }
   advance(4)
   set_world { robot = { posture = "lying" } }
   advance(1)
@@ -174,29 +174,29 @@ end)
 test("goes on to the other goal when one cannot be looked at", function()
   start()
   put_down()
-  set_world { robot = { head_yaw = 0.3 }, confidence = { current = 0.0 } }
+  set_world { robot = { head_yaw = 0.3 }, confidence = { evidence = 0 } }
   advance(8.2)
   expect.state("goal_search", "searching/own goal")
   expect.reason("goal_search", "the goal cannot be looked at")
 end)
 
-for _, pose_name in ipairs { "current", "opposite" } do
-  test("ends when the " .. pose_name .. " pose leads for a while", function()
+for _, case in ipairs { { "believed", -9 }, { "reflected", 9 } } do
+  test("ends when the " .. case[1] .. " pose wins for a while", function()
     start()
     put_down()
-    set_world { confidence = { [pose_name] = 0.9 } }
+    set_world { confidence = { evidence = case[2] } }
     advance(0.8)
     expect.state("goal_search", "searching/opponent goal")
     advance(0.3)
     expect.state("goal_search", "resting")
-    expect.reason("goal_search", "one pose leads")
+    expect.reason("goal_search", "the room speaks for one pose")
   end)
 end
 
 test("ends when it takes too long, and begins again later", function()
   start()
   put_down()
-  set_world { confidence = { current = 0.0 } }
+  set_world { confidence = { evidence = 0 } }
   look_at(-math.rad(45))
   advance(19)
   expect.state("goal_search", "resting")
@@ -208,7 +208,7 @@ end)
 test("ends when no goal stands at either place: the belief is worth nothing", function()
   start()
   put_down()
-  set_world { confidence = { current = 0.0 }, seen = { goal_posts = 0 } }
+  set_world { confidence = { evidence = 0 }, seen = { goal_posts = 0 } }
   look_at(-math.rad(45))
   expect.state("goal_search", "searching/own goal")
   look_at(math.rad(45))
@@ -221,7 +221,7 @@ end)
 test("does not take a goal that is seen elsewhere for the one that was looked for", function()
   start()
   put_down()
-  set_world { confidence = { current = 0.0 } }
+  set_world { confidence = { evidence = 0 } }
   for _ = 1, 2 do
     set_world { robot = { head_yaw = 0.0 }, seen = { goal_posts = 2 } }
     advance(0.5)

@@ -38,7 +38,7 @@ end)
 
 test("fails when the robot flips its belief", function()
   change_sides()
-  set_world { confidence = { opposite = 0.9, coverage = 1, distinctiveness = 0.5, status = "usable" } }
+  set_world { confidence = { evidence = 9, coverage = 1, distinctiveness = 0.5, status = "usable" } }
   advance(10)
   expect.verdict(false, "made the robot flip")
 end)
@@ -46,6 +46,6 @@ end)
 test("loads the behaviours that it needs", function()
   change_sides()
   advance(0.1)
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.state("penalty_marks", "walking")
 end)

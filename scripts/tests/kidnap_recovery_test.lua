@@ -64,10 +64,10 @@ end)
 
 test("recovers when the room supports the believed pose long enough", function()
   put_down()
-  set_world { confidence = { current = 0.8 } }
+  set_world { confidence = { evidence = -8, current = 0.8 } }
   advance(2.9)
   expect.state("kidnap_recovery", "searching/with its belief")
-  advance(1.5)
+  advance(0.2)
   expect.state("kidnap_recovery", "recovered")
   expect.reason("kidnap_recovery", "the room supports the believed pose")
   expect.log("s after it was put down")
@@ -77,7 +77,7 @@ end)
 
 test("does not count the time in which the confidences are fresh", function()
   put_down()
-  set_world { confidence = { current = 0.9, status = "fresh" } }
+  set_world { confidence = { evidence = -9, current = 0.9, status = "fresh" } }
   advance(10)
   expect.state("kidnap_recovery", "searching/with its belief")
   set_world { confidence = { status = "usable" } }
@@ -89,7 +89,7 @@ end)
 
 test("does not believe in a pose on which the pose particles do not agree", function()
   put_down()
-  set_world { confidence = { current = 0.9 }, pose = { cluster_weight = 0.4 } }
+  set_world { confidence = { evidence = -9, current = 0.9 }, pose = { cluster_weight = 0.4 } }
   advance(15)
   expect.state("kidnap_recovery", "searching/with its belief")
 end)
@@ -106,14 +106,14 @@ test("forgets the orientation once when neither pose wins, and searches again", 
   advance(20)
   expect.no_command()
   expect.lease("pause_training")
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(3.1)
   expect.state("kidnap_recovery", "recovered")
 end)
 
-test("forgets nothing while the opposite pose leads: orientation will flip it", function()
+test("forgets nothing while the room speaks for the reflected pose: orientation will flip it", function()
   put_down()
-  set_world { confidence = { opposite = 0.9 } }
+  set_world { confidence = { evidence = 9 } }
   advance(60)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.no_command()
@@ -142,7 +142,7 @@ test("goes on in the end without training, and can still recover", function()
   expect.lease("pause_training")
   advance(30)
   expect.no_command()
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(3.1)
   expect.state("kidnap_recovery", "recovered")
   expect.reason("kidnap_recovery", "the room supports the believed pose")
@@ -151,7 +151,7 @@ end)
 
 test("a fall does not end the search", function()
   put_down()
-  set_world { robot = { posture = "lying" }, confidence = { current = 0.9 } }
+  set_world { robot = { posture = "lying" }, confidence = { evidence = -9, current = 0.9 } }
   advance(10)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.lease("pause_training")
@@ -159,7 +159,7 @@ end)
 
 test("begins anew whenever it is lifted", function()
   put_down()
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(7)
   expect.state("kidnap_recovery", "recovered")
   set_world { robot = { posture = "lifted" } }
@@ -175,11 +175,11 @@ test("leaves the flip to orientation and stands before walking", function()
   load_behavior "penalty_marks"
   set_world { confidence = { coverage = 0.9, distinctiveness = 0.3 } }
   put_down()
-  set_world { confidence = { opposite = 0.9 } }
+  set_world { confidence = { evidence = 9 } }
   advance(4)
   expect.command("flip_pose", "granted")
   expect.walk(0, 0, 0.4)
-  set_world { confidence = { opposite = 0.0, current = 0.9 } }
+  set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(5)
   expect.state("kidnap_recovery", "recovered")
   expect.walk(0, 0, 0.6)   -- penalty_marks turns to its mark
@@ -225,7 +225,7 @@ end)
 
 test("a direction that fits is not enough while the place does not", function()
   put_down()
-  set_world { confidence = { current = 0.9 }, pose = { recovery_probability = 0.5 } }
+  set_world { confidence = { evidence = -9, current = 0.9 }, pose = { recovery_probability = 0.5 } }
   advance(20)
   expect.state("kidnap_recovery", "searching/with its belief")
   set_world { pose = { recovery_probability = 0.0 } }

@@ -27,7 +27,7 @@ end
 
 --- The room supports the belief, right or wrong.
 local function become_sure()
-  set_world { confidence = { current = 0.9, status = "usable", age = 60 }, pose = { cluster_weight = 0.9 } }
+  set_world { confidence = { evidence = -9, current = 0.9, status = "usable", age = 60 }, pose = { cluster_weight = 0.9 } }
   advance(6)
   expect.state("kidnap_recovery", "recovered")
 end
@@ -75,7 +75,7 @@ end)
 
 test("loads the behaviours that it needs", function()
   put_down()
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.state("get_up", "idle")
   expect.state("background_training", "waiting")
   expect.state("kidnap_recovery", "searching/with its belief")

@@ -8,61 +8,61 @@ end
 
 test("watches first", function()
   learned_room()
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.no_command()
 end)
 
-test("flips once when the opposite pose wins", function()
+test("flips once when the reflected pose wins", function()
   learned_room()
-  set_world { confidence = { opposite = 0.9, current = 0.05 } }
-  advance(0.4)
+  set_world { confidence = { evidence = 8.5 } }
+  advance(0.15)
   expect.no_command()
-  advance(0.3)
+  advance(0.1)
   expect.state("orientation", "correcting")
-  expect.reason("orientation", "the opposite pose won")
+  expect.reason("orientation", "the reflected pose won")
   expect.command("flip_pose", "granted")
   advance(2.0)
   expect.no_command()
 end)
 
-test("does not flip on a lead that does not last", function()
+test("does not flip on evidence that does not last", function()
   learned_room()
   for _ = 1, 10 do
-    set_world { confidence = { opposite = 0.9 } }
-    advance(0.3)
-    set_world { confidence = { opposite = 0.1 } }
+    set_world { confidence = { evidence = 9 } }
+    advance(0.15)
+    set_world { confidence = { evidence = 1 } }
     advance(0.1)
   end
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.no_command()
 end)
 
 test("does not decide before enough of the room was learned", function()
   learned_room()
-  set_world { confidence = { opposite = 1.0, coverage = 0.1 } }
+  set_world { confidence = { evidence = 10, coverage = 0.1 } }
   advance(10)
   expect.no_command()
 end)
 
 test("does not flip in a room that looks the same after half a turn", function()
   learned_room()
-  set_world { confidence = { opposite = 1.0, distinctiveness = 0.0 } }
+  set_world { confidence = { evidence = 10, distinctiveness = 0.0 } }
   advance(10)
   expect.no_command()
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
 end)
 
 test("purges when the current pose wins while reflected beliefs linger", function()
   learned_room()
-  set_world { confidence = { current = 0.9 }, pose = { reflected_weight = 0.3 } }
+  set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.3 } }
   advance(0.7)
   expect.command("purge_reflection", "granted")
-  expect.reason("orientation", "the current pose won while reflected beliefs may linger")
+  expect.reason("orientation", "the believed pose won while reflected beliefs may linger")
 end)
 
 test("does not purge when hardly any reflected belief is left", function()
   learned_room()
-  set_world { confidence = { current = 0.9 }, pose = { reflected_weight = 0.02 } }
+  set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.02 } }
   advance(5)
   expect.no_command()
 end)
@@ -79,7 +79,7 @@ test("resets the orientation after a fall, once the robot is up", function()
   expect.command("reset_orientation", "granted")
   expect.reason("orientation", "the robot got up again")
   advance(3)
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.reason("orientation", "after min_time")
 end)
 
@@ -104,7 +104,7 @@ test("a robot that was helped up into somebody's hands is not reset: nobody know
   advance(1)
   set_world { robot = { posture = "upright" } }
   advance(3)
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.no_command()
 end)
 
@@ -117,7 +117,7 @@ test("purges once after a reset, when the room has told the orientation", functi
   expect.command("reset_orientation", "granted")
   advance(6)
   expect.no_command()
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9 } }
   advance(1)
   expect.command("purge_reflection", "granted")
   advance(10)
@@ -126,7 +126,7 @@ end)
 
 test("a fall while it settles is a fall, too", function()
   learned_room()
-  set_world { confidence = { opposite = 0.9 } }
+  set_world { confidence = { evidence = 9 } }
   advance(0.7)
   expect.state("orientation", "correcting")
   set_world { robot = { posture = "lying" } }
@@ -148,21 +148,21 @@ end)
 
 test("does not flip while the confidences are fresh, whatever the reason: the pose filter may have changed its mind", function()
   learned_room()
-  set_world { confidence = { opposite = 0.9, status = "fresh" } }
+  set_world { confidence = { evidence = 9, status = "fresh" } }
   advance(3)
   expect.no_command()
 end)
 
 test("does not purge while the confidences are fresh", function()
   learned_room()
-  set_world { confidence = { current = 0.9, status = "fresh" }, pose = { reflected_weight = 0.3 } }
+  set_world { confidence = { evidence = -9, status = "fresh" }, pose = { reflected_weight = 0.3 } }
   advance(3)
   expect.no_command()
 end)
 
 test("purges at once after a flip that turned right beliefs round too", function()
   learned_room()
-  set_world { confidence = { opposite = 0.9 }, pose = { reflected_weight = 0.4 } }
+  set_world { confidence = { evidence = 9 }, pose = { reflected_weight = 0.4 } }
   advance(0.7)
   expect.command("flip_pose", "granted")
   expect.command("purge_reflection", "granted")
@@ -172,14 +172,14 @@ end)
 
 test("does nothing while it is carried", function()
   learned_room()
-  set_world { robot = { posture = "lifted" }, confidence = { opposite = 1.0 } }
+  set_world { robot = { posture = "lifted" }, confidence = { evidence = 10 } }
   advance(5)
   expect.state("orientation", "lifted")
   expect.no_command()
   set_world { robot = { posture = "upright" } }
-  advance(0.7)
+  advance(0.3)
   expect.no_command()   -- the confidences have begun anew
-  advance(1.5)
+  advance(0.3)
   expect.command("flip_pose", "granted")
 end)
 
@@ -187,70 +187,97 @@ test("watches as soon as it stands again, and decides no sooner than views have 
   learned_room()
   set_world { robot = { posture = "lifted" } }
   advance(2)
-  set_world { robot = { posture = "upright" }, confidence = { opposite = 1.0 } }
+  set_world { robot = { posture = "upright" }, confidence = { evidence = 10 } }
   advance(0.1)
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.reason("orientation", "the robot stands again")
   expect.no_command()
 end)
 
 test("purges once after a flip that proved right, however few reflected beliefs there are", function()
   learned_room()
-  set_world { confidence = { opposite = 1.0 } }
+  set_world { confidence = { evidence = 10 } }
   advance(0.7)
   expect.command("flip_pose", "granted")
-  set_world { confidence = { current = 0.9, opposite = 0.0 } }
+  set_world { confidence = { evidence = -9 } }
   advance(4)
   expect.command("purge_reflection", "granted")
   expect.state("orientation", "purging")
   advance(10)
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in peace")
 end)
 
-test("an edit of the lead changes nothing of the state and counts at once", function()
+test("asks for more before it flips a pose that has proved right", function()
   learned_room()
-  set_world { confidence = { opposite = 0.4 } }
+  set_world { confidence = { evidence = -9 } }
+  advance(0.5)
+  expect.state("orientation", "watching/in peace")
+  expect.reason("orientation", "the believed pose won")
+  set_world { confidence = { evidence = 7 } }
+  advance(5)
+  expect.no_command()
+  set_world { confidence = { evidence = 10 } }
+  advance(0.5)
+  expect.command("flip_pose", "granted")
+end)
+
+test("is in doubt again when what was seen before says nothing any more", function()
+  learned_room()
+  set_world { confidence = { evidence = -9 } }
+  advance(0.5)
+  expect.state("orientation", "watching/in peace")
+  set_world { confidence = { age = 0, evidence = 0 } }   -- somebody has told the robot its pose
+  advance(0.1)
+  expect.state("orientation", "watching/in doubt")
+  set_world { confidence = { age = 1, evidence = 7 } }
+  advance(0.5)
+  expect.command("flip_pose", "granted")
+end)
+
+test("an edit of what is asked for changes nothing of the state and counts at once", function()
+  learned_room()
+  set_world { confidence = { evidence = 4 } }
   advance(2)
   expect.no_command()
-  reload { from = "lead      = { 0.5,", to = "lead      = { 0.3," }
+  reload { from = "disturbances = { 5.0,", to = "disturbances = { 0.5,", file = "lib/decision.lua" }
   advance(0.6)
   expect.command("flip_pose", "granted")
 end)
 
 test("an edit while it settles keeps the time that it has settled", function()
   learned_room()
-  set_world { confidence = { opposite = 0.9 } }
+  set_world { confidence = { evidence = 9 } }
   advance(0.6)
   expect.state("orientation", "correcting")
-  set_world { confidence = { opposite = 0.0 } }
+  set_world { confidence = { evidence = 0 } }
   advance(2.0)
   reload { from = "priority = 50", to = "priority = 51" }
   advance(0.5)
   expect.state("orientation", "correcting")
   advance(0.6)
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
 end)
 
 test("a broken edit keeps the previous version running", function()
   learned_room()
   reload { from = "initial = \"watching\"", to = "initial = \"wathcing\"" }
   expect.refused("did you mean 'watching'?")
-  set_world { confidence = { opposite = 0.9 } }
+  set_world { confidence = { evidence = 9 } }
   advance(0.7)
   expect.command("flip_pose", "granted")
 end)
 
-test("the lead can be set", function()
-  set_param("orientation.lead", "0.2")
+test("how often a right pose may be flipped can be set", function()
+  set_param("decision.false_flips", "1")
   learned_room()
-  set_world { confidence = { opposite = 0.3 } }
+  set_world { confidence = { evidence = 3 } }
   advance(0.7)
   expect.command("flip_pose")
 end)
 
 test("does not decide between two poses while the pose filter is lost: both may be wrong", function()
   learned_room()
-  set_world { confidence = { opposite = 0.9 }, pose = { recovery_probability = 0.6 } }
+  set_world { confidence = { evidence = 9 }, pose = { recovery_probability = 0.6 } }
   advance(5)
   expect.no_command()
   set_world { pose = { recovery_probability = 0.1 } }

@@ -60,7 +60,7 @@ end)
 
 test("loads the behaviours that it needs", function()
   start()
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.state("background_training", "waiting")
   expect.state("penalty_marks", "walking")
 end)

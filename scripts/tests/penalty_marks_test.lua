@@ -105,7 +105,7 @@ test("waits while others search for the pose, even on a mark", function()
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.state("penalty_marks", "waiting")
   expect.reason("penalty_marks", "others search for the pose")
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(3.2)
   expect.state("kidnap_recovery", "recovered")
   expect.state("penalty_marks", "on the mark")   -- of its own half, and only now
@@ -114,15 +114,15 @@ end)
 test("goes on to the same mark after a goal search", function()
   load_behavior "goal_search"
   load_behavior "penalty_marks"
-  set_world { confidence = { current = 0.9, coverage = 0.9, distinctiveness = 0.3 } }
+  set_world { confidence = { evidence = -9, coverage = 0.9, distinctiveness = 0.3 } }
   stand_at(-3.2, 0, 0)
   advance(1.2)
   expect.state("penalty_marks", "walking")   -- to the opponent's mark
-  set_world { confidence = { current = 0.0 } }
+  set_world { confidence = { evidence = 0 } }
   advance(11)
   expect.state("penalty_marks", "waiting")
   expect.walk(0, 0, 0)
-  set_world { confidence = { current = 0.9 } }
+  set_world { confidence = { evidence = -9 } }
   advance(1.2)
   expect.state("penalty_marks", "walking")
   expect.reason("penalty_marks", "the search has ended")

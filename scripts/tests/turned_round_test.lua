@@ -49,7 +49,7 @@ end)
 
 test("loads the behaviours that it needs", function()
   put_down()
-  expect.state("orientation", "watching")
+  expect.state("orientation", "watching/in doubt")
   expect.state("get_up", "idle")
   expect.state("background_training", "disturbed")
   expect.state("kidnap_recovery", "searching/with its belief")

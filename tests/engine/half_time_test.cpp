@@ -135,7 +135,6 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   EXPECT_EQ(is.current, was.current);
   EXPECT_EQ(is.opposite, was.opposite);
   EXPECT_EQ(is.age, was.age);
-  EXPECT_EQ(is.seen, was.seen);
   EXPECT_EQ(is.goal_own, was.goal_opponent);
   EXPECT_EQ(is.goal_opponent, was.goal_own);
   EXPECT_NEAR(is.evidence, was.evidence, 1e-6);

@@ -117,18 +117,19 @@ TEST_F(BadInput, ARoomThatIsNoPanoramaIsNamedWithItsSize) {
 }
 
 TEST_F(BadInput, AnUnknownParameterIsNamedWithOneThatWasPerhapsMeant) {
-  expect_refused_run({"--set", "orientation.laed=0.3"}, {"orientation.laed", "did you mean 'orientation.lead'"});
+  expect_refused_run({"--set", "orientation.lingring=0.3"},
+                     {"orientation.lingring", "did you mean 'orientation.lingering'"});
   expect_refused_run({"--set", "pose_filter.partciles=50"}, {"did you mean 'pose_filter.particles'"});
 }
 
 TEST_F(BadInput, ASettingThatIsNoneIsShownAsItShouldBe) {
-  for (const char* setting : {"orientation.lead", "=0.3", "", "="})
+  for (const char* setting : {"orientation.lingering", "=0.3", "", "="})
     expect_refused_run({"--set", setting}, {"--set", "NAME=VALUE"});
 }
 
 TEST_F(BadInput, AParameterOutOfItsRangeIsNamedWithItsRange) {
   expect_refused_run({"--set", "pose_filter.particles=1"}, {"pose_filter.particles", "10", "10000"});
-  expect_refused_run({"--set", "orientation.lead=7"}, {"orientation.lead", "0", "1"});
+  expect_refused_run({"--set", "orientation.lingering=7"}, {"orientation.lingering", "0", "1"});
 }
 
 TEST_F(BadInput, AParameterOfAWrongTypeIsNamed) {
@@ -137,7 +138,7 @@ TEST_F(BadInput, AParameterOfAWrongTypeIsNamed) {
   }
   for (const char* value : {"nan", "inf", "-inf", "soon"}) {
     expect_refused_run({"--set", std::string("arbiter.flip_cooldown=") + value}, {"arbiter.flip_cooldown"});
-    expect_refused_run({"--set", std::string("orientation.lead=") + value}, {"orientation.lead"});
+    expect_refused_run({"--set", std::string("orientation.lingering=") + value}, {"orientation.lingering"});
   }
   expect_refused_run({"--set", "histogram_distance.measure=ssd4"},
                      {"histogram_distance.measure", "did you mean 'ssd3'"});
@@ -151,13 +152,13 @@ TEST_F(BadInput, AParameterFileThatIsMissingIsNamed) {
 }
 
 TEST_F(BadInput, ABrokenParameterFileIsNamedWithTheLine) {
-  expect_refused_run({"--params", file("mine.toml", "[orientation]\nlead = = 0.3\n")}, {"mine.toml:2"});
+  expect_refused_run({"--params", file("mine.toml", "[orientation]\nlingering = = 0.3\n")}, {"mine.toml:2"});
   expect_refused_run({"--params", file("mine.toml", std::string_view("\0\xff\xfe", 3))}, {"mine.toml:1"});
 }
 
 TEST_F(BadInput, AParameterFileWithAnUnknownNameOrAWrongValueIsRefused) {
-  expect_refused_run({"--params", file("mine.toml", "[orientation]\nlaed = 0.3\n")},
-                     {"did you mean 'orientation.lead'"});
+  expect_refused_run({"--params", file("mine.toml", "[orientation]\nlingring = 0.3\n")},
+                     {"did you mean 'orientation.lingering'"});
   expect_refused_run({"--params", file("mine.toml", "[pose_filter]\nparticles = 1\n")},
                      {"mine.toml:2", "pose_filter.particles"});
   expect_refused_run({"--params", file("mine.toml", "[pose_filter]\nparticles = [50]\n")}, {"mine.toml:2"});

@@ -40,7 +40,7 @@ TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
   const ProgramRun checked = run({"check"});
   EXPECT_EQ(checked.code, kWrong);
   EXPECT_NE(
-      checked.out.find("behaviors/head_scan.lua:46:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
+      checked.out.find("behaviors/head_scan.lua:56:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
       std::string::npos)
       << checked.out;
 }
@@ -153,11 +153,12 @@ TEST_F(CommandsTest, NewNeverOverwritesAndTakesPlainNamesOnly) {
 }
 
 TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
-  const ProgramRun listed = run({"params", "orientation.", "--set", "orientation.lead=0.3"});
+  const ProgramRun listed = run({"params", "orientation.", "--set", "orientation.lingering=0.3"});
   EXPECT_EQ(listed.code, kSuccess) << listed.err;
-  EXPECT_NE(listed.out.find("  0.3  command line  0 to 1: how far one pose must be ahead"), std::string::npos)
+  EXPECT_NE(listed.out.find("  0.3  command line  0 to 1: share of reflected pose particles that is worth a purge"),
+            std::string::npos)
       << listed.out;
-  EXPECT_NE(listed.out.find("  0.5  default       0 to 10 s: how long the lead must last"), std::string::npos)
+  EXPECT_NE(listed.out.find("  0.2  default       0 to 10 s: how long the room must say so"), std::string::npos)
       << listed.out;
   EXPECT_EQ(listed.out.find("head_scan"), std::string::npos);
 }
@@ -179,13 +180,13 @@ TEST_F(CommandsTest, ParamsSendsNoTerminalWhatItWouldObey) {
 
 TEST_F(CommandsTest, ParamsSavesOverridesThatARunLoads) {
   const std::string file = path("tuned.toml");
-  ASSERT_EQ(run({"params", "--changed", "--set", "orientation.lead=0.3", "--set", "histogram_distance.measure=ssd3",
-                 "--save-params", file})
+  ASSERT_EQ(run({"params", "--changed", "--set", "orientation.lingering=0.3", "--set",
+                 "histogram_distance.measure=ssd3", "--save-params", file})
                 .code,
             kSuccess)
       << run({"params", "orientation"}).out;
   const ProgramRun again = run({"params", "--changed", "--params", file});
-  EXPECT_NE(again.out.find("orientation.lead  "), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("orientation.lingering  "), std::string::npos) << again.out;
   EXPECT_NE(again.out.find("file"), std::string::npos) << again.out;
 }
 
@@ -202,7 +203,7 @@ TEST_F(CommandsTest, ParamsTakesThePresetsByTheirNames) {
 TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
   EXPECT_EQ(run({"params", "no_such_part"}).code, kBadInput);
   EXPECT_EQ(run({"params", "--set", "orientation.led=1"}).code, kBadInput);
-  EXPECT_EQ(run({"params", "--set", "orientation.lead=2"}).code, kBadInput);
+  EXPECT_EQ(run({"params", "--set", "orientation.lingering=2"}).code, kBadInput);
 }
 
 TEST_F(CommandsTest, ARunSavesWhatWasTuned) {

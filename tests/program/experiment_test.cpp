@@ -62,7 +62,7 @@ TEST_F(ExperimentTest, DoesNotMixTwoRuns) {
   table("out", {"--trials", "1"});
   expect_refused({"--out", path("out"), "--trials", "1"}, "holds 2 of 2 results already; --resume goes on");
   expect_refused({"--out", path("out"), "--trials", "1", "--seed", "9", "--resume"}, "the result of another trial");
-  expect_refused({"--out", path("out"), "--trials", "1", "--set", "orientation.lead=0.3", "--resume"},
+  expect_refused({"--out", path("out"), "--trials", "1", "--set", "orientation.lingering=0.3", "--resume"},
                  "the result of another trial");
   folder.write("out/tasks/000001.json", "{\"task\": 1");
   expect_refused({"--out", path("out"), "--trials", "1", "--resume"}, "000001.json: this is no task's result");
@@ -99,13 +99,13 @@ TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
   EXPECT_EQ(one.find("\"default\""), std::string::npos) << one;
   EXPECT_NE(one.find("\"mode\": \"none\""), std::string::npos) << one;
   EXPECT_EQ(table("only", {"--only", "mode=none", "--trials", "1"}), one);
-  const std::filesystem::path mine = folder.write("eager.toml", "parameters.orientation.lead = 0.1\n");
+  const std::filesystem::path mine = folder.write("eager.toml", "parameters.orientation.lingering = 0.1\n");
   const std::string own = table("own", {"--mode", "none", "--mode", mine.string(), "--trials", "1"});
   EXPECT_NE(own.find("\"mode\": \"eager\""), std::string::npos) << own;
   expect_refused({"--mode", "nnoe"}, "the axis mode has no choice 'nnoe' (did you mean 'none'?)");
   expect_refused({"--light", "hard"}, "has no axis 'light'");
   expect_refused({"--only", "mode"}, "--only mode: write AXIS=CHOICE");
-  folder.write("eager.toml", "parameters.orientation.laed = 0.1\nlimti = 3\n");
+  folder.write("eager.toml", "parameters.orientation.lingring = 0.1\nlimti = 3\n");
   expect_refused({"--mode", mine.string()}, "eager.toml:2: there is no key 'limti' here");
 }
 
@@ -126,7 +126,7 @@ TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
 }
 
 TEST_F(ExperimentTest, StopsAtAMistakeThatOnlyATrialFinds) {
-  folder.write("short.toml", std::string(kShort) + "parameters.orientation.laed = 1\n");
+  folder.write("short.toml", std::string(kShort) + "parameters.orientation.lingring = 1\n");
   expect_refused({"--out", path("out")}, "task 3, mode none, trial 1 (seed 1): ");
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000002.json")) << "what is done is kept";
 }

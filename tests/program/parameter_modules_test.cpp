@@ -15,7 +15,7 @@ class ParameterModulesTest : public ::testing::Test {
  protected:
   ParameterModulesTest() {
     Parameter lead;
-    lead.name = "orientation.lead";
+    lead.name = "orientation.lingering";
     modules.parameters = {lead};
     modules.loaded = {"orientation", "silent"};
     modules.anywhere = {"orientation", "silent", "goal_search", "body"};
@@ -44,7 +44,8 @@ class ParameterModulesTest : public ::testing::Test {
 
 TEST_F(ParameterModulesTest, KeepsWhatAnotherRunMayLoad) {
   const std::vector<ParameterChange> kept = kept_for_others(
-      {in_file("orientation.lead"), in_file("goal_search.speed", "2"), in_file("goal_search.speed", "3")}, modules);
+      {in_file("orientation.lingering"), in_file("goal_search.speed", "2"), in_file("goal_search.speed", "3")},
+      modules);
   ASSERT_EQ(kept.size(), 1u);
   EXPECT_EQ(kept[0].name, "goal_search.speed");
   EXPECT_EQ(kept[0].value, "3") << "the last one of a name holds";
@@ -60,9 +61,9 @@ TEST_F(ParameterModulesTest, WarnsOnceOfAModuleThatNoRunCouldLoad) {
 }
 
 TEST_F(ParameterModulesTest, RefusesWhatAModuleThatIsThereDoesNotHave) {
-  EXPECT_EQ(
-      refusal(in_file("orientation.laed")),
-      "team.toml:7: there is no parameter 'orientation.laed' (set by the file) (did you mean 'orientation.lead'?)");
+  EXPECT_EQ(refusal(in_file("orientation.lingring")),
+            "team.toml:7: there is no parameter 'orientation.lingring' (set by the file) (did you mean "
+            "'orientation.lingering'?)");
   EXPECT_NE(refusal(in_file("silent.lead")), "accepted");
   EXPECT_NE(refusal(in_file("lead")), "accepted") << "a name without a module";
 }

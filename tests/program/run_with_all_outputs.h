@@ -23,7 +23,7 @@ class RunWithAllOutputs : public ::testing::Test {
   std::vector<std::string> words(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> all{"run",           "patrol",
                                  "--width",       "160",
-                                 "--set",         "orientation.lead=0.4",
+                                 "--set",         "orientation.lingering=0.4",
                                  "--save-params", (folder.path() / "tuned.toml").string(),
                                  "--json",        (folder.path() / "run.json").string(),
                                  "--out",         (folder.path() / "pictures").string()};
@@ -40,7 +40,8 @@ class RunWithAllOutputs : public ::testing::Test {
 
   void expect_all_outputs() const {
     EXPECT_EQ(json()["scenario"], "patrol");
-    EXPECT_EQ(toml::parse_file((folder.path() / "tuned.toml").string())["orientation"]["lead"].value<double>(), 0.4);
+    EXPECT_EQ(toml::parse_file((folder.path() / "tuned.toml").string())["orientation"]["lingering"].value<double>(),
+              0.4);
     for (const char* name : kPictures) EXPECT_TRUE(is_whole_picture(picture(name))) << name;
   }
   /// What was begun beside a file and never given its name.

@@ -51,24 +51,25 @@ TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunGoesOn) {
 
 TEST_F(AtATerminal, EditsTheLine) {
   open();
-  expect("sett orientation.lead 0.4\x01\x1B[C\x1B[C\x1B[C\x1B[3~\r", "orientation.lead = 0.4\r\n");
+  expect("sett orientation.lingering 0.4\x01\x1B[C\x1B[C\x1B[C\x1B[3~\r", "orientation.lingering = 0.4\r\n");
   expect(
       "\x1B[A\x7F"
       "3\r",
-      "orientation.lead = 0.3\r\n");
-  expect("undo\r", "orientation.lead = 0.4\r\n");
+      "orientation.lingering = 0.3\r\n");
+  expect("undo\r", "orientation.lingering = 0.4\r\n");
   expect("params head_scan.speed\r", "head_scan.speed = 1");
-  expect("lead\x12\r", "orientation.lead = 0.3\r\n");                    // the last line that holds "lead"
-  expect("\x1B[5~für\x7F\x7F\x7Fundo\r", "orientation.lead = 0.4\r\n");  // a key that means nothing; letters, not bytes
-  expect("\x1B\r", "real time");                                         // Escape waits for nothing
+  expect("linger\x12\r", "orientation.lingering = 0.3\r\n");  // the last line that holds "linger"
+  expect("\x1B[5~für\x7F\x7F\x7Fundo\r",
+         "orientation.lingering = 0.4\r\n");  // a key that means nothing; letters, not bytes
+  expect("\x1B\r", "real time");              // Escape waits for nothing
   EXPECT_TRUE(run->is_as_found());
 }
 
 TEST_F(AtATerminal, CompletesWords) {
   open();
-  expect("wh\torient\t\r", "the opposite pose won");
-  expect("set orientation.l\t", "orientation.lead       orientation.lingering\r\n");
-  expect("e\t0.25\r", "orientation.lead = 0.25\r\n");
+  expect("wh\torient\t\r", "the believed pose won");
+  expect("set orientation.\t", "orientation.hold_time");
+  expect("l\t0.25\r", "orientation.lingering = 0.25\r\n");
   expect("world confidence.opp\t\r", "confidence.opposite = ");
   expect("reload head\t\r", "behaviors/head_scan.lua was read again");
   expect("why pat\t\r", "patrol: walking");

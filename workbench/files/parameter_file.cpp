@@ -46,7 +46,8 @@ class Reading {
       const std::string parameter = prefix + std::string(key.str());
       const std::string source = place(name_, node.source());
       if (const toml::table* inner = node.as_table()) {
-        if (depth >= kDeepest) fail(source, "tables lie too deeply in each other; a name is like orientation.lead");
+        if (depth >= kDeepest)
+          fail(source, "tables lie too deeply in each other; a name is like orientation.lingering");
         read(*inner, parameter + ".", depth + 1);
         continue;
       }

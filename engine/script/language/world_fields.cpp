@@ -72,6 +72,10 @@ const BoundField kFields[] = {
     {"confidence", "current", "", "in the believed pose, smoothed", [](World& w) { return &w.confidence.current; }},
     {"confidence", "opposite", "", "in the reflection of the believed pose, smoothed",
      [](World& w) { return &w.confidence.opposite; }},
+    {"confidence", "evidence", "log-odds",
+     "how strongly the room speaks for the reflection of the believed pose: 4.6 is 99 in 100, 0 says "
+     "nothing, below 0 it speaks for the believed pose",
+     [](World& w) { return &w.confidence.evidence; }},
     {"confidence", "raw_current", "", "in the believed pose, this frame's",
      [](World& w) { return &w.confidence.raw_current; }},
     {"confidence", "raw_opposite", "", "in the reflection, this frame's",
@@ -86,11 +90,9 @@ const BoundField kFields[] = {
      "how much the room differs from itself turned by half a turn; 0: it looks the same",
      [](World& w) { return &w.confidence.distinctiveness; }},
     {"confidence", "age", "s",
-     "for how long views have said something since the confidences began anew: after a lift, a fall, a penalty, a told "
+     "for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told "
      "pose, a flip or a jump of the belief",
      [](World& w) { return &w.confidence.age; }},
-    {"confidence", "seen", "", "share of the wall's columns that those views have shown",
-     [](World& w) { return &w.confidence.seen; }},
     {"confidence", "status", "", "whether the confidences say something about the believed pose; if not, why not",
      [](World& w) { return &w.room_status; }},
     {"confidence", "visible_tiles", "", "how many tiles of the wall counted in this frame",

@@ -144,6 +144,15 @@ __m128i first_lanes(int skipped) {
 
 }  // namespace
 
+bool is_sound(const Light& light) {
+  const auto is_level = [](double value) { return value >= 0.0 && value <= 255.0; };
+  return is_level(light.luma) && is_level(light.cb) && is_level(light.cr);
+}
+
+RelativeLight relative(const Light& place, const Light& room) {
+  return {room.luma > 0.0 ? place.luma / room.luma : 1.0, place.cb - room.cb, place.cr - room.cr};
+}
+
 ColorThresholds color_thresholds(const ColorParameters& parameters, const Light& light) {
   const double gain = light.luma / Light{}.luma;
   const double dark = std::min(parameters.dark_below, parameters.bright_above);

@@ -41,6 +41,21 @@ template <typename Visit>
 void fields(Visit&& visit, Light& light) {
   visit(light.luma, light.cb, light.cr);
 }
+/// All three are levels of a byte.
+bool is_sound(const Light& light);
+
+/// What is left of the light on one place when that of the room is taken off: it stays when exposure and white balance
+/// change.
+struct RelativeLight {
+  double luma = 1.0;  ///< share of the room's
+  double cb = 0.0;    ///< less the room's
+  double cr = 0.0;    ///< the same
+};
+template <typename Visit>
+void fields(Visit&& visit, RelativeLight& light) {
+  visit(light.luma, light.cb, light.cr);
+}
+RelativeLight relative(const Light& place, const Light& room);
 
 /// The 14 regions for the bytes of an image. Thresholds move with the light so that pixels need not.
 struct ColorThresholds {

@@ -50,14 +50,10 @@ LightSums sum_light(const ImageView& image, int row, int left, int right, const 
 
 /// After reading.
 void LightAdaptation::check(std::size_t tiles) const {
-  const auto is_light = [](const Light& light) {
-    const auto is_level = [](double value) { return value >= 0.0 && value <= 255.0; };
-    return is_level(light.luma) && is_level(light.cb) && is_level(light.cr);
-  };
   check_bytes(tiles_.size() == tiles, "the light of a wall with another number of tiles");
-  check_bytes(is_light(light_) && std::isfinite(unseen_), "the light is none");
+  check_bytes(is_sound(light_) && std::isfinite(unseen_), "the light is none");
   for (const SeenTile& tile : tiles_)
-    check_bytes(is_light(tile.light) && std::isfinite(tile.unseen), "the light of a tile is none");
+    check_bytes(is_sound(tile.light) && std::isfinite(tile.unseen), "the light of a tile is none");
 }
 
 void LightAdaptation::forget_tiles() { std::fill(tiles_.begin(), tiles_.end(), SeenTile{}); }

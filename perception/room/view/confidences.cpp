@@ -6,14 +6,6 @@
 #include "geometry/pinned_math.h"
 
 namespace reorient {
-namespace {
-
-/// The least distance among a cell and its two neighbours.
-double best_near(const ViewpointScores& scores, int turn) {
-  return std::min({scores.at(turn - 1).distance, scores.at(turn).distance, scores.at(turn + 1).distance});
-}
-
-}  // namespace
 
 double smoothing_share(const ConfidenceParameters& parameters, double step, double age) {
   if (parameters.time_constant <= 0.0) return 1.0;
@@ -32,17 +24,6 @@ void count_particles(Confidences& confidences, const ViewFilter& filter, double 
 void smooth(Confidences& confidences, double share) {
   confidences.current += share * (confidences.raw_current - confidences.current);
   confidences.opposite += share * (confidences.raw_opposite - confidences.opposite);
-}
-
-double updated_evidence(double evidence, const ViewpointScores& scores, double step,
-                        const EvidenceParameters& parameters) {
-  double result = evidence * pinned::exp(-step / parameters.leak);
-  if (scores.evidence()) {
-    const int half = scores.columns() / 2;
-    const int tiles = std::min(scores.at(0).compared, scores.at(half).compared);
-    result += parameters.gain * step * tiles * (best_near(scores, 0) - best_near(scores, half));
-  }
-  return std::clamp(result, -parameters.limit, parameters.limit);
 }
 
 }  // namespace reorient

@@ -6,7 +6,6 @@
 
 #include "geometry/angle.h"
 #include "perception/room/view/view_filter.h"
-#include "perception/room/view/viewpoint_scores.h"
 
 namespace reorient {
 
@@ -20,16 +19,16 @@ struct Confidences {
   double goal_own = 0.0;         ///< the same, behind the goal at -x
   double coverage = 0.0;         ///< share of the wall's tiles that are trained well enough to be compared with
   double distinctiveness = 0.0;  ///< how much the model differs from itself turned by 180 degrees: 0 is the same
-  double evidence = 0.0;         ///< log-odds for the opposite pose against the current one, without any particles
-  double age = 0.0;              ///< s of views that said something since the confidences began anew
-  double seen = 0.0;             ///< share of the wall's columns that such views have shown since then
+  double evidence = 0.0;         ///< log-odds for the opposite pose against the current one (evidence/evidence.h)
+  double age = 0.0;              ///< s of views of known tiles since the confidences began anew
+  double smoothed_for = 0.0;     ///< s of those of them that the smoothed ones are made of
   int visible_tiles = 0;         ///< tiles that counted in this frame
 };
 
 template <typename Visit>
 void fields(Visit&& visit, Confidences& c) {
   visit(c.current, c.opposite, c.raw_current, c.raw_opposite, c.goal_opponent, c.goal_own, c.coverage,
-        c.distinctiveness, c.evidence, c.age, c.seen, c.visible_tiles);
+        c.distinctiveness, c.evidence, c.age, c.smoothed_for, c.visible_tiles);
 }
 
 struct ConfidenceParameters {
@@ -49,19 +48,6 @@ void describe(ConfidenceParameters& p, Visit&& visit) {
   visit("restart_on_purge", p.restart_on_purge, "whether they begin anew after a purge, too");
 }
 
-struct EvidenceParameters {
-  double gain = 3.0;
-  double leak = 10.0;
-  double limit = 10.0;
-};
-template <typename Visit>
-void describe(EvidenceParameters& p, Visit&& visit) {
-  visit("gain", p.gain, 0.0, 100.0, "1/s",
-        "kappa: log-odds per second for each unit of distance, summed over the tiles");
-  visit("leak", p.leak, 0.1, 1000.0, "s", "time constant with which old evidence fades");
-  visit("limit", p.limit, 0.1, 100.0, "", "the log-odds stay within plus and minus this");
-}
-
 /// Weight of a frame of `step` seconds in the smoothing, when it ends the first `age` seconds.
 double smoothing_share(const ConfidenceParameters& parameters, double step, double age);
 
@@ -70,10 +56,5 @@ void count_particles(Confidences& confidences, const ViewFilter& filter, double 
                      const ConfidenceParameters& parameters);
 /// Takes them into the smoothed ones.
 void smooth(Confidences& confidences, double share);
-
-/// Log-odds that fade. Each of the two poses may choose among the cells next to it, since the belief
-/// may be off by a column.
-double updated_evidence(double evidence, const ViewpointScores& scores, double step,
-                        const EvidenceParameters& parameters);
 
 }  // namespace reorient

@@ -5,24 +5,9 @@
 
 namespace reorient {
 
-void ComparedModel::prepare(const BackgroundModel& model, const Comparison& comparison) {
-  const std::span<const TileModel> tiles = model.tiles();
-  tiles_.resize(tiles.size());
-  trusted_.resize(tiles.size());
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    trusted_[i] = tiles[i].visits > 0 && tiles[i].trained >= comparison.trusted_after ? 1 : 0;
-    tiles_[i] = prepared(comparison.measure, tiles[i].mean);
-  }
-}
-
-double ComparedModel::coverage() const {
-  if (trusted_.empty()) return 0.0;
-  const auto trusted = std::count(trusted_.begin(), trusted_.end(), 1);
-  return static_cast<double>(trusted) / static_cast<double>(trusted_.size());
-}
-
 void ViewpointScores::clear() {
   cells_.clear();
+  places_.clear();
   best_ = 0;
   average_ = 0.0;
   evidence_ = false;
@@ -30,30 +15,23 @@ void ViewpointScores::clear() {
 
 void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const ComparedModel& model, const Wall& wall,
                               const Comparison& comparison) {
-  perceived_.clear();
-  places_.clear();
-  perceived_.reserve(static_cast<std::size_t>(wall.tiles()));
-  places_.reserve(static_cast<std::size_t>(wall.tiles()));
-  for (const PerceivedTile& tile : perceived) {
-    if (!tile.counts) continue;
-    perceived_.push_back(prepared(comparison.measure, tile.histogram));
-    places_.push_back(tile.tile);
-  }
   const int columns = wall.columns();
   cells_.assign(static_cast<std::size_t>(columns), ViewpointScore{});
+  places_.clear();
+  places_.reserve(static_cast<std::size_t>(wall.tiles()));
+  int counting = 0;
+  for (const PerceivedTile& tile : perceived) {
+    if (!tile.counts) continue;
+    ++counting;
+    compare({tile.tile, prepared(comparison.measure, tile.histogram),
+             prepared(comparison.measure, tile.reflected_histogram)},
+            model, wall, comparison);
+  }
   constexpr int kFewest = 2;  // tiles
-  const int enough = std::max(kFewest, (static_cast<int>(places_.size()) + 1) / 2);
+  const int enough = std::max(kFewest, (counting + 1) / 2);
   double known_distance = 0.0;
   int known = 0;
-  for (int turn = 0; turn < columns; ++turn) {
-    ViewpointScore& cell = cells_[static_cast<std::size_t>(turn)];
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const int column = wall.column_of(places_[i]) + turn;
-      const int tile = wall.tile(wall.row_of(places_[i]), column < columns ? column : column - columns);
-      if (!model.trusted(tile)) continue;
-      cell.distance += std::min(comparison.cap, reorient::distance(comparison.measure, perceived_[i], model[tile]));
-      ++cell.compared;
-    }
+  for (ViewpointScore& cell : cells_) {
     cell.known = cell.compared >= enough;
     if (!cell.known) continue;
     cell.distance /= cell.compared;
@@ -70,6 +48,41 @@ void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const Co
                        [](const ViewpointScore& a, const ViewpointScore& b) { return a.distance < b.distance; });
   best_ = static_cast<int>(best - cells_.begin());
   evidence_ = at(0).known && at(columns / 2).known;
+}
+
+/// One perceived tile with the whole of its row.
+void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& model, const Wall& wall,
+                              const Comparison& comparison) {
+  const int columns = wall.columns();
+  const int row = wall.row_of(perceived.tile);
+  ComparedPlace place;
+  place.tile = perceived.tile;
+  double sum = 0.0;
+  int known = 0;
+  for (int turn = 0; turn < columns; ++turn) {
+    const int column = wall.column_of(perceived.tile) + turn;
+    const int tile = wall.tile(row, column < columns ? column : column - columns);
+    if (!model.trusted(tile)) continue;
+    const bool is_behind = 4 * turn > columns && 4 * turn < 3 * columns;
+    const double distance = reorient::distance(
+        comparison.measure, is_behind ? perceived.reflected_histogram : perceived.histogram, model[tile]);
+    ViewpointScore& cell = cells_[static_cast<std::size_t>(turn)];
+    cell.distance += std::min(comparison.cap, distance);
+    ++cell.compared;
+    sum += distance;
+    ++known;
+    if (turn == 0) {
+      place.as_believed = distance;
+      place.believed_known = true;
+    }
+    if (2 * turn == columns) {
+      place.as_reflected = distance;
+      place.reflected_known = true;
+    }
+  }
+  if (known == 0) return;
+  place.typical = sum / known;
+  places_.push_back(place);
 }
 
 const ViewpointScore& ViewpointScores::at(int turn) const {

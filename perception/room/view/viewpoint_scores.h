@@ -4,33 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "perception/room/background_model.h"
-#include "perception/room/color/histogram_distance.h"
+#include "perception/room/compared_model.h"
 #include "perception/room/wall/perceived_tiles.h"
 #include "perception/room/wall/wall.h"
 
 namespace reorient {
-
-/// How two histograms are compared in the mode that is on.
-struct Comparison {
-  Distance measure = Distance::hellinger;
-  double cap = 0.5;            ///< no tile counts as more different than this
-  double trusted_after = 0.3;  ///< s of training that a tile needs
-};
-
-/// The model, prepared for comparing.
-class ComparedModel {
- public:
-  void prepare(const BackgroundModel& model, const Comparison& comparison);
-  bool trusted(int tile) const { return trusted_[static_cast<std::size_t>(tile)] != 0; }
-  const ComparedHistogram& operator[](int tile) const { return tiles_[static_cast<std::size_t>(tile)]; }
-  /// Share of all tiles that are trusted.
-  double coverage() const;
-
- private:
-  std::vector<ComparedHistogram> tiles_;
-  std::vector<char> trusted_;
-};
 
 /// One viewpoint cell: the camera looks `turn` columns further to the left than the belief says.
 struct ViewpointScore {
@@ -39,7 +17,18 @@ struct ViewpointScore {
   bool known = false;     ///< enough of them
 };
 
-/// A score for every whole number of columns by which the believed direction may be wrong.
+/// A perceived tile, compared with what is known of the wall. Distances are not capped.
+struct ComparedPlace {
+  int tile = 0;                 ///< where the belief says that it is
+  double as_believed = 0.0;     ///< distance to the model's tile there, in the light of the believed pose
+  double as_reflected = 0.0;    ///< distance to the reflected tile, in the light of the reflection
+  double typical = 0.0;         ///< mean distance to the trusted tiles of its row, in both lights
+  bool believed_known = false;  ///< the model's tile is trusted; otherwise the distance is 0
+  bool reflected_known = false;
+};
+
+/// A score for every whole number of columns by which the believed direction may be wrong, each in the light of the
+/// pose or of its reflection, whichever is nearer.
 class ViewpointScores {
  public:
   void compute(std::span<const PerceivedTile> perceived, const ComparedModel& model, const Wall& wall,
@@ -50,6 +39,8 @@ class ViewpointScores {
   const ViewpointScore& at(int turn) const;
   /// Interpolated between the two nearest cells. `turn`: columns, any number.
   double distance(double turn) const;
+  /// The perceived tiles that count and of whose row anything is known.
+  std::span<const ComparedPlace> places() const { return places_; }
   int columns() const { return static_cast<int>(cells_.size()); }
   int best() const { return best_; }
   double least() const { return columns() > 0 ? at(best_).distance : 0.0; }
@@ -60,9 +51,15 @@ class ViewpointScores {
   bool evidence() const { return evidence_; }
 
  private:
+  struct Perceived {
+    int tile;
+    ComparedHistogram histogram, reflected_histogram;
+  };
+
+  void compare(const Perceived& perceived, const ComparedModel& model, const Wall& wall, const Comparison& comparison);
+
   std::vector<ViewpointScore> cells_;
-  std::vector<ComparedHistogram> perceived_;
-  std::vector<int> places_;
+  std::vector<ComparedPlace> places_;
   int best_ = 0;
   double average_ = 0.0;
   bool evidence_ = false;

@@ -65,6 +65,7 @@ double projected_area(const CameraModel& camera, const Isometry3& camera_from_fi
 void PerceivedTiles::clear() {
   blocks_.clear();
   tiles_.clear();
+  lights_.clear();
 }
 
 void PerceivedTiles::find(const RoomObservation& view, const Wall& wall, const PerceptionParameters& parameters) {
@@ -197,7 +198,10 @@ void PerceivedTiles::measure(const Isometry3& field_from_camera, const CameraMod
 }
 
 void PerceivedTiles::blur(double share) {
-  for (PerceivedTile& tile : tiles_) tile.histogram = blurred(tile.histogram, share);
+  for (PerceivedTile& tile : tiles_) {
+    tile.histogram = blurred(tile.histogram, share);
+    tile.reflected_histogram = blurred(tile.reflected_histogram, share);
+  }
 }
 
 std::span<const TileLight> PerceivedTiles::light(const ImageView& image, const LightParameters& parameters,
@@ -215,20 +219,24 @@ std::span<const TileLight> PerceivedTiles::light(const ImageView& image, const L
   return lights_;
 }
 
-void PerceivedTiles::count(const ImageView& image, const ColorThresholds& thresholds,
-                           const PerceptionParameters& parameters) {
+void PerceivedTiles::count(const ImageView& image, const ColorThresholds& if_believed,
+                           const ColorThresholds& if_reflected, const PerceptionParameters& parameters) {
+  const bool both = if_reflected != if_believed;
   const int step = row_step(image.height, parameters);
   for (const TileBlock& block : blocks_) {
     // Every step-th row of the image, whatever band it is in.
     PixelBlock sampled = block.pixels;
     sampled.top = (block.pixels.top + step - 1) / step * step;
-    count_colors(image, sampled, step, thresholds, counts_[static_cast<std::size_t>(block.tile)].colors);
+    TileCount& count = counts_[static_cast<std::size_t>(block.tile)];
+    count_colors(image, sampled, step, if_believed, count.colors);
+    if (both) count_colors(image, sampled, step, if_reflected, count.reflected_colors);
   }
   for (PerceivedTile& tile : tiles_) {
-    const ColorCounts& colors = counts_[static_cast<std::size_t>(tile.tile)].colors;
+    const TileCount& count = counts_[static_cast<std::size_t>(tile.tile)];
     tile.samples = 0;
-    for (const std::uint32_t color : colors) tile.samples += static_cast<int>(color);
-    tile.histogram = normalized(colors);
+    for (const std::uint32_t color : count.colors) tile.samples += static_cast<int>(color);
+    tile.histogram = normalized(count.colors);
+    tile.reflected_histogram = both ? normalized(count.reflected_colors) : tile.histogram;
     tile.counts = tile.samples >= std::max(parameters.min_samples, 1) && tile.expected_area > 0.0 &&
                   tile.coverage() >= parameters.min_coverage && tile.distance > parameters.min_distance &&
                   tile.incidence > parameters.min_incidence;

@@ -33,13 +33,14 @@ void describe(PerceptionParameters& p, Visit&& visit) {
 
 struct PerceivedTile {
   int tile = 0;
-  int samples = 0;             ///< pixels that were counted
-  double area = 0.0;           ///< pixels in view and not covered
-  double expected_area = 0.0;  ///< pixels that the whole tile would fill, in view or not; 0: unknown
-  double distance = 0.0;       ///< m from the camera to the tile's centre
-  double incidence = 0.0;      ///< cosine there
-  bool counts = false;         ///< all of the limits are kept
-  ColorHistogram histogram{};
+  int samples = 0;                       ///< pixels that were counted
+  double area = 0.0;                     ///< pixels in view and not covered
+  double expected_area = 0.0;            ///< pixels that the whole tile would fill, in view or not; 0: unknown
+  double distance = 0.0;                 ///< m from the camera to the tile's centre
+  double incidence = 0.0;                ///< cosine there
+  bool counts = false;                   ///< all of the limits are kept
+  ColorHistogram histogram{};            ///< in the light that the believed pose implies
+  ColorHistogram reflected_histogram{};  ///< in that which its reflection implies
 
   double coverage() const { return expected_area > 0.0 ? area / expected_area : 0.0; }
 };
@@ -47,7 +48,7 @@ struct PerceivedTile {
 template <typename Visit>
 void fields(Visit&& visit, PerceivedTile& tile) {
   visit(tile.tile, tile.samples, tile.area, tile.expected_area, tile.distance, tile.incidence, tile.counts,
-        tile.histogram);
+        tile.histogram, tile.reflected_histogram);
 }
 
 /// A rectangle of pixels that shows one tile.
@@ -67,8 +68,13 @@ class PerceivedTiles {
   std::span<const TileLight> light(const ImageView& image, const LightParameters& parameters,
                                    const PerceptionParameters& perception);
 
-  /// Counts the colours of each tile and decides which tiles count. After find() with the same image.
-  void count(const ImageView& image, const ColorThresholds& thresholds, const PerceptionParameters& parameters);
+  /// What light() found in this frame.
+  std::span<const TileLight> lights() const { return lights_; }
+
+  /// Counts the colours of each tile, once for each of the two lights, and decides which tiles count. After find() with
+  /// the same image.
+  void count(const ImageView& image, const ColorThresholds& if_believed, const ColorThresholds& if_reflected,
+             const PerceptionParameters& parameters);
 
   /// Blurs all histograms.
   void blur(double share);
@@ -87,6 +93,7 @@ class PerceivedTiles {
 
   struct TileCount {
     ColorCounts colors{};
+    ColorCounts reflected_colors{};
     LightSums light;
     double area = 0.0;
   };

@@ -17,8 +17,8 @@ namespace reorient {
 struct WallParameters {
   double radius = 8.0;
   double bottom = 0.7;
-  double top = 3.1;
-  int rows = 2;
+  double top = 5.5;
+  int rows = 4;
   int columns = 48;
 };
 template <typename Visit>

@@ -55,7 +55,7 @@ CommandTable::CommandTable(ConsoleSubject subject)
     return [names](const Words& before) { return before.empty() ? Words(names()) : Words(); };
   };
   commands_ = {
-      {"set", "NAME VALUE", "change a parameter, as in: set orientation.lead 0.3",
+      {"set", "NAME VALUE", "change a parameter, as in: set decision.false_flips 1",
        [this](const Words& words, FrameInputs& inputs) { return parameters_.set(words[0], words[1], inputs); },
        parameter_or_value},
       {"undo", "", "take the last change of a parameter back; again: the one before",

@@ -96,7 +96,6 @@ TEST(HalfTime, LeavesTheConfidencesAsIfNothingHadHappened) {
     ASSERT_EQ(after.goal_own, before.goal_opponent) << frame;
     ASSERT_EQ(after.goal_opponent, before.goal_own) << frame;
     ASSERT_EQ(after.coverage, before.coverage) << frame;
-    ASSERT_EQ(after.seen, before.seen) << frame;
     ASSERT_NEAR(after.evidence, before.evidence, 1e-6) << frame;
     ASSERT_NEAR(after.distinctiveness, before.distinctiveness, 1e-6) << frame;
   }

@@ -23,7 +23,7 @@ struct Scene {
   PerceivedTiles perceive(const Wall& wall = Wall{}, const PerceptionParameters& parameters = {}) {
     PerceivedTiles tiles;
     tiles.find(view, wall, parameters);
-    tiles.count(view.image, {}, parameters);
+    tiles.count(view.image, {}, {}, parameters);
     return tiles;
   }
   Image image;

@@ -122,7 +122,7 @@ TEST(RoomAwareness, CoverageGrowsWithWhatWasSeen) {
   const double soon = robot.awareness.confidences().coverage;
   robot.run(10.0);
   EXPECT_GT(robot.awareness.confidences().coverage, soon);
-  EXPECT_GT(robot.awareness.confidences().coverage, 0.6);
+  EXPECT_GT(robot.awareness.confidences().coverage, 0.5);
 }
 
 TEST(RoomAwareness, AnUntrainedRoomIsNoEvidence) {
@@ -186,7 +186,7 @@ TEST(RoomAwareness, AnotherWallForgetsTheModelAndAnotherNumberDoesNot) {
   parameters.wall.columns = 32;
   robot.awareness.set_parameters(parameters);
   EXPECT_EQ(robot.awareness.confidences().coverage, 0.0);
-  EXPECT_EQ(robot.awareness.model().tiles().size(), 2u * 32u);
+  EXPECT_EQ(robot.awareness.model().tiles().size(), 4u * 32u);
   robot.run(1.0);
   EXPECT_GT(robot.awareness.confidences().visible_tiles, 3);
 }
@@ -295,8 +295,8 @@ TEST(RoomAwareness, DeclaresParametersWhoseDefaultsAreWithinTheirRanges) {
     describe(part, reader);
     EXPECT_GT(reader.numbers + reader.choices, before) << name;
   });
-  EXPECT_EQ(parts.size(), 9u);
-  EXPECT_EQ(reader.choices, 5);
+  EXPECT_EQ(parts.size(), 10u);
+  EXPECT_EQ(reader.choices, 6);
 }
 
 }  // namespace

@@ -7,46 +7,10 @@
 #include <rapidcheck/gtest.h>
 
 #include "perception/room/view/confidences.h"
+#include "tests/perception/room/one_row.h"
 
 namespace reorient {
 namespace {
-
-/// A wall of one row whose every column has colours of its own, and what a camera sees of it.
-struct OneRow {
-  OneRow() {
-    WallParameters parameters;
-    parameters.rows = 1;
-    parameters.columns = 16;
-    wall = Wall(parameters);
-    model.forget(16);
-    for (int column = 0; column < 16; ++column) model.train(column, colors_of(column), {1.0, 100.0, true, 0.0});
-    compared.prepare(model, comparison);
-  }
-  static ColorHistogram colors_of(int column) {
-    ColorHistogram histogram{};
-    histogram[static_cast<std::size_t>(column % 14)] = 0.7f;
-    histogram[static_cast<std::size_t>((3 * column + 1) % 14)] += 0.3f;
-    return histogram;
-  }
-  /// The scores if the belief says that columns first...first + 3 are in view, and they are `turn` further left.
-  ViewpointScores scores(int first, int turn) const {
-    std::vector<PerceivedTile> perceived;
-    for (int column = first; column < first + 4; ++column) {
-      PerceivedTile tile;
-      tile.tile = column % 16;
-      tile.counts = true;
-      tile.histogram = colors_of((column + turn) % 16);
-      perceived.push_back(tile);
-    }
-    ViewpointScores result;
-    result.compute(perceived, compared, wall, comparison);
-    return result;
-  }
-  Wall wall;
-  BackgroundModel model;
-  Comparison comparison;
-  ComparedModel compared;
-};
 
 RC_GTEST_PROP(ViewpointScores, TheBestCellIsTheTurnBetweenBeliefAndTruth, ()) {
   const OneRow room;
@@ -64,7 +28,7 @@ TEST(ViewpointScores, AViewThatPredictsNothingIsNoEvidence) {
   OneRow room;
   room.model.forget(16);
   for (int column = 0; column < 6; ++column) room.model.train(column, OneRow::colors_of(column), {1.0, 9.0, true, 0.0});
-  room.compared.prepare(room.model, room.comparison);
+  room.compared.prepare(room.model, room.wall, room.comparison);
   const ViewpointScores scores = room.scores(1, 0);
   EXPECT_TRUE(scores.at(0).known);
   EXPECT_FALSE(scores.at(8).known);
@@ -181,17 +145,6 @@ TEST(Confidences, CountParticlesAroundBothViewCentresAndBehindTheGoals) {
   EXPECT_EQ(confidences.current, 0.0);
   smooth(confidences, 1.0);
   EXPECT_EQ(confidences.current, confidences.raw_current);
-}
-
-TEST(Confidences, EvidenceSpeaksForTheBetterOfTheTwoAndStaysWithinItsLimit) {
-  const OneRow room;
-  double evidence = 0.0;
-  for (int i = 0; i < 300; ++i) evidence = updated_evidence(evidence, room.scores(3, 8), 1.0 / 30.0, {});
-  EXPECT_GT(evidence, 5.0);
-  EXPECT_LE(evidence, EvidenceParameters{}.limit);
-  for (int i = 0; i < 900; ++i) evidence = updated_evidence(evidence, room.scores(3, 0), 1.0 / 30.0, {});
-  EXPECT_LT(evidence, -5.0);
-  EXPECT_NEAR(updated_evidence(4.0, ViewpointScores{}, 10.0, {}), 4.0 * std::exp(-1.0), 1e-9) << "it fades";
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ scenario = "turned_round"
 measured_from = "turned round"
 limit = 60
 with = ["ball_search"]
-parameters.orientation.lead = 0.4
+parameters.orientation.lingering = 0.4
 [[axis]]
 name = "motion"
 [[axis.choice]]
@@ -33,7 +33,7 @@ name = "paper"
 params = ["paper"]
 with = ["paper/paper_orientation"]
 without = ["orientation"]
-parameters.orientation.lead = 0.3
+parameters.orientation.lingering = 0.3
 [[axis.choice]]
 name = "none"
 room_awareness = false
@@ -77,7 +77,7 @@ TEST(ExperimentFile, SaysWhereAParameterIsSetAndTheLastOneCounts) {
   const std::vector<Cell> cells = cells_of(parsed(kTwoAxes));
   const std::vector<ParameterChange>& changes = cells[1].condition.parameters;
   ASSERT_EQ(changes.size(), 3U);
-  EXPECT_EQ(changes[0].name, "orientation.lead");
+  EXPECT_EQ(changes[0].name, "orientation.lingering");
   EXPECT_EQ(changes[0].value, "0.4");
   EXPECT_EQ(changes[0].source, "some/where.toml:9");
   EXPECT_EQ(changes[1].name, "walk.speed");

@@ -30,7 +30,8 @@ class ParameterFile : public ::testing::Test {
 };
 
 TEST_F(ParameterFile, HasTablesAsPrefixesAndLinesAsSources) {
-  const auto changes = read("[view]\nparticles = 50\npaper = true\ndistance = \"ssd3\"\n[orientation]\nlead = 0.4\n");
+  const auto changes =
+      read("[view]\nparticles = 50\npaper = true\ndistance = \"ssd3\"\n[orientation]\nlingering = 0.4\n");
   ASSERT_EQ(changes.size(), 4u);
   for (const ParameterChange& change : changes) EXPECT_EQ(change.origin, ParameterOrigin::file);
   const auto find = [&](const std::string& name) {
@@ -39,8 +40,8 @@ TEST_F(ParameterFile, HasTablesAsPrefixesAndLinesAsSources) {
   EXPECT_EQ(find("view.particles").value, "50");
   EXPECT_EQ(find("view.paper").value, "true");
   EXPECT_EQ(find("view.distance").value, "ssd3");
-  EXPECT_EQ(find("orientation.lead").value, "0.4");
-  EXPECT_TRUE(find("orientation.lead").source.ends_with("p.toml:6"));
+  EXPECT_EQ(find("orientation.lingering").value, "0.4");
+  EXPECT_TRUE(find("orientation.lingering").source.ends_with("p.toml:6"));
 }
 
 TEST_F(ParameterFile, TellsItsMistakesWithFileAndLine) {

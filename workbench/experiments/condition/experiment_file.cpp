@@ -191,12 +191,13 @@ class ExperimentReader {
     return patch;
   }
 
-  /// "orientation.lead" = 0.3, or a table of tables as in a parameter file.
+  /// "orientation.lingering" = 0.3, or a table of tables as in a parameter file.
   std::vector<ParameterChange> read_values(const TableReader& in, const toml::table& table) const {
     std::vector<ParameterChange> changes;
     for (const auto& [module, values] : table) {
       const toml::table* const inner = values.as_table();
-      if (inner == nullptr) in.refuse(values, "a parameter stands in the table of its module: orientation.lead = 0.3");
+      if (inner == nullptr)
+        in.refuse(values, "a parameter stands in the table of its module: orientation.lingering = 0.3");
       for (const auto& [key, value] : *inner) {
         const std::string name = std::string(module.str()) + "." + std::string(key.str());
         const std::optional<std::string> text = value_text(value);

@@ -69,7 +69,7 @@ constexpr ScriptWord kTest[] = {
      "status of the confidences, whether training and evaluation go on) follows until the test sets it itself.",
      {}},
     {"set_param(name: reorient.ParameterName, value: string)",
-     "set_param(\"orientation.lead\", \"0.3\")",
+     "set_param(\"decision.false_flips\", \"1\")",
      "Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in "
      "the test has is a failure.",
      {}},
@@ -84,7 +84,7 @@ constexpr ScriptWord kTest[] = {
     {"simulate(run: { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: "
      "number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, "
      "any>? }): boolean is_correct",
-     "simulate { scenario = \"turned_round\", seed = 1, params = { [\"orientation.lead\"] = 0.4 } }",
+     "simulate { scenario = \"turned_round\", seed = 1, params = { [\"decision.false_flips\"] = 1 } }",
      "Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected "
      "behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, "
      "320, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped "

@@ -56,7 +56,6 @@ TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, cons
   parameters_.bind("arbiter", arbiter_parameters_);
   parameters_.bind("script", limits_);
   world_.posture_for = world_.undisturbed_for = world_.confidence.age = kLongAgo;
-  world_.confidence.seen = 1.0;
 }
 
 template <auto Method>
@@ -271,7 +270,6 @@ void TestBench::follow_world() {
   Confidences& confidence = world_.confidence;
   derive("confidence.age", confidence.age,
          world_.disturbed() ? 0.0 : confidence.age + (world_.evaluating ? step : 0.0));
-  derive("confidence.seen", confidence.seen, confidence.age > 0.0 ? 1.0 : 0.0);
   derive("confidence.status", world_.room_status, room_status(world_, RoomStatusParameters{}));
 }
 
@@ -349,7 +347,7 @@ int TestBench::reload(lua_State* L) {
   return 0;
 }
 
-/// simulate { scenario = "turned_round", seed = 1, params = { ["orientation.lead"] = 0.4 } }: from beginning to end.
+/// simulate { scenario = "turned_round", seed = 1, params = { ["decision.false_flips"] = 1 } }: from beginning to end.
 int TestBench::simulate(lua_State* L) {
   SimulationRequest request = read_simulation_request(L, 1);
   if (!simulate_) {

@@ -2,7 +2,7 @@ test("everything", function()
   load_behavior "orientation"
   load_scenario "kidnapped"
   set_world { confidence = { opposite = 0.9, current = 0.1 }, robot = { posture = "upright" }, truth = { x = 1 } }
-  set_param("orientation.lead", "0.2")
+  set_param("orientation.lingering", "0.2")
   advance(0.5)
   expect.state("orientation", "watching")
   expect.reason("orientation", "x")

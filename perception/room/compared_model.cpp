@@ -1,0 +1,45 @@
+#include "perception/room/compared_model.h"
+
+#include <algorithm>
+
+namespace reorient {
+
+void ComparedModel::prepare(const BackgroundModel& model, const Wall& wall, const Comparison& comparison) {
+  const std::span<const TileModel> learned = model.tiles();
+  if (tiles_.size() != learned.size() || comparison != comparison_) tiles_.assign(learned.size(), Tile{});
+  comparison_ = comparison;
+  bool any = false;
+  for (std::size_t i = 0; i < learned.size(); ++i) {
+    Tile& tile = tiles_[i];
+    if (tile.visits == learned[i].visits && tile.trained == learned[i].trained) continue;
+    any = true;
+    tile.visits = learned[i].visits;
+    tile.trained = learned[i].trained;
+    tile.trusted = tile.visits > 0 && tile.trained >= comparison.trusted_after;
+    tile.histogram = prepared(comparison.measure, learned[i].mean);
+    Tile& reflected = tiles_[static_cast<std::size_t>(wall.reflected(static_cast<int>(i)))];
+    tile.difference = reflected.difference =
+        tile.trusted && reflected.trusted ? std::optional(distance(Distance::hellinger, learned[i].mean,
+                                                                   model[wall.reflected(static_cast<int>(i))].mean))
+                                          : std::nullopt;
+  }
+  if (any) summarize(wall);
+}
+
+void ComparedModel::summarize(const Wall& wall) {
+  double sum = 0.0;
+  int trusted = 0;
+  int pairs = 0;
+  for (int tile = 0; tile < wall.tiles(); ++tile) {
+    if (!this->trusted(tile)) continue;
+    ++trusted;
+    if (const std::optional<double> difference = difference_to_reflection(tile)) {
+      sum += *difference;
+      ++pairs;
+    }
+  }
+  coverage_ = wall.tiles() > 0 ? static_cast<double>(trusted) / wall.tiles() : 0.0;
+  distinctiveness_ = pairs > 0 ? sum / pairs : 0.0;
+}
+
+}  // namespace reorient

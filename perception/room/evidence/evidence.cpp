@@ -1,0 +1,58 @@
+#include "perception/room/evidence/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/bytes.h"
+#include "geometry/pinned_math.h"
+
+namespace reorient {
+
+void Evidence::restart(int tiles) {
+  tiles_.assign(static_cast<std::size_t>(tiles), SeenTile{});
+  log_odds_ = 0.0;
+}
+
+void Evidence::observe(std::span<const ComparedPlace> places, const ComparedModel& model, double step,
+                       const EvidenceParameters& parameters) {
+  if (places.empty() || step <= 0.0) return;
+  const double kept = pinned::exp(-step / parameters.leak);
+  for (SeenTile& tile : tiles_) tile.time *= kept;
+  for (const ComparedPlace& place : places) {
+    if (!place.believed_known && !place.reflected_known) continue;
+    const double as_believed = place.believed_known ? place.as_believed : place.typical;
+    const double as_reflected = place.reflected_known ? place.as_reflected : place.typical;
+    const double say = std::clamp(as_believed - as_reflected, -parameters.cap, parameters.cap);
+    const bool both = place.believed_known && place.reflected_known;
+    SeenTile& seen = tiles_[static_cast<std::size_t>(place.tile)];
+    seen.say += ((both ? 1.0 : parameters.unknown) * say - seen.say) * step / (seen.time + step);
+    seen.time = std::min(seen.time + step, parameters.settle);
+  }
+  const double distinct = parameters.distinct * parameters.distinct;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    if (tiles_[i].time <= 0.0) continue;
+    double weight = 1.0;
+    if (const std::optional<double> difference = model.difference_to_reflection(static_cast<int>(i)))
+      weight = *difference > 0.0 ? *difference * *difference / (*difference * *difference + distinct) : 0.0;
+    sum += weight * tiles_[i].say * tiles_[i].time / (tiles_[i].time + parameters.look);
+  }
+  log_odds_ = parameters.gain * sum;
+}
+
+void Evidence::reflect(const Wall& wall) {
+  turn_half(wall);
+  for (SeenTile& tile : tiles_) tile.say = -tile.say;
+  log_odds_ = -log_odds_;
+}
+
+/// After reading.
+void Evidence::check(std::size_t tiles) const {
+  check_bytes(tiles_.size() == tiles, "the evidence of a wall with another number of tiles");
+  check_bytes(std::isfinite(log_odds_), "the evidence is not a number");
+  for (const SeenTile& tile : tiles_)
+    check_bytes(std::isfinite(tile.say) && tile.time >= 0.0 && std::isfinite(tile.time),
+                "the evidence of a tile is none");
+}
+
+}  // namespace reorient

@@ -1,0 +1,79 @@
+// How strongly the room speaks for the reflection of the believed pose against that pose itself, as log-odds.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "perception/room/compared_model.h"
+#include "perception/room/view/viewpoint_scores.h"
+#include "perception/room/wall/wall.h"
+
+namespace reorient {
+
+struct EvidenceParameters {
+  double gain = 4.0;
+  double cap = 1.0;
+  double distinct = 0.1;
+  double unknown = 0.25;
+  double settle = 1.0;
+  double look = 0.05;
+  double leak = 5.0;
+};
+template <typename Visit>
+void describe(EvidenceParameters& p, Visit&& visit) {
+  visit("gain", p.gain, 0.0, 100.0, "", "log-odds of a tile for each unit by which one pose explains it better");
+  visit("cap", p.cap, 0.01, 2.0, "", "by how much more, at most, a tile may be explained better by one of the poses");
+  visit("distinct", p.distinct, 0.0, 1.0, "",
+        "a tile of the model that differs from its reflection by this much counts half, by much less not at all");
+  visit("unknown", p.unknown, 0.0, 1.0, "",
+        "weight of a tile that is known for one of the poses only: then it is compared with the average of its row");
+  visit("settle", p.settle, 0.01, 60.0, "s", "over how long the mean of a tile runs while it is in view");
+  visit("look", p.look, 0.0, 10.0, "s", "after which time in view a tile has half of its say");
+  visit("leak", p.leak, 0.1, 1000.0, "s", "time constant with which the time in view fades while it is out of view");
+}
+
+/// Each tile has one say, however long it is looked at: what is wrong with it, because the light or the wall has
+/// changed, stays wrong from frame to frame. So a look at another tile is new evidence, and more of the same is not.
+///
+/// The say of a tile is gain * d / (d + distinct^2 / d) * (how much nearer the reflected tile of the model is than the
+/// tile itself), d being the distance between those two; the log-odds are the sum over the tiles.
+class Evidence {
+ public:
+  /// Nothing was seen yet of a wall with this many tiles.
+  void restart(int tiles);
+  /// One frame of `step` seconds.
+  void observe(std::span<const ComparedPlace> places, const ComparedModel& model, double step,
+               const EvidenceParameters& parameters);
+  /// The belief went over to its reflection: the tiles trade places, and what spoke for the one speaks for the other.
+  void reflect(const Wall& wall);
+  /// The wall's tiles are counted from the other end of the field.
+  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
+
+  /// 0: nothing is known; log(99): 99 in 100 that the reflection is right.
+  double log_odds() const { return log_odds_; }
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const std::size_t tiles = tiles_.size();
+    archive(tiles_, log_odds_);
+    if constexpr (Archive::kReads) check(tiles);
+  }
+
+ private:
+  struct SeenTile {
+    double say = 0.0;   // the mean, per gain; positive: for the reflection
+    double time = 0.0;  // s in view, at most `settle`; fading
+  };
+  template <typename Visit>
+  friend void fields(Visit&& visit, SeenTile& tile) {
+    visit(tile.say, tile.time);
+  }
+
+  void check(std::size_t tiles) const;
+
+  std::vector<SeenTile> tiles_;
+  double log_odds_ = 0.0;
+};
+
+}  // namespace reorient

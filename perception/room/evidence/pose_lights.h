@@ -1,0 +1,77 @@
+// The light of the room as it would have to be if the believed pose were right, and if its reflection were: each of the
+// two is judged in the light that suits it best, so that a change of the light speaks for neither.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "perception/room/background_model.h"
+#include "perception/room/color/light_adaptation.h"
+#include "perception/room/wall/wall.h"
+
+namespace reorient {
+
+struct PoseLightParameters {
+  bool enabled = true;
+  double memory = 8.0;
+  double caution = 8.0;
+  double most_luma = 0.7;
+  double most_chroma = 12.0;
+  double period = 0.25;
+};
+template <typename Visit>
+void describe(PoseLightParameters& p, Visit&& visit) {
+  visit("enabled", p.enabled,
+        "whether each pose is judged in the light that it implies; otherwise both in the mean light");
+  visit("memory", p.memory, 0.5, 600.0, "s", "for how long a tile that is out of view counts");
+  visit("caution", p.caution, 0.0, 1000.0, "", "number of tiles that the mean light counts as");
+  visit("most_luma", p.most_luma, 0.0, 3.0, "",
+        "how far a light may be from the mean light: natural logarithm of luma");
+  visit("most_chroma", p.most_chroma, 0.0, 64.0, "", "the same for Cb and Cr");
+  visit("period", p.period, 0.0, 10.0, "s", "how often the two lights are estimated: the light changes slowly");
+}
+
+class PoseLights {
+ public:
+  /// Forgets what was seen of a wall with this many tiles; both lights are the mean light until something is.
+  void restart(int tiles);
+  /// One frame: the light on the tiles where the belief says that they are. `mean`: of all that was seen lately.
+  void observe(std::span<const TileLight> frame, const Light& mean, const BackgroundModel& model, const Wall& wall,
+               double elapsed, const PoseLightParameters& parameters);
+  /// The belief went over to its reflection.
+  void reflect(const Wall& wall);
+  /// The wall's tiles are counted from the other end of the field.
+  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
+
+  const Light& if_believed() const { return if_believed_; }
+  const Light& if_reflected() const { return if_reflected_; }
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const std::size_t tiles = tiles_.size();
+    archive(tiles_, if_believed_, if_reflected_, until_next_);
+    if constexpr (Archive::kReads) check(tiles);
+  }
+
+ private:
+  struct SeenTile {
+    Light light;
+    double unseen = 0.0;  // s since it was in view
+    bool known = false;
+  };
+  template <typename Visit>
+  friend void fields(Visit&& visit, SeenTile& tile) {
+    visit(tile.light, tile.unseen, tile.known);
+  }
+
+  void check(std::size_t tiles) const;
+  Light estimate(const Light& mean, const BackgroundModel& model, const Wall& wall, bool reflected,
+                 const PoseLightParameters& parameters) const;
+
+  std::vector<SeenTile> tiles_;
+  Light if_believed_, if_reflected_;
+  double until_next_ = 0.0;  // s
+};
+
+}  // namespace reorient

@@ -1,0 +1,129 @@
+#include "perception/room/evidence/evidence.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/perception/room/one_row.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kLook = 1.0 / 30.0;  // s
+
+/// Looks at columns first...first + 3 of a wall that is turned by `turn` columns against the belief.
+class Looking {
+ public:
+  void look(int first, int turn, double seconds) {
+    const ViewpointScores scores = room.scores(first, turn);
+    for (double time = 0.0; time < seconds - 1e-9; time += kLook)
+      evidence.observe(scores.places(), room.compared, kLook, parameters);
+  }
+
+  OneRow room;
+  EvidenceParameters parameters;
+  Evidence evidence = [] {
+    Evidence fresh;
+    fresh.restart(16);
+    return fresh;
+  }();
+};
+
+constexpr int kReflected = 8;  // columns
+
+TEST(Evidence, SpeaksForThePoseThatExplainsTheView) {
+  Looking robot;
+  EXPECT_EQ(robot.evidence.log_odds(), 0.0);
+  robot.look(3, kReflected, 1.0);
+  EXPECT_GT(robot.evidence.log_odds(), 5.0);
+  Looking other;
+  other.look(3, 0, 1.0);
+  EXPECT_LT(other.evidence.log_odds(), -5.0);
+}
+
+TEST(Evidence, GrowsWithOtherTilesAndNotWithMoreOfTheSame) {
+  Looking robot;
+  robot.look(0, kReflected, 1.0);
+  const double once = robot.evidence.log_odds();
+  robot.look(0, kReflected, 20.0);
+  EXPECT_LT(robot.evidence.log_odds(), 1.1 * once);
+  robot.look(4, kReflected, 1.0);
+  EXPECT_GT(robot.evidence.log_odds(), 1.7 * once);
+}
+
+TEST(Evidence, OfOneTileIsCapped) {
+  Looking robot;
+  robot.parameters.cap = 0.1;
+  robot.look(0, kReflected, 10.0);
+  EXPECT_LE(robot.evidence.log_odds(), 4 * 0.1 * robot.parameters.gain);
+}
+
+TEST(Evidence, FadesWhileOtherTilesAreInViewAndStaysWhileNoneAre) {
+  Looking robot;
+  robot.look(0, kReflected, 1.0);
+  const double before = robot.evidence.log_odds();
+  for (int frame = 0; frame < 3000; ++frame) robot.evidence.observe({}, robot.room.compared, kLook, robot.parameters);
+  EXPECT_EQ(robot.evidence.log_odds(), before);
+  robot.look(4, 0, 60.0);
+  Looking only_the_others;
+  only_the_others.look(4, 0, 60.0);
+  EXPECT_NEAR(robot.evidence.log_odds(), only_the_others.evidence.log_odds(), 0.01);
+}
+
+TEST(Evidence, ChangesItsMindWithinSecondsWhereTheSameTilesShowSomethingElse) {
+  Looking robot;
+  robot.look(0, 0, 300.0);
+  robot.look(0, kReflected, 3.0);
+  EXPECT_GT(robot.evidence.log_odds(), 2.0);
+}
+
+TEST(Evidence, OfAWallThatIsTheSameAfterHalfATurnIsNone) {
+  Looking robot;
+  robot.room.model.forget(16);
+  for (int column = 0; column < 16; ++column)
+    robot.room.model.train(column, OneRow::colors_of(column % 8), {1.0, 100.0, true, 0.0});
+  robot.room.compared.clear();
+  robot.room.compared.prepare(robot.room.model, robot.room.wall, robot.room.comparison);
+  for (int first = 0; first < 16; first += 4) robot.look(first, 3, 5.0);
+  EXPECT_EQ(robot.evidence.log_odds(), 0.0);
+  EXPECT_EQ(robot.room.compared.distinctiveness(), 0.0);
+}
+
+TEST(Evidence, OfATileThatIsKnownForOnePoseOnlyIsWorthLess) {
+  Looking robot, half;
+  half.room.model.forget(16);
+  for (int column = 0; column < 8; ++column)
+    half.room.model.train(column, OneRow::colors_of(column), {1.0, 100.0, true, 0.0});
+  half.room.compared.clear();
+  half.room.compared.prepare(half.room.model, half.room.wall, half.room.comparison);
+  robot.look(0, 0, 1.0);
+  half.look(0, 0, 1.0);
+  EXPECT_LT(half.evidence.log_odds(), 0.0);
+  EXPECT_GT(half.evidence.log_odds(), 0.5 * robot.evidence.log_odds());
+}
+
+RC_GTEST_PROP(Evidence, SpeaksForTheOtherPoseOnceTheBeliefIsReflected, ()) {
+  Looking robot;
+  robot.look(*rc::gen::inRange(0, 16), *rc::gen::inRange(0, 16), 0.01 * *rc::gen::inRange(1, 500));
+  const double before = robot.evidence.log_odds();
+  robot.evidence.reflect(robot.room.wall);
+  RC_ASSERT(robot.evidence.log_odds() == -before);
+  robot.evidence.reflect(robot.room.wall);
+  RC_ASSERT(robot.evidence.log_odds() == before);
+}
+
+RC_GTEST_PROP(Evidence, GoesOnFromAReflectionAsIfItHadBeenThatAllAlong, ()) {
+  const int first = *rc::gen::inRange(0, 16);
+  const int turn = *rc::gen::inRange(0, 16);
+  Looking robot, other;
+  robot.look(first, turn, 1.0);
+  robot.evidence.reflect(robot.room.wall);
+  other.look((first + kReflected) % 16, (turn + kReflected) % 16, 1.0);
+  robot.look(5, 3, 0.5);
+  other.look(5, 3, 0.5);
+  RC_ASSERT(std::abs(robot.evidence.log_odds() - other.evidence.log_odds()) < 1e-6);
+}
+
+}  // namespace
+}  // namespace reorient

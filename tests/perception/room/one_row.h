@@ -1,0 +1,47 @@
+// A small wall that is known.
+#pragma once
+
+#include <vector>
+
+#include "perception/room/view/viewpoint_scores.h"
+
+namespace reorient {
+
+/// A wall of one row whose every column has colours of its own, and what a camera sees of it.
+struct OneRow {
+  OneRow() {
+    WallParameters shape;
+    shape.rows = 1;
+    shape.columns = 16;
+    wall = Wall(shape);
+    model.forget(16);
+    for (int column = 0; column < 16; ++column) model.train(column, colors_of(column), {1.0, 100.0, true, 0.0});
+    compared.prepare(model, wall, comparison);
+  }
+  static ColorHistogram colors_of(int column) {
+    ColorHistogram histogram{};
+    histogram[static_cast<std::size_t>(column % 14)] = 0.7f;
+    histogram[static_cast<std::size_t>((3 * column + 1) % 14)] += 0.3f;
+    return histogram;
+  }
+  /// The scores if the belief says that columns first...first + 3 are in view, and they are `turn` further left.
+  ViewpointScores scores(int first, int turn) const {
+    std::vector<PerceivedTile> perceived;
+    for (int column = first; column < first + 4; ++column) {
+      PerceivedTile tile;
+      tile.tile = column % 16;
+      tile.counts = true;
+      tile.histogram = tile.reflected_histogram = colors_of((column + turn) % 16);
+      perceived.push_back(tile);
+    }
+    ViewpointScores result;
+    result.compute(perceived, compared, wall, comparison);
+    return result;
+  }
+  Wall wall;
+  BackgroundModel model;
+  Comparison comparison;
+  ComparedModel compared;
+};
+
+}  // namespace reorient
