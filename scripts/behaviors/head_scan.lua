@@ -1,8 +1,5 @@
 --- Lets the head sweep from side to side, once over the walls of the room and once over the lines of the field, so that
---- room awareness and self-localization both see enough. While it is in doubt which way the robot looks, the head stays up at
---- the walls: only they can tell.
-
-local decision = require "lib.decision"
+--- room awareness and self-localization both see enough.
 
 local p = param {
   width       = { 1.1,  range = { 0, 2.0 },      unit = "rad",   doc = "how far to turn the head to each side" },
@@ -18,10 +15,6 @@ local function is_left() return math.abs(robot.head_yaw - p.width) < NEAR end
 
 local function is_right() return math.abs(robot.head_yaw + p.width) < NEAR end
 
-local CAN_TELL = { usable = true, fresh = true }
-
-local function is_in_doubt() return CAN_TELL[confidence.status] and not decision.for_either() end
-
 behavior "head_scan" {
   priority = 10,
   initial = "walls to the left",
@@ -34,21 +27,18 @@ behavior "head_scan" {
 
   state "walls to the right" {
     update = function() head.look(-p.width, p.wall_pitch, p.speed) end,
-    { "walls to the left", when = function() return is_right() and is_in_doubt() end, because = "the walls have not told enough yet" },
     { "field to the left", when = is_right, because = "the side is reached" },
     { "field to the left", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "field to the left" {
     update = function() head.look(p.width, p.field_pitch, p.speed) end,
-    { "walls to the left", when = is_in_doubt, because = "the walls have to tell which way the robot looks" },
     { "field to the right", when = is_left, because = "the side is reached" },
     { "field to the right", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "field to the right" {
     update = function() head.look(-p.width, p.field_pitch, p.speed) end,
-    { "walls to the right", when = is_in_doubt, because = "the walls have to tell which way the robot looks" },
     { "walls to the left", when = is_right, because = "the side is reached" },
     { "walls to the left", after = "timeout", because = "the side cannot be reached" },
   },

@@ -126,12 +126,15 @@ behavior "b" { update = function()
   steps.go(steps.clamp(1.0))
   steps.go("fast")
   if steps.clamp then print("always") end
+  if robot.penalized and steps.clamp then print("whenever it is penalized") end
 end }
 )");
   EXPECT_EQ(findings(),
             "behaviors/b.lua:3:23: error: lib.steps.clamp needs 2 arguments, not 1: lib.steps.clamp(value, most)\n"
             "behaviors/b.lua:4:12: error: argument 1 of lib.steps.go is a number, not a string\n"
             "behaviors/b.lua:5:6: warning: lib.steps.clamp is a function, which is always true: call it, "
+            "lib.steps.clamp()\n"
+            "behaviors/b.lua:6:26: warning: lib.steps.clamp is a function, which is always true: call it, "
             "lib.steps.clamp()\n");
 }
 

@@ -2,6 +2,7 @@
 // thousand.
 #include "tests/workbench/script_tools/seeded_mistakes.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -105,7 +106,9 @@ TEST_F(SeededMistakes, AreMostlyFound) {
       }
     }
     if (tells_all) std::cout << to_string(bar.mistake) << ": " << found << " of " << count << "\n";
-    EXPECT_GE(found, bar.share * count - 1.0) << to_string(bar.mistake) << ": " << found << " of " << count;
+    // Of few mistakes, chance has a say in how many are of the kinds that are not found.
+    EXPECT_GE(found, bar.share * count - std::sqrt(count * bar.share * (1.0 - bar.share)) - 1.0)
+        << to_string(bar.mistake) << ": " << found << " of " << count;
   }
 }
 

@@ -142,8 +142,15 @@ void ScriptReading::check_condition(const Expression& expression, const Meaning&
   const Expression* last = &expression;
   while (last->kind == Expression::Kind::operation && is_logic(last->operators.front()->text))
     last = &last->operands.back();
-  if (last == &expression || last->kind != Expression::Kind::name) return;
-  if (const Local* const local = find_local(last->token->text)) check_truth(local->meaning, *last->token);
+  if (last == &expression) return;
+  if (last->kind == Expression::Kind::name) {
+    if (const Local* const local = find_local(last->token->text)) check_truth(local->meaning, *last->token);
+  } else if (last->kind == Expression::Kind::suffixed && last->suffixes.back().kind == syntax::Suffix::Kind::field) {
+    const auto said = static_cast<std::ptrdiff_t>(findings.size());
+    const Meaning field = read(*last);
+    findings.erase(findings.begin() + said, findings.end());  // all else was said when it was read as an operand
+    check_truth(field, *last->token);
+  }
 }
 
 void ScriptReading::check_truth(const Meaning& value, const LuaToken& place) {
