@@ -186,7 +186,10 @@ void FrameLoop::describe_world() {
     world_.line_points += static_cast<int>(percept.line_points.size());
   }
   world_.room_awareness = room_.has_value();
-  if (room_) world_.confidence = room_->confidences();
+  if (room_) {
+    world_.confidence = room_->confidences();
+    world_.views = room_->informative_views();
+  }
   world_.room_status = room_status(world_, parameters_.room_status);
 }
 

@@ -38,6 +38,7 @@ stds.reorient = { read_globals = {
   training = fields("seconds", "active"),
   truth = fields("x", "y", "rotation", "fallen", "carried"),
   verdict = fields("succeed", "fail"),
+  views = fields("telling", "telling_worth", "unknown", "unknown_worth"),
   walk = fields("velocity", "stand"),
 } }
 stds.reorient_test = { read_globals = {

@@ -48,6 +48,7 @@ struct World {
 
   bool room_awareness = true;
   Confidences confidence;
+  InformativeViews views;
   RoomStatus room_status = RoomStatus::resting;
   double trained_seconds = 0.0;  ///< time during which the background model was trained so far
   bool training = false;         ///< in the frame before
@@ -64,7 +65,7 @@ template <typename Visit>
 void fields(Visit&& visit, World& world) {
   visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for,
         world.penalized, world.sides_changed, world.undisturbed_for, world.head, world.pose, world.recovery_probability,
-        world.pose_known, world.room_awareness, world.confidence, world.room_status, world.trained_seconds,
+        world.pose_known, world.room_awareness, world.confidence, world.views, world.room_status, world.trained_seconds,
         world.training, world.evaluating, world.goal_posts, world.line_points, world.field);
 }
 

@@ -35,6 +35,7 @@ const Confidences& RoomAwareness::update(const RoomObservation& view) {
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
   confidences_.distinctiveness = compared_model_.distinctiveness();
+  views_.choose(wall_, compared_model_, view.belief, view.robot_from_camera, step, parameters_.views);
   return confidences_;
 }
 
@@ -132,12 +133,14 @@ void RoomAwareness::on_flip() {
 void RoomAwareness::reflect_evidence() {
   evidence_.reflect(wall_);
   pose_lights_.reflect(wall_);
+  views_.turn_half();
   confidences_.evidence = evidence_.log_odds();
 }
 
 void RoomAwareness::restart_evidence() {
   evidence_.restart(wall_.tiles());
   pose_lights_.restart(wall_.tiles());
+  views_.restart(wall_.columns());
   confidences_.evidence = 0.0;
 }
 
@@ -170,6 +173,7 @@ void RoomAwareness::on_half_time() {
   light_.turn_half(wall_);
   pose_lights_.turn_half(wall_);
   evidence_.turn_half(wall_);
+  views_.turn_half();
   filter_.turn_half();
   std::swap(confidences_.goal_own, confidences_.goal_opponent);
   if (view_center_) view_center_ = opposite(*view_center_);

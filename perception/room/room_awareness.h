@@ -13,6 +13,7 @@
 #include "perception/room/color/light_adaptation.h"
 #include "perception/room/compared_model.h"
 #include "perception/room/evidence/evidence.h"
+#include "perception/room/evidence/informative_views.h"
 #include "perception/room/evidence/pose_lights.h"
 #include "perception/room/room_observation.h"
 #include "perception/room/view/confidences.h"
@@ -36,6 +37,7 @@ struct RoomParameters {
   ViewFilterParameters view_filter;
   ConfidenceParameters confidence;
   EvidenceParameters evidence;
+  ViewParameters views;
 };
 
 /// Calls visit(prefix, part) for each part that has a describe() of its own.
@@ -51,6 +53,7 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("view_filter", p.view_filter);
   visit("confidence", p.confidence);
   visit("evidence", p.evidence);
+  visit("views", p.views);
 }
 
 class RoomAwareness {
@@ -94,12 +97,15 @@ class RoomAwareness {
   const Light& light() const { return light_.light(); }
   /// Where on the wall the belief says that the camera looked in the last frame, rad; nothing if nowhere.
   std::optional<double> center_of_view() const { return view_center_; }
+  /// Which way to turn the camera, as of the last frame.
+  const InformativeViews& informative_views() const { return views_.views(); }
 
   /// All that decides what comes next: model, particles, confidences, light, random numbers; parameters are as they
   /// are. Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(light_, pose_lights_, model_, filter_, evidence_, confidences_, last_time_, last_direction_, view_center_);
+    archive(light_, pose_lights_, model_, filter_, evidence_, views_, confidences_, last_time_, last_direction_,
+            view_center_);
     if constexpr (Archive::kReads) complete();
   }
 
@@ -126,6 +132,7 @@ class RoomAwareness {
   ViewFilter filter_;
   Evidence evidence_;
   Confidences confidences_;
+  ViewChooser views_;
   Light believed_light_, reflected_light_;  // of this frame
   std::optional<double> last_time_;
   std::optional<double> last_direction_;  // camera yaw in the robot + odometry at the last evaluation, rad

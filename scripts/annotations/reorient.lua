@@ -67,6 +67,14 @@ pose = {}
 ---@field visible_tiles number how many tiles of the wall counted in this frame
 confidence = {}
 
+---Which way to turn the head, as long as the body stays as it is.
+---@class reorient.views
+---@field telling number rad, yaw of the head at which the room would tell most about the pose and its reflection
+---@field telling_worth number tiles, how much it would tell there; 0: there is nothing to see
+---@field unknown number rad, yaw of the head at which most of the wall is yet to be learned
+---@field unknown_worth number tiles, how much is to be learned there
+views = {}
+
 ---The background model of the room.
 ---@class reorient.training
 ---@field seconds number s, how long the background model was trained so far
@@ -393,6 +401,7 @@ function print(...) end
 ---@field robot? table<string, number|boolean|string>
 ---@field pose? table<string, number|boolean|string>
 ---@field confidence? table<string, number|boolean|string>
+---@field views? table<string, number|boolean|string>
 ---@field training? table<string, number|boolean|string>
 ---@field evaluation? table<string, number|boolean|string>
 ---@field seen? table<string, number|boolean|string>

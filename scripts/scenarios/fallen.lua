@@ -12,7 +12,7 @@ param {
 
 scenario "fallen" {
   behaviors = {
-    "orientation", "background_training", "kidnap_recovery", "goal_search", "head_scan", "get_up", "penalty_marks",
+    "orientation", "background_training", "kidnap_recovery", "goal_search", "wall_gaze", "head_scan", "get_up", "penalty_marks",
   },
   priority = 100,
   initial = "placing",

@@ -30,7 +30,7 @@ local function stands_on_a_mark() return behaviors.penalty_marks.state == "on th
 
 scenario "kidnapped" {
   behaviors = {
-    "orientation", "background_training", "kidnap_recovery", "goal_search", "head_scan", "get_up", "penalty_marks",
+    "orientation", "background_training", "kidnap_recovery", "goal_search", "wall_gaze", "head_scan", "get_up", "penalty_marks",
   },
   priority = 100,
   initial = "placing",

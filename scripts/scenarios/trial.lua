@@ -66,7 +66,7 @@ local CARRIED = { turned_round = true, put_back = true, kidnapped = true }
 
 scenario "trial" {
   behaviors = {
-    "orientation", "background_training", "kidnap_recovery", "goal_search", "head_scan", "get_up", "penalty_marks",
+    "orientation", "background_training", "kidnap_recovery", "goal_search", "wall_gaze", "head_scan", "get_up", "penalty_marks",
   },
   priority = 100,
   initial = "placing",

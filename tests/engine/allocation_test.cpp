@@ -45,8 +45,8 @@ class SteadyState : public testing::TestWithParam<Cameras> {
     parameters.cameras = GetParam();
     FrameSetup setup;
     setup.scripts = read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts");
-    setup.behaviors = {"orientation", "background_training", "kidnap_recovery", "goal_search", "head_scan",
-                       "get_up",      "penalty_marks"};
+    setup.behaviors = {"orientation", "background_training", "kidnap_recovery", "goal_search",
+                       "wall_gaze",   "head_scan",           "get_up",          "penalty_marks"};
     const Pose2 start(-2.0, 1.0, 0.5);
     simulator.emplace(parameters, setup.field, procedural_hall(1, {}), start, 1);
     engine.emplace(std::move(setup));

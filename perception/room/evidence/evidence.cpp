@@ -18,14 +18,20 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
   if (places.empty() || step <= 0.0) return;
   const double kept = pinned::exp(-step / parameters.leak);
   for (SeenTile& tile : tiles_) tile.time *= kept;
+  const double between = 0.5 * (parameters.right + model.distinctiveness());
+  const bool can_tell = model.distinctiveness() > parameters.right;
   for (const ComparedPlace& place : places) {
+    if (!can_tell && !(place.believed_known && place.reflected_known)) continue;
     if (!place.believed_known && !place.reflected_known) continue;
-    const double as_believed = place.believed_known ? place.as_believed : place.typical;
-    const double as_reflected = place.reflected_known ? place.as_reflected : place.typical;
-    const double say = std::clamp(as_believed - as_reflected, -parameters.cap, parameters.cap);
     const bool both = place.believed_known && place.reflected_known;
+    // Where only one of the two is known: its distance against what lies between a tile that is right and one that is
+    // not.
+    double say = both                   ? place.as_believed - place.as_reflected
+                 : place.believed_known ? parameters.unknown * (place.as_believed - between)
+                                        : parameters.unknown * (between - place.as_reflected);
+    say = std::clamp(say, -parameters.cap, parameters.cap);
     SeenTile& seen = tiles_[static_cast<std::size_t>(place.tile)];
-    seen.say += ((both ? 1.0 : parameters.unknown) * say - seen.say) * step / (seen.time + step);
+    seen.say += (say - seen.say) * step / (seen.time + step);
     seen.time = std::min(seen.time + step, parameters.settle);
   }
   const double distinct = parameters.distinct * parameters.distinct;

@@ -14,7 +14,8 @@ struct EvidenceParameters {
   double gain = 4.0;
   double cap = 1.0;
   double distinct = 0.1;
-  double unknown = 0.25;
+  double unknown = 0.3;
+  double right = 0.3;
   double settle = 1.0;
   double look = 0.05;
   double leak = 5.0;
@@ -26,7 +27,8 @@ void describe(EvidenceParameters& p, Visit&& visit) {
   visit("distinct", p.distinct, 0.0, 1.0, "",
         "a tile of the model that differs from its reflection by this much counts half, by much less not at all");
   visit("unknown", p.unknown, 0.0, 1.0, "",
-        "weight of a tile that is known for one of the poses only: then it is compared with the average of its row");
+        "weight of a tile that is known for one of the poses only: then only its own distance speaks");
+  visit("right", p.right, 0.0, 1.0, "", "distance between a tile and what is seen of it where the pose is right");
   visit("settle", p.settle, 0.01, 60.0, "s", "over how long the mean of a tile runs while it is in view");
   visit("look", p.look, 0.0, 10.0, "s", "after which time in view a tile has half of its say");
   visit("leak", p.leak, 0.1, 1000.0, "s", "time constant with which the time in view fades while it is out of view");

@@ -295,7 +295,7 @@ TEST(RoomAwareness, DeclaresParametersWhoseDefaultsAreWithinTheirRanges) {
     describe(part, reader);
     EXPECT_GT(reader.numbers + reader.choices, before) << name;
   });
-  EXPECT_EQ(parts.size(), 10u);
+  EXPECT_EQ(parts.size(), 11u);
   EXPECT_EQ(reader.choices, 6);
 }
 

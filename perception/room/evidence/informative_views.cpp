@@ -1,0 +1,119 @@
+#include "perception/room/evidence/informative_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/bytes.h"
+#include "geometry/pinned_math.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kStep = 0.087;           // rad between directions that are looked at
+constexpr double kLeastIncidence = 0.45;  // cosine, as that of a perceived tile that counts
+
+int directions_within(double outermost) { return static_cast<int>(2.0 * outermost / kStep) + 1; }
+
+}  // namespace
+
+void ViewChooser::restart(int columns) {
+  looked_at_.assign(static_cast<std::size_t>(columns), 0.0);
+  views_ = {};
+}
+
+void ViewChooser::turn_half() {
+  const auto half = looked_at_.begin() + static_cast<std::ptrdiff_t>(looked_at_.size() / 2);
+  std::swap_ranges(looked_at_.begin(), half, half);
+}
+
+/// After reading.
+void ViewChooser::check(std::size_t columns) const {
+  check_bytes(looked_at_.size() == columns, "looks at a wall with another number of columns");
+  for (const double seconds : looked_at_)
+    check_bytes(seconds >= 0.0 && std::isfinite(seconds), "a look took no time that is a number");
+}
+
+const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedModel& model, const Pose2& belief,
+                                            const Isometry3& robot_from_camera, double step,
+                                            const ViewParameters& parameters) {
+  views_ = {};
+  const Eigen::Vector2d axis = robot_from_camera.linear().col(0).head<2>();
+  const Eigen::Vector2d camera = belief * Eigen::Vector2d(robot_from_camera.translation().head<2>());
+  const double outermost = parameters.reach + parameters.half_width;
+  if (!axis.allFinite() || !std::isfinite(belief.rotation) || !look_around(wall, belief, camera, outermost))
+    return views_;
+  const double yaw = direction_of(axis);
+  note_look(yaw, outermost, step, parameters);
+
+  double best_telling = 0.0;
+  double best_unknown = 0.0;
+  const int directions = static_cast<int>(columns_.size());
+  const int width = static_cast<int>(2.0 * parameters.half_width / kStep);
+  for (int first = 0; first + width < directions; ++first) {
+    const double view = -outermost + kStep * (first + 0.5 * width);
+    Worth sum;
+    int last = -1;
+    for (int i = first; i <= first + width; ++i) {
+      const int column = columns_[static_cast<std::size_t>(i)];
+      if (column < 0 || column == last) continue;  // it counts once in a view, however wide it is
+      last = column;
+      const Worth worth = worth_of(column, wall, model, parameters);
+      sum.telling += worth.telling;
+      sum.unknown += worth.unknown;
+    }
+    const double seconds = std::abs(view - yaw) / parameters.speed + parameters.dwell;
+    if (sum.telling > best_telling * seconds) {
+      best_telling = sum.telling / seconds;
+      views_.telling = view;
+      views_.telling_worth = sum.telling;
+    }
+    if (sum.unknown > best_unknown * seconds) {
+      best_unknown = sum.unknown / seconds;
+      views_.unknown = view;
+      views_.unknown_worth = sum.unknown;
+    }
+  }
+  return views_;
+}
+
+/// False: the camera stands outside of the wall.
+bool ViewChooser::look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost) {
+  columns_.assign(static_cast<std::size_t>(directions_within(outermost)), -1);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const double direction = belief.rotation - outermost + kStep * static_cast<double>(i);
+    const auto azimuth = wall.azimuth_seen(camera, direction);
+    if (!azimuth) return false;
+    if (unit_vector(direction).dot(unit_vector(*azimuth)) <= kLeastIncidence) continue;
+    const double turns = *azimuth / (2.0 * kPi);
+    columns_[i] = static_cast<int>((turns < 0.0 ? turns + 1.0 : turns) * wall.columns()) % wall.columns();
+  }
+  return true;
+}
+
+void ViewChooser::note_look(double yaw, double outermost, double step, const ViewParameters& parameters) {
+  if (step <= 0.0) return;
+  const double kept = pinned::exp(-step / parameters.memory);
+  for (double& seconds : looked_at_) seconds *= kept;
+  int last = -1;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const double direction = -outermost + kStep * static_cast<double>(i);
+    if (columns_[i] < 0 || columns_[i] == last || std::abs(direction - yaw) > parameters.half_width) continue;
+    last = columns_[i];
+    looked_at_[static_cast<std::size_t>(last)] += step;
+  }
+}
+
+ViewChooser::Worth ViewChooser::worth_of(int column, const Wall& wall, const ComparedModel& model,
+                                         const ViewParameters& parameters) const {
+  Worth worth;
+  for (int row = 0; row < wall.rows(); ++row) {
+    const int tile = wall.tile(row, column);
+    if (!model.trusted(tile)) worth.unknown += 1.0;
+    if (!model.trusted(tile) && !model.trusted(wall.reflected(tile))) continue;
+    worth.telling += model.difference_to_reflection(tile).value_or(parameters.half_known);
+  }
+  worth.telling *= parameters.look / (parameters.look + looked_at_[static_cast<std::size_t>(column)]);
+  return worth;
+}
+
+}  // namespace reorient

@@ -1,0 +1,83 @@
+// Which way to turn the camera: where the wall tells most about which pose is right, and where least is known of it.
+#pragma once
+
+#include <vector>
+
+#include "geometry/pose2.h"
+#include "geometry/transform.h"
+#include "perception/room/compared_model.h"
+#include "perception/room/wall/wall.h"
+
+namespace reorient {
+
+struct ViewParameters {
+  double reach = 1.6;
+  double half_width = 0.4;
+  double speed = 2.0;
+  double dwell = 0.3;
+  double look = 0.1;
+  double memory = 4.0;
+  double half_known = 0.1;
+};
+template <typename Visit>
+void describe(ViewParameters& p, Visit&& visit) {
+  visit("reach", p.reach, 0.1, 3.1, "rad", "how far to either side the camera can turn");
+  visit("half_width", p.half_width, 0.05, 1.2, "rad", "half of the width of a view that shows whole tiles");
+  visit("speed", p.speed, 0.1, 20.0, "rad/s", "how fast it turns: what is near is worth more");
+  visit("dwell", p.dwell, 0.05, 5.0, "s", "how long a view is looked at");
+  visit("look", p.look, 0.01, 10.0, "s", "a part of the wall that was looked at for this long lately is worth half");
+  visit("memory", p.memory, 0.1, 600.0, "s", "time constant with which a look is forgotten");
+  visit("half_known", p.half_known, 0.0, 1.0, "", "worth of a tile that is known for one of the poses only");
+}
+
+/// Directions of the camera in the robot's frame, rad; worth in tiles that count fully, 0: nowhere is anything to see.
+struct InformativeViews {
+  double telling = 0.0;  ///< the room tells most about the pose and its reflection there
+  double telling_worth = 0.0;
+  double unknown = 0.0;  ///< most tiles are not trusted yet there
+  double unknown_worth = 0.0;
+};
+template <typename Visit>
+void fields(Visit&& visit, InformativeViews& views) {
+  visit(views.telling, views.telling_worth, views.unknown, views.unknown_worth);
+}
+
+class ViewChooser {
+ public:
+  /// Nothing was looked at yet of a wall with this many columns.
+  void restart(int columns);
+  /// One frame of `step` seconds. Each of the two is the view of the greatest worth per time that it takes to turn
+  /// there and to look at it. All zero where the believed camera stands outside of the wall, or is not finite.
+  const InformativeViews& choose(const Wall& wall, const ComparedModel& model, const Pose2& belief,
+                                 const Isometry3& robot_from_camera, double step, const ViewParameters& parameters);
+  /// The belief went over to its reflection, or the wall is counted from the other end: what was looked at is called
+  /// otherwise now.
+  void turn_half();
+
+  const InformativeViews& views() const { return views_; }
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const std::size_t columns = looked_at_.size();
+    archive(looked_at_, views_);
+    if constexpr (Archive::kReads) check(columns);
+  }
+
+ private:
+  struct Worth {
+    double telling = 0.0;
+    double unknown = 0.0;
+  };
+
+  void check(std::size_t columns) const;
+  bool look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost);
+  void note_look(double yaw, double outermost, double step, const ViewParameters& parameters);
+  Worth worth_of(int column, const Wall& wall, const ComparedModel& model, const ViewParameters& parameters) const;
+
+  std::vector<double> looked_at_;  // s, of each column, fading
+  std::vector<int> columns_;       // that lie in each direction, from the right to the left; -1: none that counts
+  InformativeViews views_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,42 @@
+--- Lets the head look where the walls of the room tell most, while it is in doubt which way the robot looks: where the room
+--- differs most from itself after half a turn, is near, and was not looked at lately. The core says where that is; here it
+--- is said when. Otherwise the head is left to others.
+
+local decision = require "lib.decision"
+
+local p = param {
+  pitch = { -0.1,  range = { -0.6, 0.5 }, unit = "rad",   doc = "how far to look down" },
+  speed = { 2.0,   range = { 0.1, 5.0 },  unit = "rad/s", doc = "how fast to turn the head" },
+  dwell = { 0.2,   range = { 0, 5.0 },    unit = "s",     doc = "how long to look at one place" },
+  timeout = { 2.0, range = { 0.2, 20.0 }, unit = "s",     doc = "after which time to look elsewhere if the place was not reached" },
+  least = { 0.05,  range = { 0, 10 },     unit = "tiles", doc = "worth of a view below which there is nothing to look at" },
+}
+
+local NEAR = 0.08   -- rad
+
+local memory = keep { yaw = 0.0 }   -- where it looks
+
+local CAN_TELL = { usable = true, fresh = true }
+
+local function is_in_doubt()
+  return CAN_TELL[confidence.status] and not decision.for_either() and views.telling_worth > p.least
+end
+
+local function is_there() return math.abs(robot.head_yaw - memory.yaw) < NEAR end
+
+behavior "wall_gaze" {
+  priority = 15,
+  initial = "resting",
+
+  state "resting" {
+    { "looking", when = is_in_doubt, because = "the walls have to tell which way the robot looks" },
+  },
+
+  state "looking" {
+    enter = function() memory.yaw = views.telling end,
+    update = function() head.look(memory.yaw, p.pitch, p.speed) end,
+    { "resting", when = function() return not is_in_doubt() end, because = "the walls have told enough, or cannot tell" },
+    { "looking", when = is_there, lasting = "dwell", because = "the place was looked at" },
+    { "looking", after = "timeout", because = "the place cannot be looked at" },
+  },
+}

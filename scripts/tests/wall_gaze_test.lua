@@ -1,0 +1,57 @@
+--- Tests of behaviors/wall_gaze.lua.
+
+local function in_doubt()
+  load_behavior "wall_gaze"
+  load_behavior "head_scan"
+  set_world { confidence = { status = "usable", evidence = 1 }, views = { telling = -0.7, telling_worth = 3 } }
+  advance(0.1)
+end
+
+test("leaves the head to the scan while the room has told enough", function()
+  in_doubt()
+  for _, evidence in ipairs { -9, 9 } do
+    set_world { confidence = { evidence = evidence } }
+    advance(1)
+    expect.state("wall_gaze", "resting")
+    expect.head(1.1, -0.1)
+  end
+end)
+
+test("leaves it where the room cannot tell", function()
+  in_doubt()
+  for _, status in ipairs { "off", "resting", "unlearned", "symmetric", "lost" } do
+    set_world { confidence = { status = status } }
+    advance(0.5)
+    expect.state("wall_gaze", "resting")
+  end
+end)
+
+test("leaves it where there is nothing to see", function()
+  in_doubt()
+  set_world { views = { telling_worth = 0 } }
+  advance(0.5)
+  expect.state("wall_gaze", "resting")
+  expect.reason("wall_gaze", "the walls have told enough, or cannot tell")
+end)
+
+test("looks where the walls tell most, and then at the next such place", function()
+  in_doubt()
+  expect.state("wall_gaze", "looking")
+  expect.reason("wall_gaze", "the walls have to tell which way the robot looks")
+  expect.head(-0.7, -0.1)
+  set_world { views = { telling = 0.5 } }
+  advance(0.3)
+  expect.head(-0.7, -0.1)   -- first things first
+  set_world { robot = { head_yaw = -0.68 } }
+  advance(0.3)
+  expect.reason("wall_gaze", "the place was looked at")
+  expect.head(0.5, -0.1)
+end)
+
+test("looks elsewhere when a place cannot be looked at", function()
+  in_doubt()
+  set_world { views = { telling = 0.5 } }
+  advance(2.1)
+  expect.reason("wall_gaze", "the place cannot be looked at")
+  expect.head(0.5, -0.1)
+end)
