@@ -220,6 +220,7 @@ void Simulator::light_up() {
   const double time_step = 1.0 / parameters_.frame_rate;
   light_.advance(time_step);
   scene_.illumination = light_.illumination();
+  scene_.illumination.repeated = room_.shape.symmetry != RoomSymmetry::none;
   upper_.sensor.set_gains(light_.gains());
   if (lower_) lower_->sensor.set_gains(light_.gains());
   constexpr double kMinute = 60.0;  // s

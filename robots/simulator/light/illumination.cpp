@@ -17,13 +17,14 @@ void Illumination::gains(std::span<const float> x, std::span<const float> y, std
     const float along = daylight.x() * east[i] + daylight.y() * north[i];
     const float square = east[i] * east[i] + north[i] * north[i];
     const float distance2 = square > kMiddle * kMiddle ? square : kMiddle * kMiddle;
-    const float toward = along > 0.0f ? along : 0.0f;
+    const float toward = along > 0.0f ? along : repeated ? -along : 0.0f;
     gain[i] = kLogOfTwo * daylight_stops * toward * toward / distance2;
   }
   pinned::exp(gains);
   const float height2 = lamp_height * lamp_height;
   for (int i = 0; i < count; ++i) {
-    const float side = toward_dark.x() * east[i] + toward_dark.y() * north[i];
+    const float beside = toward_dark.x() * east[i] + toward_dark.y() * north[i];
+    const float side = repeated ? std::abs(beside) : beside;
     gain[i] *= 1.0f - 0.5f * share_off * (1.0f + side / std::sqrt(side * side + height2));
   }
 }

@@ -19,6 +19,9 @@ struct Illumination {
   Eigen::Vector2f toward_dark = Eigen::Vector2f::UnitX();  ///< from the middle into the half whose lamps are off
   float share_off = 0.0f;                                  ///< of the light that lamps give; 0: all of them are on
   float lamp_height = 5.0f;                                ///< m
+  /// Both come from both sides, as in a room that looks the same after half a turn: a place is lit as its reflection
+  /// is.
+  bool repeated = false;
 
   bool as_usual() const { return daylight_stops == 0.0f && share_off == 0.0f; }
 

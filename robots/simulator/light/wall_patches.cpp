@@ -68,7 +68,8 @@ WallPatches::WallPatches(double share, double reach, const Room& room, Random& r
   constexpr double kApart = 0.05;  // m
   const RoomShape& shape = room.shape;
   const double height = std::min(reach, shape.height);
-  const double perimeter = wall_perimeter(shape);
+  const bool repeated = shape.symmetry != RoomSymmetry::none;
+  const double perimeter = (repeated ? 0.5 : 1.0) * wall_perimeter(shape);
   const double wanted = share * perimeter * height;
   std::vector<Rectangle> outlines;
   for (int attempt = 0; attempt < kTries && area_ < wanted * (1.0 - 1e-9); ++attempt) {
@@ -101,6 +102,19 @@ WallPatches::WallPatches(double share, double reach, const Room& room, Random& r
         break;
     }
   }
+  if (repeated) repeat(perimeter);
+}
+
+void WallPatches::repeat(double shift) {
+  const std::size_t count = rectangles_.size();
+  rectangles_.reserve(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Rectangle copy = rectangles_[i];
+    copy.left += static_cast<float>(shift);
+    copy.right += static_cast<float>(shift);
+    rectangles_.push_back(copy);
+  }
+  area_ *= 2.0;
 }
 
 void WallPatches::add(double left, double bottom, double width, double height, const LinearColor& color) {

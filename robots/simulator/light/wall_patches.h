@@ -23,7 +23,8 @@ class WallPatches {
   WallPatches() = default;
 
   /// Patches that cover `share` of the wall between the floor and `reach` metres, in colours that `room` lights.
-  /// As little as it takes is left out where they find no place.
+  /// As little as it takes is left out where they find no place. In a room that looks the same after half a turn, so do
+  /// the patches.
   WallPatches(double share, double reach, const Room& room, Random& random);
 
   bool empty() const { return rectangles_.empty(); }
@@ -39,6 +40,7 @@ class WallPatches {
     LinearColor color;
   };
 
+  void repeat(double shift);
   void add(double left, double bottom, double width, double height, const LinearColor& color);
   void add_banner(const Rectangle& outline, const LinearColor& light, Random& random);
   void add_door(const Rectangle& outline, const LinearColor& light, Random& random);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/transform.h"
 #include "robots/simulator/render/renderer.h"
 #include "robots/simulator/simulator.h"
 #include "tests/robots/simulator/mean_luma.h"
@@ -154,6 +155,42 @@ TEST(WallPatches, CoverTheShareOfTheWallThatIsToldForEverySeed) {
         EXPECT_NEAR(patches.area() / (3.5 * wall_perimeter(shape)), share, 0.002);
       }
     }
+  }
+}
+
+TEST(Illumination, IsTheSameAfterHalfATurnWhereItIsRepeated) {
+  Illumination illumination;
+  illumination.daylight_stops = 1.0f;
+  illumination.daylight = unit_vector(0.4).cast<float>();
+  illumination.share_off = 0.65f;
+  illumination.toward_dark = Eigen::Vector2f::UnitY();
+  illumination.repeated = true;
+  for (const Eigen::Vector2f& place : {Eigen::Vector2f(8.0f, 2.0f), Eigen::Vector2f(-3.0f, 6.0f), {0.5f, -6.0f}})
+    EXPECT_EQ(illumination.gain(place.x(), place.y()), illumination.gain(-place.x(), -place.y()));
+  EXPECT_NE(illumination.gain(8.0f, 0.0f), illumination.gain(0.0f, 6.0f));
+}
+
+TEST(WallPatches, LookTheSameAfterHalfATurnInARoomThatDoes) {
+  for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
+    Room room;
+    room.shape.symmetry = symmetry;
+    Random random(3);
+    const WallPatches patches(0.2, 3.5, room, random);
+    const double perimeter = wall_perimeter(room.shape);
+    EXPECT_NEAR(patches.area() / (3.5 * perimeter), 0.2, 0.002);
+    int painted = 0;
+    for (int i = 0; i < 400; ++i) {
+      const auto here = static_cast<float>((i + 0.5) * 0.5 * perimeter / 400);
+      const float u[] = {here, here + static_cast<float>(0.5 * perimeter)};
+      const float v[] = {1.5f, 1.5f};
+      const float footprint[] = {0.1f, 0.1f};
+      const float on_wall[] = {1.0f, 1.0f};
+      float red[] = {-1.0f, -1.0f}, green[] = {-1.0f, -1.0f}, blue[] = {-1.0f, -1.0f};
+      patches.paint({u, v, footprint, on_wall, 2}, red, green, blue);
+      EXPECT_NEAR(red[0], red[1], 1e-3f) << here;
+      painted += red[0] > -0.5f ? 1 : 0;
+    }
+    EXPECT_GT(painted, 40);
   }
 }
 
