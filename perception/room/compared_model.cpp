@@ -17,11 +17,11 @@ void ComparedModel::prepare(const BackgroundModel& model, const Wall& wall, cons
     tile.trained = learned[i].trained;
     tile.trusted = tile.visits > 0 && tile.trained >= comparison.trusted_after;
     tile.histogram = prepared(comparison.measure, learned[i].mean);
-    Tile& reflected = tiles_[static_cast<std::size_t>(wall.reflected(static_cast<int>(i)))];
-    tile.difference = reflected.difference =
-        tile.trusted && reflected.trusted ? std::optional(distance(Distance::hellinger, learned[i].mean,
-                                                                   model[wall.reflected(static_cast<int>(i))].mean))
-                                          : std::nullopt;
+    const auto other = static_cast<std::size_t>(wall.reflected(static_cast<int>(i)));
+    std::optional<double> difference;
+    if (tile.trusted && tiles_[other].trusted)
+      difference = distance(Distance::hellinger, learned[i].mean, learned[other].mean);
+    tile.difference = tiles_[other].difference = difference;
   }
   if (any) summarize(wall);
 }
@@ -31,8 +31,7 @@ void ComparedModel::summarize(const Wall& wall) {
   int trusted = 0;
   int pairs = 0;
   for (int tile = 0; tile < wall.tiles(); ++tile) {
-    if (!this->trusted(tile)) continue;
-    ++trusted;
+    if (this->trusted(tile)) ++trusted;
     if (const std::optional<double> difference = difference_to_reflection(tile)) {
       sum += *difference;
       ++pairs;

@@ -35,7 +35,8 @@ const Confidences& RoomAwareness::update(const RoomObservation& view) {
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
   confidences_.distinctiveness = compared_model_.distinctiveness();
-  views_.choose(wall_, compared_model_, view.belief, view.robot_from_camera, step, parameters_.views);
+  views_.choose(wall_, compared_model_, view.belief, view.robot_from_camera, step, parameters_.perception.min_incidence,
+                parameters_.views);
   return confidences_;
 }
 
@@ -50,14 +51,15 @@ void RoomAwareness::perceive(const RoomObservation& view, double elapsed) {
   perceived_.find(view, wall_, parameters_.perception);
   light_.observe(perceived_.light(view.image, parameters_.light, parameters_.perception), elapsed, parameters_.light);
   const Light mean = parameters_.light.enabled ? light_.light() : Light{};
-  believed_light_ = reflected_light_ = mean;
+  believed_light_ = mean;
+  Light reflected_light = mean;
   if (parameters_.light.enabled && parameters_.pose_light.enabled) {
     pose_lights_.observe(perceived_.lights(), mean, model_, wall_, elapsed, parameters_.pose_light);
     believed_light_ = pose_lights_.if_believed();
-    reflected_light_ = pose_lights_.if_reflected();
+    reflected_light = pose_lights_.if_reflected();
   }
   perceived_.count(view.image, color_thresholds(parameters_.color, believed_light_),
-                   color_thresholds(parameters_.color, reflected_light_), parameters_.perception);
+                   color_thresholds(parameters_.color, reflected_light), parameters_.perception);
   if (parameters_.color.blur > 0.0) perceived_.blur(parameters_.color.blur);
   const auto tiles = perceived_.tiles();
   confidences_.visible_tiles = static_cast<int>(
@@ -75,9 +77,8 @@ void RoomAwareness::train(double step) {
   for (const PerceivedTile& tile : perceived_.tiles()) {
     if (tile.counts) model_.train(tile.tile, tile.histogram, how);
   }
-  constexpr int kFewest = 5;  // pixels of a tile; fewer say nothing about its light
   for (const TileLight& tile : perceived_.lights()) {
-    if (tile.sums.pixels >= kFewest) model_.train_light(tile.tile, relative(tile.sums.mean(), believed_light_), how);
+    if (tile.counts()) model_.train_light(tile.tile, relative(tile.sums.mean(), believed_light_), how);
   }
 }
 

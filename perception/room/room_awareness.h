@@ -133,7 +133,7 @@ class RoomAwareness {
   Evidence evidence_;
   Confidences confidences_;
   ViewChooser views_;
-  Light believed_light_, reflected_light_;  // of this frame
+  Light believed_light_;  // of this frame
   std::optional<double> last_time_;
   std::optional<double> last_direction_;  // camera yaw in the robot + odometry at the last evaluation, rad
   std::optional<double> view_center_;

@@ -48,15 +48,18 @@ LightSums sum_light(const ImageView& image, int row, int left, int right, const 
   return sums;
 }
 
+void check(const SeenLight& tile) {
+  check_bytes(is_sound(tile.light) && std::isfinite(tile.unseen), "the light of a tile is none");
+}
+
 /// After reading.
 void LightAdaptation::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "the light of a wall with another number of tiles");
   check_bytes(is_sound(light_) && std::isfinite(unseen_), "the light is none");
-  for (const SeenTile& tile : tiles_)
-    check_bytes(is_sound(tile.light) && std::isfinite(tile.unseen), "the light of a tile is none");
+  for (const SeenLight& tile : tiles_) reorient::check(tile);
 }
 
-void LightAdaptation::forget_tiles() { std::fill(tiles_.begin(), tiles_.end(), SeenTile{}); }
+void LightAdaptation::forget_tiles() { std::fill(tiles_.begin(), tiles_.end(), SeenLight{}); }
 
 void LightAdaptation::restart(int tiles) {
   tiles_.resize(static_cast<std::size_t>(tiles));
@@ -69,13 +72,13 @@ void LightAdaptation::observe(std::span<const TileLight> frame, double elapsed, 
   constexpr int kFewest = 10;  // pixels of a tile; fewer say nothing about it
   unseen_ += elapsed;
   if (unseen_ > parameters.fresh_after) forget_tiles();
-  for (SeenTile& tile : tiles_) {
+  for (SeenLight& tile : tiles_) {
     tile.unseen += elapsed;
     if (tile.unseen > parameters.memory) tile.known = false;
   }
   for (const TileLight& seen : frame) {
     if (seen.sums.pixels < kFewest) continue;
-    SeenTile& tile = tiles_[static_cast<std::size_t>(seen.tile)];
+    SeenLight& tile = tiles_[static_cast<std::size_t>(seen.tile)];
     const double share = tile.known && elapsed > 0.0 ? elapsed / (parameters.time_constant + elapsed) : 1.0;
     tile.light = mixed(tile.light, seen.sums.mean(), share);
     tile.known = true;
@@ -84,7 +87,7 @@ void LightAdaptation::observe(std::span<const TileLight> frame, double elapsed, 
   }
   Light sum{0.0, 0.0, 0.0};
   int known = 0;
-  for (const SeenTile& tile : tiles_) {
+  for (const SeenLight& tile : tiles_) {
     if (!tile.known) continue;
     sum = {sum.luma + tile.light.luma, sum.cb + tile.light.cb, sum.cr + tile.light.cr};
     ++known;

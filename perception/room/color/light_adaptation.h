@@ -48,7 +48,23 @@ LightSums sum_light(const ImageView& image, int row, int left, int right, const 
 struct TileLight {
   int tile = 0;
   LightSums sums;
+
+  /// Enough pixels to compare its light with what is known of the tile.
+  bool counts() const { return sums.pixels >= 5; }
 };
+
+/// What is remembered of the light on one tile.
+struct SeenLight {
+  Light light;
+  double unseen = 0.0;  ///< s since it was in view
+  bool known = false;
+};
+template <typename Visit>
+void fields(Visit&& visit, SeenLight& tile) {
+  visit(tile.light, tile.unseen, tile.known);
+}
+/// Of one that was read: throws BadBytes where there cannot be such.
+void check(const SeenLight& tile);
 
 /// The mean over what was seen of the wall lately, each tile with the same weight: it does not depend on where the
 /// camera looks at the moment, nor on how long it has been looking there.
@@ -72,22 +88,12 @@ class LightAdaptation {
   }
 
  private:
-  struct SeenTile {
-    Light light;
-    double unseen = 0.0;  // s since it was in view
-    bool known = false;
-  };
-  template <typename Visit>
-  friend void fields(Visit&& visit, SeenTile& tile) {
-    visit(tile.light, tile.unseen, tile.known);
-  }
-
   void check(std::size_t tiles) const;
 
   void forget_tiles();
 
   Light light_;
-  std::vector<SeenTile> tiles_;
+  std::vector<SeenLight> tiles_;
   double unseen_ = 0.0;  // s since any wall was in view
 };
 

@@ -38,7 +38,8 @@ void describe(EvidenceParameters& p, Visit&& visit) {
 /// changed, stays wrong from frame to frame. So a look at another tile is new evidence, and more of the same is not.
 ///
 /// The say of a tile is gain * d / (d + distinct^2 / d) * (how much nearer the reflected tile of the model is than the
-/// tile itself), d being the distance between those two; the log-odds are the sum over the tiles.
+/// tile itself), d being the distance between those two; the log-odds are the sum over the tiles. A tile of which only
+/// one of the two is known says, with less weight, how well that one fits.
 class Evidence {
  public:
   /// Nothing was seen yet of a wall with this many tiles.

@@ -9,8 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kStep = 0.087;           // rad between directions that are looked at
-constexpr double kLeastIncidence = 0.45;  // cosine, as that of a perceived tile that counts
+constexpr double kStep = 0.087;  // rad between directions that are looked at
 
 int directions_within(double outermost) { return static_cast<int>(2.0 * outermost / kStep) + 1; }
 
@@ -34,16 +33,19 @@ void ViewChooser::check(std::size_t columns) const {
 }
 
 const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedModel& model, const Pose2& belief,
-                                            const Isometry3& robot_from_camera, double step,
+                                            const Isometry3& robot_from_camera, double step, double least_incidence,
                                             const ViewParameters& parameters) {
   views_ = {};
   const Eigen::Vector2d axis = robot_from_camera.linear().col(0).head<2>();
   const Eigen::Vector2d camera = belief * Eigen::Vector2d(robot_from_camera.translation().head<2>());
   const double outermost = parameters.reach + parameters.half_width;
-  if (!axis.allFinite() || !std::isfinite(belief.rotation) || !look_around(wall, belief, camera, outermost))
+  if (!axis.allFinite() || !std::isfinite(belief.rotation) ||
+      !look_around(wall, belief, camera, outermost, least_incidence))
     return views_;
   const double yaw = direction_of(axis);
   note_look(yaw, outermost, step, parameters);
+  worths_.clear();
+  for (const int column : columns_) worths_.push_back(column < 0 ? Worth{} : worth_of(column, wall, model, parameters));
 
   double best_telling = 0.0;
   double best_unknown = 0.0;
@@ -57,7 +59,7 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
       const int column = columns_[static_cast<std::size_t>(i)];
       if (column < 0 || column == last) continue;  // it counts once in a view, however wide it is
       last = column;
-      const Worth worth = worth_of(column, wall, model, parameters);
+      const Worth& worth = worths_[static_cast<std::size_t>(i)];
       sum.telling += worth.telling;
       sum.unknown += worth.unknown;
     }
@@ -77,15 +79,15 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
 }
 
 /// False: the camera stands outside of the wall.
-bool ViewChooser::look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost) {
+bool ViewChooser::look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost,
+                              double least_incidence) {
   columns_.assign(static_cast<std::size_t>(directions_within(outermost)), -1);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double direction = belief.rotation - outermost + kStep * static_cast<double>(i);
     const auto azimuth = wall.azimuth_seen(camera, direction);
     if (!azimuth) return false;
-    if (unit_vector(direction).dot(unit_vector(*azimuth)) <= kLeastIncidence) continue;
-    const double turns = *azimuth / (2.0 * kPi);
-    columns_[i] = static_cast<int>((turns < 0.0 ? turns + 1.0 : turns) * wall.columns()) % wall.columns();
+    if (unit_vector(direction).dot(unit_vector(*azimuth)) <= least_incidence) continue;
+    columns_[i] = static_cast<int>(wall.column_at(*azimuth));
   }
   return true;
 }

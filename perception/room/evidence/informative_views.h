@@ -47,9 +47,11 @@ class ViewChooser {
   /// Nothing was looked at yet of a wall with this many columns.
   void restart(int columns);
   /// One frame of `step` seconds. Each of the two is the view of the greatest worth per time that it takes to turn
-  /// there and to look at it. All zero where the believed camera stands outside of the wall, or is not finite.
+  /// there and to look at it; what is seen of the wall at a cosine of incidence below `least_incidence` has none. All
+  /// zero where the believed camera stands outside of the wall, or is not finite.
   const InformativeViews& choose(const Wall& wall, const ComparedModel& model, const Pose2& belief,
-                                 const Isometry3& robot_from_camera, double step, const ViewParameters& parameters);
+                                 const Isometry3& robot_from_camera, double step, double least_incidence,
+                                 const ViewParameters& parameters);
   /// The belief went over to its reflection, or the wall is counted from the other end: what was looked at is called
   /// otherwise now.
   void turn_half();
@@ -71,12 +73,14 @@ class ViewChooser {
   };
 
   void check(std::size_t columns) const;
-  bool look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost);
+  bool look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost,
+                   double least_incidence);
   void note_look(double yaw, double outermost, double step, const ViewParameters& parameters);
   Worth worth_of(int column, const Wall& wall, const ComparedModel& model, const ViewParameters& parameters) const;
 
   std::vector<double> looked_at_;  // s, of each column, fading
   std::vector<int> columns_;       // that lie in each direction, from the right to the left; -1: none that counts
+  std::vector<Worth> worths_;      // of those
   InformativeViews views_;
 };
 

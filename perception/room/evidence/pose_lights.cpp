@@ -9,17 +9,15 @@
 namespace reorient {
 
 void PoseLights::restart(int tiles) {
-  tiles_.assign(static_cast<std::size_t>(tiles), SeenTile{});
+  tiles_.assign(static_cast<std::size_t>(tiles), SeenLight{});
   until_next_ = 0.0;
 }
 
 void PoseLights::observe(std::span<const TileLight> frame, const Light& mean, const BackgroundModel& model,
                          const Wall& wall, double elapsed, const PoseLightParameters& parameters) {
-  constexpr int kFewest = 5;  // pixels of a tile; fewer say nothing about it
-  for (SeenTile& tile : tiles_) tile.unseen += elapsed;
+  for (SeenLight& tile : tiles_) tile.unseen += elapsed;
   for (const TileLight& seen : frame) {
-    if (seen.sums.pixels < kFewest) continue;
-    tiles_[static_cast<std::size_t>(seen.tile)] = {seen.sums.mean(), 0.0, true};
+    if (seen.counts()) tiles_[static_cast<std::size_t>(seen.tile)] = {seen.sums.mean(), 0.0, true};
   }
   until_next_ -= elapsed;
   if (until_next_ > 0.0) return;
@@ -31,13 +29,12 @@ void PoseLights::observe(std::span<const TileLight> frame, const Light& mean, co
 /// The mean of what the tiles say, each within the bounds around the mean light, and of that.
 Light PoseLights::estimate(const Light& mean, const BackgroundModel& model, const Wall& wall, bool reflected,
                            const PoseLightParameters& parameters) const {
-  if (!parameters.enabled) return mean;
   constexpr double kDarkest = 0.02;  // of the room's luma: a tile beyond all doubt
   const auto within = [](double value, double most) { return std::clamp(value, -most, most); };
   double luma = 0.0, cb = 0.0, cr = 0.0;
   int count = 0;
   for (int tile = 0; tile < wall.tiles(); ++tile) {
-    const SeenTile& seen = tiles_[static_cast<std::size_t>(tile)];
+    const SeenLight& seen = tiles_[static_cast<std::size_t>(tile)];
     if (!seen.known || seen.unseen > parameters.memory) continue;
     const TileModel& learned = model[reflected ? wall.reflected(tile) : tile];
     if (learned.light_visits == 0) continue;
@@ -62,8 +59,7 @@ void PoseLights::reflect(const Wall& wall) {
 void PoseLights::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "the light of a wall with another number of tiles");
   check_bytes(is_sound(if_believed_) && is_sound(if_reflected_) && std::isfinite(until_next_), "the light is none");
-  for (const SeenTile& tile : tiles_)
-    check_bytes(is_sound(tile.light) && std::isfinite(tile.unseen), "the light of a tile is none");
+  for (const SeenLight& tile : tiles_) reorient::check(tile);
 }
 
 }  // namespace reorient

@@ -55,21 +55,11 @@ class PoseLights {
   }
 
  private:
-  struct SeenTile {
-    Light light;
-    double unseen = 0.0;  // s since it was in view
-    bool known = false;
-  };
-  template <typename Visit>
-  friend void fields(Visit&& visit, SeenTile& tile) {
-    visit(tile.light, tile.unseen, tile.known);
-  }
-
   void check(std::size_t tiles) const;
   Light estimate(const Light& mean, const BackgroundModel& model, const Wall& wall, bool reflected,
                  const PoseLightParameters& parameters) const;
 
-  std::vector<SeenTile> tiles_;
+  std::vector<SeenLight> tiles_;
   Light if_believed_, if_reflected_;
   double until_next_ = 0.0;  // s
 };

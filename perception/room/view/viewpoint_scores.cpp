@@ -57,8 +57,7 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
   const int row = wall.row_of(perceived.tile);
   ComparedPlace place;
   place.tile = perceived.tile;
-  double sum = 0.0;
-  int known = 0;
+  bool any_known = false;
   for (int turn = 0; turn < columns; ++turn) {
     const int column = wall.column_of(perceived.tile) + turn;
     const int tile = wall.tile(row, column < columns ? column : column - columns);
@@ -69,8 +68,7 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
     ViewpointScore& cell = cells_[static_cast<std::size_t>(turn)];
     cell.distance += std::min(comparison.cap, distance);
     ++cell.compared;
-    sum += distance;
-    ++known;
+    any_known = true;
     if (turn == 0) {
       place.as_believed = distance;
       place.believed_known = true;
@@ -80,9 +78,7 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
       place.reflected_known = true;
     }
   }
-  if (known == 0) return;
-  place.typical = sum / known;
-  places_.push_back(place);
+  if (any_known) places_.push_back(place);
 }
 
 const ViewpointScore& ViewpointScores::at(int turn) const {

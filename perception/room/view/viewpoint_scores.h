@@ -22,7 +22,6 @@ struct ComparedPlace {
   int tile = 0;                 ///< where the belief says that it is
   double as_believed = 0.0;     ///< distance to the model's tile there, in the light of the believed pose
   double as_reflected = 0.0;    ///< distance to the reflected tile, in the light of the reflection
-  double typical = 0.0;         ///< mean distance to the trusted tiles of its row, in both lights
   bool believed_known = false;  ///< the model's tile is trusted; otherwise the distance is 0
   bool reflected_known = false;
 };

@@ -34,6 +34,12 @@ int Wall::reflected(int tile) const {
   return row_of(tile) * columns_ + column % columns_;
 }
 
+double Wall::column_at(double azimuth) const {
+  const double turns = azimuth / (2.0 * kPi);
+  const double column = (turns < 0.0 ? turns + 1.0 : turns) * columns_;
+  return column < columns_ ? column : 0.0;
+}
+
 Eigen::Vector3d Wall::point(double column, double row) const {
   const double azimuth = column * column_width();
   const auto [sine, cosine] = pinned::sincos(azimuth);
@@ -86,9 +92,7 @@ void Wall::meet(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> di
     pinned::atan2(std::span(y.data(), count), std::span(x.data(), count), std::span(azimuths.data(), count));
     for (std::size_t i = 0; i < count; ++i) {
       if (!points[first + i]) continue;
-      const double turns = azimuths[i] / (2.0 * kPi);
-      const double column = (turns < 0.0 ? turns + 1.0 : turns) * columns_;
-      points[first + i]->column = column < columns_ ? column : 0.0;
+      points[first + i]->column = column_at(azimuths[i]);
     }
   }
 }

@@ -68,6 +68,8 @@ class Wall {
     }
   }
 
+  /// The fractional column at an azimuth in [-pi, pi] rad.
+  double column_at(double azimuth) const;
   /// The point of the wall at a fractional column and row, m.
   Eigen::Vector3d point(double column, double row) const;
   Eigen::Vector3d center(int tile) const { return point(column_of(tile) + 0.5, row_of(tile) + 0.5); }

@@ -16,6 +16,9 @@ std::string subject(const Meaning& value) {
 }
 
 bool is_logic(std::string_view operation) { return operation == "and" || operation == "or"; }
+bool is_logic(const Expression& expression) {
+  return expression.kind == Expression::Kind::operation && is_logic(expression.operators.front()->text);
+}
 
 bool is_comparison(std::string_view operation) {
   return operation == "==" || operation == "~=" || operation == "<" || operation == ">" || operation == "<=" ||
@@ -83,6 +86,7 @@ Meaning ScriptReading::read_logic(const Expression& expression) {
     let_go(value);
     types = (is_and ? types & kFalsy : types & ~kFalsy) | value.types;
   }
+  if (!is_logic(expression.operands.back())) end_of_logic_ = value;
   return {types};
 }
 
@@ -140,17 +144,8 @@ void ScriptReading::read_condition(const Expression& expression) { check_conditi
 void ScriptReading::check_condition(const Expression& expression, const Meaning& value) {
   check_truth(value, *expression.token);
   const Expression* last = &expression;
-  while (last->kind == Expression::Kind::operation && is_logic(last->operators.front()->text))
-    last = &last->operands.back();
-  if (last == &expression) return;
-  if (last->kind == Expression::Kind::name) {
-    if (const Local* const local = find_local(last->token->text)) check_truth(local->meaning, *last->token);
-  } else if (last->kind == Expression::Kind::suffixed && last->suffixes.back().kind == syntax::Suffix::Kind::field) {
-    const auto said = static_cast<std::ptrdiff_t>(findings.size());
-    const Meaning field = read(*last);
-    findings.erase(findings.begin() + said, findings.end());  // all else was said when it was read as an operand
-    check_truth(field, *last->token);
-  }
+  while (is_logic(*last)) last = &last->operands.back();
+  if (last != &expression) check_truth(end_of_logic_, *last->token);
 }
 
 void ScriptReading::check_truth(const Meaning& value, const LuaToken& place) {

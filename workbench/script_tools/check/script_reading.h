@@ -146,7 +146,8 @@ class ScriptReading {
   std::deque<TableSymbol> parameter_tables_;
   bool uses_metatables_ = true;
   bool in_condition_ = false;
-  int hints_ = 0;  ///< given so far
+  Meaning end_of_logic_;  ///< of `a and b` that was read last: b, which is what it is in the end
+  int hints_ = 0;         ///< given so far
 };
 
 }  // namespace reorient
