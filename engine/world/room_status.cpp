@@ -12,7 +12,8 @@ RoomStatus room_status(const World& world, const RoomStatusParameters& p) {
   if (!world.room_awareness) return RoomStatus::off;
   if (!world.evaluating) return RoomStatus::resting;
   if (world.confidence.coverage < p.coverage) return RoomStatus::unlearned;
-  if (world.confidence.distinctiveness < p.distinctiveness) return RoomStatus::symmetric;
+  if (world.confidence.distinctiveness < p.distinctiveness || world.confidence.asymmetry < p.asymmetry)
+    return RoomStatus::symmetric;
   if (world.recovery_probability > p.recovery_probability) return RoomStatus::lost;
   if (world.confidence.age < p.age) return RoomStatus::fresh;
   return RoomStatus::usable;

@@ -17,10 +17,11 @@ void ComparedModel::prepare(const BackgroundModel& model, const Wall& wall, cons
     tile.trained = learned[i].trained;
     tile.trusted = tile.visits > 0 && tile.trained >= comparison.trusted_after;
     tile.histogram = prepared(comparison.measure, learned[i].mean);
+    tile.roots = prepared(Distance::hellinger, learned[i].mean);
     const auto other = static_cast<std::size_t>(wall.reflected(static_cast<int>(i)));
     std::optional<double> difference;
     if (tile.trusted && tiles_[other].trusted)
-      difference = distance(Distance::hellinger, learned[i].mean, learned[other].mean);
+      difference = this->difference(static_cast<int>(i), static_cast<int>(other));
     tile.difference = tiles_[other].difference = difference;
   }
   if (any) summarize(wall);
@@ -37,7 +38,8 @@ void ComparedModel::summarize(const Wall& wall) {
       ++pairs;
     }
   }
-  coverage_ = wall.tiles() > 0 ? static_cast<double>(trusted) / wall.tiles() : 0.0;
+  coverage_ = static_cast<double>(trusted) / wall.tiles();
+  paired_ = static_cast<double>(pairs) / wall.tiles();
   distinctiveness_ = pairs > 0 ? sum / pairs : 0.0;
 }
 

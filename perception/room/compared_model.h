@@ -27,14 +27,21 @@ class ComparedModel {
 
   bool trusted(int tile) const { return tiles_[static_cast<std::size_t>(tile)].trusted; }
   const ComparedHistogram& operator[](int tile) const { return tiles_[static_cast<std::size_t>(tile)].histogram; }
-  /// How much a tile differs from its reflection, in [0, 1]: the Hellinger distance, the same scale in every mode and
-  /// for every measure; nothing where one of the two is not trusted.
+  /// How much two tiles that are trusted differ, in [0, 1]: the Hellinger distance, the same scale in every mode and
+  /// for every measure.
+  double difference(int tile, int other) const {
+    return distance(Distance::hellinger, tiles_[static_cast<std::size_t>(tile)].roots,
+                    tiles_[static_cast<std::size_t>(other)].roots);
+  }
+  /// The same of a tile and its reflection; nothing where one of the two is not trusted.
   std::optional<double> difference_to_reflection(int tile) const {
     return tiles_[static_cast<std::size_t>(tile)].difference;
   }
 
   /// Share of all tiles that are trusted.
   double coverage() const { return coverage_; }
+  /// Share of all tiles that are trusted together with their reflections.
+  double paired() const { return paired_; }
   /// Whether the room can tell a pose from its reflection at all: the mean difference over the tiles that are trusted
   /// on both sides; 0 where there are none, and where the room looks the same after half a turn.
   double distinctiveness() const { return distinctiveness_; }
@@ -42,8 +49,9 @@ class ComparedModel {
  private:
   struct Tile {
     ComparedHistogram histogram;
-    int visits = -1;       // of the model's tile that it was made from
-    double trained = 0.0;  // s, the same
+    ComparedHistogram roots;  // for the Hellinger distance
+    int visits = -1;          // of the model's tile that it was made from
+    double trained = 0.0;     // s, the same
     std::optional<double> difference;
     bool trusted = false;
   };
@@ -53,6 +61,7 @@ class ComparedModel {
   std::vector<Tile> tiles_;
   Comparison comparison_;
   double coverage_ = 0.0;
+  double paired_ = 0.0;
   double distinctiveness_ = 0.0;
 };
 

@@ -32,9 +32,12 @@ const Confidences& RoomAwareness::update(const RoomObservation& view) {
   perceive(view, elapsed);
   if (view.train) train(step);
   compared_model_.prepare(model_, wall_, comparison());
+  self_similarity_.observe(compared_model_, wall_);
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
+  confidences_.paired = compared_model_.paired();
   confidences_.distinctiveness = compared_model_.distinctiveness();
+  confidences_.asymmetry = self_similarity_.asymmetry();
   views_.choose(wall_, compared_model_, view.belief, view.robot_from_camera, step, parameters_.perception.min_incidence,
                 parameters_.views);
   return confidences_;
@@ -171,6 +174,7 @@ void RoomAwareness::on_belief_reflected() {
 void RoomAwareness::on_half_time() {
   model_.turn_half(wall_);
   compared_model_.clear();
+  self_similarity_.turn_half();
   light_.turn_half(wall_);
   pose_lights_.turn_half(wall_);
   evidence_.turn_half(wall_);
@@ -183,6 +187,7 @@ void RoomAwareness::on_half_time() {
 void RoomAwareness::forget() {
   model_.forget(wall_.tiles());
   compared_model_.clear();
+  self_similarity_.restart(wall_.columns());
   scores_.clear();
   perceived_.clear();
   filter_.spread(parameters_.view_filter.particles);
@@ -210,7 +215,8 @@ void RoomAwareness::set_parameters(const RoomParameters& parameters) {
 void RoomAwareness::complete() {
   for (const std::optional<double>& value : {last_time_, last_direction_, view_center_})
     check_bytes(!value || std::isfinite(*value), "a time or an angle is not a number");
-  for (const double value : {confidences_.current, confidences_.opposite, confidences_.evidence, confidences_.age})
+  for (const double value :
+       {confidences_.current, confidences_.opposite, confidences_.evidence, confidences_.asymmetry, confidences_.age})
     check_bytes(std::isfinite(value), "a confidence is not a number");
   compared_model_.clear();
   perceived_.clear();

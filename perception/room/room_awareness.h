@@ -16,6 +16,7 @@
 #include "perception/room/evidence/informative_views.h"
 #include "perception/room/evidence/pose_lights.h"
 #include "perception/room/room_observation.h"
+#include "perception/room/self_similarity.h"
 #include "perception/room/view/confidences.h"
 #include "perception/room/view/view_filter.h"
 #include "perception/room/view/viewpoint_scores.h"
@@ -104,8 +105,8 @@ class RoomAwareness {
   /// are. Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(light_, pose_lights_, model_, filter_, evidence_, views_, confidences_, last_time_, last_direction_,
-            view_center_);
+    archive(light_, pose_lights_, model_, self_similarity_, filter_, evidence_, views_, confidences_, last_time_,
+            last_direction_, view_center_);
     if constexpr (Archive::kReads) complete();
   }
 
@@ -128,6 +129,7 @@ class RoomAwareness {
   PerceivedTiles perceived_;
   BackgroundModel model_;
   ComparedModel compared_model_;
+  SelfSimilarity self_similarity_;
   ViewpointScores scores_;
   ViewFilter filter_;
   Evidence evidence_;

@@ -1,14 +1,15 @@
 --- When may the background model of the room be trained, when may the room be compared with it, and when is it trusted?
---- With a known pose and no model the room is learned first, and the evaluation waits until enough of it is known; until
+--- With a known pose and no model the room is learned first, and the evaluation waits until enough of it is known on both
+--- sides, since only what is known together with its reflection can tell whether the room differs from it at all; until
 --- then somebody's word is all that speaks against the reflected pose, so reflected beliefs are purged on it. From then
 --- on the model is trained only while the room speaks for the believed pose: training on a reflected belief would paint the
 --- room the wrong way round. While the robot is disturbed its camera is not where the pose says: both rest.
 
 local p = param {
   undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long to stand before the eyes count" },
-  min_time      = { 20.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
-  max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever the coverage" },
-  coverage      = { 0.5,  range = { 0, 1 },               doc = "share of the wall that must be learned before it is trusted" },
+  min_time      = { 10.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
+  max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever is known" },
+  paired        = { 0.4,  range = { 0, 1 },               doc = "share of the wall that must be known together with its other side" },
   lingering     = { 0.05, range = { 0, 1 },               doc = "share of reflected pose particles that is purged meanwhile" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
   proof         = { 4.6,  range = { -50, 50 },             doc = "log-odds of the believed pose that it takes to train on" },
@@ -22,7 +23,7 @@ local function stands_on_the_field() return robot.undisturbed_for > p.undisturbe
 
 local function knows_the_room()
   if training.seconds >= p.max_time then return true end
-  return training.seconds >= p.min_time and confidence.coverage >= p.coverage
+  return training.seconds >= p.min_time and confidence.paired >= p.paired
 end
 
 local function is_vouched_for() return pose.known and not memory.was_lifted end

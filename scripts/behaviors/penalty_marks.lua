@@ -1,5 +1,6 @@
---- Walks from one penalty mark to the other and back, always by the pose that the robot believes in. On the first visit
---- of a mark it turns round once if much of the room is not learned yet. After a disturbance it goes to its own mark
+--- Walks from one penalty mark to the other and back, always by the pose that the robot believes in. Where it learns a room
+--- of which it knows nothing, it turns round once before it walks, and once more on the first visit of a mark if much of
+--- the room is still unknown. After a disturbance it goes to its own mark
 --- first. Whether the belief is worth walking by, others judge: while they search for the pose it waits.
 
 local walking = require "lib.walk"
@@ -7,13 +8,14 @@ local walking = require "lib.walk"
 local p = param {
   arrived     = { 0.15, range = { 0.05, 1 },              doc = "how near to a mark counts as there", unit = "m" },
   pause       = { 1.0,  range = { 0, 60 },    unit = "s", doc = "how long to stand on a mark" },
-  turn_round  = { true,                                   doc = "turn round once on a mark while the room is being learned" },
+  turn_round  = { true,                                   doc = "turn round once at first and on a mark while the room is being learned" },
   coverage    = { 0.8,  range = { 0, 1 },                 doc = "share of the wall from which on turning round is not needed" },
   turn_speed  = { 0.6,  range = { 0.1, 2 }, unit = "rad/s", doc = "how fast to turn round" },
   undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long the robot must stand again before it walks" },
 }
 
-local memory = keep { side = -1 }   -- of the mark to go to: -1 is the robot's own half, 1 the opponent's
+-- `side` of the mark to go to: -1 is the robot's own half, 1 the opponent's.
+local memory = keep { side = -1, has_turned = false }
 
 local function mark() return memory.side * field.penalty_mark_x end
 
@@ -21,7 +23,11 @@ local function go() return walking.walk_to(mark(), 0.0) end
 
 local function is_there() return walking.is_near(mark(), 0.0, p.arrived) end
 
+local function does_not_know_the_room() return p.turn_round and training.active and confidence.coverage < p.coverage end
+
 local function is_disturbed() return robot.undisturbed_for == 0.0 end
+
+local function one_turn() return 2 * math.pi / p.turn_speed end   -- s
 
 local function must_wait() return published.pose_is_searched and not is_disturbed() end
 
@@ -36,14 +42,19 @@ behavior "penalty_marks" {
   state "walking" {
     update = go,
     { "turning round",
-      when = function() return is_there() and p.turn_round and training.active and confidence.coverage < p.coverage end,
+      when = function() return not memory.has_turned and does_not_know_the_room() end,
+      because = "the robot begins to learn the room" },
+    { "turning round",
+      when = function() return is_there() and does_not_know_the_room() end,
       because = "the robot is on the mark and does not know the whole room" },
     { "on the mark", when = is_there, because = "the robot is on the mark" },
   },
 
   state "turning round" {
+    enter = function() memory.has_turned = true end,
     update = function() walking.turn(p.turn_speed) end,
-    { "on the mark", after = function() return 2 * math.pi / p.turn_speed end, because = "it has turned round" },
+    { "on the mark", when = is_there, after = one_turn, because = "it has turned round" },
+    { "walking", after = one_turn, because = "it has turned round" },
   },
 
   state "on the mark" {

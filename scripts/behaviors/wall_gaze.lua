@@ -1,6 +1,7 @@
 --- Lets the head look where the walls of the room tell most, while it is in doubt which way the robot looks: where the room
---- differs most from itself after half a turn, is near, and was not looked at lately. The core says where that is; here it
---- is said when. Otherwise the head is left to others.
+--- differs most from itself after half a turn, is near, and was not looked at lately. While the room is learned, it looks
+--- where most of it is still unknown. The core says where that is; here it is said when. Otherwise the head is left to
+--- others.
 
 local decision = require "lib.decision"
 
@@ -9,7 +10,9 @@ local p = param {
   speed = { 2.0,   range = { 0.1, 5.0 },  unit = "rad/s", doc = "how fast to turn the head" },
   dwell = { 0.2,   range = { 0, 5.0 },    unit = "s",     doc = "how long to look at one place" },
   timeout = { 2.0, range = { 0.2, 20.0 }, unit = "s",     doc = "after which time to look elsewhere if the place was not reached" },
+  study = { 0.4,   range = { 0, 5.0 },    unit = "s",     doc = "the same while the room is learned" },
   least = { 0.05,  range = { 0, 10 },     unit = "tiles", doc = "worth of a view below which there is nothing to look at" },
+  unknown = { 1.5, range = { 0, 100 },    unit = "tiles", doc = "how much must be unknown in a view that is worth learning" },
 }
 
 local NEAR = 0.08   -- rad
@@ -22,6 +25,8 @@ local function is_in_doubt()
   return CAN_TELL[confidence.status] and not decision.for_either() and views.telling_worth > p.least
 end
 
+local function is_learning() return training.active and views.unknown_worth > p.unknown end
+
 local function is_there() return math.abs(robot.head_yaw - memory.yaw) < NEAR end
 
 behavior "wall_gaze" {
@@ -30,6 +35,7 @@ behavior "wall_gaze" {
 
   state "resting" {
     { "looking", when = is_in_doubt, because = "the walls have to tell which way the robot looks" },
+    { "studying", when = is_learning, because = "the walls are learned, and some are not known yet" },
   },
 
   state "looking" {
@@ -38,5 +44,13 @@ behavior "wall_gaze" {
     { "resting", when = function() return not is_in_doubt() end, because = "the walls have told enough, or cannot tell" },
     { "looking", when = is_there, lasting = "dwell", because = "the place was looked at" },
     { "looking", after = "timeout", because = "the place cannot be looked at" },
+  },
+
+  state "studying" {
+    enter = function() memory.yaw = views.unknown end,
+    update = function() head.look(memory.yaw, p.pitch, p.speed) end,
+    { "resting", when = function() return not is_learning() end, because = "what can be seen of the walls is known" },
+    { "studying", when = is_there, lasting = "study", because = "the place was learned" },
+    { "studying", after = "timeout", because = "the place cannot be looked at" },
   },
 }

@@ -19,7 +19,7 @@ end
 
 local function learned()
   start()
-  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9, distinctiveness = 0.3 } }
+  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9, paired = 0.5, distinctiveness = 0.3 } }
   advance(0.1)
 end
 
@@ -38,16 +38,16 @@ test("without a known pose it neither trains nor evaluates", function()
   expect.lease("pause_evaluation")
 end)
 
-test("it goes on learning until enough of the wall is covered", function()
+test("it goes on learning until enough of the wall is known on both sides", function()
   start()
-  set_world { training = { seconds = 25 }, confidence = { coverage = 0.2 } }
+  set_world { training = { seconds = 25 }, confidence = { coverage = 0.5, paired = 0.1 } }
   advance(1)
   expect.state("background_training", "learning/studying")
 end)
 
-test("it trusts the model after a while whatever the coverage", function()
+test("it trusts the model after a while whatever is known", function()
   start()
-  set_world { training = { seconds = 36 }, confidence = { coverage = 0.2 } }
+  set_world { training = { seconds = 36 }, confidence = { coverage = 0.5, paired = 0.1 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
 end)
@@ -198,7 +198,7 @@ end)
 
 test("a room that is known already is trusted at once", function()
   load_behavior "background_training"
-  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9 } }
+  set_world { training = { seconds = 30 }, confidence = { coverage = 0.9, paired = 0.5 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
   expect.reason("background_training", "the room is known")

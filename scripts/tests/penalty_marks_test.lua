@@ -34,10 +34,24 @@ test("goes to the other mark after it was on one", function()
   expect.walk(0.2, 0, -2 * math.atan(0.05, 6.4))
 end)
 
+test("turns round before its first steps while it learns the room", function()
+  load_behavior "penalty_marks"
+  stand_at(-3.2, -3.5, math.rad(90))
+  set_world { training = { active = true }, confidence = { coverage = 0.1 } }
+  advance(0.1)
+  expect.state("penalty_marks", "turning round")
+  expect.reason("penalty_marks", "the robot begins to learn the room")
+  advance(2 * math.pi / 0.6)
+  expect.state("penalty_marks", "walking")
+  advance(3)
+  expect.state("penalty_marks", "walking")   -- once is enough
+end)
+
 test("turns round once on a mark while it learns the room", function()
   load_behavior "penalty_marks"
-  set_world { training = { active = true }, confidence = { coverage = 0.3 } }
+  advance(0.1)
   stand_at(-3.2, 0, 0)
+  set_world { training = { active = true }, confidence = { coverage = 0.3 } }
   advance(0.1)
   expect.state("penalty_marks", "turning round")
   expect.walk(0, 0, 0.6)

@@ -55,3 +55,34 @@ test("looks elsewhere when a place cannot be looked at", function()
   expect.reason("wall_gaze", "the place cannot be looked at")
   expect.head(0.5, -0.1)
 end)
+
+local function learning()
+  load_behavior "wall_gaze"
+  load_behavior "head_scan"
+  set_world { confidence = { status = "resting" }, training = { active = true }, views = { unknown = 0.9, unknown_worth = 8 } }
+  advance(0.1)
+end
+
+test("looks where most is unknown while the room is learned", function()
+  learning()
+  expect.state("wall_gaze", "studying")
+  expect.head(0.9, -0.1)
+  set_world { robot = { head_yaw = 0.9 }, views = { unknown = -0.4 } }
+  advance(0.3)
+  expect.head(0.9, -0.1)   -- a tile is trusted after a while only
+  advance(0.2)
+  expect.reason("wall_gaze", "the place was learned")
+  expect.head(-0.4, -0.1)
+end)
+
+test("leaves the head to the scan when what can be seen is known, or nothing is learned", function()
+  learning()
+  for _, change in ipairs { { views = { unknown_worth = 1 } }, { training = { active = false } } } do
+    set_world(change)
+    advance(0.1)
+    expect.state("wall_gaze", "resting")
+    expect.head(1.1, -0.1)
+    set_world { training = { active = true }, views = { unknown_worth = 8 } }
+    advance(0.1)
+  end
+end)

@@ -87,9 +87,15 @@ const BoundField kFields[] = {
      [](World& w) { return &w.confidence.goal_own; }},
     {"confidence", "coverage", "", "share of the wall that is trained well enough to be compared with",
      [](World& w) { return &w.confidence.coverage; }},
+    {"confidence", "paired", "", "the same, together with what lies on the other side of the room",
+     [](World& w) { return &w.confidence.paired; }},
     {"confidence", "distinctiveness", "",
      "how much the room differs from itself turned by half a turn; 0: it looks the same",
      [](World& w) { return &w.confidence.distinctiveness; }},
+    {"confidence", "asymmetry", "",
+     "how much the room differs from itself after half a turn, as share of how much it does after an odd number of "
+     "eighths: about 1, and below 0.75 where it repeats itself",
+     [](World& w) { return &w.confidence.asymmetry; }},
     {"confidence", "age", "s",
      "for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told "
      "pose, a flip or a jump of the belief",

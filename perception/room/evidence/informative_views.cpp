@@ -114,7 +114,10 @@ ViewChooser::Worth ViewChooser::worth_of(int column, const Wall& wall, const Com
     if (!model.trusted(tile) && !model.trusted(wall.reflected(tile))) continue;
     worth.telling += model.difference_to_reflection(tile).value_or(parameters.half_known);
   }
-  worth.telling *= parameters.look / (parameters.look + looked_at_[static_cast<std::size_t>(column)]);
+  // What was looked at lately and is still unknown cannot be learned from here.
+  const double fresh = parameters.look / (parameters.look + looked_at_[static_cast<std::size_t>(column)]);
+  worth.telling *= fresh;
+  worth.unknown *= fresh;
   return worth;
 }
 

@@ -18,7 +18,9 @@ struct Confidences {
   double goal_opponent = 0.0;    ///< share of view particles on the wall behind the goal at +x
   double goal_own = 0.0;         ///< the same, behind the goal at -x
   double coverage = 0.0;         ///< share of the wall's tiles that are trained well enough to be compared with
+  double paired = 0.0;           ///< the same, together with their reflections
   double distinctiveness = 0.0;  ///< how much the model differs from itself turned by 180 degrees: 0 is the same
+  double asymmetry = 1.0;        ///< the same, as a share of what other turns differ by (self_similarity.h)
   double evidence = 0.0;         ///< log-odds for the opposite pose against the current one (evidence/evidence.h)
   double age = 0.0;              ///< s of views of known tiles since the confidences began anew
   double smoothed_for = 0.0;     ///< s of those of them that the smoothed ones are made of
@@ -27,8 +29,8 @@ struct Confidences {
 
 template <typename Visit>
 void fields(Visit&& visit, Confidences& c) {
-  visit(c.current, c.opposite, c.raw_current, c.raw_opposite, c.goal_opponent, c.goal_own, c.coverage,
-        c.distinctiveness, c.evidence, c.age, c.smoothed_for, c.visible_tiles);
+  visit(c.current, c.opposite, c.raw_current, c.raw_opposite, c.goal_opponent, c.goal_own, c.coverage, c.paired,
+        c.distinctiveness, c.asymmetry, c.evidence, c.age, c.smoothed_for, c.visible_tiles);
 }
 
 struct ConfidenceParameters {

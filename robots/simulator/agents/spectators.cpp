@@ -23,7 +23,9 @@ Spectators::Spectators(int count, const RoomShape& room, const FieldDimensions& 
                        std::uint64_t seed)
     : room_(room), field_(field), light_(light), comers_(seed, 0xc03e25) {
   Random random(seed, 0x9e091e);
-  for (int i = 0; i < count; ++i) {
+  // In a symmetric room each of them stands on both sides.
+  const int places = room_.symmetry == RoomSymmetry::none ? count : count / 2;
+  for (int i = 0; i < places; ++i) {
     if (const auto spectator = somebody(random)) spectators_.push_back(*spectator);
   }
 }
@@ -70,6 +72,7 @@ void Spectators::add_to(Scene& scene, double time) const {
                                            0.5 * pinned::sin(person.pace * 7.3 * time + 2.0 * person.phase));
     const Eigen::Vector2d place = person.place + pinned::sin(0.4 * person.pace * time + person.phase) * person.stroll;
     add_person(scene, place, person.height, lean, person.look);
+    if (room_.symmetry != RoomSymmetry::none) add_person(scene, -place, person.height, lean, person.look);
   }
 }
 

@@ -321,5 +321,27 @@ TEST(ChangedLight, BringsOtherPeopleAndTakesSomeAway) {
   EXPECT_NEAR(static_cast<double>(stayed.size()) / static_cast<double>(before.size()), 0.5, 0.25);
 }
 
+TEST(Spectators, StandOnBothSidesOfASymmetricRoom) {
+  for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
+    RoomShape shape;
+    shape.symmetry = symmetry;
+    Spectators spectators(36, shape, FieldDimensions{}, LinearColor::Ones(), 4);
+    spectators.exchange(0.5);
+    Scene scene;
+    spectators.add_to(scene, 12.3);
+    ASSERT_GT(scene.capsules.size(), 100u);
+    const auto has = [&](const Capsule& wanted) {
+      return std::any_of(scene.capsules.begin(), scene.capsules.end(), [&](const Capsule& capsule) {
+        const auto reflected = [](const Eigen::Vector3f& point) {
+          return Eigen::Vector3f(-point.x(), -point.y(), point.z());
+        };
+        return (reflected(capsule.from) - wanted.from).norm() < 1e-4f &&
+               (reflected(capsule.to) - wanted.to).norm() < 1e-4f && (capsule.color == wanted.color).all();
+      });
+    };
+    for (const Capsule& capsule : scene.capsules) EXPECT_TRUE(has(capsule));
+  }
+}
+
 }  // namespace
 }  // namespace reorient
