@@ -33,7 +33,7 @@ TrialResult some_result() {
   result.right_after = 8.5;
   result.mended_by = Reorientation::flip_pose;
   result.flips = 1;
-  result.confidences.push_back({0.5, 0.25, 0.75, RoomStatus::usable, false});
+  result.confidences.push_back({0.5, 0.25, 0.75, 3.5, RoomStatus::usable, false, true});
   return result;
 }
 
@@ -52,7 +52,7 @@ TEST(TaskResultsTest, AreReadAsTheyWereWrittenEachValueOfThem) {
   const TaskResults results(folder.path());
   TrialResult written;
   visit_named_values(Unusual(), written);
-  written.confidences.push_back({0.5, 0.25, 0.75, RoomStatus::usable, true});
+  written.confidences.push_back({0.5, 0.25, 0.75, -3.5, RoomStatus::usable, true, false});
   results.write(1, 0x1234, written);
   const TrialResult read = results.read(1, 0x1234).value();
   EXPECT_EQ(read.seed, written.seed);

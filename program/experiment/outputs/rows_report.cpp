@@ -156,6 +156,9 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRes
     json["kidnap_failed"] = share(row.kidnapped_failed, row.kidnapped);
     json["kidnap_mean_s"] = or_null(row.kidnapped_right.mean);
     json["usable_mean_s"] = or_null(row.usable.mean);
+    json["uninformative_time"] = or_null(row.uninformative_time);
+    json["calibration_samples"] = row.calibration_samples;
+    json["calibration_error"] = or_null(row.calibration_error);
     json["outcomes"] = ordered_json::array();
     for (const TrialResult& trial : cell.trials) json["outcomes"].push_back(outcome_as_json(outcome_of(trial)));
     text.append(text.empty() ? "[\n" : ",\n").append(on_lines(json));

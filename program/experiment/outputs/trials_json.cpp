@@ -22,13 +22,16 @@ ordered_json value_or_null(const std::optional<Value>& value) {
 
 ordered_json confidences_as_json(const std::vector<ConfidenceSample>& samples) {
   ordered_json json;
-  for (const char* name : {"time_s", "current", "opposite", "status", "correct"}) json[name] = ordered_json::array();
+  for (const char* name : {"time_s", "current", "opposite", "evidence", "status", "correct", "reflected"})
+    json[name] = ordered_json::array();
   for (const ConfidenceSample& sample : samples) {
     json["time_s"].push_back(sample.time);
     json["current"].push_back(sample.current);
     json["opposite"].push_back(sample.opposite);
+    json["evidence"].push_back(sample.evidence);
     json["status"].push_back(to_string(sample.status));
     json["correct"].push_back(sample.correct);
+    json["reflected"].push_back(sample.reflected);
   }
   return json;
 }

@@ -31,7 +31,9 @@ TrialResult shown_result(std::uint64_t seed, bool is_disturbed) {
   trial.right_seconds = 60.0;
   for (double time = 0.5; time < 70.0; time += 0.5) {
     const bool correct = trial.right_after && time >= *trial.right_after;
-    trial.confidences.push_back({time, correct ? 0.8 : 0.3, correct ? 0.1 : 0.6, RoomStatus::usable, correct});
+    const double evidence = (correct ? -1.0 : 1.0) * random.uniform(-1.0, 9.0);
+    trial.confidences.push_back(
+        {time, correct ? 0.8 : 0.3, correct ? 0.1 : 0.6, evidence, RoomStatus::usable, correct, !correct});
   }
   return trial;
 }
@@ -60,7 +62,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST(ReportPage, IsWellFormedAndHasItsFiguresAndTables) {
   const std::string page = report_page(report_with("halls", 12));
   EXPECT_EQ(mistake_in_markup(page), "");
-  for (const char* id : {"failures", "times", "false-flips", "roc"})
+  for (const char* id : {"failures", "times", "false-flips", "roc", "reliability"})
     EXPECT_TRUE(has(page, std::string("<figure id=\"") + id + "\">")) << id;
   for (const char* role : {"best", "median", "worst", "failed"})
     EXPECT_TRUE(has(page, std::string("<strong>") + role)) << role;

@@ -96,8 +96,32 @@ TEST(Row, CountsFalseFlipsPerHourOfRightBelief) {
   EXPECT_NEAR(row.false_flip_rate.high, 11.668, 1e-3);
 }
 
+TEST(Row, AsksTheEvidenceOnlyWhereItIsUsedAndOneOfTheTwoPosesIsRight) {
+  TrialResult trial = corrected(3.0);
+  const double sure = std::log(9.0);
+  trial.confidences = {{0.5, 0.0, 0.0, sure, RoomStatus::usable, false, true},    // right: the reflection it was
+                       {1.0, 0.0, 0.0, -sure, RoomStatus::usable, true, false},   // right
+                       {1.5, 0.0, 0.0, sure, RoomStatus::usable, true, false},    // wrong
+                       {2.0, 0.0, 0.0, sure, RoomStatus::usable, false, false},   // the robot is elsewhere
+                       {2.5, 0.0, 0.0, sure, RoomStatus::resting, true, false}};  // nobody asks
+  const Row row = row_of({trial});
+  EXPECT_EQ(row.calibration_samples, 3);
+  ASSERT_TRUE(row.calibration_error);
+  EXPECT_NEAR(*row.calibration_error, 0.9 - 2.0 / 3.0, 1e-9);
+}
+
+TEST(Row, TellsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
+  TrialResult trial = in_peace(30.0, 0);
+  trial.wrong_seconds = 10.0;
+  trial.uninformative_seconds = 10.0;
+  EXPECT_EQ(row_of({trial}).uninformative_time, 0.25);
+  EXPECT_FALSE(row_of({TrialResult{}}).uninformative_time);
+}
+
 TEST(Row, OfNothingKnowsNothing) {
   const Row row = row_of({});
+  EXPECT_FALSE(row.calibration_error);
+  EXPECT_FALSE(row.uninformative_time);
   EXPECT_EQ(row.trials, 0);
   EXPECT_FALSE(row.right.mean);
   EXPECT_EQ(row.failed_rate.high, 1.0);

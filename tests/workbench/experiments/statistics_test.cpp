@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "workbench/experiments/statistics/calibration.h"
 #include "workbench/experiments/statistics/paired_tests.h"
 #include "workbench/experiments/statistics/rates.h"
 #include "workbench/experiments/statistics/roc.h"
@@ -190,6 +191,34 @@ RC_GTEST_PROP(WilcoxonProperty, DoesNotCareWhichWayIsTheFirst, (const std::vecto
   const double p = wilcoxon_p(pairs);
   RC_ASSERT(p > 0.0 && p <= 1.0);
   RC_ASSERT(std::abs(p - wilcoxon_p(exchanged)) < 1e-9);
+}
+
+TEST(Calibration, IsRightAsOftenAsItSays) {
+  std::vector<double> said(99, std::log(99.0));
+  said.push_back(-std::log(99.0));
+  const std::vector<CalibrationBin> bins = calibration_bins(said);
+  ASSERT_EQ(bins.size(), 1u);
+  EXPECT_EQ(bins[0].samples, 100);
+  EXPECT_EQ(bins[0].right, 99);
+  EXPECT_NEAR(bins[0].certainty(), 0.99, 1e-12);
+  EXPECT_NEAR(calibration_error(bins), 0.0, 1e-12);
+}
+
+TEST(Calibration, CountsTooCertainAndTooTimidAlike) {
+  const std::vector<double> certain{std::log(9.0), -std::log(9.0)};         // says 90 %, is right in 50 %
+  const std::vector<double> timid{std::log(1.5), std::log(1.5), 0.405465};  // says 60 %, is always right
+  EXPECT_NEAR(calibration_error(calibration_bins(certain)), 0.4, 1e-9);
+  EXPECT_NEAR(calibration_error(calibration_bins(timid)), 0.4, 1e-6);
+  std::vector<double> both = certain;
+  both.insert(both.end(), timid.begin(), timid.end());
+  EXPECT_NEAR(calibration_error(calibration_bins(both)), 0.4, 1e-6) << "they do not balance each other";
+}
+
+TEST(Calibration, OfNothingIsNoError) {
+  EXPECT_TRUE(calibration_bins({}).empty());
+  EXPECT_EQ(calibration_error({}), 0.0);
+  const std::vector<double> extremes{1e300, -1e300, 0.0};
+  EXPECT_TRUE(std::isfinite(calibration_error(calibration_bins(extremes))));
 }
 
 TEST(Roc, IsTheShareOfPairsInTheRightOrder) {

@@ -4,6 +4,7 @@
 #include "workbench/experiments/charts/numbers.h"
 #include "workbench/experiments/charts/plot.h"
 #include "workbench/experiments/report/figures.h"
+#include "workbench/experiments/statistics/calibration.h"
 #include "workbench/experiments/statistics/roc.h"
 #include "workbench/experiments/statistics/times.h"
 
@@ -122,6 +123,53 @@ void draw_time_to_right(Markup& out, const Report& report) {
       "Shaded: 95 %, point by point (log-log, Greenwood\u2019s variance), as long as a trial is left. A stroke at a "
       "line\u2019s end: the "
       "trials that were not right by then are censored there. The abscissa is logarithmic.");
+}
+
+void draw_reliability(Markup& out, const Report& report) {
+  const bool has_any = std::any_of(report.cells.begin(), report.cells.end(),
+                                   [](const CellResults& cell) { return cell.row.calibration_samples > 0; });
+  if (!has_any) return;
+  out.leaf("h2", "What the evidence is worth");
+  const Element figure(out, "figure", {{"id", "reliability"}});
+  const std::vector<Series> series = series_of(report);
+  draw_legend(out, series);
+  std::string reading;
+  {
+    const Element panels(out, "div", {{"class", "panels"}});
+    const Element panel(out, "div", {{"class", "panel"}});
+    std::vector<std::pair<const Series*, std::vector<PlotPoint>>> lines;
+    for (const Series& one : series) {
+      std::vector<TrialResult> trials;
+      for (const std::size_t cell : one.cells)
+        trials.insert(trials.end(), report.cells[cell].trials.begin(), report.cells[cell].trials.end());
+      const std::vector<CalibrationBin> bins = calibration_of(trials);
+      if (bins.empty()) continue;
+      std::vector<PlotPoint> points;
+      int samples = 0;
+      for (const CalibrationBin& bin : bins) {
+        constexpr int kFewest = 20;  // samples; fewer jump about
+        samples += bin.samples;
+        if (bin.samples >= kFewest) points.push_back({bin.certainty(), bin.accuracy()});
+      }
+      reading.append(reading.empty() ? "" : "; ").append(one.name).append(": expected calibration error ");
+      reading.append(fixed(calibration_error(bins), 4))
+          .append(" (")
+          .append(std::to_string(samples))
+          .append(" samples)");
+      lines.emplace_back(&one, std::move(points));
+    }
+    {
+      Plot plot(out, "reliability: " + reading, {"the evidence says, %", 0.5, 1.0, 5, true},
+                {"it is right, %", 0.5, 1.0, 5, true}, true);
+      plot.line({{0.5, 0.5}, {1.0, 1.0}}, "chance");
+      for (const auto& [one, points] : lines) plot.line(points, one->style);
+    }
+    out.leaf("p", reading, {{"class", "reading"}});
+  }
+  draw_caption(out, report,
+               "How often the pose that the evidence calls the likelier one of the two is the right one, against how "
+               "sure it says that it is (dotted: as often as it says). Two samples a second while the room could be "
+               "used and the belief was right or the reflection; samples of one trial depend on each other.");
 }
 
 void draw_roc(Markup& out, const Report& report) {

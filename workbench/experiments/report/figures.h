@@ -16,6 +16,9 @@ void draw_time_to_right(Markup& out, const Report& report);
 /// How well the confidences tell a wrong belief from a right one: a line for each series.
 void draw_roc(Markup& out, const Report& report);
 
+/// Whether the evidence is right as often as it says: a line for each series.
+void draw_reliability(Markup& out, const Report& report);
+
 /// The confidences of the best, the median, the worst and the failed trials of each series.
 void draw_confidences(Markup& out, const Report& report);
 

@@ -113,6 +113,7 @@ std::string report_page(const Report& report) {
       draw_comparisons(out, report);
       draw_false_flips(out, report);
       draw_roc(out, report);
+      draw_reliability(out, report);
       draw_confidences(out, report);
       draw_method(out);
       draw_files(out);

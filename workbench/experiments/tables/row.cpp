@@ -1,5 +1,6 @@
 #include "workbench/experiments/tables/row.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "workbench/experiments/statistics/rates.h"
@@ -20,7 +21,7 @@ Row row_of(const std::vector<TrialResult>& results) {
   Row row;
   std::vector<double> right, mended, by_flip, by_purge, kidnapped_right, usable;
   std::vector<CensoredTime> until_mended;
-  double right_seconds = 0.0;
+  double right_seconds = 0.0, standing_seconds = 0.0, uninformative_seconds = 0.0;
   for (const TrialResult& result : results) {
     ++row.trials;
     row.not_started += result.started ? 0 : 1;
@@ -29,6 +30,8 @@ Row row_of(const std::vector<TrialResult>& results) {
     row.false_flips += result.false_flips;
     row.false_purges += result.false_purges;
     right_seconds += result.right_seconds;
+    standing_seconds += result.right_seconds + result.wrong_seconds;
+    uninformative_seconds += result.uninformative_seconds;
     if (result.usable_after) usable.push_back(*result.usable_after);
     if (result.kidnapped) {
       ++row.kidnapped;
@@ -65,7 +68,23 @@ Row row_of(const std::vector<TrialResult>& results) {
   row.purge_time = time_row(by_purge);
   row.right_hours = right_seconds / kHour;
   row.false_flip_rate = poisson_rate(row.false_flips, row.right_hours);
+  // What is felt of a fall comes a little later than the fall.
+  if (standing_seconds > 0.0) row.uninformative_time = std::min(uninformative_seconds / standing_seconds, 1.0);
+  const std::vector<CalibrationBin> bins = calibration_of(results);
+  for (const CalibrationBin& bin : bins) row.calibration_samples += bin.samples;
+  if (row.calibration_samples > 0) row.calibration_error = calibration_error(bins);
   return row;
+}
+
+std::vector<CalibrationBin> calibration_of(const std::vector<TrialResult>& results) {
+  std::vector<double> for_the_truth;
+  for (const TrialResult& result : results) {
+    for (const ConfidenceSample& sample : result.confidences) {
+      if (sample.status != RoomStatus::usable || sample.correct == sample.reflected) continue;
+      for_the_truth.push_back(sample.correct ? -sample.evidence : sample.evidence);
+    }
+  }
+  return calibration_bins(for_the_truth);
 }
 
 std::vector<CensoredTime> times_until_right(const std::vector<TrialResult>& results) {

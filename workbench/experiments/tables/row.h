@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "workbench/experiments/statistics/calibration.h"
 #include "workbench/experiments/statistics/interval.h"
 #include "workbench/experiments/statistics/times.h"
 #include "workbench/experiments/trial/trial_result.h"
@@ -46,9 +47,16 @@ struct Row {
   TimeRow kidnapped_right;   ///< as `right`, of those
   TimeRow usable;            ///< time until the room told the two poses apart, of the trials in which it did
   int uninformative = 0;     ///< of the failed: in the end the robot took its room for symmetric
+  /// Share of the time in which the robot stood that it took its room for symmetric; nothing where it never stood.
+  std::optional<double> uninformative_time;
+  int calibration_samples = 0;              ///< of the evidence while the belief was right, or the reflection
+  std::optional<double> calibration_error;  ///< of those; nothing where there are none
 };
 
 Row row_of(const std::vector<TrialResult>& results);
+
+/// What the evidence said while it was used, and the belief was right or the reflection of a right one.
+std::vector<CalibrationBin> calibration_of(const std::vector<TrialResult>& results);
 
 /// Until the belief is right and stays; of the disturbed trials.
 std::vector<CensoredTime> times_until_right(const std::vector<TrialResult>& results);

@@ -53,7 +53,7 @@ void TrialObserver::observe(const FrameRecord& frame, const StageRecord& stage) 
     if (!result_.right_after && in_time && time - *right_since_ + kTolerance >= measurement_.hold)
       result_.right_after = right_since_;
     if (frame.reorientation && stage.truth) judge_reorientation(*frame.reorientation, *stage.truth, time);
-    sample(world, correct, time);
+    sample(world, correct, !is_held && is_correct(reflect(world.pose.pose), stage.truth->pose), time);
     return;
   }
   // The scenario looks at a frame when it is over: what it does then is seen in the next one.
@@ -90,10 +90,10 @@ void TrialObserver::judge_reorientation(const ReorientationRecord& record, const
   result_.mended_by = record.reorientation;
 }
 
-void TrialObserver::sample(const World& world, bool correct, double time) {
+void TrialObserver::sample(const World& world, bool correct, bool reflected, double time) {
   if (!result_.confidences.empty() && time + kTolerance < result_.confidences.back().time + kBetweenSamples) return;
-  result_.confidences.push_back(
-      {time, world.confidence.current, world.confidence.opposite, world.room_status, correct});
+  result_.confidences.push_back({time, world.confidence.current, world.confidence.opposite, world.confidence.evidence,
+                                 world.room_status, correct, reflected});
 }
 
 bool TrialObserver::is_over() const {

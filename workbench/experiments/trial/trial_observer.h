@@ -37,7 +37,7 @@ class TrialObserver : public Observer {
   void judge_start(bool is_held, bool correct);
   void judge_belief(const World& world, bool correct);
   void judge_reorientation(const ReorientationRecord& record, const GroundTruth& truth, double time);
-  void sample(const World& world, bool correct, double time);
+  void sample(const World& world, bool correct, bool reflected, double time);
 
   Measurement measurement_;
   TrialResult result_;

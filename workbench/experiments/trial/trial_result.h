@@ -15,8 +15,10 @@ struct ConfidenceSample {
   double time = 0.0;  ///< s since the trial's clock started
   double current = 0.0;
   double opposite = 0.0;
+  double evidence = 0.0;  ///< log-odds for the reflection of the belief
   RoomStatus status = RoomStatus::resting;
-  bool correct = false;  ///< the belief
+  bool correct = false;    ///< the belief
+  bool reflected = false;  ///< it is the reflection of a correct one
 };
 /// Its values in their order, to be read or written.
 template <typename Visit, typename Sample>
@@ -24,8 +26,10 @@ void visit_values(Visit&& visit, Sample& sample) {
   visit(sample.time);
   visit(sample.current);
   visit(sample.opposite);
+  visit(sample.evidence);
   visit(sample.status);
   visit(sample.correct);
+  visit(sample.reflected);
 }
 
 /// All times are in s since the trial's clock started: its scenario entered the state from which a condition measures.

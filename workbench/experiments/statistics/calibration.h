@@ -1,0 +1,26 @@
+// Is somebody right as often as they say that they are?
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace reorient {
+
+/// What was said with about the same certainty.
+struct CalibrationBin {
+  int samples = 0;
+  int right = 0;      ///< times in which what was said to be the likelier one was the truth
+  double said = 0.0;  ///< sum of the chances that were given to it, from 0.5 on
+
+  double certainty() const { return said / samples; }
+  double accuracy() const { return static_cast<double>(right) / samples; }
+};
+
+/// `log_odds`: each says how strongly something spoke for the truth; below 0 it spoke for the wrong one of the two, and
+/// was sure of that. From the least certain to the most certain; empty bins are left out.
+std::vector<CalibrationBin> calibration_bins(std::span<const double> log_odds);
+
+/// The expected calibration error: the mean over all samples of how far certainty and accuracy of their bin are apart.
+double calibration_error(std::span<const CalibrationBin> bins);
+
+}  // namespace reorient
