@@ -12,7 +12,7 @@ local p = param {
   timeout = { 2.0, range = { 0.2, 20.0 }, unit = "s",     doc = "after which time to look elsewhere if the place was not reached" },
   study = { 0.4,   range = { 0, 5.0 },    unit = "s",     doc = "the same while the room is learned" },
   least = { 0.05,  range = { 0, 10 },     unit = "tiles", doc = "worth of a view below which there is nothing to look at" },
-  unknown = { 1.5, range = { 0, 100 },    unit = "tiles", doc = "how much must be unknown in a view that is worth learning" },
+  unknown = { 3.0, range = { 0, 100 },    unit = "tiles", doc = "how much must be unknown in a view that is worth learning" },
 }
 
 local NEAR = 0.08   -- rad
@@ -28,6 +28,9 @@ end
 local function is_learning() return training.active and views.unknown_worth > p.unknown end
 
 local function is_there() return math.abs(robot.head_yaw - memory.yaw) < NEAR end
+
+-- A place is looked at until it is learned, even if that was all: or the head would hover between here and its scan.
+local function is_known_there() return is_there() and not is_learning() end
 
 behavior "wall_gaze" {
   priority = 15,
@@ -49,7 +52,8 @@ behavior "wall_gaze" {
   state "studying" {
     enter = function() memory.yaw = views.unknown end,
     update = function() head.look(memory.yaw, p.pitch, p.speed) end,
-    { "resting", when = function() return not is_learning() end, because = "what can be seen of the walls is known" },
+    { "resting", when = function() return not training.active end, because = "the walls are not learned any more" },
+    { "resting", when = is_known_there, lasting = "study", because = "what can be seen of the walls is known" },
     { "studying", when = is_there, lasting = "study", because = "the place was learned" },
     { "studying", after = "timeout", because = "the place cannot be looked at" },
   },

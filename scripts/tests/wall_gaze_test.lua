@@ -75,14 +75,22 @@ test("looks where most is unknown while the room is learned", function()
   expect.head(-0.4, -0.1)
 end)
 
-test("leaves the head to the scan when what can be seen is known, or nothing is learned", function()
+test("leaves the head to the scan when what can be seen is known, once the place was looked at", function()
   learning()
-  for _, change in ipairs { { views = { unknown_worth = 1 } }, { training = { active = false } } } do
-    set_world(change)
-    advance(0.1)
-    expect.state("wall_gaze", "resting")
-    expect.head(1.1, -0.1)
-    set_world { training = { active = true }, views = { unknown_worth = 8 } }
-    advance(0.1)
-  end
+  set_world { views = { unknown_worth = 1 } }
+  advance(1)
+  expect.state("wall_gaze", "studying")   -- or it would hover between two places
+  set_world { robot = { head_yaw = 0.9 } }
+  advance(0.5)
+  expect.state("wall_gaze", "resting")
+  expect.reason("wall_gaze", "what can be seen of the walls is known")
+  expect.head(1.1, -0.1)
+end)
+
+test("leaves the head to the scan at once when the room is not learned any more", function()
+  learning()
+  set_world { training = { active = false } }
+  advance(0.1)
+  expect.state("wall_gaze", "resting")
+  expect.head(1.1, -0.1)
 end)
