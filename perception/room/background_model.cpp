@@ -3,10 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "geometry/bytes.h"
 
 namespace reorient {
+namespace {
+
+/// It could have been learned from images: their bytes are levels up to 255, their shares sum up to 1.
+bool could_be_learned(const TileModel& tile) {
+  constexpr float kRounding = 1e-3f;
+  constexpr double kMost = 255.0;
+  const auto is_share = [](float value) { return value >= 0.0f && value <= 1.0f; };
+  const float sum = std::accumulate(tile.mean.begin(), tile.mean.end(), 0.0f);
+  return std::all_of(tile.mean.begin(), tile.mean.end(), is_share) &&
+         std::all_of(tile.variance.begin(), tile.variance.end(), is_share) && tile.visits >= 0 &&
+         (tile.visits == 0 || std::abs(sum - 1.0f) <= kRounding) && tile.trained >= 0.0 &&
+         tile.trained <= kLongestTraining && tile.light.luma >= 0.0 && tile.light.luma <= kMost &&
+         std::abs(tile.light.cb) <= kMost && std::abs(tile.light.cr) <= kMost && tile.light_visits >= 0;
+}
+
+}  // namespace
 
 MovingAverage updated(const MovingAverage& last, double n, double measured) {
   const double difference = last.mean - measured;
@@ -18,17 +35,15 @@ MovingAverage updated(const MovingAverage& last, double n, double measured) {
 
 void BackgroundModel::forget(int tiles) { tiles_.assign(static_cast<std::size_t>(tiles), TileModel{}); }
 
+int BackgroundModel::known_tiles() const {
+  return static_cast<int>(
+      std::count_if(tiles_.begin(), tiles_.end(), [](const TileModel& tile) { return tile.visits > 0; }));
+}
+
 /// After reading.
 void BackgroundModel::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "the model of a wall with another number of tiles");
-  const auto is_share = [](float value) { return value >= 0.0f && value <= 1.0f; };
-  for (const TileModel& tile : tiles_) {
-    check_bytes(std::all_of(tile.mean.begin(), tile.mean.end(), is_share) &&
-                    std::all_of(tile.variance.begin(), tile.variance.end(), is_share) && tile.visits >= 0 &&
-                    std::isfinite(tile.trained) && std::isfinite(tile.light.luma) && std::isfinite(tile.light.cb) &&
-                    std::isfinite(tile.light.cr) && tile.light_visits >= 0,
-                "a tile of the model is none");
-  }
+  check_bytes(std::all_of(tiles_.begin(), tiles_.end(), could_be_learned), "a tile of the model is none");
 }
 
 void BackgroundModel::train(int tile, const ColorHistogram& measured, const TrainingStep& how) {
@@ -46,7 +61,7 @@ void BackgroundModel::train(int tile, const ColorHistogram& measured, const Trai
     }
   }
   if (model.visits < std::numeric_limits<int>::max()) ++model.visits;
-  model.trained += how.step;
+  model.trained = std::min(model.trained + how.step, kLongestTraining);
 }
 
 void BackgroundModel::train_light(int tile, const RelativeLight& measured, const TrainingStep& how) {

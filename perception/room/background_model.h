@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "perception/room/color/color_histogram.h"
@@ -55,8 +56,14 @@ void fields(Visit&& visit, TileModel& tile) {
   visit(tile.mean, tile.variance, tile.visits, tile.trained, tile.light, tile.light_visits);
 }
 
+/// No robot looks at a tile for longer: thirty years, s.
+inline constexpr double kLongestTraining = 1e9;
+
 class BackgroundModel {
  public:
+  BackgroundModel() = default;
+  explicit BackgroundModel(std::vector<TileModel> tiles) : tiles_(std::move(tiles)) {}
+
   /// All tiles unseen.
   void forget(int tiles);
   void train(int tile, const ColorHistogram& measured, const TrainingStep& how);
@@ -65,6 +72,8 @@ class BackgroundModel {
   void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
 
   std::span<const TileModel> tiles() const { return tiles_; }
+  /// How many of them were ever seen.
+  int known_tiles() const;
 
   /// Throws BadBytes.
   template <typename Archive>

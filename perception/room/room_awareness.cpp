@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "geometry/bytes.h"
@@ -14,12 +15,12 @@ namespace {
 constexpr double kFirstStep = 1.0 / 30.0;  // s
 constexpr double kLongestStep = 0.2;       // s; a longer gap is not time in which anything was seen
 
-bool same(const ColorParameters& a, const ColorParameters& b) {
-  return a.dark_below == b.dark_below && a.bright_above == b.bright_above && a.grey_within == b.grey_within &&
-         a.blur == b.blur;
-}
-
 }  // namespace
+
+ModelBasis model_basis(const RoomParameters& parameters) {
+  return {Wall(parameters.wall).parameters(), parameters.color, parameters.light.enabled,
+          parameters.pose_light.enabled};
+}
 
 RoomAwareness::RoomAwareness(const RoomParameters& parameters, std::uint64_t seed)
     : parameters_(parameters), wall_(parameters.wall), filter_(seed) {
@@ -200,10 +201,15 @@ void RoomAwareness::forget() {
   view_center_.reset();
 }
 
+void RoomAwareness::take_model(const SavedModel& saved) {
+  const std::string different = differences(model_basis(parameters_), saved.basis);
+  if (!different.empty()) throw UnfitModel("it was learned with other parameters: " + different);
+  forget();
+  model_ = saved.model;
+}
+
 void RoomAwareness::set_parameters(const RoomParameters& parameters) {
-  const bool model_holds = Wall(parameters.wall) == wall_ && same(parameters.color, parameters_.color) &&
-                           parameters.light.enabled == parameters_.light.enabled &&
-                           parameters.pose_light.enabled == parameters_.pose_light.enabled;
+  const bool model_holds = differences(model_basis(parameters_), model_basis(parameters)).empty();
   const bool particles_hold = parameters.view_filter.particles == parameters_.view_filter.particles;
   parameters_ = parameters;
   wall_ = Wall(parameters.wall);

@@ -16,6 +16,7 @@
 #include "perception/room/evidence/informative_views.h"
 #include "perception/room/evidence/pose_lights.h"
 #include "perception/room/room_observation.h"
+#include "perception/room/saved_model.h"
 #include "perception/room/self_similarity.h"
 #include "perception/room/view/confidences.h"
 #include "perception/room/view/view_filter.h"
@@ -57,6 +58,9 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("views", p.views);
 }
 
+/// Of a model that is learned with these.
+ModelBasis model_basis(const RoomParameters& parameters);
+
 class RoomAwareness {
  public:
   explicit RoomAwareness(const RoomParameters& parameters = {}, std::uint64_t seed = 0);
@@ -83,6 +87,10 @@ class RoomAwareness {
 
   /// Forgets the model, the particles, the confidences and the light; the random numbers go on.
   void forget();
+
+  /// Goes on with what was learned before, instead of what there is; all else begins anew, as in forget(). Throws
+  /// UnfitModel, with one line, where it was learned on another basis.
+  void take_model(const SavedModel& saved);
 
   /// From the next frame on. Another wall (or another way of counting colours) makes the model void: it is forgotten.
   void set_parameters(const RoomParameters& parameters);

@@ -52,6 +52,8 @@ class Wall {
   int rows() const { return rows_; }
   int columns() const { return columns_; }
   int tiles() const { return rows_ * columns_; }
+  /// That make the same wall.
+  WallParameters parameters() const { return {radius_, bottom_, top_, rows_, columns_}; }
   double column_width() const { return 2.0 * kPi / columns_; }    ///< rad
   double row_height() const { return (top_ - bottom_) / rows_; }  ///< m
 

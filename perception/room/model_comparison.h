@@ -1,0 +1,49 @@
+// Two models of one room: where they differ, whether they count the wall from the same end of the field, and one that
+// is made of both.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "perception/room/saved_model.h"
+
+namespace reorient {
+
+struct TileDifference {
+  int tile = 0;
+  double distance = 0.0;  ///< Hellinger, in [0, 1]
+};
+
+/// A tile is known to a model that was trained on it for BackgroundParameters::trusted_after, by default.
+struct ModelComparison {
+  std::vector<TileDifference> tiles;  ///< that both know, by how much they differ, the most first
+  int only_first = 0;                 ///< tiles that the one knows and the other does not
+  int only_second = 0;
+  std::optional<double> mean;  ///< over those that both know; nothing where there are none
+
+  /// The mean differences over the tiles of which the second one knows the reflection, too: as it is, and turned by
+  /// half a turn. Nothing where there are no such tiles.
+  struct Sides {
+    double as_it_is = 0.0;
+    double turned = 0.0;
+  };
+  std::optional<Sides> sides;
+
+  /// The second looks like the first, turned by half a turn; by as little as by which a room must differ from its
+  /// reflection to be told from it (RoomStatusParameters::distinctiveness).
+  bool is_turned() const { return sides && sides->as_it_is - sides->turned > kClear; }
+  /// As it is, it looks like the first.
+  bool is_same_way() const { return sides && sides->turned - sides->as_it_is > kClear; }
+
+ private:
+  static constexpr double kClear = 0.05;
+};
+
+/// Both have the same basis.
+ModelComparison compare(const SavedModel& first, const SavedModel& second);
+
+/// Of both together: each tile as if it had been looked at as often as the two were, one look weighing as much as
+/// another. Both have the same basis.
+SavedModel merged(const SavedModel& first, const SavedModel& second);
+
+}  // namespace reorient

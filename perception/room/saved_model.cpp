@@ -1,0 +1,116 @@
+#include "perception/room/saved_model.h"
+
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+
+#include "geometry/bytes.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::uint64_t kModelMagic = 0x6C65646F4D6D5252ull;  // "RRmModel"
+constexpr std::uint32_t kModelVersion = 1;                    // another number with each change of what a model holds
+constexpr std::size_t kHead = sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
+constexpr std::size_t kChecksum = sizeof(std::uint64_t);
+
+/// FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv. No single changed byte leaves it as it was.
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  std::uint64_t sum = 0xCBF29CE484222325ull;
+  for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3ull;
+  return sum;
+}
+
+std::string text_of(bool value) { return value ? "true" : "false"; }
+template <typename Number>
+std::string text_of(Number value) {
+  char digits[32];
+  const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), value);
+  return {digits, error == std::errc() ? end : digits};
+}
+
+struct Setting {
+  std::string name;
+  std::string value;
+  bool operator==(const Setting&) const = default;
+};
+
+/// Of one part of a basis, by its describe(): its settings, and whether each is one that a parameter can have.
+struct Described {
+  std::string part;
+  std::vector<Setting> settings;
+  bool is_sound = true;
+
+  template <typename Number, typename... Words>
+  void operator()(const char* name, Number& value, double least, double most, const Words&...) {
+    is_sound &= static_cast<double>(value) >= least && static_cast<double>(value) <= most;
+    settings.push_back({part + name, text_of(value)});
+  }
+};
+
+Described described(ModelBasis basis) {
+  Described all{"wall.", {}};
+  describe(basis.wall, all);
+  all.part = "color.";
+  describe(basis.color, all);
+  all.settings.push_back({"light_adaptation.enabled", text_of(basis.light_adaptation)});
+  all.settings.push_back({"pose_light.enabled", text_of(basis.pose_light)});
+  return all;
+}
+
+}  // namespace
+
+std::string differences(const ModelBasis& given, const ModelBasis& wanted) {
+  const std::vector<Setting> has = described(given).settings, wants = described(wanted).settings;
+  std::string different;
+  for (std::size_t i = 0; i < has.size(); ++i) {
+    if (has[i] == wants[i]) continue;
+    different += (different.empty() ? "" : " ") + wants[i].name + "=" + wants[i].value;
+  }
+  return different;
+}
+
+void write_model(const SavedModel& model, std::vector<std::byte>& bytes) {
+  const std::size_t begin = bytes.size();
+  ByteWriter writer(bytes);
+  writer(kModelMagic, kModelVersion, std::uint32_t{0});
+  writer(model.basis, model.learned, model.model);
+  const auto size = static_cast<std::uint32_t>(bytes.size() - begin - kHead);
+  std::memcpy(bytes.data() + begin + kHead - sizeof(size), &size, sizeof(size));
+  writer(checksum(std::span<const std::byte>(bytes).subspan(begin)));
+}
+
+SavedModel read_model(std::span<const std::byte> bytes) {
+  std::uint64_t magic = 0, sum = 0;
+  std::uint32_t version = 0, size = 0;
+  check_bytes(!bytes.empty(), "it is empty");
+  check_bytes(bytes.size() >= sizeof(magic) && std::memcmp(bytes.data(), &kModelMagic, sizeof(magic)) == 0,
+              "it is no model of a room");
+  check_bytes(bytes.size() >= kHead + kChecksum, "it is cut short");
+  ByteReader head(bytes);
+  head(magic, version, size);
+  if (version > kModelVersion)
+    throw BadBytes("it is of a newer version of this program: format " + std::to_string(version) +
+                   ", and this one reads " + std::to_string(kModelVersion));
+  check_bytes(version == kModelVersion, "it is damaged: there never was such a format");
+  if (bytes.size() != kHead + size + kChecksum)
+    throw BadBytes("it is cut short, or something was added: " + std::to_string(bytes.size()) + " bytes instead of " +
+                   std::to_string(kHead + size + kChecksum));
+  std::memcpy(&sum, bytes.last(kChecksum).data(), sizeof(sum));
+  check_bytes(sum == checksum(bytes.first(kHead + size)), "it is damaged: its checksum is wrong");
+
+  ByteReader content(bytes.subspan(kHead, size));
+  SavedModel model;
+  content(model.basis, model.learned);
+  check_bytes(described(model.basis).is_sound, "it is damaged: a parameter is none");
+  check_bytes(model.learned >= 0.0 && model.learned <= kLongestTraining, "it is damaged: a time is none");
+  const Wall wall(model.basis.wall);
+  check_bytes(differences({wall.parameters(), {}}, {model.basis.wall, {}}).empty(), "it is damaged: its wall is none");
+  model.model.forget(wall.tiles());
+  content(model.model);
+  content.finish();
+  return model;
+}
+
+}  // namespace reorient
