@@ -39,6 +39,10 @@ FrameLoop::FrameLoop(FrameSetup setup)
   arbiter_.set_parameters(parameters_.arbiter);
   for (FieldPercept& percept : record_.percepts) percept.reserve();
   if (setup.room_awareness) room_.emplace(parameters_.room, setup.seed);
+  if (room_ && setup.model) {
+    room_->take_model(*setup.model);
+    world_.trained_seconds = setup.model->learned;
+  }
   world_.field = setup.field;
   for (const std::string& behavior : setup.behaviors) behaviors_.host().load(behavior);
   record_.names = behaviors_.host().names().table();

@@ -32,12 +32,13 @@ struct FrameSetup {
   ScriptTexts scripts{"the scripts"};
   std::vector<std::string> behaviors;       ///< to be loaded: "orientation", or a file below the scripts' root
   std::vector<ParameterChange> parameters;  ///< overrides of defaults; names that nobody declares are kept
+  std::optional<SavedModel> model{};        ///< of the room, learned before
 };
 
 /// The engine. Everything that it does follows from its setup and the inputs: the same ones give the same records.
 class FrameLoop {
  public:
-  /// Throws std::runtime_error (of a script: ScriptError) with one line.
+  /// Throws std::runtime_error (of a script: ScriptError, of a model: UnfitModel) with one line.
   explicit FrameLoop(FrameSetup setup);
   /// Goes on from what save() wrote. Throws BadBytes.
   explicit FrameLoop(std::span<const std::byte> state);

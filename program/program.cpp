@@ -27,6 +27,7 @@ constexpr const char* kExamples = R"(Examples:
   reorient run --seed 7 --room hall.hdr     the same in another room, with other noise
   reorient run --realtime                   at the robot's own pace: edit scripts/behaviors/*.lua meanwhile
   reorient run --no-room-awareness     the same robot without it stays wrong (exit code 1)
+  reorient run --model hall.model           what was learned of the room is there the next time
   reorient run --set decision.false_flips=1  any parameter for this run; reorient params lists them
   reorient new behavior ball_search         a small script with its test, to start from
   reorient check                            mistakes in scripts, with line and column
@@ -81,8 +82,9 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   app.set_version_flag("--version", "reorient " REORIENT_VERSION);
-  const std::array subcommands{add_run(app),    add_test(app),  add_experiment(app), add_check(app),  add_new(app),
-                               add_params(app), add_graph(app), add_reference(app),  add_version(app)};
+  const std::array subcommands{add_run(app),       add_test(app),   add_experiment(app), add_model(app),
+                               add_check(app),     add_new(app),    add_params(app),     add_graph(app),
+                               add_reference(app), add_version(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -108,8 +110,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }
-  err << "reorient: name a subcommand: run, test, check, new, params, graph, reference or version (see reorient "
-         "--help)\n";
+  err << "reorient: name a subcommand: run, test, experiment, model, check, new, params, graph, reference or version (see "
+         "reorient --help)\n";
   return kBadInput;
 }
 

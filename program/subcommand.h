@@ -22,6 +22,7 @@ Subcommand add_check(CLI::App& program);
 Subcommand add_graph(CLI::App& program);
 Subcommand add_params(CLI::App& program);
 Subcommand add_reference(CLI::App& program);
+Subcommand add_model(CLI::App& program);
 Subcommand add_new(CLI::App& program);
 Subcommand add_version(CLI::App& program);
 

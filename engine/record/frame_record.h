@@ -83,7 +83,7 @@ void fields(Visit&& visit, PoseParticlesRecord& record) {
 
 /// Topic::room. Empty where room awareness is off.
 struct RoomRecord {
-  WallParameters wall;
+  ModelBasis basis;
   double half_width = 0.0;               ///< rad, of the virtual field of view
   double goal_half_width = 0.0;          ///< rad
   std::optional<double> center_of_view;  ///< rad, where on the wall the belief looks
@@ -95,7 +95,7 @@ struct RoomRecord {
 };
 template <typename Visit>
 void fields(Visit&& visit, RoomRecord& room) {
-  visit(room.wall, room.half_width, room.goal_half_width, room.center_of_view, room.light, room.model, room.perceived,
+  visit(room.basis, room.half_width, room.goal_half_width, room.center_of_view, room.light, room.model, room.perceived,
         room.particles, room.clusters);
 }
 

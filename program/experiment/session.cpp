@@ -12,6 +12,7 @@
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
 #include "engine/script/script_texts.h"
+#include "program/experiment/outputs/rows_report.h"
 #include "program/experiment/trial_runner.h"
 #include "program/run/venue.h"
 #include "program/script_names.h"

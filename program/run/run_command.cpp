@@ -27,6 +27,13 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--field", options.field,
                  "field dimensions, a file or the name of one in assets/fields (default: spl)")
       ->check(check_not_empty);
+  CLI::Option* const model =
+      run.add_option("--model", options.model,
+                     "file with a model of the room: loaded if it is there, and saved with what this run learns")
+          ->check(check_not_empty);
+  run.add_flag("--sides-changed", options.sides_changed,
+               "the team plays towards the other goal than when the model's file was begun: it is turned")
+      ->needs(model);
   run.add_option("--seed", options.seed, "of all noise; one seed, one digest")
       ->check(check_seed)
       ->capture_default_str();

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "program/interruption.h"
+#include "program/model/model_keeper.h"
 #include "program/program.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
@@ -46,6 +47,7 @@ class ScriptEdits : public InputSource {
 void require_writable_outputs(const RunOptions& options) {
   if (!options.json.empty()) require_writable_file(options.json, "--json");
   if (!options.save_parameters.empty()) require_writable_file(options.save_parameters, "--save-params");
+  if (!options.model.empty()) require_writable_file(options.model, "--model");
   if (options.pictures) require_writable_folder(options.out, "--out");
 }
 
@@ -82,6 +84,9 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   RunParts parts = simulation.parts();
   parts.observers = {&summary, &commands, &frame_times, &digest, &log, &timeline};
   if (options.pictures) parts.observers.push_back(&pictures);
+  std::optional<ModelKeeper> model;
+  if (!options.model.empty())
+    parts.observers.push_back(&model.emplace(options.model, simulation.model(), options.sides_changed));
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
   parts.observers.push_back(&progress);
   parts.in_real_time = options.realtime;
@@ -117,11 +122,13 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
       save_parameters(simulation.parameters(), simulation.kept_parameters(), options.save_parameters);
     });
   }
+  if (model) try_to_write(failures, [&] { model->save(); });
   if (options.pictures) {
     for (std::string& failure : pictures.write(options.out)) failures.push_back(std::move(failure));
   }
   if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
   if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
+  if (model) out << "model: " << options.model.string() << " (" << model->outcome() << ")\n";
   print_summary(result, circumstances, out);
   for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
   if (!failures.empty()) return kBadInput;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/model/model_file.h"
 #include "program/parameter_modules.h"
 #include "program/robots.h"
 #include "program/script_names.h"
@@ -58,9 +59,30 @@ std::set<std::string> loaded_modules(const SimulationOptions& options, const std
   return modules;
 }
 
+/// What the file holds, if it is there. Throws where it is no model: it is not to be overwritten either.
+std::optional<SavedModel> saved_model(const SimulationOptions& options) {
+  if (options.model.empty()) return std::nullopt;
+  const std::string name = "--model " + options.model.string() + ": ";
+  if (!options.room_awareness)
+    throw std::runtime_error(name + "there is no use for it with --no-room-awareness; leave one of the two out");
+  std::error_code error;
+  if (std::filesystem::status(options.model, error).type() == std::filesystem::file_type::not_found)
+    return std::nullopt;
+  try {
+    SavedModel model = read_model_file(options.model);
+    if (options.sides_changed) model.turn_half();
+    return model;
+  } catch (const std::runtime_error& reason) {
+    throw std::runtime_error(
+        name + reason.what() +
+        "; it is left as it is: name another file, which a run begins, or a good copy of this one");
+  }
+}
+
 }  // namespace
 
-Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms) : longest_(options.seconds) {
+Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
+    : model_(saved_model(options)), longest_(options.seconds) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),
@@ -73,11 +95,17 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms) : lon
   setup.scripts = scripts;
   setup.behaviors = chosen_behaviors(options, scripts, scenario_->wanted_behaviors());
   setup.parameters = overrides;
+  setup.model = model_;
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
   RobotOptions robot{setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
                      overrides,   rooms};
   robot_parameters_ = robot_parameters(options.robot, robot);
-  engine_ = std::make_unique<FrameLoop>(std::move(setup));
+  try {
+    engine_ = std::make_unique<FrameLoop>(std::move(setup));
+  } catch (const UnfitModel& reason) {
+    throw std::runtime_error("--model " + options.model.string() + ": " + reason.what() +
+                             "; give this run the same with --set, or name another file with --model");
+  }
   modules.parameters = parameters();
   kept_parameters_ = kept_for_others(overrides, modules);
   robot_ = make_robot(options.robot, robot);

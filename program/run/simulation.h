@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/frame.h"
@@ -26,6 +27,8 @@ class Simulation {
   RunParts parts();
 
   const Venue& venue() const { return venue_; }
+  /// That it began with, in the axes of the team; nothing: there was none.
+  const std::optional<SavedModel>& model() const { return model_; }
   FrameLoop& engine() { return *engine_; }
   ScenarioHost& scenario() { return *scenario_; }
   /// Of the engine, the scenario and the robot, by name, as they are now.
@@ -39,6 +42,7 @@ class Simulation {
   Venue venue_;
   RobotInstance robot_;
   std::vector<Parameter> robot_parameters_;
+  std::optional<SavedModel> model_;
   std::unique_ptr<FrameLoop> engine_;
   std::vector<ParameterChange> kept_parameters_;
   double longest_;  ///< s

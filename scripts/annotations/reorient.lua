@@ -79,7 +79,7 @@ views = {}
 
 ---The background model of the room.
 ---@class reorient.training
----@field seconds number s, how long the background model was trained so far
+---@field seconds number s, how long the background model was trained so far, what was loaded of it included
 ---@field active boolean it was trained in the frame before
 training = {}
 

@@ -142,7 +142,7 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   expect_near(after.world.pose.pose, reflect(before.world.pose.pose), 0.01);
   EXPECT_EQ(after.world.undisturbed_for, before.world.undisturbed_for);
 
-  const Wall wall(before.room.wall);
+  const Wall wall(before.room.basis.wall);
   for (int tile = 0; tile < wall.tiles(); ++tile) {
     const TileModel& one = before.room.model[static_cast<std::size_t>(tile)];
     const TileModel& other = after.room.model[static_cast<std::size_t>(wall.reflected(tile))];
@@ -166,7 +166,7 @@ TEST_F(HalfTimeOnTheSimulator, OfAnotherLocalizationTurnsTheModelAlone) {
   expect_near(after.world.pose.pose, reflect(simulator_.ground_truth().pose), 1e-9);
   EXPECT_NEAR(after.world.confidence.current, before.world.confidence.current, 0.1) << "nothing was exchanged";
   EXPECT_GT(after.world.confidence.age, before.world.confidence.age);
-  const Wall wall(before.room.wall);
+  const Wall wall(before.room.basis.wall);
   for (int tile = 0; tile < wall.tiles(); ++tile) {
     const int visits = after.room.model[static_cast<std::size_t>(wall.reflected(tile))].visits;
     const int were = before.room.model[static_cast<std::size_t>(tile)].visits;

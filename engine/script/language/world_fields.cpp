@@ -112,7 +112,7 @@ const BoundField kFields[] = {
      [](World& w) { return &w.views.unknown; }},
     {"views", "unknown_worth", "tiles", "how much is to be learned there",
      [](World& w) { return &w.views.unknown_worth; }},
-    {"training", "seconds", "s", "how long the background model was trained so far",
+    {"training", "seconds", "s", "how long the background model was trained so far, what was loaded of it included",
      [](World& w) { return &w.trained_seconds; }},
     {"training", "active", "", "it was trained in the frame before", [](World& w) { return &w.training; }},
     {"evaluation", "active", "", "it went on in the frame before", [](World& w) { return &w.evaluating; }},

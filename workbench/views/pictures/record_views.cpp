@@ -28,7 +28,7 @@ WallTile wall_tile(const Wall& wall, int tile) {
 
 void add_room(const RoomRecord& room, WorldView& view) {
   if (room.model.empty()) return;  // room awareness is off
-  const Wall wall(room.wall);
+  const Wall wall(room.basis.wall);
   view.wall_radius = wall.radius();
   for (int tile = 0; tile < std::min(wall.tiles(), static_cast<int>(room.model.size())); ++tile) {
     WallTile drawn = wall_tile(wall, tile);
@@ -116,7 +116,7 @@ std::vector<Eigen::Vector3d> sampled_circle(double radius) {
 
 void add_room(const RoomRecord& room, const Projection& projection, CameraView& view) {
   if (room.model.empty()) return;
-  const Wall wall(room.wall);
+  const Wall wall(room.basis.wall);
   for (const PerceivedTile& perceived : room.perceived) {
     ImageTile tile;
     tile.counted = perceived.counts;
@@ -173,6 +173,13 @@ WorldView world_view_of(const FrameRecord& frame, const StageRecord& stage) {
   if (stage.truth) view.truth = stage.truth->pose;
   view.belief = belief_when_looking(frame);
   add_room(frame.room, view);
+  return view;
+}
+
+WorldView world_view_of(const RoomRecord& room, const FieldDimensions& field) {
+  WorldView view;
+  view.field = field;
+  add_room(room, view);
   return view;
 }
 

@@ -176,7 +176,7 @@ std::vector<LegendEntry> entries(const WorldView& world) {
   return list;
 }
 
-void draw_chart_legend(Canvas& canvas) {
+void draw_chart_legend(Canvas& canvas, bool any_perceived) {
   const double left = 1226.0;
   const double top = 988.0;
   canvas.text({left, top}, "Colour histograms", {.size = 21.0, .bold = true});
@@ -187,7 +187,7 @@ void draw_chart_legend(Canvas& canvas) {
   canvas.text({left, top + 138.0}, words, small);
   std::snprintf(words, sizeof words, "deviation inward, full %.1f %%", 25.0 * kFullRing);
   canvas.text({left, top + 160.0}, words, small);
-  canvas.text({left, top + 182.0}, "outside of the wall: seen now", small);
+  if (any_perceived) canvas.text({left, top + 182.0}, "outside of the wall: seen now", small);
 }
 
 }  // namespace
@@ -210,15 +210,18 @@ Picture draw_world_view(const WorldView& world) {
   const double field_bottom = (world.field.width / 2.0 + world.field.border) * view.pixels_per_metre;
   draw_scale_bar(canvas, view, center + Pixel(0.0, std::clamp(field_bottom + 44.0, 60.0, 236.0)), palette::ink);
 
-  canvas.text({36.0, 58.0}, "The robot's view of its world", {.size = 28.0, .bold = true});
-  char time[48];
-  std::snprintf(time, sizeof time, "at %.1f s", world.time);
+  const TextStyle bold{.size = 28.0, .bold = true};
+  canvas.text({36.0, 58.0}, shortened(world.title, 440.0, bold), bold);
   const TextStyle plain{.size = 20.0, .color = palette::faint_ink};
-  canvas.text({36.0, 92.0}, time, plain);
+  if (world.time) {
+    char time[48];
+    std::snprintf(time, sizeof time, "at %.1f s", *world.time);
+    canvas.text({36.0, 92.0}, time, plain);
+  }
   canvas.text({36.0, 120.0}, shortened(world.note, 380.0, plain), plain);
   const std::vector<LegendEntry> list = entries(world);
   draw_legend_column(canvas, {36.0, kHeight - 40.0 - 30.0 * static_cast<double>(list.size())}, list);
-  draw_chart_legend(canvas);
+  draw_chart_legend(canvas, !world.perceived.empty());
   return canvas.finish();
 }
 

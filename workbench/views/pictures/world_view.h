@@ -28,8 +28,9 @@ struct ViewCluster {
 /// All in the field frame. What is empty is not drawn.
 struct WorldView {
   FieldDimensions field;
-  double time = 0.0;  ///< s
-  std::string note;   ///< one more line below the title
+  std::string title = "The robot's view of its world";
+  std::optional<double> time;  ///< s
+  std::string note;            ///< one more line below the title
   std::optional<Pose2> truth;
   std::optional<Pose2> belief;
   std::vector<Pose2> pose_particles;

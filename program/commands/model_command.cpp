@@ -1,0 +1,141 @@
+// `reorient model`: what has been learned of a room and saved: shown, compared, merged.
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include <spdlog/fmt/chrono.h>
+#include <sys/stat.h>
+
+#include "engine/parameters/utf8.h"
+#include "engine/record/frame_record.h"
+#include "perception/room/model_comparison.h"
+#include "program/model/model_file.h"
+#include "program/model/model_text.h"
+#include "program/options.h"
+#include "program/program.h"
+#include "program/subcommand.h"
+#include "workbench/files/atomic_file.h"
+#include "workbench/views/pictures/canvas/png_file.h"
+#include "workbench/views/pictures/record_views.h"
+
+namespace reorient {
+namespace {
+
+struct ModelOptions {
+  std::filesystem::path file, picture;
+  std::filesystem::path first, second, out;  ///< of compare and merge
+  bool sides_changed = false;
+};
+
+SavedModel read_named(const std::filesystem::path& file) {
+  try {
+    return read_model_file(file);
+  } catch (const std::runtime_error& reason) {
+    throw std::runtime_error(file.string() + ": " + reason.what() +
+                             "; name a file that 'reorient run --model FILE' has written");
+  }
+}
+
+/// In local time; empty where that cannot be told.
+std::string time_of(const std::filesystem::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0) return {};
+  return fmt::format(", saved {:%Y-%m-%d %H:%M}", fmt::localtime(status.st_mtime));
+}
+
+int show_model(const ModelOptions& options, std::ostream& out) {
+  if (options.file.empty())
+    throw std::runtime_error("name a file that 'reorient run --model FILE' has written (see reorient model --help)");
+  const SavedModel model = read_named(options.file);
+  out << as_line(options.file.string()) << time_of(options.file) << "\n";
+  print_model(model, out);
+  if (options.picture.empty()) return kSuccess;
+  RoomRecord room;
+  room.basis = model.basis;
+  room.model.assign(model.model.tiles().begin(), model.model.tiles().end());
+  pictures::WorldView view = pictures::world_view_of(room, FieldDimensions());
+  view.title = as_line(options.file.filename().string());
+  view.note = fmt::format("learned for {:.1f} s", model.learned);
+  pictures::write_png(options.picture, pictures::draw_world_view(view));
+  out << "picture: " << options.picture.string() << "\n";
+  return kSuccess;
+}
+
+struct TwoModels {
+  SavedModel first, second;
+};
+
+TwoModels read_two(const ModelOptions& options) {
+  TwoModels two{read_named(options.first), read_named(options.second)};
+  if (const std::string different = differences(two.first.basis, two.second.basis); !different.empty()) {
+    throw std::runtime_error(options.second.string() + ": it was learned with other parameters than " +
+                             options.first.string() + ": " + different + "; only models of one kind go together");
+  }
+  return two;
+}
+
+int compare_models(const ModelOptions& options, std::ostream& out) {
+  const TwoModels two = read_two(options);
+  const ModelComparison comparison = compare(two.first, two.second);
+  out << "A: " << as_line(options.first.string()) << "\nB: " << as_line(options.second.string()) << "\n";
+  print_comparison(comparison, Wall(two.first.basis.wall), out);
+  return comparison.is_turned() ? kWrong : kSuccess;
+}
+
+int merge_models(const ModelOptions& options, std::ostream& out) {
+  TwoModels two = read_two(options);
+  if (options.sides_changed) two.second.turn_half();
+  const ModelComparison comparison = compare(two.first, two.second);
+  if (comparison.is_turned()) {
+    throw std::runtime_error(fmt::format(
+        "{} looks like {} turned by half a turn ({:.2f} against {:.2f} as it is): {} --sides-changed",
+        options.second.string(), options.first.string(), comparison.sides->turned, comparison.sides->as_it_is,
+        options.sides_changed ? "leave out" : "the teams had changed sides; merge them with"));
+  }
+  // Half a wrong model is worse than none.
+  if (!comparison.is_same_way()) {
+    throw std::runtime_error(fmt::format(
+        "nothing shows that {} and {} are of one room, counted from the same end of the field: see 'reorient "
+        "model compare'; let each look at more of what the other knows",
+        options.first.string(), options.second.string()));
+  }
+  require_writable_file(options.out, "--out");
+  const SavedModel both = merged(two.first, two.second);
+  write_model_file(both, options.out);
+  out << as_line(options.out.string()) << "\n";
+  print_model(both, out);
+  return kSuccess;
+}
+
+void add_two_models(CLI::App& parser, ModelOptions& options) {
+  parser.add_option("first", options.first, "a file that run --model wrote")->check(check_not_empty)->required();
+  parser.add_option("second", options.second, "another one, with the same wall")->check(check_not_empty)->required();
+}
+
+}  // namespace
+
+Subcommand add_model(CLI::App& program) {
+  const auto options = std::make_shared<ModelOptions>();
+  CLI::App* const parser = program.add_subcommand("model", "what a robot learned of a room: show, compare, merge");
+  parser->fallthrough();
+  parser->add_option("file", options->file, "that run --model wrote")->check(check_not_empty);
+  parser->add_option("--picture", options->picture, "draw it into this PNG file")->check(check_not_empty);
+  CLI::App* const comparing = parser->add_subcommand("compare", "where two models differ, and whether one is turned");
+  add_two_models(*comparing, *options);
+  CLI::App* const merging = parser->add_subcommand("merge", "make one model of those of two robots");
+  add_two_models(*merging, *options);
+  merging->add_option("--out", options->out, "file to write")->check(check_not_empty)->required();
+  merging->add_flag("--sides-changed", options->sides_changed,
+                    "the second one's team played towards the other goal: it is turned first");
+  return {parser, [options, comparing, merging](std::ostream& out, std::ostream&) {
+            if (comparing->parsed()) return compare_models(*options, out);
+            if (merging->parsed()) return merge_models(*options, out);
+            return show_model(*options, out);
+          }};
+}
+
+}  // namespace reorient

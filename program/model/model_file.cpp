@@ -1,0 +1,34 @@
+#include "program/model/model_file.h"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "geometry/bytes.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+
+SavedModel read_model_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) throw std::runtime_error("there is no such file");
+  if (!std::filesystem::exists(status)) throw std::runtime_error(error.message());
+  if (std::filesystem::is_directory(status)) throw std::runtime_error("it is a folder");
+  if (!std::filesystem::is_regular_file(status)) throw std::runtime_error("it is no plain file");
+  // Not to read a film in order to find out that it is none.
+  if (std::filesystem::file_size(file, error) > kLongestModel) throw std::runtime_error("it is no model of a room");
+  const std::optional<std::string> bytes = read_whole_file(file);
+  if (!bytes) throw std::runtime_error("it cannot be read");
+  return read_model(std::as_bytes(std::span(*bytes)));
+}
+
+void write_model_file(const SavedModel& model, const std::filesystem::path& file) {
+  std::vector<std::byte> bytes;
+  write_model(model, bytes);
+  write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace reorient

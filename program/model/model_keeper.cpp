@@ -1,0 +1,90 @@
+#include "program/model/model_keeper.h"
+
+#include <chrono>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <spdlog/spdlog.h>
+
+#include "program/model/model_file.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kSavingPeriod = 30.0;  // s
+
+std::string written(const SavedModel& model, const std::filesystem::path& file) {
+  try {
+    write_model_file(model, file);
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+ModelKeeper::ModelKeeper(std::filesystem::path file, const std::optional<SavedModel>& loaded, bool sides_changed)
+    : file_(std::move(file)), sides_changed_(sides_changed), learned_before_(loaded ? loaded->learned : 0.0) {
+  if (loaded) kept_ = Kept{loaded->basis, loaded->model.known_tiles()};
+}
+
+/// What is worth saving: learned since the last look, and going on from what is in the file.
+std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
+  const double learned = frame.world.trained_seconds;
+  if (frame.room.model.empty() || learned <= learned_before_) return std::nullopt;
+  SavedModel model{frame.room.basis, learned, BackgroundModel(frame.room.model)};
+  const int known_tiles = model.model.known_tiles();
+  if (known_tiles == 0) return std::nullopt;
+  // A parameter that was changed in the run can make the engine forget the room; the file is not to forget it, too.
+  is_forgotten_ = kept_ && (!differences(kept_->basis, model.basis).empty() || known_tiles < kept_->known_tiles);
+  if (is_forgotten_) return std::nullopt;
+  kept_ = Kept{model.basis, known_tiles};
+  any_news_ = true;
+  if (sides_changed_ != frame.world.sides_changed) model.turn_half();
+  return model;
+}
+
+void ModelKeeper::observe(const FrameRecord& frame, const StageRecord& /*stage*/) {
+  if (frame.world.time < next_) return;
+  using namespace std::chrono_literals;
+  if (writing_.valid() && writing_.wait_for(0s) != std::future_status::ready) return;  // asked again in the next frame
+  next_ = frame.world.time + kSavingPeriod;
+  end_writing();
+  std::optional<SavedModel> model = news(frame);
+  if (!model) return;
+  learned_before_ = model->learned;
+  writing_ = std::async(std::launch::async, [model = std::move(*model), file = file_] { return written(model, file); });
+}
+
+void ModelKeeper::finish(const FrameRecord& last, const StageRecord& /*stage*/) {
+  end_writing();
+  if (any_news_) learned_before_ = 0.0;  // the last time may have failed
+  end_ = news(last);
+}
+
+void ModelKeeper::end_writing() {
+  if (!writing_.valid()) return;
+  if (const std::string mistake = writing_.get(); !mistake.empty()) spdlog::warn("{}", mistake);
+}
+
+void ModelKeeper::save() {
+  if (is_forgotten_) {
+    throw std::runtime_error("--model " + file_.string() +
+                             ": it is left as it was, since the wall or the colours were changed in this run, and "
+                             "what was known of the room was forgotten");
+  }
+  if (!end_) return;
+  write_model_file(*end_, file_);
+  is_saved_ = true;
+}
+
+std::string ModelKeeper::outcome() const {
+  if (is_saved_) return "saved";
+  if (end_ || is_forgotten_) return "not saved";
+  return "left as it was: nothing new was learned";
+}
+
+}  // namespace reorient

@@ -1,0 +1,81 @@
+#include "program/model/model_text.h"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/world/room_status.h"
+#include "geometry/angle.h"
+#include "perception/room/compared_model.h"
+
+namespace reorient {
+namespace {
+
+std::string known_by_row(const SavedModel& model, const Wall& wall) {
+  std::string rows;
+  for (int row = wall.rows() - 1; row >= 0; --row) {
+    int known = 0;
+    for (int column = 0; column < wall.columns(); ++column)
+      known += model.model[wall.tile(row, column)].visits > 0 ? 1 : 0;
+    rows += fmt::format(" {}", known);
+  }
+  return rows;
+}
+
+/// Over what part of the wall a tile goes: degrees to the left of the +x axis, m.
+std::string place_of(int tile, const Wall& wall) {
+  const double azimuth = normalize_angle((wall.column_of(tile) + 0.5) * wall.column_width());
+  const double foot = wall.bottom() + wall.row_of(tile) * wall.row_height();
+  return fmt::format("{:+5.0f} degrees, {:4.1f} to {:4.1f} m", to_degrees(azimuth), foot, foot + wall.row_height());
+}
+
+}  // namespace
+
+void print_model(const SavedModel& model, std::ostream& out) {
+  const Wall wall(model.basis.wall);
+  const std::string different = differences({}, model.basis);
+  ComparedModel compared;
+  compared.prepare(model.model, wall, Comparison());
+  const RoomStatusParameters least;
+  out << fmt::format("  learned for {:.1f} s\n", model.learned)
+      << fmt::format("  wall: {} m from the field's centre, {} to {} m high, {} rows of {} columns\n", wall.radius(),
+                     wall.bottom(), wall.top(), wall.rows(), wall.columns())
+      << "  parameters: " << (different.empty() ? "as by default" : different) << "\n"
+      << fmt::format("  known: {} of {} tiles; row by row, from the top:{}\n", model.model.known_tiles(), wall.tiles(),
+                     known_by_row(model, wall))
+      << fmt::format("  coverage: {:.2f} ({})\n", compared.coverage(),
+                     compared.coverage() < least.coverage ? "too little to decide with: a robot learns on first"
+                                                          : "enough to decide with")
+      << fmt::format("  distinctiveness: {:.2f} ({})\n", compared.distinctiveness(),
+                     compared.distinctiveness() < least.distinctiveness
+                         ? "after half a turn it looks the same: it says nothing about the pose"
+                         : "it can be told from itself turned by half a turn");
+}
+
+void print_comparison(const ModelComparison& comparison, const Wall& wall, std::ostream& out) {
+  constexpr std::size_t kShown = 10;
+  out << fmt::format("both know {} tiles; only A {}, only B {}\n", comparison.tiles.size(), comparison.only_first,
+                     comparison.only_second);
+  if (!comparison.mean) {
+    out << "nothing can be compared\n";
+    return;
+  }
+  out << fmt::format("mean difference {:.2f} (Hellinger distance of the colours, 0 to 1)\n", *comparison.mean);
+  if (comparison.sides) {
+    out << fmt::format("over the tiles known on both sides: {:.2f} as it is, {:.2f} with B turned by half a turn\n",
+                       comparison.sides->as_it_is, comparison.sides->turned);
+  }
+  out << (comparison.is_turned() ? "B looks like A turned by half a turn: the teams had changed sides\n"
+          : comparison.is_same_way()
+              ? "both count the wall from the same end of the field\n"
+              : "nothing shows that both are of one room, counted from the same end of the field\n");
+  out << "where they differ most, seen from the field's centre, to the left of the opponent's goal:\n";
+  for (std::size_t i = 0; i < std::min(kShown, comparison.tiles.size()); ++i) {
+    const TileDifference& tile = comparison.tiles[i];
+    out << fmt::format("  {}: {:.2f}\n", place_of(tile.tile, wall), tile.distance);
+  }
+}
+
+}  // namespace reorient

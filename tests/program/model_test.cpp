@@ -1,0 +1,327 @@
+// `reorient run --model` and `reorient model`: a room that is known from one run to the next.
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include "program/model/model_file.h"
+#include "program/model/model_keeper.h"
+#include "tests/perception/room/saved_models.h"
+#include "tests/program/child_program.h"
+#include "tests/program/less_of_a_user.h"
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+using test::some_model;
+
+std::string digest_of(const ProgramRun& run) {
+  const std::size_t begin = run.out.find("digest: ");
+  return begin == std::string::npos ? "none" : run.out.substr(begin, 24);
+}
+
+class RunWithAModel : public ::testing::Test {
+ protected:
+  std::string file_of(const SavedModel& model, const std::string& name = "yesterday.model") const {
+    const std::filesystem::path path = folder.path() / name;
+    write_model_file(model, path);
+    return path.string();
+  }
+  std::string file_of(const test::ModelBytes& bytes) const {
+    return folder.write("hall.model", {reinterpret_cast<const char*>(bytes.data()), bytes.size()}).string();
+  }
+  /// The run does not begin; one line says why; the file is as it was.
+  static void expect_refused(const std::string& file, const std::vector<std::string>& more,
+                             const std::string& complaint) {
+    const std::string before = read_text(file);
+    std::vector<std::string> words{"--model", file};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramRun refused = run_shortly(words);
+    EXPECT_EQ(refused.code, kBadInput);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_NE(refused.err.find(complaint), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_TRUE(refused.err.starts_with("reorient: --model " + file + ": ")) << refused.err;
+    EXPECT_EQ(read_text(file), before);
+  }
+
+  TemporaryFolder folder;
+  const std::string file = (folder.path() / "hall.model").string();
+};
+
+TEST_F(RunWithAModel, BeginsTheFileAndGoesOnFromItTheNextTime) {
+  const std::string without = digest_of(run_shortly({}));
+  const ProgramRun first = run_shortly({"--model", file});
+  EXPECT_EQ(digest_of(first), without) << "to save changes no frame";
+  EXPECT_NE(first.out.find("model: " + file + " (saved)\n"), std::string::npos) << first.out;
+  const SavedModel learned = read_model_file(file);
+  EXPECT_GT(learned.learned, 1.0);
+  EXPECT_GT(learned.model.known_tiles(), 10);
+
+  const std::string copy = (folder.path() / "copy.model").string();
+  std::filesystem::copy_file(file, copy);
+  const ProgramRun second = run_shortly({"--model", file});
+  EXPECT_NE(digest_of(second), without);
+  EXPECT_EQ(digest_of(run_shortly({"--model", copy})), digest_of(second)) << "one file, one digest";
+  EXPECT_EQ(read_text(copy), read_text(file)) << "and one file again";
+  EXPECT_GT(read_model_file(file).learned, learned.learned + 1.0);
+  EXPECT_GE(read_model_file(file).model.known_tiles(), learned.model.known_tiles());
+}
+
+TEST_F(RunWithAModel, ThatLearnsNothingLeavesTheFileAsItIs) {
+  const auto run_for_a_moment = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "--seconds", "0.2", "--width", "160", "--no-pictures", "--log", "off"});
+    return run_reorient(more);
+  };
+  const ProgramRun none = run_for_a_moment({"--model", file});
+  EXPECT_NE(none.out.find("model: " + file + " (left as it was: nothing new was learned)\n"), std::string::npos)
+      << none.out;
+  EXPECT_FALSE(std::filesystem::exists(file));
+  const std::string good = file_of(some_model(1));
+  const std::string before = read_text(good);
+  EXPECT_EQ(run_for_a_moment({"--model", good}).err.find("reorient:"), std::string::npos);
+  EXPECT_EQ(read_text(good), before);
+  EXPECT_EQ(run_for_a_moment({"--model", good, "--sides-changed"}).err.find("reorient:"), std::string::npos);
+  EXPECT_EQ(read_text(good), before);
+}
+
+TEST_F(RunWithAModel, TurnsItWhereTheSidesHaveChanged) {
+  const SavedModel model = some_model(1);
+  SavedModel turned = model;
+  turned.turn_half();
+  const std::string one = file_of(model, "one"), other = file_of(turned, "other");
+  EXPECT_EQ(digest_of(run_shortly({"--model", one, "--sides-changed"})), digest_of(run_shortly({"--model", other})));
+}
+
+TEST_F(RunWithAModel, IsRefusedADamagedOne) {
+  const std::vector<test::DamagedModel> all = test::damaged_models();
+  EXPECT_GE(all.size(), 48u);
+  for (const test::DamagedModel& damaged : all) {
+    SCOPED_TRACE(damaged.what);
+    expect_refused(file_of(damaged.bytes), {}, damaged.complaint);
+  }
+  expect_refused(file_of(test::damaged_models()[1].bytes), {}, "it is left as it is: name another file");
+}
+
+TEST_F(RunWithAModel, IsRefusedOneOfAnotherKind) {
+  const std::string good = file_of(some_model(1));
+  expect_refused(good, {"--set", "wall.columns=24"},
+                 "it was learned with other parameters: wall.columns=48; give this run the same with --set, or name "
+                 "another file with --model");
+  expect_refused(good, {"--set", "color.dark_below=80"}, "color.dark_below=85");
+  expect_refused(good, {"--params", "paper"}, "light_adaptation.enabled=true");
+  expect_refused(good, {"--no-room-awareness"}, "there is no use for it with --no-room-awareness");
+}
+
+TEST_F(RunWithAModel, IsRefusedWhatIsNoFile) {
+  std::filesystem::create_directory(folder.path() / "folder");
+  mkfifo((folder.path() / "pipe").c_str(), 0600);
+  for (const auto& [name, complaint] : {std::pair("folder", "it is a folder"), {"pipe", "it is no plain file"}}) {
+    const ProgramRun refused = run_shortly({"--model", (folder.path() / name).string()});
+    EXPECT_EQ(refused.code, kBadInput);
+    EXPECT_NE(refused.err.find(complaint), std::string::npos) << refused.err;
+  }
+  const ProgramRun nowhere = run_shortly({"--model", (folder.path() / "no" / "where").string()});
+  EXPECT_EQ(nowhere.code, kBadInput);
+  EXPECT_NE(nowhere.err.find("No such file or directory; name another file with --model"), std::string::npos);
+  const ProgramRun alone = run_shortly({"--sides-changed"});
+  EXPECT_EQ(alone.code, kBadInput);
+  EXPECT_NE(alone.err.find("--sides-changed requires --model"), std::string::npos) << alone.err;
+}
+
+TEST_F(RunWithAModel, IsRefusedOneThatMayNotBeRead) {
+  const std::string good = file_of(some_model(1), "hall.model");
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+  std::filesystem::permissions(good, std::filesystem::perms::none);
+  ChildProgram run(folder.path(), {"run", "--model", good, "--no-pictures", "--seconds", "1"}, become_an_ordinary_user);
+  const int code = run.wait();
+  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not read everything";
+  EXPECT_EQ(code, kBadInput);
+  EXPECT_NE(run.err().find("it cannot be read; it is left as it is"), std::string::npos) << run.err();
+}
+
+TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
+  const std::string good = file_of(some_model(1), "hall.model");
+  const std::string before = read_text(good);
+  ASSERT_GT(before.size(), 16u * 1024u);
+  const std::string json = (folder.path() / "run.json").string();
+  ChildProgram run(folder.path(),
+                   {"run", "--model", good, "--no-pictures", "--seconds", "3", "--width", "160", "--json", json}, [] {
+                     const rlimit small{16 * 1024, 16 * 1024};
+                     setrlimit(RLIMIT_FSIZE, &small);
+                   });
+  EXPECT_EQ(run.wait(), kBadInput);
+  EXPECT_NE(run.err().find("reorient: cannot write '" + good + "': File too large\n"), std::string::npos) << run.err();
+  EXPECT_NE(run.out().find("model: " + good + " (not saved)\n"), std::string::npos) << run.out();
+  EXPECT_NE(run.out().find("digest: "), std::string::npos);
+  EXPECT_NE(read_text(json).find("\"scenario\""), std::string::npos);
+  EXPECT_EQ(read_text(good), before);
+}
+
+TEST_F(RunWithAModel, SavesItWhereItIsInterrupted) {
+  ChildProgram run(folder.path(), {"run", "--model", file, "--no-pictures", "--width", "160"});
+  ASSERT_TRUE(run.await("  10.0 s  current")) << run.err();
+  run.kill(SIGTERM);
+  EXPECT_EQ(run.wait(), 128 + SIGTERM);
+  EXPECT_GT(read_model_file(file).learned, 5.0);
+}
+
+/// What a keeper sees of a run, one frame at a time.
+class ModelKeeperTest : public RunWithAModel {
+ protected:
+  static FrameRecord frame_of(const SavedModel& model, double time) {
+    FrameRecord frame;
+    frame.world.time = time;
+    frame.world.trained_seconds = model.learned;
+    frame.room.basis = model.basis;
+    frame.room.model.assign(model.model.tiles().begin(), model.model.tiles().end());
+    return frame;
+  }
+  static SavedModel longer_learned(SavedModel model, double seconds) {
+    model.learned += seconds;
+    return model;
+  }
+};
+
+TEST_F(ModelKeeperTest, LosesLittleWhereTheRobotIsSwitchedOff) {
+  const auto saved = [this] { return std::filesystem::exists(file) ? read_model_file(file).learned : 0.0; };
+  const SavedModel model = some_model(1);
+  ModelKeeper keeper(file, std::nullopt, false);
+  for (int frame = 0; frame < 3000 && saved() < model.learned + 30.0; ++frame) {  // a disk takes its time
+    const double time = 0.5 * frame;
+    keeper.observe(frame_of(longer_learned(model, time), time), StageRecord());
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_GE(saved(), model.learned + 30.0) << "and nobody said that the run is over";
+}
+
+TEST_F(ModelKeeperTest, KeepsTheAxesOfTheFileWhateverTheTeamsDo) {
+  const SavedModel in_the_file = some_model(1);
+  SavedModel turned = in_the_file;
+  turned.turn_half();
+  for (const bool turned_at_first : {false, true}) {
+    for (const bool half_time : {false, true}) {
+      ModelKeeper keeper(file, turned_at_first ? turned : in_the_file, turned_at_first);
+      FrameRecord last = frame_of(longer_learned(turned_at_first != half_time ? turned : in_the_file, 1.0), 9.0);
+      last.world.sides_changed = half_time;
+      keeper.finish(last, StageRecord());
+      keeper.save();
+      EXPECT_EQ(keeper.outcome(), "saved");
+      EXPECT_EQ(test::bytes_of(read_model_file(file)), test::bytes_of(longer_learned(in_the_file, 1.0)));
+    }
+  }
+}
+
+TEST_F(ModelKeeperTest, DoesNotForgetWhatTheRunForgot) {
+  const SavedModel good = some_model(1);
+  write_model_file(good, file);
+  const std::string before = read_text(file);
+  const SavedModel begun_anew = longer_learned(some_model(1, 0, 0.1, 0, 5), 3.0);
+  SavedModel of_another_wall = longer_learned(good, 3.0);
+  of_another_wall.basis.wall.radius = 9.0;
+  for (const SavedModel& end : {begun_anew, of_another_wall}) {
+    ModelKeeper keeper(file, good, false);
+    keeper.observe(frame_of(end, 1.0), StageRecord());
+    keeper.finish(frame_of(end, 2.0), StageRecord());
+    EXPECT_THROW(keeper.save(), std::runtime_error);
+    EXPECT_EQ(keeper.outcome(), "not saved");
+    EXPECT_EQ(read_text(file), before);
+  }
+}
+
+class ModelCommand : public RunWithAModel {
+ protected:
+  static ProgramRun model(const std::vector<std::string>& words) {
+    std::vector<std::string> all{"model"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_reorient(all);
+  }
+  static void expect_bad(const std::vector<std::string>& words, const std::string& complaint) {
+    const ProgramRun refused = model(words);
+    EXPECT_EQ(refused.code, kBadInput);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_NE(refused.err.find(complaint), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+};
+
+TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
+  const std::string good = file_of(some_model(1, 0, 0.1, 0, 40)), picture = (folder.path() / "hall.png").string();
+  const ProgramRun shown = model({good, "--picture", picture});
+  EXPECT_EQ(shown.code, kSuccess) << shown.err;
+  EXPECT_TRUE(shown.out.starts_with(good + ", saved ")) << shown.out;
+  for (const char* line :
+       {"\n  learned for 40.0 s\n", "\n  wall: 8 m from the field's centre, 0.7 to 5.5 m high, 4 rows of 48 columns\n",
+        "\n  parameters: as by default\n", "\n  known: 160 of 192 tiles; row by row, from the top: 40 40 40 40\n",
+        "\n  coverage: 0.83 (enough to decide with)\n", "(it can be told from itself turned by half a turn)\n"})
+    EXPECT_NE(shown.out.find(line), std::string::npos) << line << "\n" << shown.out;
+  EXPECT_TRUE(read_text(picture).starts_with("\x89PNG"));
+  SavedModel other = some_model(1, 0, 0.1, 0, 4);
+  other.basis.wall.radius = 9.0;
+  const ProgramRun little = model({file_of(other)});
+  EXPECT_NE(little.out.find("parameters: wall.radius=9\n"), std::string::npos) << little.out;
+  EXPECT_NE(little.out.find("too little to decide with"), std::string::npos);
+  EXPECT_NE(little.out.find("says nothing about the pose"), std::string::npos);
+}
+
+TEST_F(ModelCommand, TellsWhereTwoDifferAndWhetherOneIsTurned) {
+  const std::string one = file_of(some_model(1, 0), "one"), other = file_of(some_model(1, 1), "other");
+  SavedModel half_a_turn_on = some_model(1, 1);
+  half_a_turn_on.turn_half();
+  const std::string turned = file_of(half_a_turn_on, "turned");
+  const ProgramRun same = model({"compare", one, other});
+  EXPECT_EQ(same.code, kSuccess) << same.err;
+  EXPECT_TRUE(same.out.starts_with("A: " + one + "\nB: " + other + "\nboth know 192 tiles; only A 0, only B 0\n"));
+  EXPECT_NE(same.out.find("both count the wall from the same end of the field\n"), std::string::npos) << same.out;
+  const ProgramRun different = model({"compare", one, turned});
+  EXPECT_EQ(different.code, kWrong);
+  EXPECT_NE(different.out.find("B looks like A turned by half a turn"), std::string::npos) << different.out;
+}
+
+TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
+  const std::string one = file_of(some_model(1, 0), "one"), other = file_of(some_model(1, 1), "other");
+  SavedModel half_a_turn_on = some_model(1, 1);
+  half_a_turn_on.turn_half();
+  const std::string turned = file_of(half_a_turn_on, "turned"), both = (folder.path() / "both").string();
+  const ProgramRun done = model({"merge", one, other, "--out", both});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_NE(done.out.find("learned for 80.0 s"), std::string::npos) << done.out;
+  const std::string merged_bytes = read_text(both);
+  expect_bad({"merge", one, turned, "--out", both}, "the teams had changed sides; merge them with --sides-changed");
+  expect_bad({"merge", one, other, "--out", both, "--sides-changed"}, "leave out --sides-changed");
+  expect_bad({"merge", one, file_of(some_model(2), "hall"), "--out", both}, "nothing shows that " + one + " and ");
+  EXPECT_EQ(read_text(both), merged_bytes);
+  EXPECT_EQ(model({"merge", one, turned, "--out", both, "--sides-changed"}).code, kSuccess);
+  EXPECT_EQ(read_text(both), merged_bytes);
+  SavedModel other_wall = some_model(1);
+  other_wall.basis.wall.radius = 9.0;
+  expect_bad({"merge", one, file_of(other_wall, "far"), "--out", both},
+             "it was learned with other parameters than " + one + ": wall.radius=9; only models of one kind");
+  expect_bad({"merge", one, other}, "--out is required");
+  expect_bad({"merge", one, other, "--out", (folder.path() / "no" / "where").string()},
+             "No such file or directory; name another file with --out");
+  EXPECT_EQ(read_text(both), merged_bytes);
+}
+
+TEST_F(ModelCommand, RefusesWhatIsNoModel) {
+  expect_bad({}, "name a file that 'reorient run --model FILE' has written");
+  expect_bad({(folder.path() / "none").string()}, "there is no such file; name a file that");
+  expect_bad({folder.path().string()}, "it is a folder; name a file that");
+  expect_bad({folder.write("long", std::string(std::size_t{2} << 20, 'x')).string()}, "it is no model of a room");
+  for (const test::DamagedModel& damaged : test::damaged_models()) {
+    SCOPED_TRACE(damaged.what);
+    expect_bad({file_of(damaged.bytes)}, damaged.complaint);
+  }
+}
+
+}  // namespace
+}  // namespace reorient
