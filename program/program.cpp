@@ -110,7 +110,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }
-  err << "reorient: name a subcommand: run, test, experiment, model, check, new, params, graph, reference or version (see "
+  err << "reorient: name a subcommand: run, test, experiment, model, check, new, params, graph, reference or version "
+         "(see "
          "reorient --help)\n";
   return kBadInput;
 }
