@@ -111,8 +111,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }
   err << "reorient: name a subcommand: run, test, experiment, model, check, new, params, graph, reference or version "
-         "(see "
-         "reorient --help)\n";
+         "(see reorient --help)\n";
   return kBadInput;
 }
 

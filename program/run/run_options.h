@@ -22,13 +22,13 @@ struct SimulationOptions {
   std::filesystem::path field;             ///< TOML file, or the name of a shipped one
   std::string room;                        ///< panorama file, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of the procedural hall
-  std::filesystem::path model;             ///< of the room, if the file is there; empty: none
-  bool sides_changed = false;              ///< the team plays towards the other goal than the model's axes say
   std::uint64_t seed = 1;
   int width = 320;                ///< of the camera image, pixels; the height is 3/4 of it
   std::string cameras = "upper";  ///< or "both"
   bool room_awareness = true;
-  double seconds = 600.0;  ///< of the robot's time, at most
+  std::filesystem::path model;  ///< of the room, if the file is there; empty: none
+  bool sides_changed = false;   ///< the team plays towards the other goal than the model's axes say
+  double seconds = 600.0;       ///< of the robot's time, at most
   ParameterOptions parameters;
 };
 

@@ -221,7 +221,7 @@ Picture draw_world_view(const WorldView& world) {
   canvas.text({36.0, 120.0}, shortened(world.note, 380.0, plain), plain);
   const std::vector<LegendEntry> list = entries(world);
   draw_legend_column(canvas, {36.0, kHeight - 40.0 - 30.0 * static_cast<double>(list.size())}, list);
-  draw_chart_legend(canvas, !world.perceived.empty());
+  draw_chart_legend(canvas, std::any_of(world.perceived.begin(), world.perceived.end(), drawable));
   return canvas.finish();
 }
 
