@@ -39,6 +39,16 @@ double jensen_shannon(const ComparedHistogram& a, const ComparedHistogram& b) {
   return std::sqrt(std::max(0.0, divergence));
 }
 
+double chi_square(const ComparedHistogram& a, const ComparedHistogram& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(kColorBins); ++i) {
+    const double p = a.values[i];
+    const double q = b.values[i];
+    if (p + q > 0.0) sum += squared(p - q) / (p + q);
+  }
+  return std::sqrt(0.5 * sum);
+}
+
 }  // namespace
 
 ComparedHistogram prepared(Distance measure, const ColorHistogram& histogram) {
@@ -65,6 +75,8 @@ double distance(Distance measure, const ComparedHistogram& perceived, const Comp
       return sum;
     case Distance::jensen_shannon:
       return jensen_shannon(perceived, model);
+    case Distance::chi_square:
+      return chi_square(perceived, model);
     case Distance::hellinger:
       break;
   }

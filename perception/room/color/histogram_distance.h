@@ -1,5 +1,5 @@
-// How different two colour histograms are (the paper's Section 3.4). Hellinger and Jensen-Shannon tell poses apart best
-// under changed light; the sum of squares over three bins is the paper's own.
+// How different two colour histograms are (the paper's Section 3.4). Hellinger, Jensen-Shannon and chi-square tell
+// poses apart best under changed light; the sum of squares over three bins is the paper's own.
 #pragma once
 
 #include <array>
@@ -9,10 +9,13 @@
 namespace reorient {
 
 enum class Distance {
-  ssd3,           ///< sum of squared differences over the three bins that are dominant in the perceived histogram
-  ssd14,          ///< over all bins
-  hellinger,      ///< sqrt(1 - sum sqrt(p q)), in [0, 1]
-  jensen_shannon  ///< sqrt of the divergence in bits, in [0, 1]
+  ssd3,            ///< sum of squared differences over the three bins that are dominant in the perceived histogram
+  ssd14,           ///< over all bins
+  hellinger,       ///< sqrt(1 - sum sqrt(p q)), in [0, 1]
+  jensen_shannon,  ///< sqrt of the divergence in bits, in [0, 1]
+  /// sqrt(1/2 sum (p - q)^2 / (p + q)), in [0, 1]: the symmetric chi-square, since neither histogram is the expected
+  /// one and bins of both may be empty. Its root is a metric (Le Cam, 1986), so that a cap means what it means above.
+  chi_square
 };
 
 struct DistanceParameters {
@@ -21,7 +24,8 @@ struct DistanceParameters {
 };
 template <typename Visit>
 void describe(DistanceParameters& p, Visit&& visit) {
-  visit("measure", p.measure, {"ssd3", "ssd14", "hellinger", "jensen_shannon"}, "how histograms are compared");
+  visit("measure", p.measure, {"ssd3", "ssd14", "hellinger", "jensen_shannon", "chi_square"},
+        "how histograms are compared");
   visit("cap", p.cap, 0.01, 2.0, "", "no tile counts as more different than this");
 }
 

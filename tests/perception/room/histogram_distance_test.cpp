@@ -10,7 +10,9 @@
 namespace reorient {
 namespace {
 
-constexpr Distance kAll[] = {Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon};
+constexpr Distance kAll[] = {Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon,
+                             Distance::chi_square};
+constexpr Distance kBounded[] = {Distance::hellinger, Distance::jensen_shannon, Distance::chi_square};
 
 RC_GTEST_PROP(HistogramDistance, IsZeroToItselfAndNeverNegative, ()) {
   const ColorHistogram a = any_histogram();
@@ -24,14 +26,31 @@ RC_GTEST_PROP(HistogramDistance, IsZeroToItselfAndNeverNegative, ()) {
 RC_GTEST_PROP(HistogramDistance, IsSymmetricButForTheDominantBins, ()) {
   const ColorHistogram a = any_histogram();
   const ColorHistogram b = any_histogram();
-  for (const Distance measure : {Distance::ssd14, Distance::hellinger, Distance::jensen_shannon}) {
+  for (const Distance measure : kAll) {
+    if (measure == Distance::ssd3) continue;
     RC_ASSERT(std::abs(distance(measure, a, b) - distance(measure, b, a)) < 1e-6);
+  }
+  RC_ASSERT(distance(Distance::chi_square, a, b) == distance(Distance::chi_square, b, a));
+}
+
+RC_GTEST_PROP(HistogramDistance, IsAtMostOneForAllThatShareACap, ()) {
+  const ColorHistogram a = any_histogram();
+  const ColorHistogram b = any_histogram();
+  for (const Distance measure : kBounded) RC_ASSERT(distance(measure, a, b) <= 1.0 + 1e-6);
+}
+
+RC_GTEST_PROP(HistogramDistance, IsNoShorterByADetourForAllThatShareACap, ()) {
+  const ColorHistogram a = any_histogram();
+  const ColorHistogram b = any_histogram();
+  const ColorHistogram between = any_histogram();
+  for (const Distance measure : kBounded) {
+    const double detour = distance(measure, a, between) + distance(measure, between, b);
+    RC_ASSERT(distance(measure, a, b) <= detour + 2e-3);  // roots of what single precision rounds off
   }
 }
 
 TEST(HistogramDistance, IsOneBetweenHistogramsWithNothingInCommon) {
-  EXPECT_NEAR(distance(Distance::hellinger, all_in(1), all_in(9)), 1.0, 1e-6);
-  EXPECT_NEAR(distance(Distance::jensen_shannon, all_in(1), all_in(9)), 1.0, 1e-6);
+  for (const Distance measure : kBounded) EXPECT_NEAR(distance(measure, all_in(1), all_in(9)), 1.0, 1e-6);
   EXPECT_NEAR(distance(Distance::ssd14, all_in(1), all_in(9)), 2.0, 1e-6);
 }
 
@@ -57,6 +76,17 @@ TEST(HistogramDistance, ByHand) {
   // Against the mixture (3/4, 1/4): half of log2(4/3) + half of (1/2 log2(2/3) + 1/2 log2 2).
   const double divergence = 0.5 * std::log2(4.0 / 3.0) + 0.25 * std::log2(2.0 / 3.0) + 0.25;
   EXPECT_NEAR(distance(Distance::jensen_shannon, half, all_in(2)), std::sqrt(divergence), 1e-6);
+  // Half of (1/4 by 3/2 + 1/4 by 1/2).
+  EXPECT_NEAR(distance(Distance::chi_square, half, all_in(2)), std::sqrt(1.0 / 3.0), 1e-6);
+}
+
+TEST(HistogramDistance, OfChiSquareHasTheSameBitsEverywhere) {
+  ColorHistogram a{}, b{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = static_cast<float>(i + 1) / 105.0f;
+    b[i] = static_cast<float>(14 - i) / 105.0f;
+  }
+  EXPECT_EQ(distance(Distance::chi_square, a, b), 0x1.13311571fa19fp-1);
 }
 
 }  // namespace
