@@ -51,8 +51,11 @@ void FrameLoop::fill_room() {
   record.model.assign(room_->model().tiles().begin(), room_->model().tiles().end());
   record.perceived.clear();
   if (record_.inputs.room_camera) record.perceived.assign(room_->perceived().begin(), room_->perceived().end());
-  record.particles.assign(room_->particles().begin(), room_->particles().end());
-  record.clusters.assign(room_->clusters().begin(), room_->clusters().end());
+  const ViewFilter& filter = room_->view_filter();
+  record.particles.assign(filter.particles().begin(), filter.particles().end());
+  record.cells.clear();
+  for (std::size_t i = 0; i < filter.grid().cells(); ++i) record.cells.push_back(filter.grid().cell(i));
+  record.clusters.assign(filter.clusters().begin(), filter.clusters().end());
 }
 
 }  // namespace reorient

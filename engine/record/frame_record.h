@@ -90,13 +90,14 @@ struct RoomRecord {
   Light light;
   std::vector<TileModel> model;
   std::vector<PerceivedTile> perceived;
-  std::vector<ViewParticle> particles;
+  std::vector<ViewParticle> particles;  ///< of the view filter; empty where it is a grid
+  std::vector<ViewCell> cells;          ///< of the grid; empty where there are particles
   std::vector<ViewCluster> clusters;
 };
 template <typename Visit>
 void fields(Visit&& visit, RoomRecord& room) {
   visit(room.basis, room.half_width, room.goal_half_width, room.center_of_view, room.light, room.model, room.perceived,
-        room.particles, room.clusters);
+        room.particles, room.cells, room.clusters);
 }
 
 /// Topic::images: views of somebody's pixels, valid as long as that robot's frame; or this record's own.

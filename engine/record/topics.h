@@ -45,7 +45,7 @@ inline constexpr std::array<TopicInfo, kTopicCount> kTopics{{
     {Topic::events, "events", "changes of posture, log lines, faults of scripts, reloads, changed parameters"},
     {Topic::images, "images", "the cameras' pixels", false},
     {Topic::pose_particles, "pose_particles", "the pose filter's particles, before a reorientation as well", false},
-    {Topic::room, "room", "wall, background model, perceived tiles, view particles and their clusters", false},
+    {Topic::room, "room", "wall, background model, perceived tiles, the view filter's belief", false},
     {Topic::conditions, "conditions", "transitions that may be taken: what their conditions said, and for how long",
      false},
     {Topic::parameters, "parameters", "every parameter with its value, range and origin", false},

@@ -94,7 +94,7 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   scores_.compute(perceived_.tiles(), compared_model_, wall_, comparison());
   filter_.correct(scores_, *view_center_, step, parameters_.view_filter);
   filter_.find_clusters();
-  count_particles(confidences_, filter_, *view_center_, parameters_.confidence);
+  take_shares(confidences_, filter_, *view_center_, parameters_.confidence);
   evidence_.observe(scores_.places(), compared_model_, step, parameters_.evidence);
   confidences_.evidence = evidence_.log_odds();
   if (step <= 0.0) return;
@@ -162,7 +162,7 @@ void RoomAwareness::begin_anew() {
   on_reset();
   confidences_.raw_current = confidences_.raw_opposite = 0.0;
   confidences_.goal_own = confidences_.goal_opponent = 0.0;
-  filter_.spread(parameters_.view_filter.particles);
+  filter_.spread(parameters_.view_filter);
   last_direction_.reset();
 }
 
@@ -191,7 +191,7 @@ void RoomAwareness::forget() {
   self_similarity_.restart(wall_.columns());
   scores_.clear();
   perceived_.clear();
-  filter_.spread(parameters_.view_filter.particles);
+  filter_.spread(parameters_.view_filter);
   filter_.find_clusters();
   confidences_ = {};
   restart_evidence();
@@ -210,11 +210,10 @@ void RoomAwareness::take_model(const SavedModel& saved) {
 
 void RoomAwareness::set_parameters(const RoomParameters& parameters) {
   const bool model_holds = differences(model_basis(parameters_), model_basis(parameters)).empty();
-  const bool particles_hold = parameters.view_filter.particles == parameters_.view_filter.particles;
   parameters_ = parameters;
   wall_ = Wall(parameters.wall);
   if (!model_holds) return forget();
-  if (!particles_hold) filter_.spread(parameters_.view_filter.particles);
+  if (!filter_.is_made_for(parameters_.view_filter)) filter_.spread(parameters_.view_filter);
 }
 
 /// After reading.

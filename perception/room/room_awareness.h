@@ -70,13 +70,13 @@ class RoomAwareness {
   const Confidences& update(const RoomObservation& view);
 
   /// What a granted command means here: the confidences begin anew, after a purge only if the parameters say so. A flip
-  /// turns the belief and not the robot: the view particles stay.
+  /// turns the belief and not the robot: the belief of the view stays.
   void on_flip();
   void on_purge();
   void on_reset();
 
   /// The robot may stand elsewhere now, or was told where it stands: what was seen before says nothing any more. The
-  /// confidences begin anew, the view particles all around.
+  /// confidences begin anew, the belief of the view is all around.
   void begin_anew();
   /// The belief has gone over to its reflection by itself: what spoke for the one speaks for the other.
   void on_belief_reflected();
@@ -85,7 +85,7 @@ class RoomAwareness {
   /// places as before, under their new coordinates; the confidences stay. Done twice, it is the identity.
   void on_half_time();
 
-  /// Forgets the model, the particles, the confidences and the light; the random numbers go on.
+  /// Forgets the model, the belief of the view, the confidences and the light; the random numbers go on.
   void forget();
 
   /// Goes on with what was learned before, instead of what there is; all else begins anew, as in forget(). Throws
@@ -100,8 +100,7 @@ class RoomAwareness {
   const Wall& wall() const { return wall_; }
   const BackgroundModel& model() const { return model_; }
   std::span<const PerceivedTile> perceived() const { return perceived_.tiles(); }
-  std::span<const ViewParticle> particles() const { return filter_.particles(); }
-  std::span<const ViewCluster> clusters() const { return filter_.clusters(); }
+  const ViewFilter& view_filter() const { return filter_; }
   const ViewpointScores& scores() const { return scores_; }
   const Light& light() const { return light_.light(); }
   /// Where on the wall the belief says that the camera looked in the last frame, rad; nothing if nowhere.
@@ -109,8 +108,8 @@ class RoomAwareness {
   /// Which way to turn the camera, as of the last frame.
   const InformativeViews& informative_views() const { return views_.views(); }
 
-  /// All that decides what comes next: model, particles, confidences, light, random numbers; parameters are as they
-  /// are. Throws BadBytes.
+  /// All that decides what comes next: model, belief of the view, confidences, light, random numbers; parameters are as
+  /// they are. Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
     archive(light_, pose_lights_, model_, self_similarity_, filter_, evidence_, views_, confidences_, last_time_,

@@ -13,8 +13,8 @@ double smoothing_share(const ConfidenceParameters& parameters, double step, doub
   return parameters.true_mean_start ? share / -pinned::expm1(-age / parameters.time_constant) : share;
 }
 
-void count_particles(Confidences& confidences, const ViewFilter& filter, double view_center,
-                     const ConfidenceParameters& parameters) {
+void take_shares(Confidences& confidences, const ViewFilter& filter, double view_center,
+                 const ConfidenceParameters& parameters) {
   confidences.raw_current = filter.share_near(view_center, parameters.half_width);
   confidences.raw_opposite = filter.share_near(view_center + kPi, parameters.half_width);
   confidences.goal_opponent = filter.share_near(0.0, parameters.goal_half_width);

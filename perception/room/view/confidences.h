@@ -1,4 +1,4 @@
-// Confidences (the paper's Section 3.4): how far the view particles support the believed pose and for its reflection.
+// Confidences (the paper's Section 3.4): how far the belief of the view supports the believed pose and its reflection.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Confidences {
   double opposite = 0.0;
   double raw_current = 0.0;
   double raw_opposite = 0.0;
-  double goal_opponent = 0.0;    ///< share of view particles on the wall behind the goal at +x
+  double goal_opponent = 0.0;    ///< share of the belief of the view on the wall behind the goal at +x
   double goal_own = 0.0;         ///< the same, behind the goal at -x
   double coverage = 0.0;         ///< share of the wall's tiles that are trained well enough to be compared with
   double paired = 0.0;           ///< the same, together with their reflections
@@ -42,7 +42,8 @@ struct ConfidenceParameters {
 };
 template <typename Visit>
 void describe(ConfidenceParameters& p, Visit&& visit) {
-  visit("half_width", p.half_width, 0.01, 1.57, "rad", "half of the virtual field of view in which particles count");
+  visit("half_width", p.half_width, 0.01, 1.57, "rad",
+        "half of the virtual field of view in which the belief of the view counts");
   visit("goal_half_width", p.goal_half_width, 0.01, 1.57, "rad", "half of the wall's arc behind each goal");
   visit("time_constant", p.time_constant, 0.0, 60.0, "s", "of the smoothing");
   visit("true_mean_start", p.true_mean_start,
@@ -53,9 +54,9 @@ void describe(ConfidenceParameters& p, Visit&& visit) {
 /// Weight of a frame of `step` seconds in the smoothing, when it ends the first `age` seconds.
 double smoothing_share(const ConfidenceParameters& parameters, double step, double age);
 
-/// This frame's own: counts the particles around the current and the opposite view centre and behind the goals.
-void count_particles(Confidences& confidences, const ViewFilter& filter, double view_center,
-                     const ConfidenceParameters& parameters);
+/// This frame's own: the filter's shares around the current and the opposite view centre and behind the goals.
+void take_shares(Confidences& confidences, const ViewFilter& filter, double view_center,
+                 const ConfidenceParameters& parameters);
 /// Takes them into the smoothed ones.
 void smooth(Confidences& confidences, double share);
 

@@ -49,6 +49,8 @@ RC_GTEST_PROP(HalfTime, DoneTwiceIsTheIdentityBitForBit, ()) {
   RoomParameters parameters;
   parameters.wall.columns = 2 * *rc::gen::inRange(2, 30);
   parameters.wall.rows = *rc::gen::inRange(1, 4);
+  parameters.view_filter.method = *rc::gen::element(ViewMethod::particles, ViewMethod::grid);
+  parameters.view_filter.cells = *rc::gen::inRange(8, 200);
   ScanningRobot robot(PaintedRoom::colorful(seed), parameters, seed);
   robot.run(*rc::gen::inRange(0, 8) / 10.0);
   const std::vector<std::byte> before = bytes_of(robot.awareness);
@@ -101,16 +103,38 @@ TEST(HalfTime, LeavesTheConfidencesAsIfNothingHadHappened) {
   }
 }
 
+TEST(HalfTime, LeavesTheConfidencesOfAGridAsIfNothingHadHappened) {
+  RoomParameters parameters;
+  parameters.view_filter.method = ViewMethod::grid;
+  ScanningRobot robot(PaintedRoom::colorful(4), parameters, 4);
+  robot.run(15.0);
+  robot.train = false;
+  ScanningRobot turned = robot;
+  turned.awareness.on_half_time();
+  turned.belief = reflect(turned.belief);
+  ASSERT_GT(robot.awareness.confidences().current, 0.5);
+  for (int frame = 0; frame < 30; ++frame) {
+    robot.run(1.0 / 15.0);
+    turned.run(1.0 / 15.0);
+    const Confidences& before = robot.awareness.confidences();
+    const Confidences& after = turned.awareness.confidences();
+    ASSERT_NEAR(after.raw_current, before.raw_current, 1e-9) << frame;
+    ASSERT_NEAR(after.raw_opposite, before.raw_opposite, 1e-9) << frame;
+    ASSERT_NEAR(after.goal_own, before.goal_opponent, 1e-9) << frame;
+  }
+}
+
 TEST(HalfTime, TurnsTheViewParticlesWithTheWall) {
   ScanningRobot robot(PaintedRoom::colorful(5), {}, 5);
   robot.run(5.0);
-  const std::vector<ViewParticle> before(robot.awareness.particles().begin(), robot.awareness.particles().end());
+  const std::vector<ViewParticle> before(robot.awareness.view_filter().particles().begin(),
+                                         robot.awareness.view_filter().particles().end());
   const std::optional<double> center = robot.awareness.center_of_view();
   ASSERT_TRUE(center);
   robot.awareness.on_half_time();
   for (std::size_t i = 0; i < before.size(); ++i) {
-    EXPECT_EQ(robot.awareness.particles()[i].azimuth, opposite(before[i].azimuth));
-    EXPECT_EQ(robot.awareness.particles()[i].weight, before[i].weight);
+    EXPECT_EQ(robot.awareness.view_filter().particles()[i].azimuth, opposite(before[i].azimuth));
+    EXPECT_EQ(robot.awareness.view_filter().particles()[i].weight, before[i].weight);
   }
   EXPECT_EQ(robot.awareness.center_of_view(), opposite(*center));
 }

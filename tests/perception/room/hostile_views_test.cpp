@@ -71,15 +71,19 @@ TEST(HostileViews, TimeThatStandsStillJumpsOrIsNoNumberIsNoTime) {
 RC_GTEST_PROP(HostileViews, AnyParametersGiveSoundConfidences, (std::uint64_t seed)) {
   const auto number = [](double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; };
   RoomParameters parameters = *rc::gen::arbitrary<bool>() ? test::paper_recipe() : RoomParameters{};
-  parameters.distance.measure =
-      *rc::gen::element(Distance::ssd3, Distance::ssd14, Distance::hellinger, Distance::jensen_shannon);
+  parameters.distance.measure = *rc::gen::element(Distance::ssd3, Distance::ssd14, Distance::hellinger,
+                                                  Distance::jensen_shannon, Distance::chi_square);
   parameters.wall.rows = *rc::gen::inRange(1, 9);
   parameters.wall.columns = *rc::gen::inRange(4, 129);
   parameters.wall.radius = number(1, 100);
   parameters.wall.top = number(0.1, 30);
   parameters.perception.bands = *rc::gen::inRange(8, 481);
   parameters.perception.sampled_rows = *rc::gen::inRange(8, 4097);
+  parameters.view_filter.method = *rc::gen::element(ViewMethod::particles, ViewMethod::grid);
   parameters.view_filter.particles = *rc::gen::inRange(10, 300);
+  parameters.view_filter.cells = *rc::gen::inRange(8, 361);
+  parameters.view_filter.noise = number(0, 2);
+  parameters.view_filter.leak = number(0.1, 1000);
   parameters.view_filter.sharpness = number(0, 5000);
   parameters.view_filter.injection = number(0, 10);
   parameters.confidence.time_constant = number(0, 3);

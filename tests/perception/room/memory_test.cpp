@@ -25,7 +25,9 @@ namespace reorient {
 namespace {
 
 TEST(Memory, TheSteadyStateAllocatesNothing) {
-  for (const RoomParameters& parameters : {RoomParameters{}, test::paper_recipe()}) {
+  RoomParameters on_grid;
+  on_grid.view_filter.method = ViewMethod::grid;
+  for (const RoomParameters& parameters : {RoomParameters{}, test::paper_recipe(), on_grid}) {
     test::ScanningRobot robot(test::PaintedRoom::colorful(1), parameters, 1);
     const std::vector<CoveredArea> covered = {{20, 30, 60, 119}};
     long during_updates = 0;

@@ -146,13 +146,13 @@ TEST(RoomAwareness, WithoutTrainingTheModelStaysAsItIs) {
 TEST(RoomAwareness, WithoutEvaluationFilterAndConfidencesRest) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
   const Confidences before = robot.awareness.confidences();
-  const double azimuth = robot.awareness.particles()[0].azimuth;
+  const double azimuth = robot.awareness.view_filter().particles()[0].azimuth;
   robot.evaluate = false;
   turn_the_belief(robot);
   robot.run(3.0);
   EXPECT_EQ(robot.awareness.confidences().raw_current, before.raw_current);
   EXPECT_EQ(robot.awareness.confidences().opposite, 0.0);
-  EXPECT_EQ(robot.awareness.particles()[0].azimuth, azimuth);
+  EXPECT_EQ(robot.awareness.view_filter().particles()[0].azimuth, azimuth);
 }
 
 TEST(RoomAwareness, AdaptedConfidencesSurviveAPurgeButNotAFlip) {
@@ -196,9 +196,25 @@ TEST(RoomAwareness, AnotherNumberOfParticlesTakesEffectAtOnce) {
   RoomParameters parameters = robot.awareness.parameters();
   parameters.view_filter.particles = 30;
   robot.awareness.set_parameters(parameters);
-  EXPECT_EQ(robot.awareness.particles().size(), 30u);
+  EXPECT_EQ(robot.awareness.view_filter().particles().size(), 30u);
   robot.run(6.0);
   EXPECT_GT(robot.awareness.confidences().current, 0.5);
+}
+
+TEST(RoomAwareness, AnotherViewFilterTakesOverAtOnce) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
+  RoomParameters parameters = robot.awareness.parameters();
+  for (const ViewMethod method : {ViewMethod::grid, ViewMethod::particles}) {
+    parameters.view_filter.method = method;
+    robot.awareness.set_parameters(parameters);
+    const ViewFilter& filter = robot.awareness.view_filter();
+    EXPECT_EQ(filter.grid().cells(), method == ViewMethod::grid ? 96u : 0u);
+    EXPECT_EQ(filter.particles().size(), method == ViewMethod::grid ? 0u : 100u);
+    EXPECT_NEAR(filter.share_near(1.0, 0.5), 0.5 / kPi, 0.02) << "all around, evenly";
+    EXPECT_GT(robot.awareness.confidences().coverage, 0.5) << "the model stays";
+    robot.run(6.0);
+    EXPECT_GT(robot.awareness.confidences().current, 0.5);
+  }
 }
 
 TEST(RoomAwareness, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
@@ -224,11 +240,11 @@ TEST(RoomAwareness, AJumpOfTheBeliefDoesNotMoveTheParticles) {
   robot.awareness.set_parameters(parameters);
   RoomObservation view = robot.look();
   robot.awareness.update(view);
-  const double before = robot.awareness.particles()[0].azimuth;
+  const double before = robot.awareness.view_filter().particles()[0].azimuth;
   view.belief = reflect(view.belief);
   view.time += 0.03;
   robot.awareness.update(view);
-  EXPECT_NEAR(robot.awareness.particles()[0].azimuth, before, 1e-9);
+  EXPECT_NEAR(robot.awareness.view_filter().particles()[0].azimuth, before, 1e-9);
 }
 
 TEST(RoomAwareness, ParticlesTurnWithTheBody) {
@@ -241,12 +257,12 @@ TEST(RoomAwareness, ParticlesTurnWithTheBody) {
   RoomObservation view = robot.look();
   view.robot_from_camera = Isometry3::Identity();
   robot.awareness.update(view);
-  const double before = robot.awareness.particles()[0].azimuth;
+  const double before = robot.awareness.view_filter().particles()[0].azimuth;
   view.odometry_rotation += 0.25;
   view.belief.rotation += 0.25;
   view.time += 0.03;
   robot.awareness.update(view);
-  EXPECT_NEAR(angle_difference(robot.awareness.particles()[0].azimuth, before), 0.25, 1e-9);
+  EXPECT_NEAR(angle_difference(robot.awareness.view_filter().particles()[0].azimuth, before), 0.25, 1e-9);
 }
 
 TEST(RoomAwareness, KnowsWhichGoalIsInView) {
@@ -296,7 +312,7 @@ TEST(RoomAwareness, DeclaresParametersWhoseDefaultsAreWithinTheirRanges) {
     EXPECT_GT(reader.numbers + reader.choices, before) << name;
   });
   EXPECT_EQ(parts.size(), 11u);
-  EXPECT_EQ(reader.choices, 6);
+  EXPECT_EQ(reader.choices, 7);
 }
 
 }  // namespace

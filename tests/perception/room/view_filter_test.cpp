@@ -1,16 +1,27 @@
 #include "perception/room/view/view_filter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geometry/bytes.h"
 #include "perception/room/view/confidences.h"
 #include "tests/perception/room/one_row.h"
 
 namespace reorient {
 namespace {
+
+std::vector<std::byte> bytes_of(const ViewFilter& filter) {
+  std::vector<std::byte> bytes;
+  ByteWriter writer(bytes);
+  writer(filter);
+  return bytes;
+}
 
 RC_GTEST_PROP(ViewpointScores, TheBestCellIsTheTurnBetweenBeliefAndTruth, ()) {
   const OneRow room;
@@ -36,44 +47,158 @@ TEST(ViewpointScores, AViewThatPredictsNothingIsNoEvidence) {
   EXPECT_NEAR(room.compared.coverage(), 6.0 / 16.0, 1e-9);
 }
 
-TEST(ViewFilter, SpreadsItsParticlesEvenly) {
-  ViewFilter filter(1);
-  filter.spread(360);
-  for (double azimuth = -3.0; azimuth < 3.0; azimuth += 0.5) {
-    EXPECT_NEAR(filter.share_near(azimuth, from_degrees(30.0)), 1.0 / 6.0, 0.01);
+constexpr double kFrame = 1.0 / 30.0;  // s
+
+class ViewFilterBy : public ::testing::TestWithParam<ViewMethod> {
+ protected:
+  ViewFilterBy() {
+    parameters.method = GetParam();
+    filter.spread(parameters);
   }
+  /// The camera looks `turn` columns further to the left than the belief says, at `center`.
+  void look(int turn, double center, int frames) {
+    for (int i = 0; i < frames; ++i) {
+      filter.predict(0.0, kFrame, parameters);
+      filter.correct(room.scores(0, turn), center, kFrame, parameters);
+    }
+  }
+
+  const OneRow room;
+  ViewFilterParameters parameters;
+  ViewFilter filter{1};
+};
+
+TEST_P(ViewFilterBy, KnowsNothingAtFirst) {
+  for (double azimuth = -3.0; azimuth < 3.0; azimuth += 0.5)
+    EXPECT_NEAR(filter.share_near(azimuth, from_degrees(30.0)), 1.0 / 6.0, 0.02);
+  EXPECT_NEAR(filter.share_near(1.0, kPi), 1.0, 1e-9);
+  EXPECT_TRUE(filter.is_made_for(parameters));
 }
 
-TEST(ViewFilter, FindsTheTurnAndForgetsTheRest) {
-  const OneRow room;
-  ViewFilter filter(1);
-  filter.spread(100);
-  const double center = 0.4;
-  for (int i = 0; i < 60; ++i) {
-    filter.predict(0.0, 1.0 / 30.0, {});
-    filter.correct(room.scores(0, 6), center, 1.0 / 30.0, {});
-  }
-  EXPECT_GT(filter.share_near(center + 6 * 2 * kPi / 16, from_degrees(20.0)), 0.8);
-  EXPECT_EQ(filter.particles().size(), 100u);
+TEST_P(ViewFilterBy, FindsTheTurnAndForgetsTheRest) {
+  const double center = 0.4, truth = center + 6 * 2 * kPi / 16;
+  look(6, center, 60);
+  EXPECT_GT(filter.share_near(truth, from_degrees(20.0)), 0.8);
   filter.find_clusters();
   ASSERT_FALSE(filter.clusters().empty());
-  EXPECT_NEAR(angle_difference(filter.clusters()[0].azimuth, center + 6 * 2 * kPi / 16), 0.0, 0.1);
+  EXPECT_NEAR(angle_difference(filter.clusters()[0].azimuth, truth), 0.0, 0.1);
   EXPECT_LT(filter.clusters()[0].spread, 0.3);
+  EXPECT_GT(filter.clusters()[0].share, 0.8);
 }
 
-TEST(ViewFilter, FindsTheTurnFromAWrongClusterByInjection) {
-  const OneRow room;
-  ViewFilter filter(1);
-  filter.spread(100);
-  for (int i = 0; i < 60; ++i) filter.correct(room.scores(0, 0), 0.0, 1.0 / 30.0, {});
+TEST_P(ViewFilterBy, FindsTheTurnFromAWrongBelief) {
+  look(0, 0.0, 60);
   ASSERT_GT(filter.share_near(0.0, 0.5), 0.9);
-  for (int i = 0; i < 60; ++i) filter.correct(room.scores(0, 8), 0.0, 1.0 / 30.0, {});
+  look(8, 0.0, 60);
   EXPECT_GT(filter.share_near(kPi, 0.5), 0.9);
 }
 
-RC_GTEST_PROP(ViewFilter, WeightsSumUpToOneAndAzimuthsStayNormalized, (std::uint64_t seed)) {
+TEST_P(ViewFilterBy, FollowsTheCameraRoundTheCircle) {
+  look(0, 3.0, 60);
+  const double before = filter.share_near(3.0, 0.5);
+  ViewFilterParameters still = parameters;
+  still.noise = 0.0;
+  for (int i = 0; i < 100; ++i) filter.predict(0.0371, kFrame, still);
+  EXPECT_NEAR(filter.share_near(3.0 + 3.71, 0.5), before, 1e-9);
+}
+
+TEST_P(ViewFilterBy, StaysWhereAViewSaysNothing) {
+  look(0, 0.0, 60);
+  const double before = filter.share_near(0.0, 0.5);
+  OneRow unknown;
+  unknown.model.forget(16);
+  unknown.compared.prepare(unknown.model, unknown.wall, unknown.comparison);
+  for (int i = 0; i < 60; ++i) filter.correct(unknown.scores(0, 8), 0.0, kFrame, parameters);
+  EXPECT_EQ(filter.share_near(0.0, 0.5), before);
+}
+
+TEST_P(ViewFilterBy, HasAClusterThatIsNotCutAtTheBackOfTheCircle) {
+  look(8, 0.0, 60);
+  filter.find_clusters();
+  double share = 0.0;
+  for (const ViewCluster& cluster : filter.clusters()) share += cluster.share;
+  EXPECT_LE(share, 1.0 + 1e-9);
+  ASSERT_FALSE(filter.clusters().empty());
+  EXPECT_GT(filter.clusters()[0].share, 0.8);
+  EXPECT_NEAR(std::abs(filter.clusters()[0].azimuth), kPi, 0.2);
+}
+
+TEST_P(ViewFilterBy, BeginsAnewWithAnotherMethodOrSize) {
+  look(0, 0.0, 60);
+  ViewFilterParameters others = parameters;
+  others.particles = 30;
+  others.cells = 24;
+  EXPECT_FALSE(filter.is_made_for(others));
+  filter.spread(others);
+  EXPECT_TRUE(filter.is_made_for(others));
+  EXPECT_NEAR(filter.share_near(0.0, 0.5), 0.5 / kPi, 0.05);
+  EXPECT_TRUE(filter.clusters().empty());
+  others.method = parameters.method == ViewMethod::grid ? ViewMethod::particles : ViewMethod::grid;
+  EXPECT_FALSE(filter.is_made_for(others));
+}
+
+TEST_P(ViewFilterBy, TurnsByHalfATurnAndBackBitForBit) {
+  look(3, 0.7, 20);
+  filter.find_clusters();
+  const std::vector<std::byte> before = bytes_of(filter);
+  const double near = filter.share_near(0.7, 0.5);
+  filter.turn_half();
+  EXPECT_NE(bytes_of(filter), before);
+  EXPECT_NEAR(filter.share_near(0.7 + kPi, 0.5), near, 1e-9);
+  filter.turn_half();
+  EXPECT_EQ(bytes_of(filter), before);
+}
+
+TEST_P(ViewFilterBy, GoesOnFromItsBytesAsIfItHadNeverStopped) {
+  look(3, 0.7, 20);
+  const std::vector<std::byte> bytes = bytes_of(filter);
+  ViewFilter other(99);
+  other.spread(parameters);
+  ByteReader reader(bytes);
+  reader(other);
+  reader.finish();
+  look(3, 0.7, 20);
+  const std::vector<std::byte> expected = bytes_of(filter);
+  std::swap(filter, other);
+  look(3, 0.7, 20);
+  EXPECT_EQ(bytes_of(filter), expected);
+}
+
+TEST_P(ViewFilterBy, RefusesBytesOfAnotherMethodOrSizeAndThoseThatAreSpoiled) {
+  look(3, 0.7, 20);
+  filter.find_clusters();
+  const std::vector<std::byte> bytes = bytes_of(filter);
+  const auto refuses = [](const std::vector<std::byte>& what, const ViewFilterParameters& made_for) {
+    ViewFilter reading(5);
+    reading.spread(made_for);
+    ByteReader reader(what);
+    try {
+      reader(reading);
+    } catch (const BadBytes&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refuses(bytes, parameters));
+  ViewFilterParameters others = parameters;
+  others.particles = others.cells = 50;
+  EXPECT_TRUE(refuses(bytes, others));
+  others = parameters;
+  others.method = parameters.method == ViewMethod::grid ? ViewMethod::particles : ViewMethod::grid;
+  EXPECT_TRUE(refuses(bytes, others));
+  for (std::size_t size = 0; size < bytes.size(); size += 7)
+    EXPECT_TRUE(refuses({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}, parameters)) << size;
+  std::vector<std::byte> spoiled = bytes;
+  std::fill(spoiled.end() - 8, spoiled.end(), std::byte{0xFF});  // the share of the last cluster: not a number
+  EXPECT_TRUE(refuses(spoiled, parameters));
+}
+
+INSTANTIATE_TEST_SUITE_P(Method, ViewFilterBy, ::testing::Values(ViewMethod::particles, ViewMethod::grid),
+                         [](const auto& one) { return one.param == ViewMethod::grid ? "Grid" : "Particles"; });
+
+RC_GTEST_PROP(ViewParticles, HaveFiniteWeightsAndNormalizedAzimuths, (std::uint64_t seed)) {
   const OneRow room;
-  ViewFilter filter(seed);
+  ViewParticles filter(seed);
   filter.spread(50);
   const double sharpness = *rc::gen::element(0.0, 150.0, 1e9);
   for (int i = 0; i < 5; ++i) {
@@ -89,20 +214,19 @@ RC_GTEST_PROP(ViewFilter, WeightsSumUpToOneAndAzimuthsStayNormalized, (std::uint
   }
 }
 
-TEST(ViewFilter, ClustersCoverAllParticlesAndAreNotCutAtTheBackOfTheCircle) {
+TEST(ViewParticles, AreAllInClusters) {
   const OneRow room;
-  ViewFilter filter(4);
+  ViewParticles filter(4);
   filter.spread(100);
   for (int i = 0; i < 60; ++i) {
-    filter.predict(0.0, 1.0 / 30.0, {});
-    filter.correct(room.scores(0, 8), 0.0, 1.0 / 30.0, {});
+    filter.predict(0.0, kFrame, {});
+    filter.correct(room.scores(0, 8), 0.0, kFrame, {});
   }
-  filter.find_clusters();
+  std::vector<ViewCluster> clusters;
+  filter.find_clusters(clusters);
   double share = 0.0;
-  for (const ViewCluster& cluster : filter.clusters()) share += cluster.share;
+  for (const ViewCluster& cluster : clusters) share += cluster.share;
   EXPECT_NEAR(share, 1.0, 1e-9);
-  EXPECT_GT(filter.clusters()[0].share, 0.8);
-  EXPECT_NEAR(std::abs(filter.clusters()[0].azimuth), kPi, 0.2);
 }
 
 TEST(Confidences, SmoothByATimeConstantOnceTheyAreOld) {
@@ -133,11 +257,11 @@ TEST(Confidences, GrowFromZeroWhereTheyAreToldTo) {
   EXPECT_EQ(smoothing_share(paper, 0.1, 0.1), smoothing_share(paper, 0.1, 1000.0));
 }
 
-TEST(Confidences, CountParticlesAroundBothViewCentresAndBehindTheGoals) {
+TEST(Confidences, AreSharesAroundBothViewCentresAndBehindTheGoals) {
   ViewFilter filter(1);
-  filter.spread(3600);
+  filter.spread({.particles = 3600});
   Confidences confidences;
-  count_particles(confidences, filter, 1.0, {});
+  take_shares(confidences, filter, 1.0, {});
   EXPECT_NEAR(confidences.raw_current, 60.0 / 360.0, 2e-3);
   EXPECT_NEAR(confidences.raw_opposite, 60.0 / 360.0, 2e-3);
   EXPECT_NEAR(confidences.goal_opponent, 25.0 / 360.0, 2e-3);

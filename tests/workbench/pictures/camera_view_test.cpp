@@ -57,6 +57,18 @@ TEST(CameraView, draws_marks_at_their_pixels) {
   EXPECT_TRUE(alike(picture.at(202, 380), to_color(kSkin)));
 }
 
+TEST(CameraView, draws_cells_of_a_grid_by_their_share) {
+  const Image image = plain_image(320, 240, kSkin);
+  CameraView camera;
+  camera.image = image.view();
+  camera.view_cells = {{{100.0, 50.0}, 0.4}, {{200.0, 50.0}, 0.1}, {{150.0, 50.0}, 0.001}};
+  const Picture picture = draw_camera_view(camera);
+  const int greatest = count(picture, palette::view_particle, 380, 180, 424, 224);
+  EXPECT_GT(greatest, 300);
+  EXPECT_NEAR(count(picture, palette::view_particle, 780, 180, 824, 224), greatest / 4, greatest / 8);
+  EXPECT_EQ(count(picture, palette::view_particle, 580, 180, 624, 224), 0);
+}
+
 TEST(CameraView, draws_a_chart_only_in_tiles_that_count) {
   const Image image = plain_image(640, 480, kSkin);
   CameraView camera;
@@ -95,6 +107,7 @@ TEST(CameraView, leaves_out_what_is_not_a_number) {
   const Eigen::Vector2d bad(kNaN, 10.0);
   camera.tiles = {{{bad, bad, bad}, {}, true}, {{}, {}, true}, {{bad, {1.0, 1.0}, {50.0, 60.0}}, {}, false}};
   camera.view_particles = {bad};
+  camera.view_cells = {{bad, 1.0}, {{10.0, 10.0}, kNaN}};
   camera.line_points = {{bad, bad}};
   camera.goal_posts = {{bad, bad}};
   camera.obstacles = {{kNaN, kNaN, 3.0, kNaN}};

@@ -72,6 +72,15 @@ TEST(WorldView, draws_each_view_particle_in_magenta) {
   EXPECT_GT(three, 2 * one);
 }
 
+TEST(WorldView, draws_the_cells_of_a_grid_as_bars_as_high_as_the_root_of_their_share) {
+  WorldView world;
+  world.view_cells = {{-0.1, 0.1, 0.8}, {kPi - 0.1, kPi + 0.1, 0.2}};
+  const Picture picture = draw_world_view(world);
+  const int greater = to_the_right(picture, palette::view_particle);
+  EXPECT_GT(greater, 500);
+  EXPECT_NEAR(to_the_left(picture, palette::view_particle), 0.5 * greater, 0.1 * greater);
+}
+
 TEST(WorldView, marks_the_current_view_and_its_opposite) {
   WorldView world;
   world.view_azimuth = 0.0;
@@ -122,6 +131,10 @@ TEST(WorldView, leaves_out_what_is_not_a_number) {
     world.perceived.push_back(bad);
     world.untrained.push_back(bad);
   }
+  world.view_cells = without.view_cells = {{0.5, 0.6, 0.2}};
+  for (const ViewCell& bad :
+       {ViewCell{kNaN, 0.6, 0.1}, {0.5, kNaN, 0.1}, {0.5, 0.6, kNaN}, {0.5, 0.6, -1.0}, {0.5, 0.6, 1e300}})
+    world.view_cells.push_back(bad);
   world.view_clusters = without.view_clusters = {{1.0, 0.1}};
   world.view_clusters.push_back({kNaN, 0.1});
   world.view_clusters.push_back({0.1, kNaN});

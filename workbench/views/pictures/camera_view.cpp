@@ -98,6 +98,14 @@ void draw_features(Canvas& canvas, const ImageScale& scale, const CameraView& ca
     canvas.disc(scale * particle, 5.2, Color{255, 255, 255, 0.75});
     canvas.disc(scale * particle, 4.0, palette::view_particle);
   }
+  for (const ImageViewCell& cell : camera.view_cells) {
+    constexpr double kWhole = 20.0;  // pixels, of all the belief in one cell; areas go with the shares
+    constexpr double kLeast = 0.002;
+    if (!(cell.share >= kLeast && cell.share <= 1.0)) continue;
+    const double radius = kWhole * std::sqrt(cell.share);
+    canvas.disc(scale * cell.position, radius + 1.2, Color{255, 255, 255, 0.75});
+    canvas.disc(scale * cell.position, radius, palette::view_particle);
+  }
 }
 
 std::vector<LegendEntry> entries(const CameraView& camera) {
@@ -114,6 +122,7 @@ std::vector<LegendEntry> entries(const CameraView& camera) {
     list.push_back({tile, "wall tiles and their colours"});
   }
   if (!camera.view_particles.empty()) list.push_back(dot_entry(palette::view_particle, 5.0, "view particles"));
+  if (!camera.view_cells.empty()) list.push_back(dot_entry(palette::view_particle, 7.0, "view cells"));
   if (!camera.line_points.empty()) {
     const auto point = [](Canvas& canvas, const Pixel& center) {
       canvas.line(center - Pixel(0.0, 10.0), center + Pixel(0.0, 10.0), palette::percept, 1.5);

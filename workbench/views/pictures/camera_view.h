@@ -36,12 +36,19 @@ struct ImageArea {
   double bottom = 0.0;
 };
 
+/// A cell of the view filter's grid.
+struct ImageViewCell {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double share = 0.0;  ///< of the belief, in [0, 1]
+};
+
 /// What is empty is not drawn.
 struct CameraView {
   ImageView image;
   double time = 0.0;  ///< s
   std::vector<ImageTile> tiles;
   std::vector<Eigen::Vector2d> view_particles;
+  std::vector<ImageViewCell> view_cells;
   std::vector<ImageLinePoint> line_points;
   std::vector<ImageGoalPost> goal_posts;
   std::vector<ImageArea> obstacles;

@@ -43,6 +43,9 @@ void add_room(const RoomRecord& room, WorldView& view) {
     view.perceived.push_back(drawn);
   }
   for (const ViewParticle& particle : room.particles) view.view_particles.push_back(particle.azimuth);
+  const double half_cell = kPi / static_cast<double>(room.cells.size());
+  for (const reorient::ViewCell& cell : room.cells)
+    view.view_cells.push_back({cell.azimuth - half_cell, cell.azimuth + half_cell, cell.share});
   for (const reorient::ViewCluster& cluster : room.clusters) {
     if (cluster.share >= 0.1) view.view_clusters.push_back({cluster.azimuth, cluster.spread});
   }
@@ -126,15 +129,19 @@ void add_room(const RoomRecord& room, const Projection& projection, CameraView& 
     }
     if (tile.corners.size() == 4) view.tiles.push_back(std::move(tile));
   }
-  // A particle has no height of its own: it is drawn where its azimuth crosses the middle row of the camera.
+  // A viewpoint has no height of its own: it is drawn where its azimuth crosses the middle row of the camera.
   const Eigen::Vector3d eye = projection.field_from_camera().translation();
   const Eigen::Vector3d axis = projection.field_from_camera().linear().col(0);
-  for (const ViewParticle& particle : room.particles) {
-    const Eigen::Vector2d foot(wall.radius() * std::cos(particle.azimuth), wall.radius() * std::sin(particle.azimuth));
+  const auto pixel_of = [&](double azimuth) {
+    const Eigen::Vector2d foot(wall.radius() * std::cos(azimuth), wall.radius() * std::sin(azimuth));
     const double reach = axis.head<2>().norm() > 1e-6 ? (foot - eye.head<2>()).norm() / axis.head<2>().norm() : 0.0;
-    if (const auto pixel = projection.pixel({foot.x(), foot.y(), eye.z() + reach * axis.z()})) {
-      view.view_particles.push_back(*pixel);
-    }
+    return projection.pixel({foot.x(), foot.y(), eye.z() + reach * axis.z()});
+  };
+  for (const ViewParticle& particle : room.particles) {
+    if (const auto pixel = pixel_of(particle.azimuth)) view.view_particles.push_back(*pixel);
+  }
+  for (const reorient::ViewCell& cell : room.cells) {
+    if (const auto pixel = pixel_of(cell.azimuth)) view.view_cells.push_back({*pixel, cell.share});
   }
 }
 

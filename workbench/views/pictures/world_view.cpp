@@ -124,6 +124,15 @@ void draw_sectors(Canvas& canvas, const FieldView& view, const WorldView& world)
   }
 }
 
+void draw_view_cells(Canvas& canvas, const Pixel& center, const WorldView& world) {
+  for (const ViewCell& cell : world.view_cells) {
+    if (!(cell.share > 0.0 && cell.share <= 1.0 && cell.to > cell.from && cell.to - cell.from <= 2.0 * kPi)) continue;
+    const double foot = kViewInner + 2.0;
+    const double height = (kViewOuter - kViewInner - 4.0) * std::sqrt(cell.share);
+    canvas.fill(ring_sector(center, foot, foot + height, cell.from, cell.to), palette::view_particle);
+  }
+}
+
 void draw_view_particles(Canvas& canvas, const Pixel& center, const WorldView& world) {
   for (const ViewCluster& cluster : world.view_clusters) {
     if (!(cluster.spread >= 0.0)) continue;
@@ -162,6 +171,7 @@ std::vector<LegendEntry> entries(const WorldView& world) {
                     "pose particles"});
   }
   if (!world.view_particles.empty()) list.push_back(dot_entry(palette::view_particle, 4.0, "view particles"));
+  if (!world.view_cells.empty()) list.push_back(patch_entry(palette::view_particle, "view cells"));
   if (!world.view_clusters.empty()) {
     list.push_back({[](Canvas& canvas, const Pixel& center) {
                       canvas.ellipse(center, {15.0, 8.0}, 0.0, palette::cluster, 3.0);
@@ -203,6 +213,7 @@ Picture draw_world_view(const WorldView& world) {
   draw_wall(canvas, center, world);
   draw_field(canvas, view, world.field);
   draw_sectors(canvas, view, world);
+  draw_view_cells(canvas, center, world);
   draw_view_particles(canvas, center, world);
   draw_pose_particles(canvas, view, world.pose_particles);
   if (world.truth) draw_robot(canvas, view, *world.truth, palette::truth, kTruthRadius);

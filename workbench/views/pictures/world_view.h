@@ -19,7 +19,14 @@ struct WallTile {
   HistogramBars histogram;
 };
 
-/// A group of view particles that agree.
+/// A cell of the view filter's grid.
+struct ViewCell {
+  double from = 0.0;   ///< its right side, rad
+  double to = 0.0;     ///< its left side, greater than `from`
+  double share = 0.0;  ///< of the belief, in [0, 1]
+};
+
+/// View particles, or cells, that agree.
 struct ViewCluster {
   double azimuth = 0.0;  ///< rad
   double spread = 0.0;   ///< rad, standard deviation
@@ -40,6 +47,7 @@ struct WorldView {
   std::vector<WallTile> untrained;     ///< drawn as empty plates
   std::vector<WallTile> perceived;     ///< of this frame, without deviations
   std::vector<double> view_particles;  ///< azimuths, rad
+  std::vector<ViewCell> view_cells;    ///< drawn as bars; the root of a share is the bar's, of the ring
   std::vector<ViewCluster> view_clusters;
   std::optional<double>
       view_azimuth;  ///< rad, where on the wall the believed pose looks; its opposite is half a turn on

@@ -1,0 +1,17 @@
+// Where on the wall the belief of the view filter gathers.
+#pragma once
+
+namespace reorient {
+
+/// Particles that lie together, or cells that stand out together.
+struct ViewCluster {
+  double azimuth = 0.0;  ///< circular mean, rad
+  double spread = 0.0;   ///< standard deviation, rad
+  double share = 0.0;    ///< of the whole belief
+};
+template <typename Visit>
+void fields(Visit&& visit, ViewCluster& cluster) {
+  visit(cluster.azimuth, cluster.spread, cluster.share);
+}
+
+}  // namespace reorient

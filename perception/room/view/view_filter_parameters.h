@@ -1,0 +1,36 @@
+// What the view filter is, and how it is tuned.
+#pragma once
+
+namespace reorient {
+
+enum class ViewMethod {
+  particles,  ///< the paper's: hypotheses, weighed and resampled
+  grid        ///< cells all around, each with its share of the belief
+};
+constexpr int enum_count(ViewMethod) { return 2; }
+
+struct ViewFilterParameters {
+  ViewMethod method = ViewMethod::particles;
+  int particles = 100;
+  int cells = 96;
+  double noise = 0.166;
+  double sharpness = 150.0;
+  double injection = 0.5;
+  double clear_lead = 0.05;
+  double leak = 30.0;
+};
+template <typename Visit>
+void describe(ViewFilterParameters& p, Visit&& visit) {
+  visit("method", p.method, {"particles", "grid"}, "what the belief of where the camera looks is made of");
+  visit("particles", p.particles, 10, 1000, "", "how many view particles");
+  visit("cells", p.cells, 8, 360, "", "grid: how many cells around the wall");
+  visit("noise", p.noise, 0.0, 2.0, "rad/s^0.5", "random walk of the view: 0.166 is 3 degrees in 0.1 s");
+  visit("sharpness", p.sharpness, 0.0, 5000.0, "1/s", "beta: how fast a worse match loses its particles, or its share");
+  visit("injection", p.injection, 0.0, 10.0, "1/s",
+        "particles: share of them that are set to the best match: 0.5 is 5 % in 0.1 s");
+  visit("clear_lead", p.clear_lead, 0.0, 1.0, "",
+        "lead of the best match over the average from which on all of the injection happens; 0: always");
+  visit("leak", p.leak, 0.1, 1000.0, "s", "grid: time in which the belief is forgotten where nothing renews it");
+}
+
+}  // namespace reorient

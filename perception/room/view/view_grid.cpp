@@ -1,0 +1,125 @@
+#include "perception/room/view/view_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/angle.h"
+#include "geometry/bytes.h"
+#include "geometry/pinned_math.h"
+#include "perception/room/view/azimuth.h"
+
+namespace reorient {
+
+void ViewGrid::spread(int cells) {
+  const auto count = static_cast<std::size_t>(cells);
+  first_ = 0.0;
+  shares_.assign(count, 1.0 / static_cast<double>(count));
+  weights_.resize(count);
+}
+
+double ViewGrid::width() const { return 2.0 * kPi / static_cast<double>(shares_.size()); }
+
+ViewCell ViewGrid::cell(std::size_t i) const {
+  return {to_azimuth(first_ + static_cast<double>(i) * width()), shares_[i]};
+}
+
+void ViewGrid::turn_half() { first_ = opposite(first_); }
+
+/// After reading.
+void ViewGrid::check(std::size_t count) const {
+  check_bytes(shares_.size() == count, "another number of cells of the view");
+  check_bytes(std::abs(first_) <= kPi, "the first cell of the view is nowhere");
+  for (const double share : shares_) check_bytes(share >= 0.0, "a share of the view is none");
+  const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
+  check_bytes(count == 0 || std::abs(sum - 1.0) < 1e-6, "the shares of the view are not the whole");
+}
+
+void ViewGrid::predict(double motion, double step, const ViewFilterParameters& parameters) {
+  first_ = to_azimuth(first_ + motion);
+  const double deviation = parameters.noise / width();
+  blur(deviation * deviation * step);
+}
+
+/// A random walk of a variance in cells squared, in steps to the next cells.
+void ViewGrid::blur(double variance) {
+  constexpr double kMost = 0.5;  // variance of a step: a quarter to either side
+  const double steps = std::ceil(variance / kMost);
+  const double aside = steps > 0.0 ? 0.5 * variance / steps : 0.0;
+  for (int step = 0; step < static_cast<int>(steps); ++step) {
+    const double first = shares_.front();
+    double right = shares_.back();
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+      const double here = shares_[i];
+      const double left = i + 1 < shares_.size() ? shares_[i + 1] : first;
+      shares_[i] = (1.0 - 2.0 * aside) * here + aside * (right + left);
+      right = here;
+    }
+  }
+}
+
+void ViewGrid::correct(const ViewpointScores& scores, double view_center, double step,
+                       const ViewFilterParameters& parameters) {
+  if (!scores.evidence()) return;
+  const double column_width = 2.0 * kPi / scores.columns();
+  const double first = angle_difference(first_, view_center) / column_width;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    const double turn = first + static_cast<double>(i) * width() / column_width;
+    weights_[i] = -parameters.sharpness * step * (scores.distance(turn) - scores.least());
+  }
+  pinned::exp(weights_);
+  for (std::size_t i = 0; i < shares_.size(); ++i) weights_[i] *= shares_[i];
+  const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+  // An underflow of all weights says that the belief is nowhere near: then the leak alone goes on.
+  if (sum > 0.0) {
+    for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i] = weights_[i] / sum;
+  }
+  const double leaked = -pinned::expm1(-step / parameters.leak);
+  const double even = 1.0 / static_cast<double>(shares_.size());
+  for (double& share : shares_) share += leaked * (even - share);
+}
+
+double ViewGrid::share_near(double azimuth, double half_width) const {
+  const auto count = static_cast<double>(shares_.size());
+  // In cells from the right edge of the first one.
+  double position = angle_difference(azimuth - half_width, first_) / width() + 0.5;
+  if (position < 0.0) position += count;
+  double left = std::min(2.0 * half_width / width(), count);
+  double sum = 0.0;
+  while (left > 0.0) {
+    const double cell = std::min(std::floor(position), count - 1.0);
+    const double part = std::min(left, cell + 1.0 - position);
+    sum += part * shares_[static_cast<std::size_t>(cell)];
+    left = part < left ? left - part : 0.0;
+    position = cell + 1.0 < count ? cell + 1.0 : 0.0;
+  }
+  return sum;
+}
+
+void ViewGrid::find_clusters(std::vector<ViewCluster>& clusters) const {
+  const std::size_t count = shares_.size();
+  const double least = 2.0 / static_cast<double>(count);
+  const auto stands_out = [&](std::size_t i) { return shares_[i % count] > least; };
+  // The circle is cut open where nothing stands out, which is in half of it at least, so that no cluster is cut.
+  std::size_t begin = 0;
+  while (begin < count && stands_out(begin)) ++begin;
+  for (const std::size_t stop = begin + count; begin < stop;) {
+    std::size_t end = begin;
+    double share = 0.0, first_moment = 0.0, second_moment = 0.0;
+    for (; end < stop && stands_out(end); ++end) {
+      const auto at = static_cast<double>(end - begin);
+      share += shares_[end % count];
+      first_moment += at * shares_[end % count];
+      second_moment += at * at * shares_[end % count];
+    }
+    if (end > begin) {
+      const double mean = first_moment / share;
+      const double variance = std::max(0.0, second_moment / share - mean * mean);
+      clusters.push_back({to_azimuth(first_ + (static_cast<double>(begin) + mean) * width()),
+                          std::sqrt(variance + 1.0 / 12.0) * width(), share});  // a cell itself is a twelfth wide
+    }
+    begin = end + 1;
+  }
+}
+
+}  // namespace reorient

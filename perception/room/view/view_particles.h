@@ -1,0 +1,67 @@
+// The view filter as in the paper (Section 3.4): particles that are hypotheses of where on the wall the camera looks.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/random.h"
+#include "perception/room/view/view_cluster.h"
+#include "perception/room/view/view_filter_parameters.h"
+#include "perception/room/view/viewpoint_scores.h"
+
+namespace reorient {
+
+/// A viewpoint: an azimuth of the wall (azimuth.h), rad in (-pi, pi], field frame. The height follows the camera.
+struct ViewParticle {
+  double azimuth = 0.0;
+  double weight = 0.0;  ///< of this frame, before resampling; the weights sum up to 1
+};
+template <typename Visit>
+void fields(Visit&& visit, ViewParticle& particle) {
+  visit(particle.azimuth, particle.weight);
+}
+
+class ViewParticles {
+ public:
+  explicit ViewParticles(std::uint64_t seed) : random_(seed, 0x766965775F66696Cull) {}
+
+  /// So many particles all around, evenly.
+  void spread(int particles);
+  /// The wall's azimuths are counted from the other end of the field.
+  void turn_half();
+  /// Moves all of them by `motion` (rad) and scatters them by the noise of `step` seconds.
+  void predict(double motion, double step, const ViewFilterParameters& parameters);
+  /// Weighs, resamples (systematically) and injects at the best match. `view_center`: where the belief says that the
+  /// camera looks, rad. Without evidence in the scores all weights are the same.
+  void correct(const ViewpointScores& scores, double view_center, double step, const ViewFilterParameters& parameters);
+
+  std::span<const ViewParticle> particles() const { return particles_; }
+  /// Share of the particles that lie within `half_width` of an azimuth; both rad.
+  double share_near(double azimuth, double half_width) const;
+  /// Appends the groups that are separated by gaps.
+  void find_clusters(std::vector<ViewCluster>& clusters);
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const std::size_t count = particles_.size();
+    archive(random_, particles_);
+    if constexpr (Archive::kReads) check(count);
+  }
+
+ private:
+  void check(std::size_t count) const;
+  void resample();
+  void inject(double azimuth, double half_width, double expected);
+
+  Random random_;
+  std::vector<ViewParticle> particles_;
+  std::vector<ViewParticle> resampled_;
+  std::vector<double> weights_;
+  std::vector<double> sorted_;
+  std::vector<double> sines_;
+  std::vector<double> cosines_;
+};
+
+}  // namespace reorient
