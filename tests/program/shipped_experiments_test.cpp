@@ -75,7 +75,7 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                          ::testing::Values("table1", "orientation", "false_flips", "symmetric", "companions", "stress",
-                                           "ablation", "paper_thresholds", "turned_round"),
+                                           "ablation", "filters", "paper_thresholds", "turned_round"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
@@ -83,8 +83,8 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"ablation", "companions", "false_flips", "orientation", "paper_thresholds",
-                                             "stress", "symmetric", "table1", "turned_round"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"ablation", "companions", "false_flips", "filters", "orientation",
+                                             "paper_thresholds", "stress", "symmetric", "table1", "turned_round"}));
 }
 
 }  // namespace

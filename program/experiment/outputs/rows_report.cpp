@@ -156,6 +156,7 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRes
     json["kidnap_failed"] = share(row.kidnapped_failed, row.kidnapped);
     json["kidnap_mean_s"] = or_null(row.kidnapped_right.mean);
     json["usable_mean_s"] = or_null(row.usable.mean);
+    json["confidence_area"] = or_null(row.confidence_area);
     json["uninformative_time"] = or_null(row.uninformative_time);
     json["calibration_samples"] = row.calibration_samples;
     json["calibration_error"] = or_null(row.calibration_error);

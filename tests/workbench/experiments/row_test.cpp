@@ -118,6 +118,23 @@ TEST(Row, TellsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
   EXPECT_FALSE(row_of({TrialResult{}}).uninformative_time);
 }
 
+TEST(Row, TellsHowWellTheConfidencesTellWrongBeliefsFromRightOnes) {
+  TrialResult trial = in_peace(10.0, 0);
+  EXPECT_FALSE(row_of({trial}).confidence_area);
+  const auto seen = [&trial](double current, double opposite, bool correct, RoomStatus status) {
+    trial.confidences.push_back({0.0, current, opposite, 0.0, status, correct, !correct});
+  };
+  seen(0.9, 0.0, true, RoomStatus::usable);
+  seen(0.3, 0.3, true, RoomStatus::fresh);
+  EXPECT_FALSE(row_of({trial}).confidence_area) << "it was never wrong";
+  seen(0.1, 0.8, false, RoomStatus::usable);
+  EXPECT_EQ(row_of({trial}).confidence_area, 1.0);
+  seen(0.5, 0.1, false, RoomStatus::usable);
+  EXPECT_EQ(row_of({trial}).confidence_area, 0.75);
+  seen(0.0, 0.0, false, RoomStatus::off);
+  EXPECT_EQ(row_of({trial}).confidence_area, 0.75) << "nobody looked";
+}
+
 TEST(Row, OfNothingKnowsNothing) {
   const Row row = row_of({});
   EXPECT_FALSE(row.calibration_error);

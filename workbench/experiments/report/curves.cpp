@@ -61,20 +61,9 @@ std::string count_text(const Report& report, const std::vector<Series>& series, 
   return text;
 }
 
-struct ScoredSamples {
-  std::vector<double> wrong, right;  ///< scores while the belief was so
-};
-
 ScoredSamples samples_of(const Report& report, const Series& series) {
   ScoredSamples samples;
-  for (const std::size_t cell : series.cells) {
-    for (const TrialResult& trial : report.cells[cell].trials) {
-      for (const ConfidenceSample& sample : trial.confidences) {
-        if (sample.status != RoomStatus::off)
-          (sample.correct ? samples.right : samples.wrong).push_back(sample.opposite - sample.current);
-      }
-    }
-  }
+  for (const std::size_t cell : series.cells) add_scores(samples, report.cells[cell].trials);
   return samples;
 }
 

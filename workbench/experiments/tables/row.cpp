@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "workbench/experiments/statistics/rates.h"
+#include "workbench/experiments/statistics/roc.h"
 
 namespace reorient {
 namespace {
@@ -73,6 +75,9 @@ Row row_of(const std::vector<TrialResult>& results) {
   const std::vector<CalibrationBin> bins = calibration_of(results);
   for (const CalibrationBin& bin : bins) row.calibration_samples += bin.samples;
   if (row.calibration_samples > 0) row.calibration_error = calibration_error(bins);
+  ScoredSamples samples;
+  add_scores(samples, results);
+  row.confidence_area = if_known(area_below(roc_curve(std::move(samples.wrong), std::move(samples.right))));
   return row;
 }
 
@@ -85,6 +90,15 @@ std::vector<CalibrationBin> calibration_of(const std::vector<TrialResult>& resul
     }
   }
   return calibration_bins(for_the_truth);
+}
+
+void add_scores(ScoredSamples& samples, const std::vector<TrialResult>& results) {
+  for (const TrialResult& result : results) {
+    for (const ConfidenceSample& sample : result.confidences) {
+      if (sample.status != RoomStatus::off)
+        (sample.correct ? samples.right : samples.wrong).push_back(sample.opposite - sample.current);
+    }
+  }
 }
 
 std::vector<CensoredTime> times_until_right(const std::vector<TrialResult>& results) {

@@ -51,12 +51,19 @@ struct Row {
   std::optional<double> uninformative_time;
   int calibration_samples = 0;              ///< of the evidence while the belief was right, or the reflection
   std::optional<double> calibration_error;  ///< of those; nothing where there are none
+  std::optional<double> confidence_area;  ///< below the ROC curve of the confidences' lead; nothing: only one kind
 };
 
 Row row_of(const std::vector<TrialResult>& results);
 
 /// What the evidence said while it was used, and the belief was right or the reflection of a right one.
 std::vector<CalibrationBin> calibration_of(const std::vector<TrialResult>& results);
+
+/// The confidences' lead, opposite less current, wherever the room was looked at.
+struct ScoredSamples {
+  std::vector<double> wrong, right;  ///< while the belief was so
+};
+void add_scores(ScoredSamples& samples, const std::vector<TrialResult>& results);
 
 /// Until the belief is right and stays; of the disturbed trials.
 std::vector<CensoredTime> times_until_right(const std::vector<TrialResult>& results);
