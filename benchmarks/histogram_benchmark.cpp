@@ -1,5 +1,8 @@
 // What the 14-bin histogram costs for a whole 640x480 image in 64 tiles, beside the limit (reading the bytes) and what
-// OpenCV offers. One core.
+// OpenCV offers. One core. The last benchmark tells both ratios.
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -7,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "geometry/random.h"
-#include "perception/room/color/color_histogram.h"
+#include "perception/room/color/color_counting.h"
 
 namespace reorient {
 namespace {
@@ -42,64 +45,77 @@ Image room_like_image() {
   return image;
 }
 
-template <typename Count>
-void count_tiles(benchmark::State& state, const Count& count) {
-  const Image image = room_like_image();
-  const ColorThresholds thresholds;
-  const auto row_step = static_cast<int>(state.range(0));
-  std::vector<ColorCounts> tiles(kTileColumns * kTileRows);
+using Tiles = std::array<ColorCounts, kTileColumns * kTileRows>;
+
+void count_tiles(const ImageView& image, int row_step, Instructions instructions, Tiles& tiles) {
   constexpr int kBand = 8;  // rows, as the perceived tiles come
-  for ([[maybe_unused]] auto _ : state) {
-    for (ColorCounts& tile : tiles) tile.fill(0);
-    for (int top = 0; top < kHeight; top += kBand) {
-      for (int column = 0; column < kTileColumns; ++column) {
-        const PixelBlock block{column * kWidth / kTileColumns, top, (column + 1) * kWidth / kTileColumns, top + kBand};
-        const int tile = top * kTileRows / kHeight * kTileColumns + column;
-        count(image.view(), block, row_step, thresholds, tiles[static_cast<std::size_t>(tile)]);
-      }
+  tiles = {};
+  for (int top = 0; top < kHeight; top += kBand) {
+    for (int column = 0; column < kTileColumns; ++column) {
+      const PixelBlock block{column * kWidth / kTileColumns, top, (column + 1) * kWidth / kTileColumns, top + kBand};
+      const int tile = top * kTileRows / kHeight * kTileColumns + column;
+      count_colors(image, block, row_step, {}, tiles[static_cast<std::size_t>(tile)], instructions);
     }
-    benchmark::DoNotOptimize(tiles.data());
-    benchmark::ClobberMemory();
   }
+}
+
+std::uint64_t sum_of_words(const Image& image) {
+  const auto* words = reinterpret_cast<const std::uint64_t*>(image.bytes().data());
+  const std::size_t count = image.bytes().size() / sizeof(std::uint64_t);
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += words[i];
+  return sum;
 }
 
 void ReadBytesOnce(benchmark::State& state) {
   const Image image = room_like_image();
-  const auto* words = reinterpret_cast<const std::uint64_t*>(image.bytes().data());
-  const std::size_t count = image.bytes().size() / sizeof(std::uint64_t);
-  for ([[maybe_unused]] auto _ : state) {
-    std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += words[i];
-    benchmark::DoNotOptimize(sum);
-  }
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(sum_of_words(image));
 }
 BENCHMARK(ReadBytesOnce)->Unit(benchmark::kMicrosecond);
 
-/// Argument: every how manieth row is counted.
-void CountColors(benchmark::State& state) { count_tiles(state, count_colors); }
-BENCHMARK(CountColors)->Arg(1)->Arg(2)->Unit(benchmark::kMicrosecond);
-
-void CountColorsOneByOne(benchmark::State& state) { count_tiles(state, count_colors_one_by_one); }
-BENCHMARK(CountColorsOneByOne)->Arg(1)->Unit(benchmark::kMicrosecond);
+/// Arguments: Instructions; every how manieth row is counted.
+void CountColors(benchmark::State& state) {
+  const auto instructions = static_cast<Instructions>(state.range(0));
+  if (!offered(instructions)) return state.SkipWithError("not offered by this processor");
+  const Image image = room_like_image();
+  Tiles tiles;
+  for ([[maybe_unused]] auto _ : state) {
+    count_tiles(image.view(), static_cast<int>(state.range(1)), instructions, tiles);
+    benchmark::DoNotOptimize(tiles.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(CountColors)
+    ->ArgNames({"instructions", "row_step"})
+    ->ArgsProduct({{static_cast<int>(Instructions::portable), static_cast<int>(Instructions::sse4),
+                    static_cast<int>(Instructions::avx2)},
+                   {1, 2}})
+    ->Unit(benchmark::kMicrosecond);
 
 /// OpenCV has no such histogram; the nearest is 3 x 2 x 2 bins of Y, Cr, Cb, here for the whole image at once.
-void OpenCvCvtColorCalcHist(benchmark::State& state) {
-  cv::setNumThreads(1);
-  Image image = room_like_image();
-  const cv::Mat yuyv(kHeight, kWidth, CV_8UC2, image.row(0));
-  cv::Mat bgr;
-  cv::Mat ycrcb;
-  cv::Mat histogram;
-  const int channels[] = {0, 1, 2};
-  const int bins[] = {3, 2, 2};
-  const float range[] = {0.0f, 256.0f};
-  const float* ranges[] = {range, range, range};
-  for ([[maybe_unused]] auto _ : state) {
-    cv::cvtColor(yuyv, bgr, cv::COLOR_YUV2BGR_YUYV);
-    cv::cvtColor(bgr, ycrcb, cv::COLOR_BGR2YCrCb);
-    cv::calcHist(&ycrcb, 1, channels, cv::Mat(), histogram, 3, bins, ranges);
-    benchmark::DoNotOptimize(histogram.data);
+class OpenCvHistogram {
+ public:
+  explicit OpenCvHistogram(Image& image) : yuyv_(kHeight, kWidth, CV_8UC2, image.row(0)) { cv::setNumThreads(1); }
+
+  void compute() {
+    const int channels[] = {0, 1, 2};
+    const int bins[] = {3, 2, 2};
+    const float range[] = {0.0f, 256.0f};
+    const float* ranges[] = {range, range, range};
+    cv::cvtColor(yuyv_, bgr_, cv::COLOR_YUV2BGR_YUYV);
+    cv::cvtColor(bgr_, ycrcb_, cv::COLOR_BGR2YCrCb);
+    cv::calcHist(&ycrcb_, 1, channels, cv::Mat(), histogram_, 3, bins, ranges);
+    benchmark::DoNotOptimize(histogram_.data);
   }
+
+ private:
+  cv::Mat yuyv_, bgr_, ycrcb_, histogram_;
+};
+
+void OpenCvCvtColorCalcHist(benchmark::State& state) {
+  Image image = room_like_image();
+  OpenCvHistogram histogram(image);
+  for ([[maybe_unused]] auto _ : state) histogram.compute();
 }
 BENCHMARK(OpenCvCvtColorCalcHist)->Unit(benchmark::kMicrosecond);
 
@@ -121,6 +137,50 @@ void OpenCvCvtColorBgrCalcHist(benchmark::State& state) {
   }
 }
 BENCHMARK(OpenCvCvtColorBgrCalcHist)->Unit(benchmark::kMicrosecond);
+
+/// Wall-clock times of many calls, which others disturb now and then.
+class Stopwatch {
+ public:
+  template <typename Work>
+  void time(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    seconds_.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+
+  double median() {
+    const auto middle = seconds_.begin() + static_cast<std::ptrdiff_t>(seconds_.size() / 2);
+    std::nth_element(seconds_.begin(), middle, seconds_.end());
+    return *middle;
+  }
+
+ private:
+  std::vector<double> seconds_;
+};
+
+/// The widest version, every row, in turn with reading and with OpenCV: the medians, and what they are to each other.
+void Ratios(benchmark::State& state) {
+  Image image = room_like_image();
+  OpenCvHistogram histogram(image);
+  Tiles tiles;
+  Stopwatch read, ours, opencv;
+  for ([[maybe_unused]] auto _ : state) {
+    for (int i = 0; i < 4; ++i) {
+      read.time([&] { benchmark::DoNotOptimize(sum_of_words(image)); });
+      ours.time([&] {
+        count_tiles(image.view(), 1, widest_instructions(), tiles);
+        benchmark::DoNotOptimize(tiles.data());
+      });
+    }
+    opencv.time([&] { histogram.compute(); });
+  }
+  state.counters["read_us"] = 1e6 * read.median();
+  state.counters["ours_us"] = 1e6 * ours.median();
+  state.counters["opencv_us"] = 1e6 * opencv.median();
+  state.counters["ours_to_read"] = ours.median() / read.median();
+  state.counters["opencv_to_ours"] = opencv.median() / ours.median();
+}
+BENCHMARK(Ratios)->Unit(benchmark::kMicrosecond)->MinTime(2.0);
 
 }  // namespace
 }  // namespace reorient

@@ -77,23 +77,6 @@ ColorThresholds color_thresholds(const ColorParameters& parameters, const Light&
 /// The bin of one pixel: what the definition says, for readers and tests.
 int color_bin(const Ycbcr& pixel, const ColorThresholds& thresholds);
 
-/// Part of an image: columns left...right - 1 and of the rows top...bottom - 1 every row_step-th, from the top one on.
-struct PixelBlock {
-  int left = 0;
-  int top = 0;
-  int right = 0;
-  int bottom = 0;
-};
-
-/// Adds the pixels of a block to `counts`, 16 at a time where the processor has SSE4.1. What lies outside of the image
-/// does not count.
-void count_colors(const ImageView& image, const PixelBlock& block, int row_step, const ColorThresholds& thresholds,
-                  ColorCounts& counts);
-
-/// The same, a pixel at a time.
-void count_colors_one_by_one(const ImageView& image, const PixelBlock& block, int row_step,
-                             const ColorThresholds& thresholds, ColorCounts& counts);
-
 ColorHistogram normalized(const ColorCounts& counts);
 
 /// Hands `share` of each bin to each of its four neighbours: the slices above and below (black below the darkest, white

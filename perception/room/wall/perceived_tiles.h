@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/transform.h"
+#include "perception/room/color/color_counting.h"
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/color/light_adaptation.h"
 #include "perception/room/room_observation.h"

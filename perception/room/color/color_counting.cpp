@@ -1,0 +1,64 @@
+#include "perception/room/color/color_counting.h"
+
+#include <algorithm>
+
+#include "perception/room/color/counting_kernels.h"
+
+namespace reorient {
+namespace {
+
+/// The block as far as it lies in the image.
+PixelBlock within(const ImageView& image, const PixelBlock& block) {
+  if (image.empty()) return {};
+  return {std::max(block.left, 0), std::max(block.top, 0), std::min(block.right, image.width & ~1),
+          std::min(block.bottom, image.height)};
+}
+
+void count_one_by_one(const PixelRows& rows, int begin, int end, const ColorThresholds& thresholds,
+                      ColorCounts& counts) {
+  for (int i = 0; i < rows.count; ++i) {
+    const std::uint8_t* row = rows.first + i * rows.step;
+    for (int x = begin; x < end; ++x) {
+      const std::uint8_t* pair = row + 4 * (x / 2);
+      ++counts[static_cast<std::size_t>(color_bin({pair[2 * (x % 2)], pair[1], pair[3]}, thresholds))];
+    }
+  }
+}
+
+}  // namespace
+
+bool offered(Instructions instructions) {
+#if defined(__x86_64__) || defined(__i386__)
+  // Both ask the processor once, when the program starts.
+  if (instructions == Instructions::sse4) return sse4_kernel() != nullptr && __builtin_cpu_supports("sse4.2") != 0;
+  if (instructions == Instructions::avx2) return avx2_kernel() != nullptr && __builtin_cpu_supports("avx2") != 0;
+#endif
+  return instructions == Instructions::portable;
+}
+
+Instructions widest_instructions() {
+  if (offered(Instructions::avx2)) return Instructions::avx2;
+  return offered(Instructions::sse4) ? Instructions::sse4 : Instructions::portable;
+}
+
+void count_colors(const ImageView& image, const PixelBlock& block, int row_step, const ColorThresholds& thresholds,
+                  ColorCounts& counts, Instructions instructions) {
+  const PixelBlock part = within(image, block);
+  if (part.left >= part.right || part.top >= part.bottom) return;
+  const int step = std::max(row_step, 1);
+  const PixelRows rows{image.row(part.top), static_cast<std::ptrdiff_t>(step) * image.stride,
+                       (part.bottom - part.top + step - 1) / step, image.width & ~1};
+  if (instructions == Instructions::avx2 && rows.width < 16) instructions = Instructions::sse4;
+  if (instructions == Instructions::sse4 && rows.width < 8) instructions = Instructions::portable;
+  if (instructions == Instructions::portable) return count_one_by_one(rows, part.left, part.right, thresholds, counts);
+
+  // Pairs of pixels share their chroma: half a pair is counted by itself.
+  const int begin = part.left + part.left % 2;
+  const int end = part.right - part.right % 2;
+  count_one_by_one(rows, part.left, begin, thresholds, counts);
+  CountingKernel* kernel = instructions == Instructions::avx2 ? avx2_kernel() : sse4_kernel();
+  if (begin < end) kernel(rows, begin, end, thresholds, counts.data());
+  count_one_by_one(rows, end, part.right, thresholds, counts);
+}
+
+}  // namespace reorient

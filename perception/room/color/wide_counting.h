@@ -1,0 +1,227 @@
+// The counting of colours many pixels at a time, for registers of any width. Included by the sources of
+// counting_kernels.h alone, each of which brings its Lanes: a register and what can be done with it. Nothing here has a
+// name outside of the source that includes it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "perception/room/color/counting_kernels.h"
+
+namespace reorient {
+namespace {
+
+/// Within these sources a bin has a code of four bits: 3 * quadrant + slice for a colour, 12 for black, 14 for white.
+inline constexpr int kBlack = 12;
+constexpr int code_of_bin(int bin) { return bin < 2 ? kBlack + 2 * bin : 3 * ((bin - 2) % 4) + (bin - 2) / 4; }
+
+/// Tables of 16 bytes, one in each register.
+struct alignas(16) Table {
+  std::uint8_t values[16] = {};
+};
+
+/// Loaded from somewhere in it: bytes that are set before a place or after it.
+struct Ramp {
+  constexpr Ramp() {
+    for (int i = 0; i < 48; ++i) values[i] = i >= 16 && i < 32 ? 0 : 0xFF;
+  }
+  std::uint8_t values[48] = {};
+};
+
+/// What is known of a pair of pixels from its chroma: 1: Cb is above neutral, 2: Cr is, 4: Cb is near neutral, 8: Cr
+/// is. These two together are grey.
+inline constexpr int kGrey = 12;
+constexpr Table first_codes() {
+  Table table;
+  for (int chroma = 0; chroma < 16; ++chroma)
+    table.values[chroma] = static_cast<std::uint8_t>(chroma >= kGrey ? kBlack : 3 * (chroma % 4));
+  return table;
+}
+constexpr Table greys() {
+  Table table;
+  for (int chroma = kGrey; chroma < 16; ++chroma) table.values[chroma] = 0xFF;
+  return table;
+}
+/// Turns the code of bin 2 * pair into 0x01, that of the next bin into 0x10 and every other one into 0.
+constexpr Table increments(int pair) {
+  Table table;
+  table.values[code_of_bin(2 * pair)] = 0x01;
+  table.values[code_of_bin(2 * pair + 1)] = 0x10;
+  return table;
+}
+inline constexpr int kPairs = kColorBins / 2;
+inline constexpr Table kFirstCodes = first_codes();
+inline constexpr Table kGreys = greys();
+inline constexpr Table kIncrements[kPairs] = {increments(0), increments(1), increments(2), increments(3),
+                                              increments(4), increments(5), increments(6)};
+
+/// Finds the codes of as many pixels as a register has bytes.
+template <typename Lanes>
+class Classifier {
+ public:
+  using Register = typename Lanes::Register;
+
+  explicit Classifier(const ColorThresholds& t)
+      : neutral_(alternating(t.cb_neutral, t.cr_neutral)),
+        grey_first_(alternating(t.cb_grey_first, t.cr_grey_first)),
+        grey_width_(alternating(t.cb_grey_last - t.cb_grey_first, t.cr_grey_last - t.cr_grey_first)),
+        // A range that ends before it begins holds nothing.
+        near_bits_(alternating(t.cb_grey_first <= t.cb_grey_last ? 4 : 0, t.cr_grey_first <= t.cr_grey_last ? 8 : 0)),
+        first_codes_(Lanes::table(kFirstCodes.values)) {
+    const Register grey = Lanes::table(kGreys.values);
+    const Register white = Lanes::all(t.white);
+    lower_ = Lanes::choose(Lanes::all(t.medium), white, grey);
+    upper_ = Lanes::choose(Lanes::all(t.bright), white, grey);
+  }
+
+  /// Of as many pixels as half a register has bytes from each of two places; in the order of Lanes::packed.
+  Register codes(const std::uint8_t* one, const std::uint8_t* other) const {
+    const Register first = Lanes::load(one);
+    const Register second = Lanes::load(other);
+    const Register low_byte = Lanes::all16(0x00FF);
+    const Register luma = Lanes::packed(Lanes::both(first, low_byte), Lanes::both(second, low_byte));
+    // Cb Cr Cb Cr...: the two bytes of a pair lie where the luma of its two pixels lies.
+    const Register chroma = Lanes::packed(Lanes::high_bytes(first), Lanes::high_bytes(second));
+    const Register above = Lanes::both(Lanes::at_least(chroma, neutral_), Lanes::all16(0x0201));
+    const Register near = Lanes::both(Lanes::at_least(grey_width_, Lanes::minus(chroma, grey_first_)), near_bits_);
+    const Register half = Lanes::either(above, near);
+    const Register pair = Lanes::either(half, Lanes::neighbours_swapped(half));
+    // A comparison that holds is -1. Greys are compared with white twice.
+    const Register slice = Lanes::plus(Lanes::at_least(luma, Lanes::looked_up(lower_, pair)),
+                                       Lanes::at_least(luma, Lanes::looked_up(upper_, pair)));
+    return Lanes::minus(Lanes::looked_up(first_codes_, pair), slice);
+  }
+
+ private:
+  static Register alternating(int even, int odd) { return Lanes::all16((even & 0xFF) | (odd & 0xFF) << 8); }
+
+  Register neutral_, grey_first_, grey_width_, near_bits_;  // Cb in the even bytes, Cr in the odd ones
+  Register first_codes_, lower_, upper_;                    // tables, by what is known from the chroma
+};
+
+/// Counts codes in nibbles: seven registers, in each byte two bins' counts (of at most 15) for that byte's pixels.
+template <typename Lanes>
+class NibbleCounters {
+ public:
+  using Register = typename Lanes::Register;
+  static constexpr int kMost = 15;
+
+  explicit NibbleCounters(std::uint32_t* counts) : counts_(counts) {
+#pragma GCC unroll 7
+    for (Register& pair : nibbles_) pair = Lanes::all(0);
+  }
+
+  /// Before that many are added, at most kMost.
+  void make_room_for(int additions) {
+    if (additions_ + additions > kMost) widen();
+    additions_ += additions;
+  }
+
+  /// A lane with its highest bit set does not count.
+  void add(Register codes) {
+    for (int pair = 0; pair < kPairs; ++pair)
+      nibbles_[pair] = Lanes::plus(nibbles_[pair], Lanes::looked_up(Lanes::table(kIncrements[pair].values), codes));
+  }
+
+  /// The same as one after the other, with each table loaded once.
+  void add(Register codes, Register more) {
+    for (int pair = 0; pair < kPairs; ++pair) {
+      const Register table = Lanes::table(kIncrements[pair].values);
+      const Register both = Lanes::plus(Lanes::looked_up(table, codes), Lanes::looked_up(table, more));
+      nibbles_[pair] = Lanes::plus(nibbles_[pair], both);
+    }
+  }
+
+  /// Adds what was counted to the counts.
+  void finish() {
+    widen();
+    sum_up();
+  }
+
+ private:
+  void widen() {
+    const Register low_nibble = Lanes::all(0x0F);
+    const bool first = spills_ == 0;
+    for (int pair = 0; pair < kPairs; ++pair) {
+      const Register low = Lanes::both(nibbles_[pair], low_nibble);
+      const Register high = Lanes::both(Lanes::high_nibbles(nibbles_[pair]), low_nibble);
+      bytes_[2 * pair] = first ? low : Lanes::plus(bytes_[2 * pair], low);
+      bytes_[2 * pair + 1] = first ? high : Lanes::plus(bytes_[2 * pair + 1], high);
+      nibbles_[pair] = Lanes::all(0);
+    }
+    additions_ = 0;
+    if (++spills_ == 17) sum_up();  // 17 * 15 = 255
+  }
+
+  void sum_up() {
+    if (spills_ == 0) return;
+    for (int bin = 0; bin < 12; bin += 4)
+      Lanes::add_sums(bytes_[bin], bytes_[bin + 1], bytes_[bin + 2], bytes_[bin + 3], counts_ + bin);
+    const Register none = Lanes::all(0);
+    Lanes::add_sums(none, none, bytes_[12], bytes_[13], counts_ + 10);
+    spills_ = 0;
+  }
+
+  std::uint32_t* counts_;
+  Register nibbles_[kPairs];
+  Register bytes_[kColorBins];  // as long as there were spills
+  int additions_ = 0;
+  int spills_ = 0;
+};
+
+/// Pixels of a row whose halves the nibbles can hold.
+template <typename Lanes>
+inline constexpr int kWidest = (2 * NibbleCounters<Lanes>::kMost - 4) * Lanes::kPixels / 2;
+
+/// At most kWidest columns.
+template <typename Lanes>
+void count_strip(const PixelRows& rows, int begin, int end, const ColorThresholds& thresholds, std::uint32_t* counts) {
+  using Register = typename Lanes::Register;
+  constexpr int kHalf = Lanes::kPixels / 2;
+  static constexpr Ramp kRamp;
+  // What does not fill half a register is taken from one that reaches beyond it, to where the image goes on.
+  const int halves = (end - begin + kHalf - 1) / kHalf;
+  const int rest = begin + (halves - 1) * kHalf;
+  const int last = rest + kHalf <= rows.width ? rest : rows.width - kHalf;
+  const std::uint8_t* before = kRamp.values + 16 - (rest - last);
+  const std::uint8_t* after = kRamp.values + 32 - (end - last);
+  const Register outside = Lanes::either(Lanes::halves(before, before), Lanes::halves(after, after));
+  const Register second = Lanes::halves(kRamp.values + 16, kRamp.values);
+
+  const Classifier<Lanes> classifier(thresholds);
+  NibbleCounters<Lanes> counters(counts);
+  const std::uint8_t* waiting = nullptr;
+  for (int i = 0; i < rows.count; ++i) {
+    const std::uint8_t* row = rows.first + i * rows.step;
+    counters.make_room_for(halves / 2 + 1);
+    int x = begin;
+    for (; x + 4 * kHalf <= rest; x += 4 * kHalf) {
+      const std::uint8_t* pixels = row + 2 * x;
+      counters.add(classifier.codes(pixels, pixels + 2 * kHalf),
+                   classifier.codes(pixels + 4 * kHalf, pixels + 6 * kHalf));
+    }
+    for (; x + 2 * kHalf <= rest; x += 2 * kHalf) counters.add(classifier.codes(row + 2 * x, row + 2 * (x + kHalf)));
+    const std::uint8_t* tail = row + 2 * last;
+    if (x < rest) {
+      counters.add(Lanes::either(classifier.codes(row + 2 * x, tail), Lanes::both(outside, second)));
+    } else if (waiting == nullptr) {
+      waiting = tail;
+    } else {
+      counters.add(Lanes::either(classifier.codes(waiting, tail), outside));
+      waiting = nullptr;
+    }
+  }
+  if (waiting != nullptr)
+    counters.add(Lanes::either(classifier.codes(waiting, waiting), Lanes::either(outside, second)));
+  counters.finish();
+}
+
+template <typename Lanes>
+void count_wide(const PixelRows& rows, int begin, int end, const ColorThresholds& thresholds, std::uint32_t* counts) {
+  for (; end - begin > kWidest<Lanes>; begin += kWidest<Lanes>)
+    count_strip<Lanes>(rows, begin, begin + kWidest<Lanes>, thresholds, counts);
+  count_strip<Lanes>(rows, begin, end, thresholds, counts);
+}
+
+}  // namespace
+}  // namespace reorient
