@@ -2,6 +2,10 @@
 // space.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -23,6 +27,16 @@ inline Eigen::Vector2d rotated(const Eigen::Vector2d& vector, double angle) {
 inline Eigen::Vector2d unit_vector(double angle) {
   const auto [sine, cosine] = pinned::sincos(angle);
   return {cosine, sine};
+}
+
+/// The same for many angles: the same bits, in a third of the time. As many vectors as angles.
+inline void unit_vectors(std::span<const double> angles, std::span<Eigen::Vector2d> vectors) {
+  std::array<double, 16> sines, cosines;
+  for (std::size_t first = 0; first < angles.size(); first += sines.size()) {
+    const std::size_t count = std::min(sines.size(), angles.size() - first);
+    pinned::sincos(angles.subspan(first, count), sines, cosines);
+    for (std::size_t i = 0; i < count; ++i) vectors[first + i] = {cosines[i], sines[i]};
+  }
 }
 
 /// rad, in (-pi, pi].

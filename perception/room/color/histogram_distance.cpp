@@ -21,10 +21,21 @@ std::array<int, 3> three_greatest(const ColorHistogram& histogram) {
 
 double squared(double value) { return value * value; }
 
+double hellinger(float overlap) { return std::sqrt(std::max(0.0, 1.0 - static_cast<double>(overlap))); }
+
 double hellinger(const ComparedHistogram& a, const ComparedHistogram& b) {
   float overlap = 0.0f;
   for (std::size_t i = 0; i < a.values.size(); ++i) overlap += a.values[i] * b.values[i];
-  return std::sqrt(std::max(0.0, 1.0 - static_cast<double>(overlap)));
+  return hellinger(overlap);
+}
+
+/// Four sums side by side: each adds in the same order as one alone, but none waits for the others.
+void four_hellinger(const ComparedHistogram& a, const ComparedHistogram* const* b, double* results) {
+  std::array<float, 4> overlaps{};
+  for (std::size_t i = 0; i < kColorBins; ++i) {
+    for (std::size_t k = 0; k < overlaps.size(); ++k) overlaps[k] += a.values[i] * b[k]->values[i];
+  }
+  for (std::size_t k = 0; k < overlaps.size(); ++k) results[k] = hellinger(overlaps[k]);
 }
 
 double jensen_shannon(const ComparedHistogram& a, const ComparedHistogram& b) {
@@ -81,6 +92,15 @@ double distance(Distance measure, const ComparedHistogram& perceived, const Comp
       break;
   }
   return hellinger(perceived, model);
+}
+
+void distances(Distance measure, const ComparedHistogram& perceived, std::span<const ComparedHistogram* const> models,
+               std::span<double> results) {
+  std::size_t i = 0;
+  if (measure == Distance::hellinger) {
+    for (; i + 4 <= models.size(); i += 4) four_hellinger(perceived, &models[i], &results[i]);
+  }
+  for (; i < models.size(); ++i) results[i] = distance(measure, perceived, *models[i]);
 }
 
 double distance(Distance measure, const ColorHistogram& perceived, const ColorHistogram& model) {

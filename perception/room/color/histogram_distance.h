@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "perception/room/color/color_histogram.h"
 
@@ -39,6 +40,10 @@ ComparedHistogram prepared(Distance measure, const ColorHistogram& histogram);
 
 /// Both prepared for the same measure. 0 for equal histograms.
 double distance(Distance measure, const ComparedHistogram& perceived, const ComparedHistogram& model);
+
+/// The same of one with many, in less time. As many distances as models.
+void distances(Distance measure, const ComparedHistogram& perceived, std::span<const ComparedHistogram* const> models,
+               std::span<double> results);
 
 /// For single comparisons.
 double distance(Distance measure, const ColorHistogram& perceived, const ColorHistogram& model);

@@ -15,14 +15,6 @@ Light mixed(const Light& a, const Light& b, double share) {
 
 }  // namespace
 
-LightSums& LightSums::operator+=(const LightSums& other) {
-  luma += other.luma;
-  cb += other.cb;
-  cr += other.cr;
-  pixels += other.pixels;
-  return *this;
-}
-
 Light LightSums::mean() const {
   if (pixels == 0) return {};
   return {luma / pixels, cb / pixels, cr / pixels};
@@ -31,12 +23,14 @@ Light LightSums::mean() const {
 LightSums sum_light(const ImageView& image, int row, int left, int right, const LightParameters& parameters) {
   LightSums sums;
   const std::uint8_t* pixels = image.row(row);
+  const double darkest = parameters.darkest;
+  const double brightest = parameters.brightest;
   int luma = 0;
   int cb = 0;
   int cr = 0;
   for (int x = left & ~1; x < right; x += 8) {
     const std::uint8_t* pair = pixels + 2 * x;
-    if (pair[0] <= parameters.darkest || pair[0] >= parameters.brightest) continue;
+    if (pair[0] <= darkest || pair[0] >= brightest) continue;
     luma += pair[0];
     cb += pair[1];
     cr += pair[3];

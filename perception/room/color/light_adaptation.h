@@ -37,7 +37,13 @@ struct LightSums {
   double cr = 0.0;
   int pixels = 0;
 
-  LightSums& operator+=(const LightSums& other);
+  LightSums& operator+=(const LightSums& other) {
+    luma += other.luma;
+    cb += other.cb;
+    cr += other.cr;
+    pixels += other.pixels;
+    return *this;
+  }
   Light mean() const;  ///< neutral where there are no pixels
 };
 

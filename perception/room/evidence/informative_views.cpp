@@ -81,13 +81,18 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
 /// False: the camera stands outside of the wall.
 bool ViewChooser::look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost,
                               double least_incidence) {
-  columns_.assign(static_cast<std::size_t>(directions_within(outermost)), -1);
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const double direction = belief.rotation - outermost + kStep * static_cast<double>(i);
-    const auto azimuth = wall.azimuth_seen(camera, direction);
-    if (!azimuth) return false;
-    if (unit_vector(direction).dot(unit_vector(*azimuth)) <= least_incidence) continue;
-    columns_[i] = static_cast<int>(wall.column_at(*azimuth));
+  if (!wall.surrounds(camera)) return false;
+  const auto count = static_cast<std::size_t>(directions_within(outermost));
+  angles_.resize(count);
+  headings_.resize(count);
+  normals_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) angles_[i] = belief.rotation - outermost + kStep * static_cast<double>(i);
+  unit_vectors(angles_, headings_);
+  wall.azimuths_seen(camera, headings_, angles_);
+  unit_vectors(angles_, normals_);
+  columns_.assign(count, -1);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (headings_[i].dot(normals_[i]) > least_incidence) columns_[i] = static_cast<int>(wall.column_at(angles_[i]));
   }
   return true;
 }

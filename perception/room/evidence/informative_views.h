@@ -79,8 +79,10 @@ class ViewChooser {
   Worth worth_of(int column, const Wall& wall, const ComparedModel& model, const ViewParameters& parameters) const;
 
   std::vector<double> looked_at_;  // s, of each column, fading
-  std::vector<int> columns_;       // that lie in each direction, from the right to the left; -1: none that counts
-  std::vector<Worth> worths_;      // of those
+  std::vector<double> angles_;     // rad, of the directions, then of the wall there; from the right to the left
+  std::vector<Eigen::Vector2d> headings_, normals_;  // the same as unit vectors
+  std::vector<int> columns_;   // that lie in each direction, from the right to the left; -1: none that counts
+  std::vector<Worth> worths_;  // of those
   InformativeViews views_;
 };
 

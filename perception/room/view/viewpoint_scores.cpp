@@ -19,6 +19,9 @@ void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const Co
   cells_.assign(static_cast<std::size_t>(columns), ViewpointScore{});
   places_.clear();
   places_.reserve(static_cast<std::size_t>(wall.tiles()));
+  turns_.reserve(cells_.size());
+  models_.reserve(cells_.size());
+  distances_.reserve(cells_.size());
   int counting = 0;
   for (const PerceivedTile& tile : perceived) {
     if (!tile.counts) continue;
@@ -57,31 +60,52 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
   const int row = wall.row_of(perceived.tile);
   ComparedPlace place;
   place.tile = perceived.tile;
-  bool any_known = false;
+  turns_.resize(cells_.size());
+  models_.resize(cells_.size());
+  std::size_t known = 0;
+  const int first_tile = wall.tile(row, 0);
+  int column = wall.column_of(perceived.tile);
   for (int turn = 0; turn < columns; ++turn) {
-    const int column = wall.column_of(perceived.tile) + turn;
-    const int tile = wall.tile(row, column < columns ? column : column - columns);
-    if (!model.trusted(tile)) continue;
-    const bool is_behind = 4 * turn > columns && 4 * turn < 3 * columns;
-    const double distance = reorient::distance(
-        comparison.measure, is_behind ? perceived.reflected_histogram : perceived.histogram, model[tile]);
-    ViewpointScore& cell = cells_[static_cast<std::size_t>(turn)];
-    cell.distance += std::min(comparison.cap, distance);
+    const int tile = first_tile + column;
+    if (++column == columns) column = 0;
+    turns_[known] = turn;
+    models_[known] = &model[tile];
+    if (model.trusted(tile)) ++known;
+  }
+  turns_.resize(known);
+  models_.resize(known);
+  if (turns_.empty()) return;
+  // From a quarter turn on, short of three of them, a viewpoint is nearer to the reflection.
+  const auto first_behind = std::upper_bound(turns_.begin(), turns_.end(), columns / 4) - turns_.begin();
+  const auto last_behind = std::lower_bound(turns_.begin(), turns_.end(), (3 * columns + 3) / 4) - turns_.begin();
+  distances_.resize(turns_.size());
+  const auto compare_part = [&](std::ptrdiff_t begin, std::ptrdiff_t end, const ComparedHistogram& histogram) {
+    const auto first = static_cast<std::size_t>(begin);
+    const auto count = static_cast<std::size_t>(end - begin);
+    distances(comparison.measure, histogram, std::span(models_).subspan(first, count),
+              std::span(distances_).subspan(first, count));
+  };
+  compare_part(0, first_behind, perceived.histogram);
+  compare_part(first_behind, last_behind, perceived.reflected_histogram);
+  compare_part(last_behind, std::ssize(turns_), perceived.histogram);
+  for (std::size_t i = 0; i < turns_.size(); ++i) {
+    ViewpointScore& cell = cells_[static_cast<std::size_t>(turns_[i])];
+    cell.distance += std::min(comparison.cap, distances_[i]);
     ++cell.compared;
-    any_known = true;
-    if (turn == 0) {
-      place.as_believed = distance;
+    if (turns_[i] == 0) {
+      place.as_believed = distances_[i];
       place.believed_known = true;
     }
-    if (2 * turn == columns) {
-      place.as_reflected = distance;
+    if (2 * turns_[i] == columns) {
+      place.as_reflected = distances_[i];
       place.reflected_known = true;
     }
   }
-  if (any_known) places_.push_back(place);
+  places_.push_back(place);
 }
 
 const ViewpointScore& ViewpointScores::at(int turn) const {
+  if (turn >= 0 && turn < columns()) return cells_[static_cast<std::size_t>(turn)];
   const int wrapped = turn % columns();
   return cells_[static_cast<std::size_t>(wrapped < 0 ? wrapped + columns() : wrapped)];
 }

@@ -59,6 +59,9 @@ class ViewpointScores {
 
   std::vector<ViewpointScore> cells_;
   std::vector<ComparedPlace> places_;
+  std::vector<int> turns_;  // of the tiles in a row that are trusted, their histograms, and how far they are away
+  std::vector<const ComparedHistogram*> models_;
+  std::vector<double> distances_;
   int best_ = 0;
   double average_ = 0.0;
   bool evidence_ = false;

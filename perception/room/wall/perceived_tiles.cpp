@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-constexpr int kCells = 40;  // per band: between their borders, places on the wall are interpolated
+constexpr int kCells = kBandCells;  // per band: between their borders, places on the wall are interpolated
 
 bool same(const CameraModel& a, const CameraModel& b) {
   return a.width == b.width && a.height == b.height && a.focal == b.focal && a.center == b.center && a.k1 == b.k1 &&
@@ -38,28 +38,6 @@ double next_crossing(double a, double b, double t) {
   return std::min((border - a) / slope, 1.0);
 }
 
-/// The area that a tile fills in the image, beyond its borders too: a hexagon, since the upper and lower edge are arcs.
-double projected_area(const CameraModel& camera, const Isometry3& camera_from_field, const Wall& wall, int tile) {
-  const int column = wall.column_of(tile);
-  const int row = wall.row_of(tile);
-  constexpr int kPoints = 6;
-  constexpr double kColumn[kPoints] = {0.0, 0.5, 1.0, 1.0, 0.5, 0.0};
-  constexpr double kRow[kPoints] = {0.0, 0.0, 0.0, 1.0, 1.0, 1.0};
-  Eigen::Vector2d outline[kPoints];
-  for (int i = 0; i < kPoints; ++i) {
-    const auto pixel = camera.project(camera_from_field * wall.point(column + kColumn[i], row + kRow[i]));
-    if (!pixel) return 0.0;
-    outline[i] = *pixel;
-  }
-  double twice = 0.0;
-  for (int i = 0; i < kPoints; ++i) {
-    const Eigen::Vector2d& a = outline[i];
-    const Eigen::Vector2d& b = outline[(i + 1) % kPoints];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * std::abs(twice);
-}
-
 }  // namespace
 
 void PerceivedTiles::clear() {
@@ -83,6 +61,7 @@ void PerceivedTiles::find(const RoomObservation& view, const Wall& wall, const P
   if (!wall.surrounds(field_from_camera.translation().head<2>())) return;
 
   prepare_rays(*camera, std::clamp(parameters.bands, 1, camera->height));
+  sketch_.prepare(wall, field_from_camera);
   for (int band = 0; band < bands_; ++band) find_in_band(band, field_from_camera, wall, view.covered);
   measure(field_from_camera, *camera, wall);
 }
@@ -101,15 +80,37 @@ void PerceivedTiles::prepare_rays(const CameraModel& camera, int bands) {
       rays_.push_back(camera.ray({x, 0.5 * (top + bottom - 1)}));
     }
   }
+  prepare_rough_rays();
   covered_.assign(static_cast<std::size_t>(camera.width / 2 + 1), 0);
   // Every cell may show a new tile, and covered areas may cut each of them: enough for all but contrived cases.
   blocks_.reserve(static_cast<std::size_t>(bands) * kCells);
+}
+
+void PerceivedTiles::prepare_rough_rays() {
+  constexpr double kFarthest = 100.0;  // off the axis; a band that goes further is nothing that can be sketched
+  rough_rays_.resize(static_cast<std::size_t>(bands_));
+  for (std::size_t band = 0; band < rough_rays_.size(); ++band) {
+    const std::span rays = std::span(rays_).subspan(band * (kCells + 1), kCells + 1);
+    const bool near = std::all_of(rays.begin(), rays.end(), [](const Eigen::Vector3d& ray) {
+      return std::abs(ray.y()) < kFarthest && std::abs(ray.z()) < kFarthest;
+    });
+    RoughRays& rough = rough_rays_[band];
+    rough.near = near;
+    for (std::size_t i = 0; i < rough.y.size(); ++i) {
+      const Eigen::Vector3d& ray = rays[std::min(i, rays.size() - 1)];
+      rough.y[i] = near ? static_cast<float>(ray.y()) : 0.0f;
+      rough.z[i] = near ? static_cast<float>(ray.z()) : 0.0f;
+    }
+  }
 }
 
 void PerceivedTiles::find_in_band(int band, const Isometry3& field_from_camera, const Wall& wall,
                                   std::span<const CoveredArea> covered) {
   const int top = band * camera_.height / bands_;
   const int bottom = (band + 1) * camera_.height / bands_;
+  const RoughRays& rays = rough_rays_[static_cast<std::size_t>(band)];
+  if (!rays.near) sketch_.leave_blank();
+  if (rays.near && !sketch_.draw(rays.y, rays.z)) return;
   any_covered_ = false;
   for (const CoveredArea& area : covered) {
     if (area.bottom < top || area.top >= bottom) continue;
@@ -120,49 +121,61 @@ void PerceivedTiles::find_in_band(int band, const Isometry3& field_from_camera, 
     for (int pair = first; 2 * pair <= last; ++pair) covered_[static_cast<std::size_t>(pair)] = 1;
   }
 
-  const Eigen::Vector3d eye = field_from_camera.translation();
-  const Eigen::Vector3d* rays = &rays_[static_cast<std::size_t>(band) * (kCells + 1)];
-  TileBlock run{-1, {0, top, 0, bottom}};
-  const auto close_run = [&](double x) {
-    run.pixels.right = std::min(2 * static_cast<int>(std::lround(0.5 * x)), camera_.width & ~1);
-    if (run.tile >= 0 && run.pixels.right > run.pixels.left) add_block(run);
-    run.pixels.left = std::max(run.pixels.right, 0);
-  };
+  run_ = {-1, {0, top, 0, bottom}};
   const double cell_width = static_cast<double>(camera_.width) / kCells;
-  std::array<Eigen::Vector3d, kCells + 1> directions;
-  std::array<std::optional<WallPoint>, kCells + 1> borders;
-  for (std::size_t i = 0; i < directions.size(); ++i) directions[i] = field_from_camera.linear() * rays[i];
-  wall.meet(eye, directions, borders);
   for (int cell = 0; cell < kCells; ++cell) {
-    const std::optional<WallPoint>& left = borders[static_cast<std::size_t>(cell)];
-    const std::optional<WallPoint>& right = borders[static_cast<std::size_t>(cell) + 1];
-    constexpr double kSteepest = 64.0;  // rows across one cell: a view along the wall, where interpolation ends
-    const bool misses = !left || !right || std::max(left->row, right->row) < 0.0 ||
-                        std::min(left->row, right->row) >= wall.rows() || std::abs(left->row - right->row) > kSteepest;
-    double t = misses ? 1.0 : 0.0;
-    if (misses && run.tile >= 0) {
-      close_run(cell * cell_width);
-      run.tile = -1;
-    }
-    // Unwrapped, so that interpolation takes the short way round.
-    const double half = 0.5 * wall.columns();
-    const double right_column = misses ? 0.0 : left->column + std::remainder(right->column - left->column, 2.0 * half);
-    while (t < 1.0) {
-      const double end =
-          std::min(next_crossing(left->column, right_column, t), next_crossing(left->row, right->row, t));
-      const double middle = 0.5 * (t + end);
-      const double row = left->row + middle * (right->row - left->row);
-      int column = static_cast<int>(std::floor(left->column + middle * (right_column - left->column))) % wall.columns();
-      if (column < 0) column += wall.columns();
-      const int tile = row < 0.0 || row >= wall.rows() ? -1 : wall.tile(static_cast<int>(row), column);
-      if (tile != run.tile) {
-        close_run((cell + t) * cell_width);
-        run.tile = tile;
-      }
-      t = end > t ? end : 1.0;
+    const int left = sketch_.place(cell);
+    const int right = sketch_.place(cell + 1);
+    if (left == right && left == run_.tile) continue;
+    if (left == right && left != WallSketch::kUnsure) {
+      enter(std::max(left, -1), cell * cell_width);
+    } else if (const auto border = sketch_.border(cell, cell_width)) {
+      enter(std::max(left, -1), cell * cell_width);
+      enter(std::max(right, -1), (cell + *border) * cell_width);
+    } else {
+      cut_exactly(band * (kCells + 1) + cell, field_from_camera, wall);
     }
   }
-  close_run(camera_.width);
+  enter(-1, camera_.width);
+}
+
+void PerceivedTiles::enter(int tile, double x) {
+  if (tile == run_.tile) return;
+  const double pairs = 0.5 * x;
+  const double whole = std::floor(pairs);
+  const int border = 2 * static_cast<int>(pairs - whole < 0.5 ? whole : whole + 1.0);
+  run_.pixels.right = std::min(border, camera_.width & ~1);
+  if (run_.tile >= 0 && run_.pixels.right > run_.pixels.left) add_block(run_);
+  run_.pixels.left = std::max(run_.pixels.right, 0);
+  run_.tile = tile;
+}
+
+/// The cell to the right of a ray.
+void PerceivedTiles::cut_exactly(int ray, const Isometry3& field_from_camera, const Wall& wall) {
+  const int cell = ray % (kCells + 1);
+  const double cell_width = static_cast<double>(camera_.width) / kCells;
+  std::array<Eigen::Vector3d, 2> directions;
+  std::array<std::optional<WallPoint>, 2> borders;
+  for (std::size_t i = 0; i < 2; ++i)
+    directions[i] = field_from_camera.linear() * rays_[static_cast<std::size_t>(ray) + i];
+  wall.meet(field_from_camera.translation(), directions, borders);
+  const auto& [left, right] = borders;
+  constexpr double kSteepest = 64.0;  // rows across one cell: a view along the wall, where interpolation ends
+  const bool misses = !left || !right || std::max(left->row, right->row) < 0.0 ||
+                      std::min(left->row, right->row) >= wall.rows() || std::abs(left->row - right->row) > kSteepest;
+  if (misses) return enter(-1, cell * cell_width);
+  // Unwrapped, so that interpolation takes the short way round.
+  const double right_column = left->column + std::remainder(right->column - left->column, wall.columns());
+  double t = 0.0;
+  while (t < 1.0) {
+    const double end = std::min(next_crossing(left->column, right_column, t), next_crossing(left->row, right->row, t));
+    const double middle = 0.5 * (t + end);
+    const double row = left->row + middle * (right->row - left->row);
+    int column = static_cast<int>(std::floor(left->column + middle * (right_column - left->column))) % wall.columns();
+    if (column < 0) column += wall.columns();
+    enter(row < 0.0 || row >= wall.rows() ? -1 : wall.tile(static_cast<int>(row), column), (cell + t) * cell_width);
+    t = end > t ? end : 1.0;
+  }
 }
 
 void PerceivedTiles::add_block(const TileBlock& block) {
@@ -181,15 +194,47 @@ void PerceivedTiles::add_block(const TileBlock& block) {
   }
 }
 
+/// Where a corner of a tile is in the image, or the middle of an edge; neighbours share theirs.
+const std::optional<Eigen::Vector2d>& PerceivedTiles::outline_point(int half_column, int row, const CameraModel& camera,
+                                                                    const Isometry3& camera_from_field,
+                                                                    const Wall& wall) {
+  OutlinePoint& point = outline_[static_cast<std::size_t>(row * (2 * wall.columns() + 1) + half_column)];
+  if (!point.known) point = {true, camera.project(camera_from_field * wall.point(0.5 * half_column, row))};
+  return point.pixel;
+}
+
+/// The area that a tile fills in the image, beyond its borders too: a hexagon, since the upper and lower edge are arcs.
+double PerceivedTiles::projected_area(int tile, const CameraModel& camera, const Isometry3& camera_from_field,
+                                      const Wall& wall) {
+  constexpr std::size_t kPoints = 6;
+  constexpr int kHalfColumn[kPoints] = {0, 1, 2, 2, 1, 0};
+  constexpr int kRow[kPoints] = {0, 0, 0, 1, 1, 1};
+  Eigen::Vector2d outline[kPoints];
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const auto& pixel = outline_point(2 * wall.column_of(tile) + kHalfColumn[i], wall.row_of(tile) + kRow[i], camera,
+                                      camera_from_field, wall);
+    if (!pixel) return 0.0;
+    outline[i] = *pixel;
+  }
+  double twice = 0.0;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const Eigen::Vector2d& a = outline[i];
+    const Eigen::Vector2d& b = outline[(i + 1) % kPoints];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * std::abs(twice);
+}
+
 void PerceivedTiles::measure(const Isometry3& field_from_camera, const CameraModel& camera, const Wall& wall) {
   const Isometry3 camera_from_field = field_from_camera.inverse();
+  outline_.assign(static_cast<std::size_t>((wall.rows() + 1) * (2 * wall.columns() + 1)), {});
   for (int tile = 0; tile < wall.tiles(); ++tile) {
     const TileCount& count = counts_[static_cast<std::size_t>(tile)];
     if (count.area <= 0.0) continue;
     PerceivedTile perceived;
     perceived.tile = tile;
     perceived.area = count.area;
-    perceived.expected_area = projected_area(camera, camera_from_field, wall, tile);
+    perceived.expected_area = projected_area(tile, camera, camera_from_field, wall);
     const Eigen::Vector3d sight = wall.center(tile) - field_from_camera.translation();
     perceived.distance = sight.norm();
     perceived.incidence = perceived.distance > 0.0 ? sight.dot(wall.normal(tile)) / perceived.distance : 0.0;

@@ -1,6 +1,7 @@
 // The tiles of the wall that one frame shows, and their colour histograms (the paper's Section 3.2).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "perception/room/color/light_adaptation.h"
 #include "perception/room/room_observation.h"
 #include "perception/room/wall/wall.h"
+#include "perception/room/wall/wall_sketch.h"
 
 namespace reorient {
 
@@ -87,10 +89,22 @@ class PerceivedTiles {
 
  private:
   void prepare_rays(const CameraModel& camera, int bands);
+  void prepare_rough_rays();
   void find_in_band(int band, const Isometry3& field_from_camera, const Wall& wall,
                     std::span<const CoveredArea> covered);
+  void cut_exactly(int ray, const Isometry3& field_from_camera, const Wall& wall);
+  /// From x on (pixels) the band shows another tile, or none (-1).
+  void enter(int tile, double x);
   void add_block(const TileBlock& block);
+  const std::optional<Eigen::Vector2d>& outline_point(int half_column, int row, const CameraModel& camera,
+                                                      const Isometry3& camera_from_field, const Wall& wall);
+  double projected_area(int tile, const CameraModel& camera, const Isometry3& camera_from_field, const Wall& wall);
   void measure(const Isometry3& field_from_camera, const CameraModel& camera, const Wall& wall);
+
+  struct OutlinePoint {
+    bool known = false;
+    std::optional<Eigen::Vector2d> pixel;
+  };
 
   struct TileCount {
     ColorCounts colors{};
@@ -101,11 +115,19 @@ class PerceivedTiles {
 
   CameraModel camera_;  // that rays_ was made for
   int bands_ = 0;
-  std::vector<Eigen::Vector3d> rays_;  // camera frame; at the borders of evenly spaced cells, band by band
+  std::vector<Eigen::Vector3d> rays_;  // camera frame, x = 1; at the borders of evenly spaced cells, band by band
+  struct RoughRays {
+    BandRays y, z;
+    bool near = true;  // the axis; otherwise they are nothing that can be sketched
+  };
+  std::vector<RoughRays> rough_rays_;  // the same, for the sketch, band by band
+  WallSketch sketch_;
+  TileBlock run_;                      // of the current band, as far as it has got
   std::vector<std::uint8_t> covered_;  // for each pair of pixels of the current band
   bool any_covered_ = false;
   std::vector<TileBlock> blocks_;
-  std::vector<TileCount> counts_;  // for each tile of the wall
+  std::vector<OutlinePoint> outline_;  // of this frame: rows by half columns
+  std::vector<TileCount> counts_;      // for each tile of the wall
   std::vector<PerceivedTile> tiles_;
   std::vector<TileLight> lights_;
 };

@@ -27,7 +27,10 @@ Wall::Wall(const WallParameters& parameters)
       bottom_(parameters.bottom),
       top_(std::max(parameters.top, parameters.bottom + 0.01)),
       rows_(std::max(parameters.rows, 1)),
-      columns_(std::max(parameters.columns + parameters.columns % 2, 2)) {}
+      columns_(std::max(parameters.columns + parameters.columns % 2, 2)) {
+  directions_.reserve(static_cast<std::size_t>(2 * columns_ + 1));
+  for (int half = 0; half <= 2 * columns_; ++half) directions_.push_back(unit_vector(0.5 * half * column_width()));
+}
 
 int Wall::reflected(int tile) const {
   const int column = column_of(tile) + columns_ / 2;
@@ -40,10 +43,16 @@ double Wall::column_at(double azimuth) const {
   return column < columns_ ? column : 0.0;
 }
 
+/// Unit vector from the centre.
+Eigen::Vector2d Wall::direction(double column) const {
+  const double half = 2.0 * column;
+  const bool is_known = half >= 0.0 && half < static_cast<double>(directions_.size()) && half == std::floor(half);
+  return is_known ? directions_[static_cast<std::size_t>(half)] : unit_vector(column * column_width());
+}
+
 Eigen::Vector3d Wall::point(double column, double row) const {
-  const double azimuth = column * column_width();
-  const auto [sine, cosine] = pinned::sincos(azimuth);
-  return {radius_ * cosine, radius_ * sine, bottom_ + row * row_height()};
+  const Eigen::Vector2d outwards = direction(column);
+  return {radius_ * outwards.x(), radius_ * outwards.y(), bottom_ + row * row_height()};
 }
 
 std::array<Eigen::Vector3d, 4> Wall::corners(int tile) const {
@@ -53,9 +62,8 @@ std::array<Eigen::Vector3d, 4> Wall::corners(int tile) const {
 }
 
 Eigen::Vector3d Wall::normal(int tile) const {
-  const double azimuth = (column_of(tile) + 0.5) * column_width();
-  const auto [sine, cosine] = pinned::sincos(azimuth);
-  return {cosine, sine, 0.0};
+  const Eigen::Vector2d outwards = direction(column_of(tile) + 0.5);
+  return {outwards.x(), outwards.y(), 0.0};
 }
 
 bool Wall::surrounds(const Eigen::Vector2d& position) const {
@@ -102,6 +110,23 @@ std::optional<double> Wall::azimuth_seen(const Eigen::Vector2d& from, double dir
   const Eigen::Vector2d heading = unit_vector(direction);
   const Eigen::Vector2d point = from + steps_to_circle(from, heading, radius_) * heading;
   return normalize_angle(direction_of(point));
+}
+
+void Wall::azimuths_seen(const Eigen::Vector2d& from, std::span<const Eigen::Vector2d> headings,
+                         std::span<double> azimuths) const {
+  constexpr std::size_t kAtOnce = 16;
+  std::array<double, kAtOnce> x, y;
+  for (std::size_t first = 0; first < headings.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, headings.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2d& heading = headings[first + i];
+      const Eigen::Vector2d point = from + steps_to_circle(from, heading, radius_) * heading;
+      x[i] = point.x();
+      y[i] = point.y();
+    }
+    pinned::atan2(std::span(y.data(), count), std::span(x.data(), count), azimuths.subspan(first, count));
+  }
+  for (double& azimuth : azimuths) azimuth = normalize_angle(azimuth);
 }
 
 std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Isometry3& robot_from_camera) {

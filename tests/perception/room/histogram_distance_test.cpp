@@ -1,6 +1,7 @@
 #include "perception/room/color/histogram_distance.h"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -46,6 +47,21 @@ RC_GTEST_PROP(HistogramDistance, IsNoShorterByADetourForAllThatShareACap, ()) {
   for (const Distance measure : kBounded) {
     const double detour = distance(measure, a, between) + distance(measure, between, b);
     RC_ASSERT(distance(measure, a, b) <= detour + 2e-3);  // roots of what single precision rounds off
+  }
+}
+
+/// Bits: digests depend on it.
+RC_GTEST_PROP(HistogramDistance, ManyAreThoseOfOneByOne, ()) {
+  const std::size_t count = *rc::gen::inRange<std::size_t>(0, 14);
+  for (const Distance measure : kAll) {
+    const ComparedHistogram perceived = prepared(measure, any_histogram());
+    std::vector<ComparedHistogram> models;
+    for (std::size_t i = 0; i < count; ++i) models.push_back(prepared(measure, any_histogram()));
+    std::vector<const ComparedHistogram*> pointers;
+    for (const ComparedHistogram& model : models) pointers.push_back(&model);
+    std::vector<double> results(count);
+    distances(measure, perceived, pointers, results);
+    for (std::size_t i = 0; i < count; ++i) RC_ASSERT(results[i] == distance(measure, perceived, models[i]));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -77,6 +78,29 @@ TEST(Wall, FromOutsideOrStraightUpNothingIsMet) {
   EXPECT_FALSE(wall.meet({0, 0, 0.5}, {nan, 0, 0}));
   EXPECT_FALSE(wall.azimuth_seen({0, 0}, nan));
   EXPECT_FALSE(view_center(wall, {0, 0, nan}, Isometry3::Identity()));
+}
+
+TEST(Wall, ManyAzimuthsAreThoseOfOneByOne) {
+  const Wall wall;
+  const Eigen::Vector2d from(2.5, -1.5);
+  std::vector<double> angles;
+  for (int i = 0; i < 37; ++i) angles.push_back(-4.0 + 0.21 * i);
+  std::vector<Eigen::Vector2d> headings(angles.size());
+  std::vector<double> azimuths(angles.size());
+  unit_vectors(angles, headings);
+  wall.azimuths_seen(from, headings, azimuths);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    EXPECT_EQ(headings[i], unit_vector(angles[i]));
+    EXPECT_EQ(azimuths[i], wall.azimuth_seen(from, angles[i]));
+  }
+}
+
+TEST(Wall, PointsOfTilesAreThoseOfTheirAzimuth) {
+  const Wall wall;
+  for (const double column : {0.0, 0.5, 1.0, 7.3, 23.5, 47.5, 48.0, -1.0, 60.25}) {
+    const Eigen::Vector2d expected = wall.radius() * unit_vector(column * wall.column_width());
+    EXPECT_EQ(wall.point(column, 1.0).head<2>(), expected) << "column " << column;
+  }
 }
 
 TEST(Wall, AbsurdNumbersStillMakeAWall) {
