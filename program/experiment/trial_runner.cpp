@@ -1,5 +1,11 @@
 #include "program/experiment/trial_runner.h"
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/record/frame_record.h"
 #include "program/run/simulation.h"
 #include "workbench/experiments/trial/trial_observer.h"
 #include "workbench/run/run_loop.h"
@@ -25,9 +31,54 @@ SimulationOptions options_of(const Condition& condition, std::uint64_t seed, con
   return options;
 }
 
+namespace {
+
+/// What the engine knows of the room.
+class KnownRoom : public Observer {
+ public:
+  Topics wanted() const override { return Topics{Topic::room}; }
+  void observe(const FrameRecord& frame, const StageRecord&) override {
+    basis_ = frame.room.basis;
+    tiles_ = frame.room.model;
+    learned_ = frame.world.trained_seconds;
+  }
+  /// Nothing where room awareness is off.
+  std::optional<SavedModel> model() const {
+    if (tiles_.empty()) return std::nullopt;
+    return SavedModel{basis_, learned_, BackgroundModel(tiles_)};
+  }
+
+ private:
+  ModelBasis basis_;
+  std::vector<TileModel> tiles_;
+  double learned_ = 0.0;
+};
+
+/// The room on another day: the same parameters, but in peace, and with another seed, so among other people.
+std::optional<SavedModel> model_of_another_day(const Condition& condition, std::uint64_t seed,
+                                               const std::filesystem::path& scripts, RoomCache& rooms) {
+  constexpr std::uint64_t kOtherSeeds = 0x0d1f'0000'0000;
+  if (condition.learned_before <= 0.0) return std::nullopt;
+  Condition before = condition;
+  before.scenario = "trial";
+  before.seconds = condition.learned_before;
+  const std::string learn = to_text(ParameterValue(condition.learned_before));
+  for (const auto& [name, value] : {std::pair{"trial.learn", learn}, {"trial.event", std::string("none")}})
+    before.parameters.push_back({name, value, ParameterOrigin::file, "learned_before"});
+  Simulation simulation(options_of(before, seed ^ kOtherSeeds, scripts), &rooms);
+  KnownRoom room;
+  RunParts parts = simulation.parts();
+  parts.observers = {&room};
+  RunLoop(std::move(parts)).run();
+  return room.model();
+}
+
+}  // namespace
+
 TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts,
                       RoomCache& rooms) {
-  Simulation simulation(options_of(condition, seed, scripts), &rooms);
+  Simulation simulation(options_of(condition, seed, scripts), &rooms,
+                        model_of_another_day(condition, seed, scripts, rooms));
   TrialObserver observer(condition.measurement);
   RunParts parts = simulation.parts();
   parts.observers = {&observer};

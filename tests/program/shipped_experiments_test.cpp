@@ -32,6 +32,7 @@ Condition shortened(Condition condition) {
   for (const char* name : {"trial.wait_least", "trial.wait_most"})
     condition.parameters.push_back({name, "0", ParameterOrigin::file, "this test"});
   condition.parameters.push_back({"trial.penalty", "1", ParameterOrigin::file, "this test"});
+  condition.learned_before = std::min(condition.learned_before, 3.0);
   for (std::string& file : condition.parameter_files) {
     std::filesystem::path named = kSource / "assets/parameters" / file;
     file = (named += ".toml").string();
@@ -74,17 +75,36 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
-                         ::testing::Values("table1", "orientation", "false_flips", "symmetric", "companions", "stress",
-                                           "ablation", "filters", "paper_thresholds", "turned_round"),
+                         ::testing::Values("table1", "orientation", "false_flips", "symmetric", "another_day",
+                                           "companions", "stress", "ablation", "filters", "paper_thresholds",
+                                           "turned_round"),
                          [](const auto& one) { return std::string(one.param); });
+
+TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
+  const Experiment experiment = shipped("another_day");
+  const Cell cell = cells_of(experiment).at(0);
+  RoomCache rooms;
+  for (const double learned : {0.0, 20.0}) {
+    Condition condition = shortened(condition_of(experiment, cell, Task{}));
+    condition.learned_before = learned;
+    condition.parameters.push_back({"trial.learn", "0", ParameterOrigin::file, "this test"});
+    condition.measurement.limit = 6.0;
+    condition.measurement.hold = 3.0;
+    const TrialResult result = run_trial(condition, 1, kSource / "scripts", rooms);
+    EXPECT_FALSE(result.correct_at_start);
+    EXPECT_EQ(result.failed(), learned == 0.0);
+    EXPECT_EQ(run_trial(condition, 1, kSource / "scripts", rooms).right_after, result.right_after);
+  }
+}
 
 TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"ablation", "companions", "false_flips", "filters", "orientation",
-                                             "paper_thresholds", "stress", "symmetric", "table1", "turned_round"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"ablation", "another_day", "companions", "false_flips", "filters", "orientation",
+                                      "paper_thresholds", "stress", "symmetric", "table1", "turned_round"}));
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ void apply(const ConditionPatch& patch, Condition& condition) {
   set(condition.width, patch.width);
   set(condition.room_awareness, patch.room_awareness);
   set(condition.seconds, patch.seconds);
+  set(condition.learned_before, patch.learned_before);
   set(condition.measurement.from, patch.measured_from);
   set(condition.measurement.limit, patch.limit);
   set(condition.measurement.hold, patch.hold);
@@ -75,6 +76,7 @@ std::string as_text(const Condition& condition) {
   add("width", std::to_string(condition.width));
   add("room_awareness", condition.room_awareness ? "true" : "false");
   add("seconds", number(condition.seconds));
+  if (condition.learned_before > 0.0) add("learned_before", number(condition.learned_before));
   add("measured_from", condition.measurement.from);
   add("limit", number(condition.measurement.limit));
   add("hold", number(condition.measurement.hold));

@@ -25,7 +25,8 @@ struct Condition {
   std::string cameras = "upper";             ///< or "both"
   int width = 320;                           ///< of the images, pixels
   bool room_awareness = true;
-  double seconds = 600.0;  ///< of the robot's time, at most
+  double seconds = 600.0;       ///< of the robot's time, at most
+  double learned_before = 0.0;  ///< s for which the robot learned the room on another day; 0: it did not
   Measurement measurement;
 };
 
@@ -47,6 +48,7 @@ struct ConditionPatch {
   std::optional<int> width;
   std::optional<bool> room_awareness;
   std::optional<double> seconds;
+  std::optional<double> learned_before;
   std::optional<std::string> measured_from;
   std::optional<double> limit;
   std::optional<double> hold;
