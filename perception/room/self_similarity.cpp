@@ -1,8 +1,9 @@
 #include "perception/room/self_similarity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 
 #include "geometry/bytes.h"
 
@@ -11,22 +12,36 @@ namespace {
 
 constexpr int kFewestColumns = 8;  // of a wall with eighths
 constexpr int kMostRows = 1000;
+constexpr int kTolerance = 48;  // of a turn: 7.5 degrees
+constexpr int kMostTurns = 32;  // that are asked for at once, with those beside them
 
 int wrapped(int column, int columns) { return (column % columns + columns) % columns; }
 
-/// Of a tile to the nearest tile around where `turn` columns lead; nothing where that tile is not known.
-std::optional<double> difference_after(int tile, int turn, const ComparedModel& model, const Wall& wall) {
+/// Sum of differences, and how many there are.
+struct Differences {
+  double sum = 0.0;
+  int known = 0;
+};
+
+/// Adds those of a tile to the nearest tile around where each turn from `first` to `last` leads, in columns; none where
+/// the tile to which it leads is not known.
+void add_differences(int tile, int first, int last, const ComparedModel& model, const Wall& wall, Differences& all) {
   const int columns = wall.columns();
-  const int within = columns / 48;  // 7.5 degrees
+  const int within = columns / kTolerance;
   const int row = wall.row_of(tile);
-  const int there = wall.column_of(tile) + turn;
-  if (!model.trusted(wall.tile(row, wrapped(there, columns)))) return std::nullopt;
-  double least = 1.0;
-  for (int column = there - within; column <= there + within; ++column) {
-    const int other = wall.tile(row, wrapped(column, columns));
-    if (model.trusted(other)) least = std::min(least, model.difference(tile, other));
+  const int begin = wall.column_of(tile) + first - within;
+  const int count = last - first + 1 + 2 * within;
+  constexpr double kUnknown = 2.0;  // more than any difference
+  std::array<double, kMostTurns> single{};
+  for (int i = 0; i < count; ++i) {
+    const int other = wall.tile(row, wrapped(begin + i, columns));
+    single[static_cast<std::size_t>(i)] = model.trusted(other) ? model.difference(tile, other) : kUnknown;
   }
-  return least;
+  for (int i = within; i + within < count; ++i) {
+    if (single[static_cast<std::size_t>(i)] == kUnknown) continue;
+    all.sum += *std::min_element(single.begin() + (i - within), single.begin() + (i + within + 1));
+    ++all.known;
+  }
 }
 
 }  // namespace
@@ -45,21 +60,16 @@ void SelfSimilarity::observe(const ComparedModel& model, const Wall& wall) {
   for (int row = 0; row < wall.rows(); ++row) {
     const int tile = wall.tile(row, next_);
     if (!model.trusted(tile)) continue;
-    const std::optional<double> half = difference_after(tile, columns / 2, model, wall);
-    if (!half) continue;
-    double sum = 0.0;
-    int known = 0;
-    for (int eighths = 1; eighths < 8; eighths += 2) {
-      for (int turn = eighths * columns / 8 - about; turn <= eighths * columns / 8 + about; ++turn) {
-        const std::optional<double> difference = difference_after(tile, turn, model, wall);
-        if (!difference) continue;
-        sum += *difference;
-        ++known;
-      }
+    Differences half, eighths;
+    add_differences(tile, columns / 2, columns / 2, model, wall, half);
+    if (half.known == 0) continue;
+    for (int eighth = 1; eighth < 8; eighth += 2) {
+      const int turn = eighth * columns / 8;
+      add_differences(tile, turn - about, turn + about, model, wall, eighths);
     }
-    if (known == 0) continue;
-    now.half += *half;
-    now.eighths += sum / known;
+    if (eighths.known == 0) continue;
+    now.half += half.sum;
+    now.eighths += eighths.sum / eighths.known;
     ++now.tiles;
   }
   columns_[static_cast<std::size_t>(next_)] = now;
