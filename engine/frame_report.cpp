@@ -43,7 +43,7 @@ void FrameLoop::complete_record() {
 void FrameLoop::fill_room() {
   if (!room_) return;
   RoomRecord& record = record_.room;
-  record.basis = model_basis(parameters_.room);
+  record.basis = room_->basis();
   record.half_width = parameters_.room.confidence.half_width;
   record.goal_half_width = parameters_.room.confidence.goal_half_width;
   record.center_of_view = room_->center_of_view();

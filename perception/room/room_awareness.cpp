@@ -17,11 +17,6 @@ constexpr double kLongestStep = 0.2;       // s; a longer gap is not time in whi
 
 }  // namespace
 
-ModelBasis model_basis(const RoomParameters& parameters) {
-  return {Wall(parameters.wall).parameters(), parameters.color, parameters.light.enabled,
-          parameters.pose_light.enabled};
-}
-
 RoomAwareness::RoomAwareness(const RoomParameters& parameters, std::uint64_t seed)
     : parameters_(parameters), wall_(parameters.wall), filter_(seed) {
   forget();
@@ -201,18 +196,22 @@ void RoomAwareness::forget() {
   view_center_.reset();
 }
 
+ModelBasis RoomAwareness::basis() const {
+  return {wall_.parameters(), parameters_.color, parameters_.light.enabled, parameters_.pose_light.enabled};
+}
+
 void RoomAwareness::take_model(const SavedModel& saved) {
-  const std::string different = differences(model_basis(parameters_), saved.basis);
+  const std::string different = differences(basis(), saved.basis);
   if (!different.empty()) throw UnfitModel("it was learned with other parameters: " + different);
   forget();
   model_ = saved.model;
 }
 
 void RoomAwareness::set_parameters(const RoomParameters& parameters) {
-  const bool model_holds = differences(model_basis(parameters_), model_basis(parameters)).empty();
+  const ModelBasis before = basis();
   parameters_ = parameters;
   wall_ = Wall(parameters.wall);
-  if (!model_holds) return forget();
+  if (!differences(before, basis()).empty()) return forget();
   if (!filter_.is_made_for(parameters_.view_filter)) filter_.spread(parameters_.view_filter);
 }
 

@@ -58,9 +58,6 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("views", p.views);
 }
 
-/// Of a model that is learned with these.
-ModelBasis model_basis(const RoomParameters& parameters);
-
 class RoomAwareness {
  public:
   explicit RoomAwareness(const RoomParameters& parameters = {}, std::uint64_t seed = 0);
@@ -99,6 +96,8 @@ class RoomAwareness {
   const Confidences& confidences() const { return confidences_; }
   const Wall& wall() const { return wall_; }
   const BackgroundModel& model() const { return model_; }
+  /// What the model's numbers mean.
+  ModelBasis basis() const;
   std::span<const PerceivedTile> perceived() const { return perceived_.tiles(); }
   const ViewFilter& view_filter() const { return filter_; }
   const ViewpointScores& scores() const { return scores_; }

@@ -61,7 +61,7 @@ void try_in_a_robot(const SavedModel& model) {
                                confidences.distinctiveness, room.light().luma, room.light().cb})
       require(std::isfinite(value), "what a robot makes of a model is finite");
   }
-  require(written({model_basis(room.parameters()), model.learned, room.model()}).size() == written(model).size(),
+  require(written({room.basis(), model.learned, room.model()}).size() == written(model).size(),
           "to look at a room does not change the wall");
 }
 

@@ -129,7 +129,7 @@ TEST(MergedModel, OfTwoRobotsTellsMoreThanEither) {
     test::ScanningRobot robot(room, {}, seed);
     robot.truth = robot.belief = place;
     robot.run(20.0);
-    SavedModel model{model_basis(robot.awareness.parameters()), 20.0, BackgroundModel()};
+    SavedModel model{robot.awareness.basis(), 20.0, BackgroundModel()};
     model.model = robot.awareness.model();
     return model;
   };

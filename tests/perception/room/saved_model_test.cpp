@@ -96,7 +96,7 @@ TEST(SavedModel, CutAnywhereIsRefused) {
 }
 
 SavedModel learned_by(const test::ScanningRobot& robot, double seconds) {
-  SavedModel model{model_basis(robot.awareness.parameters()), seconds, BackgroundModel()};
+  SavedModel model{robot.awareness.basis(), seconds, BackgroundModel()};
   model.model = robot.awareness.model();
   return model;
 }
