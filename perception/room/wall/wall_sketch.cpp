@@ -10,32 +10,6 @@
 
 namespace reorient {
 
-#ifdef __SSE4_1__
-
-namespace {
-
-/// Neighbouring rays, which go through everything side by side.
-using Four = __m128;
-
-Four all(float value) { return _mm_set1_ps(value); }
-Four absolute(Four x) { return _mm_andnot_ps(all(-0.0f), x); }
-Four load(const BandRays& rays, std::size_t first) { return _mm_loadu_ps(&rays[first]); }
-void store(Four values, BandRays& rays, std::size_t first) { _mm_storeu_ps(&rays[first], values); }
-/// b where the mask says so.
-Four choose(Four a, Four b, Four mask) { return _mm_blendv_ps(a, b, mask); }
-
-/// Within 2e-8 of the arc tangent of -1...1 (Abramowitz and Stegun, 4.4.49).
-Four arc_tangent(Four x) {
-  constexpr float kCoefficients[] = {0.0028662257f, -0.0161657367f, 0.0429096138f, -0.0752896400f,
-                                     0.1065626393f, -0.1420889944f, 0.1999355085f, -0.3333314528f};
-  const Four square = x * x;
-  Four sum = _mm_setzero_ps();
-  for (const float coefficient : kCoefficients) sum = (sum + all(coefficient)) * square;
-  return x + x * sum;
-}
-
-}  // namespace
-
 void WallSketch::prepare(const Wall& wall, const Isometry3& field_from_camera) {
   // Near the wall, and where the camera looks up or down, small errors of a ray are large ones on the wall.
   constexpr double kFarthest = 0.9;     // of the radius
@@ -66,6 +40,32 @@ void WallSketch::prepare(const Wall& wall, const Isometry3& field_from_camera) {
   const double highest = 4.0 * wall.radius() + std::abs(eye.z()) + std::abs(wall.bottom());
   row_error_ = static_cast<float>(kRowError * highest / wall.row_height());
 }
+
+#ifdef __SSE4_1__
+
+namespace {
+
+/// Neighbouring rays, which go through everything side by side.
+using Four = __m128;
+
+Four all(float value) { return _mm_set1_ps(value); }
+Four absolute(Four x) { return _mm_andnot_ps(all(-0.0f), x); }
+Four load(const BandRays& rays, std::size_t first) { return _mm_loadu_ps(&rays[first]); }
+void store(Four values, BandRays& rays, std::size_t first) { _mm_storeu_ps(&rays[first], values); }
+/// b where the mask says so.
+Four choose(Four a, Four b, Four mask) { return _mm_blendv_ps(a, b, mask); }
+
+/// Within 2e-8 of the arc tangent of -1...1 (Abramowitz and Stegun, 4.4.49).
+Four arc_tangent(Four x) {
+  constexpr float kCoefficients[] = {0.0028662257f, -0.0161657367f, 0.0429096138f, -0.0752896400f,
+                                     0.1065626393f, -0.1420889944f, 0.1999355085f, -0.3333314528f};
+  const Four square = x * x;
+  Four sum = _mm_setzero_ps();
+  for (const float coefficient : kCoefficients) sum = (sum + all(coefficient)) * square;
+  return x + x * sum;
+}
+
+}  // namespace
 
 bool WallSketch::draw(const BandRays& y, const BandRays& z) {
   if (!holds_) return true;
@@ -134,7 +134,6 @@ bool WallSketch::draw(const BandRays& y, const BandRays& z) {
 #else
 
 // Nothing is sure: all is computed exactly.
-void WallSketch::prepare(const Wall&, const Isometry3&) { leave_blank(); }
 bool WallSketch::draw(const BandRays&, const BandRays&) { return true; }
 
 #endif
