@@ -94,7 +94,7 @@ void FrameLoop::take_parameters(const std::vector<ParameterChange>& changes) {
   revision_ = registry_.revision();
   for (FieldFeatures& features : field_features_) features.set_parameters(parameters_.field_features);
   pose_filter_.set_parameters(parameters_.pose_filter);
-  if (room_) room_->set_parameters(parameters_.room);
+  if (room_ && room_->set_parameters(parameters_.room)) world_.trained_seconds = 0.0;
   arbiter_.set_parameters(parameters_.arbiter);
 }
 

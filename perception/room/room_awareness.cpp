@@ -207,12 +207,16 @@ void RoomAwareness::take_model(const SavedModel& saved) {
   model_ = saved.model;
 }
 
-void RoomAwareness::set_parameters(const RoomParameters& parameters) {
+bool RoomAwareness::set_parameters(const RoomParameters& parameters) {
   const ModelBasis before = basis();
   parameters_ = parameters;
   wall_ = Wall(parameters.wall);
-  if (!differences(before, basis()).empty()) return forget();
+  if (!differences(before, basis()).empty()) {
+    forget();
+    return true;
+  }
   if (!filter_.is_made_for(parameters_.view_filter)) filter_.spread(parameters_.view_filter);
+  return false;
 }
 
 /// After reading.

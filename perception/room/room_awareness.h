@@ -89,8 +89,9 @@ class RoomAwareness {
   /// UnfitModel, with one line, where it was learned on another basis.
   void take_model(const SavedModel& saved);
 
-  /// From the next frame on. Another wall (or another way of counting colours) makes the model void: it is forgotten.
-  void set_parameters(const RoomParameters& parameters);
+  /// From the next frame on. Another wall (or another way of counting colours) makes the model void: then true, and the
+  /// room is forgotten.
+  bool set_parameters(const RoomParameters& parameters);
   const RoomParameters& parameters() const { return parameters_; }
 
   const Confidences& confidences() const { return confidences_; }

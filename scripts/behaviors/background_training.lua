@@ -26,6 +26,8 @@ local function knows_the_room()
   return training.seconds >= p.min_time and confidence.paired >= p.paired
 end
 
+local function is_known_no_more() return training.seconds < p.min_time and not knows_the_room() end
+
 local function is_vouched_for() return pose.known and not memory.was_lifted end
 
 local function wins()
@@ -86,6 +88,7 @@ behavior "background_training" {
   state "trusting" {
     initial = "watching",
     enter = function() memory.has_begun = true end,
+    { "waiting", when = is_known_no_more, because = "the room was forgotten: the wall or the colours were set anew" },
 
     state "watching" {
       enter = function() command.pause_training() end,

@@ -52,6 +52,15 @@ test("it trusts the model after a while whatever is known", function()
   expect.state("background_training", "trusting/watching")
 end)
 
+test("a room that was forgotten is learned again", function()
+  learned()
+  expect.state("background_training", "trusting/watching")
+  set_world { training = { seconds = 0 }, confidence = { paired = 0 } }
+  advance(0.1)
+  expect.state("background_training", "learning/studying")
+  expect.lease("pause_evaluation")
+end)
+
 test("while it learns from a pose that it was told, it purges reflected beliefs", function()
   start()
   set_world { training = { seconds = 5 }, pose = { reflected_weight = 0.02 } }

@@ -188,6 +188,17 @@ TEST(Frame, TrainsOnlyWithAPose) {
   EXPECT_NEAR(told.world().trained_seconds, 10 * kStep, 1e-9);
 }
 
+TEST(Frame, HasLearnedNothingOfTheRoomOnceItsWallIsAnother) {
+  ToldLoop loop(kIdle);
+  loop.step(10);
+  loop.inputs.parameter_changes.push_back({"view_filter.sharpness", "100", ParameterOrigin::live, ""});
+  loop.step();
+  EXPECT_NEAR(loop.world().trained_seconds, 11 * kStep, 1e-9);
+  loop.inputs.parameter_changes.push_back({"wall.columns", "36", ParameterOrigin::live, ""});
+  loop.step();
+  EXPECT_NEAR(loop.world().trained_seconds, kStep, 1e-9);
+}
+
 TEST(Frame, NeitherTrainsNorEvaluatesNorSeesTheFieldWhileItLies) {
   ToldLoop loop(kIdle);
   loop.step(10);
