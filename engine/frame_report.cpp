@@ -50,11 +50,13 @@ void FrameLoop::fill_room() {
   record.light = room_->light();
   record.model.assign(room_->model().tiles().begin(), room_->model().tiles().end());
   record.perceived.clear();
+  record.perceived.reserve(record.model.size());
   if (record_.inputs.room_camera) record.perceived.assign(room_->perceived().begin(), room_->perceived().end());
   const ViewFilter& filter = room_->view_filter();
   record.particles.assign(filter.particles().begin(), filter.particles().end());
   record.cells.clear();
   for (std::size_t i = 0; i < filter.grid().cells(); ++i) record.cells.push_back(filter.grid().cell(i));
+  record.clusters.reserve(record.particles.size() + record.cells.size());
   record.clusters.assign(filter.clusters().begin(), filter.clusters().end());
 }
 

@@ -10,7 +10,7 @@ enum class ViewMethod {
 constexpr int enum_count(ViewMethod) { return 2; }
 
 struct ViewFilterParameters {
-  ViewMethod method = ViewMethod::particles;
+  ViewMethod method = ViewMethod::grid;
   int particles = 100;
   int cells = 96;
   double noise = 0.166;

@@ -77,8 +77,10 @@ TEST(HalfTime, MakesTheModelThatIsLearnedFromTurnedPoses) {
   }
 }
 
-TEST(HalfTime, LeavesTheConfidencesAsIfNothingHadHappened) {
-  ScanningRobot robot(PaintedRoom::colorful(4), {}, 4);
+TEST(HalfTime, LeavesTheConfidencesOfParticlesAsIfNothingHadHappened) {
+  RoomParameters parameters;
+  parameters.view_filter.method = ViewMethod::particles;
+  ScanningRobot robot(PaintedRoom::colorful(4), parameters, 4);
   robot.run(15.0);
   robot.train = false;
   ScanningRobot turned = robot;
@@ -104,9 +106,7 @@ TEST(HalfTime, LeavesTheConfidencesAsIfNothingHadHappened) {
 }
 
 TEST(HalfTime, LeavesTheConfidencesOfAGridAsIfNothingHadHappened) {
-  RoomParameters parameters;
-  parameters.view_filter.method = ViewMethod::grid;
-  ScanningRobot robot(PaintedRoom::colorful(4), parameters, 4);
+  ScanningRobot robot(PaintedRoom::colorful(4), {}, 4);
   robot.run(15.0);
   robot.train = false;
   ScanningRobot turned = robot;
@@ -125,8 +125,11 @@ TEST(HalfTime, LeavesTheConfidencesOfAGridAsIfNothingHadHappened) {
 }
 
 TEST(HalfTime, TurnsTheViewParticlesWithTheWall) {
-  ScanningRobot robot(PaintedRoom::colorful(5), {}, 5);
+  RoomParameters parameters;
+  parameters.view_filter.method = ViewMethod::particles;
+  ScanningRobot robot(PaintedRoom::colorful(5), parameters, 5);
   robot.run(5.0);
+  ASSERT_FALSE(robot.awareness.view_filter().particles().empty());
   const std::vector<ViewParticle> before(robot.awareness.view_filter().particles().begin(),
                                          robot.awareness.view_filter().particles().end());
   const std::optional<double> center = robot.awareness.center_of_view();

@@ -25,9 +25,9 @@ namespace reorient {
 namespace {
 
 TEST(Memory, TheSteadyStateAllocatesNothing) {
-  RoomParameters on_grid;
-  on_grid.view_filter.method = ViewMethod::grid;
-  for (const RoomParameters& parameters : {RoomParameters{}, test::paper_recipe(), on_grid}) {
+  RoomParameters by_particles;
+  by_particles.view_filter.method = ViewMethod::particles;
+  for (const RoomParameters& parameters : {RoomParameters{}, test::paper_recipe(), by_particles}) {
     test::ScanningRobot robot(test::PaintedRoom::colorful(1), parameters, 1);
     const std::vector<CoveredArea> covered = {{20, 30, 60, 119}};
     long during_updates = 0;

@@ -47,6 +47,7 @@ inline RoomParameters paper_recipe() {
   paper.background.true_mean_start = false;
   paper.background.prior_deviation = 0.0;
   paper.background.trusted_after = 0.0;
+  paper.view_filter.method = ViewMethod::particles;
   paper.view_filter.sharpness = 150.0;
   paper.view_filter.clear_lead = 0.0;
   paper.confidence.time_constant = 60.5 / 30.0;

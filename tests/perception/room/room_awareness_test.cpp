@@ -24,6 +24,12 @@ RoomParameters parameters_of(Recipe recipe) {
   return recipe == Recipe::paper ? test::paper_recipe() : RoomParameters{};
 }
 
+RoomParameters by_particles() {
+  RoomParameters parameters;
+  parameters.view_filter.method = ViewMethod::particles;
+  return parameters;
+}
+
 /// A robot that has learned the room for 20 s from where it knows that it stands, and learns no more.
 ScanningRobot trained_robot(const PaintedRoom& room, const RoomParameters& parameters, std::uint64_t seed = 1) {
   ScanningRobot robot(room, parameters, seed);
@@ -144,7 +150,7 @@ TEST(RoomAwareness, WithoutTrainingTheModelStaysAsItIs) {
 }
 
 TEST(RoomAwareness, WithoutEvaluationFilterAndConfidencesRest) {
-  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), by_particles());
   const Confidences before = robot.awareness.confidences();
   const double azimuth = robot.awareness.view_filter().particles()[0].azimuth;
   robot.evaluate = false;
@@ -192,7 +198,7 @@ TEST(RoomAwareness, AnotherWallForgetsTheModelAndAnotherNumberDoesNot) {
 }
 
 TEST(RoomAwareness, AnotherNumberOfParticlesTakesEffectAtOnce) {
-  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), by_particles());
   RoomParameters parameters = robot.awareness.parameters();
   parameters.view_filter.particles = 30;
   robot.awareness.set_parameters(parameters);
@@ -204,7 +210,7 @@ TEST(RoomAwareness, AnotherNumberOfParticlesTakesEffectAtOnce) {
 TEST(RoomAwareness, AnotherViewFilterTakesOverAtOnce) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
   RoomParameters parameters = robot.awareness.parameters();
-  for (const ViewMethod method : {ViewMethod::grid, ViewMethod::particles}) {
+  for (const ViewMethod method : {ViewMethod::particles, ViewMethod::grid}) {
     parameters.view_filter.method = method;
     robot.awareness.set_parameters(parameters);
     const ViewFilter& filter = robot.awareness.view_filter();
@@ -232,8 +238,8 @@ TEST(RoomAwareness, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
 }
 
 TEST(RoomAwareness, AJumpOfTheBeliefDoesNotMoveTheParticles) {
-  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
-  RoomParameters parameters;
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), by_particles());
+  RoomParameters parameters = by_particles();
   parameters.view_filter.noise = 0.0;
   parameters.view_filter.sharpness = 0.0;
   parameters.view_filter.injection = 0.0;
@@ -248,7 +254,7 @@ TEST(RoomAwareness, AJumpOfTheBeliefDoesNotMoveTheParticles) {
 }
 
 TEST(RoomAwareness, ParticlesTurnWithTheBody) {
-  RoomParameters parameters;
+  RoomParameters parameters = by_particles();
   parameters.view_filter.noise = 0.0;
   parameters.view_filter.injection = 0.0;
   ScanningRobot robot(PaintedRoom::colorful(1), parameters, 1);
