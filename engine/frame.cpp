@@ -3,24 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/covered_areas.h"
 #include "engine/stage_timer.h"
 
 namespace reorient {
 namespace {
-
-/// What stands on the field hides the room behind it: a tile counts only where it is really seen.
-void collect_covered(const FieldPercept& percept, std::vector<CoveredArea>& covered) {
-  covered.clear();
-  for (const Obstacle& obstacle : percept.obstacles) {
-    covered.push_back({obstacle.left, obstacle.top, obstacle.right, obstacle.bottom});
-  }
-  for (const GoalPost& post : percept.goal_posts) {
-    const auto [left, right] = std::minmax(post.base.x(), post.top.x());
-    const float half_width = 0.1f * (post.base.y() - post.top.y());  // a post is an eighth as wide as it is high
-    covered.push_back({static_cast<int>(left - half_width), static_cast<int>(post.top.y()),
-                       static_cast<int>(right + half_width), static_cast<int>(post.base.y())});
-  }
-}
 
 const FieldDimensions& checked(const FieldDimensions& field) {
   if (const std::string mistake = mistake_in(field); !mistake.empty()) throw std::runtime_error("field: " + mistake);
