@@ -24,11 +24,6 @@ namespace {
 
 using test::some_model;
 
-std::string digest_of(const ProgramRun& run) {
-  const std::size_t begin = run.out.find("digest: ");
-  return begin == std::string::npos ? "none" : run.out.substr(begin, 24);
-}
-
 class RunWithAModel : public ::testing::Test {
  protected:
   std::string file_of(const SavedModel& model, const std::string& name = "yesterday.model") const {

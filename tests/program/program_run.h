@@ -36,6 +36,12 @@ inline ProgramRun run_shortly(const std::vector<std::string>& more) {
   return run_reorient(words);
 }
 
+/// What it printed of its digest; empty if it printed none.
+inline std::string digest_of(const ProgramRun& run) {
+  const std::size_t place = run.out.rfind("digest: ");
+  return place == std::string::npos ? std::string() : run.out.substr(place, 24);
+}
+
 /// A copy of the shipped scripts, to be broken.
 inline std::filesystem::path copy_scripts(const std::filesystem::path& folder) {
   std::filesystem::path copy = folder / "scripts";
