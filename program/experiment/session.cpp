@@ -165,6 +165,7 @@ void Session::prepare_conditions() {
     const Condition condition = condition_of(task);
     const SimulationOptions options = options_of(condition, task.seed, scripts_);
     const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
+    if (condition.compasses) static_cast<void>(compass_parameters_of(condition));
     const RecordedBehaviors nobody;
     const ScenarioHost scenario(texts, scenario_file(scripts_, texts, options.scenario), overrides, nobody);
     const Venue venue = venue_of(options, scenario.setting());

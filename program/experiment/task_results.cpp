@@ -55,6 +55,12 @@ ordered_json to_json(const TrialResult& result) {
     visit_values([&values](const auto& value) { values.push_back(as_json(value)); }, sample);
     json["confidences"].push_back(std::move(values));
   }
+  json["looks"] = ordered_json::array();
+  for (const CompassLook& look : result.looks) {
+    ordered_json values;
+    visit_scores([&values](double score) { values.push_back(score); }, look);
+    json["looks"].push_back(std::move(values));
+  }
   return json;
 }
 
@@ -64,6 +70,10 @@ TrialResult result_from(const ordered_json& json) {
   for (const ordered_json& values : json.at("confidences")) {
     std::size_t i = 0;
     visit_values([&](auto& value) { read_value(values.at(i++), value); }, result.confidences.emplace_back());
+  }
+  for (const ordered_json& values : json.at("looks")) {
+    std::size_t i = 0;
+    visit_scores([&](double& score) { read_value(values.at(i++), score); }, result.looks.emplace_back());
   }
   return result;
 }

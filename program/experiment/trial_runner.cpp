@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "engine/record/frame_record.h"
+#include "program/experiment/compass_parameters.h"
 #include "program/run/simulation.h"
+#include "workbench/experiments/trial/compass_observer.h"
 #include "workbench/experiments/trial/trial_observer.h"
 #include "workbench/run/run_loop.h"
 
@@ -27,7 +29,7 @@ SimulationOptions options_of(const Condition& condition, std::uint64_t seed, con
   options.room_awareness = condition.room_awareness;
   options.seconds = condition.seconds;
   options.parameters.files.assign(condition.parameter_files.begin(), condition.parameter_files.end());
-  options.parameters.changes = condition.parameters;
+  options.parameters.changes = condition.compasses ? without_peers(condition.parameters) : condition.parameters;
   return options;
 }
 
@@ -75,6 +77,13 @@ std::optional<SavedModel> model_of_another_day(const Condition& condition, std::
 
 }  // namespace
 
+CompassParameters compass_parameters_of(const Condition& condition) {
+  ParameterOptions told;
+  told.files.assign(condition.parameter_files.begin(), condition.parameter_files.end());
+  told.changes = condition.parameters;
+  return compass_parameters(overrides_of(told));
+}
+
 TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts,
                       RoomCache& rooms) {
   Simulation simulation(options_of(condition, seed, scripts), &rooms,
@@ -82,9 +91,15 @@ TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std:
   TrialObserver observer(condition.measurement);
   RunParts parts = simulation.parts();
   parts.observers = {&observer};
+  std::optional<CompassObserver> compasses;
+  if (condition.compasses) {
+    compasses.emplace(compass_parameters_of(condition), observer, seed);
+    parts.observers.push_back(&*compasses);
+  }
   parts.stop = [&observer] { return observer.is_over(); };
   RunLoop(std::move(parts)).run();
   TrialResult result = observer.result();
+  if (compasses) result.looks = compasses->looks();
   result.seed = seed;
   return result;
 }

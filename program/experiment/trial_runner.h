@@ -7,12 +7,16 @@
 #include "program/robots.h"
 #include "program/run/run_options.h"
 #include "workbench/experiments/condition/condition.h"
+#include "workbench/experiments/peers/compass_methods.h"
 #include "workbench/experiments/trial/trial_result.h"
 
 namespace reorient {
 
 /// What `reorient run` would be asked for. Throws std::runtime_error with one line.
 SimulationOptions options_of(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
+
+/// Of what is compared where a condition has compasses. Throws std::runtime_error with one line.
+CompassParameters compass_parameters_of(const Condition& condition);
 
 /// The same result for the same condition and seed, whatever ran before. `rooms`: what is kept between trials. Throws
 /// std::runtime_error (of scripts: ScriptError) with one line.

@@ -9,7 +9,9 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/utf8.h"
+#include "program/experiment/outputs/compass_table.h"
 #include "program/experiment/outputs/text_table.h"
+#include "workbench/experiments/tables/compass_rows.h"
 #include "workbench/experiments/tables/outcome.h"
 
 namespace reorient {
@@ -95,6 +97,7 @@ std::string on_lines(const ordered_json& row) {
 }  // namespace
 
 void print_rows(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out) {
+  if (have_looks(cells)) return print_compasses(experiment, cells, out);
   TextTable lines(1);
   for (const Axis& axis : experiment.axes) lines[0].push_back(as_line(axis.name));
   for (const char* title : {"trials", "failed [95 %]", "right after, s", "median", "p90", "mended after, s", "flips",
@@ -109,7 +112,11 @@ void print_rows(const Experiment& experiment, const std::vector<CellResults>& ce
 }
 
 void check_axis_names(const Experiment& experiment) {
-  const auto numbers = ordered_json::parse(rows_as_json({}, {CellResults()})).at(0);
+  CellResults cell;
+  const std::vector<Cell> cells = reorient::cells_of(experiment);
+  if (std::any_of(cells.begin(), cells.end(), [](const Cell& one) { return one.condition.compasses; }))
+    cell.trials.emplace_back().looks.emplace_back();
+  const auto numbers = ordered_json::parse(rows_as_json({}, {cell})).at(0);
   for (const Axis& axis : experiment.axes) {
     if (numbers.contains(as_utf8(axis.name)))
       throw std::runtime_error("the axis '" + as_line(axis.name) +
@@ -118,6 +125,7 @@ void check_axis_names(const Experiment& experiment) {
 }
 
 std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& rows) {
+  if (have_looks(rows)) return compasses_as_json(experiment, rows);
   std::string text;
   for (const CellResults& cell : rows) {
     const Row& row = cell.row;

@@ -10,7 +10,8 @@
 
 namespace reorient {
 
-/// A table as wide as its texts; below it, what others measured.
+/// A table as wide as its texts; below it, what others measured. Where compasses were compared: how well they tell a
+/// pose from its reflection, instead (compass_table.h); so in JSON, too.
 void print_rows(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out);
 
 /// A list of rows: the axes' choices, the numbers, and a line for each trial (docs/experiments.md); ends with a line

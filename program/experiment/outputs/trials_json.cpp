@@ -36,6 +36,17 @@ ordered_json confidences_as_json(const std::vector<ConfidenceSample>& samples) {
   return json;
 }
 
+ordered_json looks_as_json(const std::vector<CompassLook>& looks) {
+  ordered_json json = ordered_json::array();
+  for (const CompassLook& look : looks) {
+    ordered_json& methods = json.emplace_back();
+    for (std::size_t i = 0; i < look.size(); ++i)
+      methods[std::string(kCompassMethods[i])] = {{"if_right", look[i].if_right},
+                                                  {"if_reflected", look[i].if_reflected}};
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string trials_as_json(const Experiment& experiment, const std::vector<CellResults>& cells) {
@@ -48,6 +59,7 @@ std::string trials_as_json(const Experiment& experiment, const std::vector<CellR
         json["choices"][as_utf8(experiment.axes[i].name)] = as_utf8(cell.choices[i]);
       visit_columns([&json](const char* name, const auto& value) { json[name] = value_or_null(value); }, trial);
       json["confidences"] = confidences_as_json(trial.confidences);
+      if (!trial.looks.empty()) json["looks"] = looks_as_json(trial.looks);
       text.append(text.empty() ? "[\n" : ",\n").append(json.dump());
     }
   }

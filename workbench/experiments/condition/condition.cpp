@@ -51,6 +51,7 @@ void apply(const ConditionPatch& patch, Condition& condition) {
   set(condition.room_awareness, patch.room_awareness);
   set(condition.seconds, patch.seconds);
   set(condition.learned_before, patch.learned_before);
+  set(condition.compasses, patch.compasses);
   set(condition.measurement.from, patch.measured_from);
   set(condition.measurement.limit, patch.limit);
   set(condition.measurement.hold, patch.hold);
@@ -77,6 +78,7 @@ std::string as_text(const Condition& condition) {
   add("room_awareness", condition.room_awareness ? "true" : "false");
   add("seconds", number(condition.seconds));
   if (condition.learned_before > 0.0) add("learned_before", number(condition.learned_before));
+  if (condition.compasses) add("compasses", "true");
   add("measured_from", condition.measurement.from);
   add("limit", number(condition.measurement.limit));
   add("hold", number(condition.measurement.hold));

@@ -27,6 +27,7 @@ struct Condition {
   bool room_awareness = true;
   double seconds = 600.0;       ///< of the robot's time, at most
   double learned_before = 0.0;  ///< s for which the robot learned the room on another day; 0: it did not
+  bool compasses = false;       ///< whether room awareness and its peers are asked the same (trial/compass_observer.h)
   Measurement measurement;
 };
 
@@ -49,6 +50,7 @@ struct ConditionPatch {
   std::optional<bool> room_awareness;
   std::optional<double> seconds;
   std::optional<double> learned_before;
+  std::optional<bool> compasses;
   std::optional<std::string> measured_from;
   std::optional<double> limit;
   std::optional<double> hold;

@@ -170,6 +170,7 @@ class ExperimentReader {
         {"room_awareness", [&](auto& key, auto& value) { patch.room_awareness = in.yes(key, value); }},
         {"seconds", [&](auto& key, auto& value) { patch.seconds = in.number(key, value, 1.0, kDay); }},
         {"learned_before", [&](auto& key, auto& value) { patch.learned_before = in.number(key, value, 0.0, kDay); }},
+        {"compasses", [&](auto& key, auto& value) { patch.compasses = in.yes(key, value); }},
         {"measured_from", [&](auto& key, auto& value) { patch.measured_from = in.text(key, value); }},
         {"limit", [&](auto& key, auto& value) { patch.limit = in.number(key, value, 0.0, kDay); }},
         {"hold", [&](auto& key, auto& value) { patch.hold = in.number(key, value, 0.0, kDay); }},

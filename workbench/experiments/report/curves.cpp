@@ -4,6 +4,7 @@
 #include "workbench/experiments/charts/numbers.h"
 #include "workbench/experiments/charts/plot.h"
 #include "workbench/experiments/report/figures.h"
+#include "workbench/experiments/report/roc_points.h"
 #include "workbench/experiments/statistics/calibration.h"
 #include "workbench/experiments/statistics/roc.h"
 #include "workbench/experiments/statistics/times.h"
@@ -67,7 +68,8 @@ ScoredSamples samples_of(const Report& report, const Series& series) {
   return samples;
 }
 
-/// Without the points that nobody could tell from their neighbours.
+}  // namespace
+
 std::vector<PlotPoint> as_points(const std::vector<RocPoint>& curve) {
   constexpr double kVisible = 0.002;
   std::vector<PlotPoint> points;
@@ -78,8 +80,6 @@ std::vector<PlotPoint> as_points(const std::vector<RocPoint>& curve) {
   }
   return points;
 }
-
-}  // namespace
 
 void draw_time_to_right(Markup& out, const Report& report) {
   const bool has_any = std::any_of(report.cells.begin(), report.cells.end(),

@@ -19,6 +19,9 @@ void draw_roc(Markup& out, const Report& report);
 /// Whether the evidence is right as often as it says: a line for each series.
 void draw_reliability(Markup& out, const Report& report);
 
+/// How well room awareness and its peers tell a pose from its reflection; nothing where no trial compared them.
+void draw_compasses(Markup& out, const Report& report);
+
 /// The confidences of the best, the median, the worst and the failed trials of each series.
 void draw_confidences(Markup& out, const Report& report);
 

@@ -106,6 +106,7 @@ std::string report_page(const Report& report) {
     {
       const Element content(out, "main");
       out.leaf("h2", "What it showed");
+      draw_compasses(out, report);
       draw_rows(out, report);
       draw_failures(out, report);
       draw_references(out, report);

@@ -1,0 +1,89 @@
+// An experiment that compares room awareness with its peers, from the command to the page.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/short_experiment.h"
+#include "tests/well_formed.h"
+#include "workbench/experiments/peers/compass_look.h"
+
+namespace reorient {
+namespace {
+
+constexpr const char* kCompared = R"(title = "Who knows?"
+trials = 2
+[condition]
+scenario = "trial"
+compasses = true
+width = 160
+room_awareness = false
+without = ["orientation", "background_training", "kidnap_recovery", "goal_search", "wall_gaze"]
+parameters.trial.event = "none"
+parameters.trial.learn = 12.0
+parameters.trial.wait_least = 100.0
+parameters.trial.wait_most = 100.0
+parameters.transition_compass.palette = 2.0
+measured_from = "waiting"
+limit = 8.2
+hold = 0
+)";
+
+class CompassExperiment : public ShortExperiment {
+ protected:
+  CompassExperiment() { folder.write("short.toml", kCompared); }
+};
+
+TEST_F(CompassExperiment, GivesARowForEachMethod) {
+  const ProgramRun done =
+      run({"--out", path("out"), "--json", path("rows.json"), "--report", path("report"), "--jobs", "2"});
+  ASSERT_EQ(done.code, kSuccess) << done.err;
+  for (const std::string_view method : kCompassMethods) EXPECT_NE(done.out.find(method), std::string::npos) << done.out;
+  const auto rows = nlohmann::json::parse(read_text(path("rows.json")));
+  ASSERT_EQ(rows.size(), kCompassMethods.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i]["method"], kCompassMethods[i]);
+    EXPECT_EQ(rows[i]["trials"], 2);
+    EXPECT_EQ(rows[i]["looks"], 2);
+    for (const char* key : {"auc_frame", "auc_1s", "auc_3s", "eer_frame", "eer_1s", "eer_3s", "silent_3s"}) {
+      EXPECT_GE(rows[i][key], 0.0) << key;
+      EXPECT_LE(rows[i][key], 1.0) << key;
+    }
+    EXPECT_LE(rows[i]["auc_3s_low"], rows[i]["auc_3s_high"]);
+  }
+  EXPECT_EQ(rows[0]["auc_3s"], 1.0) << "the light has not changed: room awareness knows";
+  const std::string page = read_text(path("report/index.html"));
+  EXPECT_EQ(mistake_in_markup(page), "");
+  EXPECT_NE(page.find("id=\"compasses\""), std::string::npos);
+  EXPECT_EQ(read_text(path("report/rows.json")), read_text(path("rows.json")));
+  const auto trials = nlohmann::json::parse(read_text(path("report/trials.json")));
+  ASSERT_EQ(trials[0]["looks"].size(), 1U);
+  EXPECT_EQ(trials[0]["looks"][0]["room awareness"]["if_right"].size(), kLookTimes.size());
+  // What is read back is what was measured, and what was measured is the same in one process.
+  EXPECT_EQ(run({"--out", path("out"), "--json", path("again.json"), "--resume"}).code, kSuccess);
+  EXPECT_EQ(read_text(path("again.json")), read_text(path("rows.json")));
+  EXPECT_EQ(table("alone"), read_text(path("rows.json")));
+}
+
+TEST_F(CompassExperiment, TakesAPeersParametersAndRefusesThoseThatItDoesNotHave) {
+  expect_refused({"--set", "tile_row_compass.colums=24"}, "tile_row_compass.columns");
+  expect_refused({"--set", "horizon_compass.band=-1"}, "horizon_compass.band");
+  EXPECT_EQ(run({"--out", path("out"), "--trials", "1", "--set", "tile_row_compass.columns=24"}).code, kSuccess);
+}
+
+TEST_F(CompassExperiment, RefusesAPeersParametersWhereNothingIsCompared) {
+  std::string text = kCompared;
+  text.replace(text.find("compasses = true"), 16, "compasses = false");
+  folder.write("short.toml", text);
+  expect_refused({"--out", path("out"), "--trials", "1", "--set", "tile_row_compass.columns=24"},
+                 "tile_row_compass.columns");
+}
+
+TEST_F(CompassExperiment, RefusesAnAxisThatIsCalledAsANumber) {
+  folder.write("short.toml", std::string(kCompared) + "[[axis]]\nname = \"looks\"\n[[axis.choice]]\nname = \"a\"\n");
+  expect_refused({"--out", path("out")}, "looks");
+}
+
+}  // namespace
+}  // namespace reorient

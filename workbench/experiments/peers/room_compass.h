@@ -1,0 +1,32 @@
+// Room awareness, asked as its peers are.
+#pragma once
+
+#include <cstdint>
+
+#include "perception/room/room_awareness.h"
+#include "workbench/experiments/peers/orientation_compass.h"
+
+namespace reorient {
+
+/// What it says.
+enum class RoomScore {
+  evidence,     ///< its log-odds
+  confidences,  ///< the smoothed confidence in the reflection less that in the pose: what the paper decides by
+};
+
+class RoomCompass : public OrientationCompass {
+ public:
+  RoomCompass(const RoomParameters& parameters, RoomScore score, std::uint64_t seed)
+      : awareness_(parameters, seed), score_(score) {}
+
+  void learn(const RoomObservation& view) override;
+  void begin() override { awareness_.begin_anew(); }
+  double compare(const RoomObservation& view) override;
+  std::unique_ptr<OrientationCompass> clone() const override { return std::make_unique<RoomCompass>(*this); }
+
+ private:
+  RoomAwareness awareness_;
+  RoomScore score_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,105 @@
+// A static visual compass on transitions between colour classes, after Sturm and Visser, "An appearance-based visual
+// compass for mobile robots" (Robotics and Autonomous Systems 57, 2009). docs/peers.md says what was known of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "workbench/experiments/peers/color_classes.h"
+#include "workbench/experiments/peers/horizon.h"
+#include "workbench/experiments/peers/orientation_compass.h"
+
+namespace reorient {
+
+struct TransitionCompassParameters {
+  int classes = 16;
+  double chroma = 2.0;
+  double light_memory = 0.0;
+  double palette = 10.0;
+  int sectors = 80;
+  int columns = 80;
+  double elevation = 0.3;
+  int bands = 3;
+  double radius = 8.0;
+  double prior = 200.0;
+  double cap = 4.0;
+};
+template <typename Visit>
+void describe(TransitionCompassParameters& p, Visit&& visit) {
+  visit("classes", p.classes, 2, 24, "", "colours that are told apart");
+  visit("chroma", p.chroma, 0.0, 10.0, "", "how much more chroma counts than luma where they are found");
+  visit("light_memory", p.light_memory, 0.0, 600.0, "s",
+        "over how long the room's mean colour runs, which is taken off first; 0: colours are as the camera sees them");
+  visit("palette", p.palette, 0.0, 600.0, "s", "of the learning, at first, for finding the colours");
+  visit("sectors", p.sectors, 4, 720, "", "parts of the circle; made even");
+  visit("columns", p.columns, 4, 640, "", "scan lines in an image");
+  visit("elevation", p.elevation, 0.02, 1.0, "rad", "how far scan lines reach up from the horizon");
+  visit("bands", p.bands, 1, 8, "",
+        "parts of that height with scan lines of their own, so that a camera that looks down still sees some");
+  visit("radius", p.radius, 6.0, 100.0, "m", "of the wall on which azimuths are; 100: as good as infinitely far");
+  visit("prior", p.prior, 0.01, 1000.0, "", "scan lines of the whole room for which each sector begins");
+  visit("cap", p.cap, 0.01, 100.0, "", "log-likelihood that one scan line can give at most");
+}
+
+/// Scan lines go up from the horizon, band by band. For each sector of the circle, each band and each ordered pair of
+/// colour classes it is learned how often a line has none, one, or several transitions from the one to the other. A
+/// line's log-likelihood in a sector is the sum over the pairs.
+class TransitionCompass : public OrientationCompass {
+ public:
+  explicit TransitionCompass(const TransitionCompassParameters& parameters = {}, std::uint64_t seed = 0);
+
+  void learn(const RoomObservation& view) override;
+  void begin() override { score_ = 0.0; }
+  double compare(const RoomObservation& view) override;
+  std::unique_ptr<OrientationCompass> clone() const override { return std::make_unique<TransitionCompass>(*this); }
+
+ private:
+  /// Upwards in a column of the image.
+  struct ScanLine {
+    int x = 0;  // pixels
+    double bottom = 0.0;
+    double top = 0.0;
+    int band = 0;
+    double azimuth = 0.0;  // rad
+  };
+
+  bool look(const RoomObservation& view);
+  void sample_colors(const RoomObservation& view);
+  void scan(const RoomObservation& view, const ScanLine& line);
+  static Ycbcr pixel_of(const ImageView& image, const ScanLine& line, int k);
+  void prepare();
+  void prepare(std::size_t here, int pair, const std::array<double, 2>& usual);
+  /// Where a sector's band, and where a pair of classes in it, is kept.
+  std::size_t place(int sector, int band) const { return static_cast<std::size_t>(sector * parameters_.bands + band); }
+  std::size_t cell(std::size_t place, int pair) const {
+    return place * static_cast<std::size_t>(pairs_) + static_cast<std::size_t>(pair);
+  }
+  std::size_t places() const { return place(parameters_.sectors, 0); }
+
+  TransitionCompassParameters parameters_;
+  std::uint64_t seed_;
+  Wall wall_;
+  std::vector<double> slopes_;  // at which each band ends
+  RunningLight light_;
+  std::vector<Ycbcr> palette_;  // colours of the beginning
+  double first_time_ = 0.0;
+  bool any_time_ = false;
+  ColorClasses classes_;
+  int pairs_ = 0;  // classes^2
+
+  std::vector<int> lines_;                         // learned, for each place
+  std::vector<std::array<float, 2>> transitions_;  // lines with one and with several, for each place and pair
+  bool is_prepared_ = false;
+  std::vector<double> nothing_;              // log-likelihood of a line without any transition, by place
+  std::vector<std::array<float, 2>> gains_;  // by which one or several transitions change it
+
+  // Of this frame.
+  std::vector<HorizonColumn> columns_;
+  std::vector<ScanLine> scan_lines_;
+  std::vector<int> counts_;   // of each pair on the present scan line
+  std::vector<int> present_;  // pairs with a count
+  double score_ = 0.0;
+};
+
+}  // namespace reorient

@@ -1,0 +1,14 @@
+// An ROC curve as it is drawn.
+#pragma once
+
+#include <vector>
+
+#include "workbench/experiments/charts/plot.h"
+#include "workbench/experiments/statistics/roc.h"
+
+namespace reorient {
+
+/// Without the points that nobody could tell from their neighbours.
+std::vector<PlotPoint> as_points(const std::vector<RocPoint>& curve);
+
+}  // namespace reorient

@@ -1,0 +1,39 @@
+// How well each method tells a pose from its reflection, over many trials.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "workbench/experiments/condition/condition.h"
+#include "workbench/experiments/statistics/roc.h"
+#include "workbench/experiments/tables/cell_results.h"
+
+namespace reorient {
+
+/// Whether any trial compared compasses.
+bool have_looks(const std::vector<CellResults>& cells);
+
+/// After one of kLookTimes.
+struct CompassFigure {
+  std::vector<RocPoint> curve;  ///< found reflections over false alarms
+  double area = 0.0;            ///< below it
+  Interval area_interval;       ///< by bootstrap of whole trials
+  double equal_error = 0.0;
+  Interval equal_error_interval;  ///< Wilson's, as if looks were independent
+  double silent = 0.0;            ///< share of looks in which the method says nothing
+};
+
+struct CompassRow {
+  std::vector<std::string> choices;  ///< one for each axis; "all": pooled over it
+  std::size_t method = 0;            ///< of kCompassMethods
+  int trials = 0;                    ///< that had any look
+  int looks = 0;
+  std::array<CompassFigure, kLookTimes.size()> figures;
+};
+
+/// The choices of the last axis stay apart. For each of them and each method there is a row that is pooled over all
+/// other axes; then, for each choice of each other axis that has several, one that is pooled over the rest.
+std::vector<CompassRow> compass_rows(const Experiment& experiment, const std::vector<CellResults>& cells);
+
+}  // namespace reorient
