@@ -77,7 +77,7 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                          ::testing::Values("table1", "orientation", "false_flips", "symmetric", "another_day",
                                            "companions", "stress", "ablation", "filters", "paper_thresholds", "peers",
-                                           "turned_round"),
+                                           "turned_round", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
@@ -104,7 +104,7 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names,
             (std::vector<std::string>{"ablation", "another_day", "companions", "false_flips", "filters", "orientation",
-                                      "paper_thresholds", "peers", "stress", "symmetric", "table1", "turned_round"}));
+                                      "paper_thresholds", "peers", "stress", "symmetric", "table1", "turned_round", "walls"}));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What the peers are built from: the horizon in an image, colour classes, features of a row of brightness.
+// What the peers are built from: the horizon in an image, colour classes, features of a row of brightness, a dome of
+// triangles.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "workbench/experiments/peers/color_classes.h"
 #include "workbench/experiments/peers/horizon.h"
 #include "workbench/experiments/peers/horizon_features.h"
+#include "workbench/experiments/peers/triangle_dome.h"
 
 namespace reorient {
 namespace {
@@ -145,6 +147,51 @@ TEST(HorizonFeatures, AreNotFoundWhereNothingStandsOut) {
   EXPECT_TRUE(finder.find(std::vector<float>(160, 0.0f), 0.04).empty());
   EXPECT_TRUE(finder.find(std::vector<float>(7, 90.0f), 0.0).empty());
   EXPECT_TRUE(finder.find({}, 0.04).empty());
+}
+
+TEST(TriangleDome, HasTwentyFacesOfEqualTriangles) {
+  for (const int cuts : {1, 2, 5}) {
+    const TriangleDome dome(10.0, cuts);
+    EXPECT_EQ(dome.tiles(), 20 * cuts * cuts);
+  }
+}
+
+TEST(TriangleDome, FindsEachTriangleBehindItsCenterFromAnywhereInside) {
+  const TriangleDome dome(10.0, 4);
+  for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(-4.5, 2.0, 0.5)}) {
+    for (int tile = 0; tile < dome.tiles(); ++tile) {
+      const Eigen::Vector3d center = dome.center(tile);
+      const auto hit = dome.meet(eye, center - eye);
+      ASSERT_TRUE(hit);
+      EXPECT_EQ(hit->tile, tile);
+      EXPECT_NEAR(hit->height, center.z(), 1e-9);
+    }
+  }
+}
+
+TEST(TriangleDome, IsTheSameAfterHalfATurn) {
+  const TriangleDome dome(10.0, 3);
+  for (int tile = 0; tile < dome.tiles(); ++tile) {
+    const int other = dome.reflected(tile);
+    EXPECT_NE(other, tile);
+    EXPECT_EQ(dome.reflected(other), tile);
+    const Eigen::Vector3d here = dome.center(tile), there = dome.center(other);
+    EXPECT_NEAR((here - Eigen::Vector3d(-there.x(), -there.y(), there.z())).norm(), 0.0, 1e-9);
+  }
+}
+
+TEST(TriangleDome, CoversTheCeiling) {
+  const TriangleDome dome(10.0, 4);
+  const auto up = dome.meet({0.0, 0.0, 0.5}, {0.01, 0.02, 1.0});
+  ASSERT_TRUE(up);
+  EXPECT_GT(up->height, 8.0);
+}
+
+TEST(TriangleDome, IsMetByNoRayFromOutsideAndByNone) {
+  const TriangleDome dome(10.0, 4);
+  EXPECT_FALSE(dome.meet({12.0, 0.0, 0.5}, {1.0, 0.0, 0.0}));
+  EXPECT_FALSE(dome.meet({0.0, 0.0, 0.5}, {0.0, 0.0, 0.0}));
+  EXPECT_FALSE(dome.meet({0.0, 0.0, 0.5}, {std::nan(""), 0.0, 1.0}));
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 
 namespace reorient {
 
-inline constexpr std::array<std::string_view, 5> kCompassMethods{
-    "room awareness", "its paper recipe", "colour transitions", "horizon features", "single row of tiles"};
+inline constexpr std::array<std::string_view, 7> kCompassMethods{
+    "room awareness",      "its paper recipe",   "colour transitions", "horizon features",
+    "single row of tiles", "four rows of tiles", "half icosahedron"};
 
 /// After how many seconds of looking about a method is asked; 0: after a single frame.
 inline constexpr std::array<double, 3> kLookTimes{0.0, 1.0, 3.0};

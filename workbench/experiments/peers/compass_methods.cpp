@@ -12,6 +12,8 @@ std::vector<std::unique_ptr<OrientationCompass>> make_compasses(const CompassPar
   compasses.push_back(std::make_unique<TransitionCompass>(parameters.transitions, seed));
   compasses.push_back(std::make_unique<HorizonCompass>(parameters.horizon));
   compasses.push_back(std::make_unique<TileRowCompass>(parameters.tile_row));
+  compasses.push_back(std::make_unique<TileRowCompass>(parameters.tile_rows));
+  compasses.push_back(std::make_unique<DomeCompass>(parameters.dome));
   return compasses;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "perception/room/room_awareness.h"
+#include "workbench/experiments/peers/dome_compass.h"
 #include "workbench/experiments/peers/horizon_compass.h"
 #include "workbench/experiments/peers/orientation_compass.h"
 #include "workbench/experiments/peers/tile_row_compass.h"
@@ -19,6 +20,8 @@ struct CompassParameters {
   TransitionCompassParameters transitions;
   HorizonCompassParameters horizon;
   TileRowCompassParameters tile_row;
+  TileRowCompassParameters tile_rows{.rows = 4, .top = 5.5};  ///< on the shipped wall
+  DomeCompassParameters dome;
 };
 
 /// Calls visit(prefix, part) for each peer; room awareness has parameters of its own everywhere.
@@ -27,6 +30,8 @@ void for_each_peer(CompassParameters& p, Visit&& visit) {
   visit("transition_compass", p.transitions);
   visit("horizon_compass", p.horizon);
   visit("tile_row_compass", p.tile_row);
+  visit("tile_rows_compass", p.tile_rows);
+  visit("dome_compass", p.dome);
 }
 
 /// In the order of kCompassMethods (compass_look.h).

@@ -11,13 +11,20 @@ bool is_sound(const CameraModel& camera) {
          camera.focal.minCoeff() > 1e-3 && std::isfinite(camera.k1) && std::isfinite(camera.k2);
 }
 
-bool is_covered(const RoomObservation& view, int x, double row) {
-  return std::any_of(view.covered.begin(), view.covered.end(), [&](const CoveredArea& area) {
-    return x >= area.left && x <= area.right && row >= area.top && row <= area.bottom;
-  });
+}  // namespace
+
+std::optional<CameraModel> camera_of(const RoomObservation& view) {
+  const bool finite = view.belief.position.allFinite() && std::isfinite(view.belief.rotation) &&
+                      view.robot_from_camera.matrix().allFinite();
+  if (!finite || view.image.empty() || view.image.width < 2 || !is_sound(view.camera)) return std::nullopt;
+  return view.camera.scaled_to(view.image.width, view.image.height);
 }
 
-}  // namespace
+bool is_covered(const RoomObservation& view, double x, double y) {
+  return std::any_of(view.covered.begin(), view.covered.end(), [&](const CoveredArea& area) {
+    return x >= area.left && x <= area.right && y >= area.top && y <= area.bottom;
+  });
+}
 
 Wall bare_wall(double radius) {
   WallParameters parameters;
@@ -26,10 +33,9 @@ Wall bare_wall(double radius) {
 }
 
 std::optional<HorizonCamera> HorizonCamera::of(const RoomObservation& view, const Wall& wall) {
-  const bool finite = view.belief.position.allFinite() && std::isfinite(view.belief.rotation) &&
-                      view.robot_from_camera.matrix().allFinite();
-  if (!finite || view.image.empty() || view.image.width < 2 || !is_sound(view.camera)) return std::nullopt;
-  HorizonCamera camera(view, wall, view.camera.scaled_to(view.image.width, view.image.height));
+  const auto at_resolution = camera_of(view);
+  if (!at_resolution) return std::nullopt;
+  HorizonCamera camera(view, wall, *at_resolution);
   if (!wall.surrounds(camera.field_from_camera_.translation().head<2>())) return std::nullopt;
   return camera;
 }

@@ -1,19 +1,17 @@
-// Colour histograms on a single row of tiles around the field, after Bader et al. 2012, the predecessor of the paper's
-// wall. docs/peers.md says what was known of it.
+// Tiles on a cylinder: a single row of them, after Bader et al. 2012, the predecessor of the paper's wall (docs/peers.md
+// says what was known of it), or several, as the paper has it.
 #pragma once
 
 #include <vector>
 
-#include "perception/room/color/color_histogram.h"
-#include "perception/room/color/histogram_distance.h"
 #include "perception/room/wall/perceived_tiles.h"
 #include "perception/room/wall/wall.h"
-#include "workbench/experiments/peers/color_classes.h"
-#include "workbench/experiments/peers/orientation_compass.h"
+#include "workbench/experiments/peers/tile_compass.h"
 
 namespace reorient {
 
 struct TileRowCompassParameters {
+  int rows = 1;
   int columns = 48;
   double bottom = 0.7;
   double top = 2.0;
@@ -23,6 +21,7 @@ struct TileRowCompassParameters {
 };
 template <typename Visit>
 void describe(TileRowCompassParameters& p, Visit&& visit) {
+  visit("rows", p.rows, 1, 8, "", "rows of tiles");
   visit("columns", p.columns, 4, 128, "", "tiles around the field; made even");
   visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the tiles begin");
   visit("top", p.top, 0.1, 30.0, "m", "height where the tiles end");
@@ -32,31 +31,19 @@ void describe(TileRowCompassParameters& p, Visit&& visit) {
   describe(p.distance, visit);
 }
 
-/// Learned is each tile's mean histogram. Compared is how far each tile in view is from its own and from its
-/// reflection's.
-class TileRowCompass : public OrientationCompass {
+class TileRowCompass : public TileCompass {
  public:
   explicit TileRowCompass(const TileRowCompassParameters& parameters = {});
-
-  void learn(const RoomObservation& view) override;
-  void begin() override { score_ = 0.0; }
-  double compare(const RoomObservation& view) override;
   std::unique_ptr<OrientationCompass> clone() const override { return std::make_unique<TileRowCompass>(*this); }
 
  private:
-  struct Tile {
-    ColorHistogram mean{};
-    int seen = 0;  // frames
-  };
-
-  void look(const RoomObservation& view);
+  std::span<const SeenTile> look(const RoomObservation& view) override;
+  int reflected(int tile) const override { return wall_.reflected(tile); }
 
   TileRowCompassParameters parameters_;
   Wall wall_;
-  std::vector<Tile> tiles_;
-  RunningLight light_;
   PerceivedTiles perceived_;
-  double score_ = 0.0;
+  std::vector<SeenTile> seen_;
 };
 
 }  // namespace reorient

@@ -1,0 +1,55 @@
+// Tiles on a half icosahedron that covers the ceiling: the wall that the paper considered and left aside.
+#pragma once
+
+#include <vector>
+
+#include "workbench/experiments/peers/tile_compass.h"
+#include "workbench/experiments/peers/triangle_dome.h"
+
+namespace reorient {
+
+struct DomeCompassParameters {
+  double radius = 10.0;
+  double bottom = 0.7;
+  int cuts = 4;
+  int samples = 60;
+  int least_samples = 8;
+  double light_memory = 20.0;
+  DistanceParameters distance{Distance::hellinger, 0.5};
+};
+template <typename Visit>
+void describe(DomeCompassParameters& p, Visit&& visit) {
+  visit("radius", p.radius, 8.0, 100.0, "m", "distance of the icosahedron's corners from the field's centre");
+  visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the triangles begin");
+  visit("cuts", p.cuts, 1, 16, "", "parts of each edge of a face, which so is this many times this many triangles");
+  visit("samples", p.samples, 8, 640, "", "pixels that are looked at in a row of the image; as far apart downwards");
+  visit("least_samples", p.least_samples, 1, 1000, "", "a triangle of which fewer are in view does not count");
+  visit("light_memory", p.light_memory, 0.0, 600.0, "s",
+        "over how long the triangles' mean colour runs, which the thresholds follow; 0: they are fixed");
+  describe(p.distance, visit);
+}
+
+class DomeCompass : public TileCompass {
+ public:
+  explicit DomeCompass(const DomeCompassParameters& parameters = {});
+  std::unique_ptr<OrientationCompass> clone() const override { return std::make_unique<DomeCompass>(*this); }
+
+ private:
+  struct Sample {
+    int tile = 0;
+    Ycbcr color;
+  };
+
+  std::span<const SeenTile> look(const RoomObservation& view) override;
+  int reflected(int tile) const override { return dome_.reflected(tile); }
+  void sample(const RoomObservation& view);
+
+  DomeCompassParameters parameters_;
+  TriangleDome dome_;
+  std::vector<Sample> samples_;
+  std::vector<ColorCounts> counts_;  // for each tile
+  std::vector<int> in_view_;         // samples of each tile
+  std::vector<SeenTile> seen_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,52 @@
+// Colour histograms on tiles around the robot, whatever wall they are on: what is seen of a tile is compared with the
+// tile and with the one that lies there after half a turn. So walls can be measured by one and the same rule.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "perception/room/color/color_histogram.h"
+#include "perception/room/color/histogram_distance.h"
+#include "workbench/experiments/peers/color_classes.h"
+#include "workbench/experiments/peers/orientation_compass.h"
+
+namespace reorient {
+
+/// What one frame shows of a tile.
+struct SeenTile {
+  int tile = 0;
+  ColorHistogram histogram{};
+};
+
+/// Learned is each tile's mean histogram. Compared is how far each tile in view is from its own and from its
+/// reflection's; the sum over tiles and frames is the score.
+class TileCompass : public OrientationCompass {
+ public:
+  void learn(const RoomObservation& view) override;
+  void begin() override { score_ = 0.0; }
+  double compare(const RoomObservation& view) override;
+
+ protected:
+  TileCompass(int tiles, const DistanceParameters& distance)
+      : distance_(distance), tiles_(static_cast<std::size_t>(tiles)) {}
+
+  /// The tiles that one frame shows well enough; valid until the next call.
+  virtual std::span<const SeenTile> look(const RoomObservation& view) = 0;
+  virtual int reflected(int tile) const = 0;
+
+  /// Of the tiles, as far as it is known, for colour thresholds that follow it.
+  RunningLight light_;
+  ColorThresholds thresholds() const;
+
+ private:
+  struct LearnedTile {
+    ColorHistogram mean{};
+    int seen = 0;  // frames
+  };
+
+  DistanceParameters distance_;
+  std::vector<LearnedTile> tiles_;
+  double score_ = 0.0;
+};
+
+}  // namespace reorient
