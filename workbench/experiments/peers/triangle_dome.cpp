@@ -32,7 +32,9 @@ TriangleDome::TriangleDome(double radius, int cuts) : cuts_(cuts) {
   const auto corners = corners_of_icosahedron(radius);
   double edge = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < corners.size(); ++i) edge = std::min(edge, (corners[i] - corners[0]).norm());
-  const auto are_neighbors = [&](std::size_t i, std::size_t j) { return (corners[i] - corners[j]).norm() < 1.1 * edge; };
+  const auto are_neighbors = [&](std::size_t i, std::size_t j) {
+    return (corners[i] - corners[j]).norm() < 1.1 * edge;
+  };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = i + 1; j < corners.size(); ++j) {
       for (std::size_t k = j + 1; k < corners.size(); ++k) {
@@ -100,7 +102,8 @@ Eigen::Vector3d TriangleDome::center(int tile) const {
   while (in_row >= 2 * (cuts_ - row) - 1) in_row -= 2 * (cuts_ - row++) - 1;
   const double third = in_row % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
   const double a = (row + third) / cuts_;
-  const double b = (in_row / 2 + third) / cuts_;
+  const int whole_b = in_row / 2;
+  const double b = (whole_b + third) / cuts_;
   return a * face.corners[0] + b * face.corners[1] + (1.0 - a - b) * face.corners[2];
 }
 
