@@ -165,7 +165,9 @@ int show_trial(const ExperimentOptions& options, const Session& session, std::os
     throw std::runtime_error(fmt::format("there is no trial {}; there are 1 to {}", options.trial, count));
   const Condition condition = session.condition_of(options.trial);
   RunOptions run;
-  static_cast<SimulationOptions&>(run) = options_of(condition, session.seed_of(options.trial), session.scripts());
+  RoomCache rooms;
+  static_cast<SimulationOptions&>(run) =
+      prepared_options_of(condition, session.seed_of(options.trial), session.scripts(), rooms);
   run.pictures = !options.pictures.empty();
   run.out = options.pictures;
   out << as_line(session.name_of(options.trial)) << "\n";

@@ -77,6 +77,13 @@ std::optional<SavedModel> model_of_another_day(const Condition& condition, std::
 
 }  // namespace
 
+SimulationOptions prepared_options_of(const Condition& condition, std::uint64_t seed,
+                                      const std::filesystem::path& scripts, RoomCache& rooms) {
+  SimulationOptions options = options_of(condition, seed, scripts);
+  options.learned = model_of_another_day(condition, seed, scripts, rooms);
+  return options;
+}
+
 CompassParameters compass_parameters_of(const Condition& condition) {
   ParameterOptions told;
   told.files.assign(condition.parameter_files.begin(), condition.parameter_files.end());
@@ -86,8 +93,7 @@ CompassParameters compass_parameters_of(const Condition& condition) {
 
 TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts,
                       RoomCache& rooms) {
-  Simulation simulation(options_of(condition, seed, scripts), &rooms,
-                        model_of_another_day(condition, seed, scripts, rooms));
+  Simulation simulation(prepared_options_of(condition, seed, scripts, rooms), &rooms);
   TrialObserver observer(condition.measurement);
   RunParts parts = simulation.parts();
   parts.observers = {&observer};

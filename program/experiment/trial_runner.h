@@ -12,8 +12,13 @@
 
 namespace reorient {
 
-/// What `reorient run` would be asked for. Throws std::runtime_error with one line.
+/// What `reorient run` would be asked for, but for what was learned before. Throws std::runtime_error with one line.
 SimulationOptions options_of(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
+
+/// The same with the room as the robot learned it on another day, where the condition says so; that day is played here.
+/// Throws as run_trial() does.
+SimulationOptions prepared_options_of(const Condition& condition, std::uint64_t seed,
+                                      const std::filesystem::path& scripts, RoomCache& rooms);
 
 /// Of what is compared where a condition has compasses. Throws std::runtime_error with one line.
 CompassParameters compass_parameters_of(const Condition& condition);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "perception/room/saved_model.h"
 #include "program/options.h"
 
 namespace reorient {
@@ -26,9 +27,10 @@ struct SimulationOptions {
   int width = 320;                ///< of the camera image, pixels; the height is 3/4 of it
   std::string cameras = "upper";  ///< or "both"
   bool room_awareness = true;
-  std::filesystem::path model;  ///< of the room, if the file is there; empty: none
-  bool sides_changed = false;   ///< the team plays towards the other goal than the model's axes say
-  double seconds = 600.0;       ///< of the robot's time, at most
+  std::filesystem::path model;        ///< of the room, if the file is there; empty: none
+  std::optional<SavedModel> learned;  ///< a model of the room, instead of one from a file
+  bool sides_changed = false;         ///< the team plays towards the other goal than the model's axes say
+  double seconds = 600.0;             ///< of the robot's time, at most
   ParameterOptions parameters;
 };
 

@@ -81,8 +81,8 @@ std::optional<SavedModel> saved_model(const SimulationOptions& options) {
 
 }  // namespace
 
-Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, std::optional<SavedModel> learned)
-    : model_(learned ? std::move(learned) : saved_model(options)), longest_(options.seconds) {
+Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
+    : model_(options.learned ? options.learned : saved_model(options)), longest_(options.seconds) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),

@@ -17,11 +17,9 @@ namespace reorient {
 
 class Simulation {
  public:
-  /// `rooms`: those that are kept for the next simulation. `learned`: a model of the room, instead of one from a file.
-  /// Throws std::runtime_error (of scripts: ScriptError) with one
+  /// `rooms`: those that are kept for the next simulation. Throws std::runtime_error (of scripts: ScriptError) with one
   /// line on bad input.
-  explicit Simulation(const SimulationOptions& options, RoomCache* rooms = nullptr,
-                      std::optional<SavedModel> learned = std::nullopt);
+  explicit Simulation(const SimulationOptions& options, RoomCache* rooms = nullptr);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 

@@ -125,6 +125,25 @@ TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
   expect_refused({"--pictures", path("pictures")}, "--trial");
 }
 
+TEST_F(ExperimentTest, ShowsATrialAloneWithTheRoomThatWasLearnedOnAnotherDay) {
+  folder.write("short.toml", R"(title = "Who remembers?"
+trials = 1
+[condition]
+scenario = "trial"
+learned_before = 20.0
+width = 160
+seconds = 20
+parameters.trial.learn = 0.0
+parameters.trial.event = "misled"
+measured_from = "measured"
+limit = 6.0
+hold = 3.0
+)");
+  const ProgramRun shown = run({"--trial", "1"});
+  EXPECT_EQ(shown.code, kSuccess) << shown.err;
+  EXPECT_NE(shown.out.find("mended by a command after: 0."), std::string::npos) << shown.out;
+}
+
 TEST_F(ExperimentTest, StopsAtAMistakeThatOnlyATrialFinds) {
   folder.write("short.toml", std::string(kShort) + "parameters.orientation.lingring = 1\n");
   expect_refused({"--out", path("out")}, "task 3, mode none, trial 1 (seed 1): ");
