@@ -9,6 +9,7 @@
 #include "engine/world/room_status.h"
 #include "geometry/angle.h"
 #include "perception/room/compared_model.h"
+#include "perception/room/self_similarity.h"
 
 namespace reorient {
 namespace {
@@ -31,6 +32,14 @@ std::string place_of(int tile, const Wall& wall) {
   return fmt::format("{:+5.0f} degrees, {:4.1f} to {:4.1f} m", to_degrees(azimuth), foot, foot + wall.row_height());
 }
 
+/// All columns, as RoomAwareness compares them one a frame.
+double asymmetry_of(const ComparedModel& model, const Wall& wall) {
+  SelfSimilarity similarity;
+  similarity.restart(wall.columns());
+  for (int column = 0; column < wall.columns(); ++column) similarity.observe(model, wall);
+  return similarity.asymmetry();
+}
+
 }  // namespace
 
 void print_model(const SavedModel& model, std::ostream& out) {
@@ -38,6 +47,7 @@ void print_model(const SavedModel& model, std::ostream& out) {
   const std::string different = differences({}, model.basis);
   ComparedModel compared;
   compared.prepare(model.model, wall, Comparison());
+  const double asymmetry = asymmetry_of(compared, wall);
   const RoomStatusParameters least;
   out << fmt::format("  learned for {:.1f} s\n", model.learned)
       << fmt::format("  wall: {} m from the field's centre, {} to {} m high, {} rows of {} columns\n", wall.radius(),
@@ -51,7 +61,11 @@ void print_model(const SavedModel& model, std::ostream& out) {
       << fmt::format("  distinctiveness: {:.2f} ({})\n", compared.distinctiveness(),
                      compared.distinctiveness() < least.distinctiveness
                          ? "after half a turn it looks the same: it says nothing about the pose"
-                         : "it can be told from itself turned by half a turn");
+                         : "it can be told from itself turned by half a turn")
+      << fmt::format("  asymmetry: {:.2f} ({})\n", asymmetry,
+                     asymmetry < least.asymmetry
+                         ? "half a turn changes it less than other turns do: it counts as symmetric"
+                         : "half a turn changes it as other turns do");
 }
 
 void print_comparison(const ModelComparison& comparison, const Wall& wall, std::ostream& out) {

@@ -257,7 +257,8 @@ TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
   for (const char* line :
        {"\n  learned for 40.0 s\n", "\n  wall: 8 m from the field's centre, 0.7 to 5.5 m high, 4 rows of 48 columns\n",
         "\n  parameters: as by default\n", "\n  known: 160 of 192 tiles; row by row, from the top: 40 40 40 40\n",
-        "\n  coverage: 0.83 (enough to decide with)\n", "(it can be told from itself turned by half a turn)\n"})
+        "\n  coverage: 0.83 (enough to decide with)\n", "(it can be told from itself turned by half a turn)\n",
+        "(half a turn changes it as other turns do)\n"})
     EXPECT_NE(shown.out.find(line), std::string::npos) << line << "\n" << shown.out;
   EXPECT_TRUE(read_text(picture).starts_with("\x89PNG"));
   SavedModel other = some_model(1, 0, 0.1, 0, 4);
