@@ -199,7 +199,8 @@ void FrameLoop::answer() {
   asked_to_get_up_ = answer.request.get_up;
   answer.reorientation.reset();
   if (record_.reorientation) answer.reorientation = record_.reorientation->reorientation;
-  answer.room = {world_.confidence.current, world_.confidence.opposite};
+  answer.room = {world_.confidence.current, world_.confidence.opposite, world_.confidence.evidence,
+                 world_.room_status == RoomStatus::usable};
   answer.training_paused = !arbiter_.last().train;
   answer.evaluation_paused = !arbiter_.last().evaluate;
 }

@@ -47,10 +47,12 @@ constexpr int enum_count(Reorientation) { return 3; }
 struct RoomOpinion {
   double current = 0.0;   ///< confidence in the believed pose, 0 to 1
   double opposite = 0.0;  ///< confidence in its reflection
+  double evidence = 0.0;  ///< log-odds of the reflection against the pose: log(99) where 99 in 100 are reflected
+  bool usable = false;    ///< the room can tell at all: it is learned, seen, and not the same after half a turn
 };
 template <typename Visit>
 void fields(Visit&& visit, RoomOpinion& room) {
-  visit(room.current, room.opposite);
+  visit(room.current, room.opposite, room.evidence, room.usable);
 }
 
 struct Answer {

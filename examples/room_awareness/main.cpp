@@ -43,11 +43,9 @@ class Localization {
 
   /// Asks with each frame of some seconds. The time until the room said "flip", or nothing.
   std::optional<double> flipped_within(double seconds) {
-    double ahead = 0.0;  // s, for how long the reflection has been
+    constexpr double kSure = 9.2;  // log-odds: one such flip in 10 000 is wrong
     for (double begin = time_; time_ < begin + seconds; time_ += kFrame) {
-      const Confidences& room = look();
-      ahead = room.opposite - room.current > 0.5 ? ahead + kFrame : 0.0;
-      if (ahead < 0.5) continue;
+      if (look().evidence < kSure) continue;
       belief = reflect(belief);  // a pose filter turns all of its particles
       room_.on_flip();
       return time_ - begin;
@@ -90,7 +88,7 @@ bool report(const char* situation, std::optional<double> flipped, bool expected,
   if (flipped) {
     std::printf(", after %.1f s\n", *flipped);
   } else {
-    std::printf(" (current %.2f, opposite %.2f)\n", room.current, room.opposite);
+    std::printf(" (evidence %.1f)\n", room.evidence);
   }
   return flipped.has_value() == expected;
 }

@@ -176,6 +176,13 @@ TEST(Frame, KnowsThePoseStillAfterAPurge) {
   EXPECT_TRUE(loop.world().pose_known);
 }
 
+TEST(Frame, AnswersThatTheRoomCannotTellBeforeAnythingWasLearned) {
+  HandFedLoop loop(kIdle);
+  const Answer& answer = loop.step().answer;
+  EXPECT_FALSE(answer.room.usable);
+  EXPECT_EQ(answer.room.evidence, 0.0);
+}
+
 TEST(Frame, TrainsOnlyWithAPose) {
   HandFedLoop unknown(kIdle);
   unknown.step(10);

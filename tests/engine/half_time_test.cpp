@@ -139,6 +139,11 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   EXPECT_NEAR(is.goal_own, was.goal_opponent, kRounding);
   EXPECT_NEAR(is.goal_opponent, was.goal_own, kRounding);
   EXPECT_NEAR(is.evidence, was.evidence, 1e-6);
+  for (const FrameRecord* record : {&before, &after}) {
+    EXPECT_EQ(record->answer.room.evidence, record->world.confidence.evidence);
+    EXPECT_LT(record->answer.room.evidence, -4.0) << "the room speaks for the believed pose";
+    EXPECT_TRUE(record->answer.room.usable);
+  }
   EXPECT_EQ(after.world.room_status, before.world.room_status);
   expect_near(after.world.pose.pose, reflect(before.world.pose.pose), 0.01);
   EXPECT_EQ(after.world.undisturbed_for, before.world.undisturbed_for);
