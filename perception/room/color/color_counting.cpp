@@ -27,20 +27,6 @@ void count_one_by_one(const PixelRows& rows, int begin, int end, const ColorThre
 
 }  // namespace
 
-bool offered(Instructions instructions) {
-#if defined(__x86_64__) || defined(__i386__)
-  // Both ask the processor once, when the program starts.
-  if (instructions == Instructions::sse4) return sse4_kernel() != nullptr && __builtin_cpu_supports("sse4.2") != 0;
-  if (instructions == Instructions::avx2) return avx2_kernel() != nullptr && __builtin_cpu_supports("avx2") != 0;
-#endif
-  return instructions == Instructions::portable;
-}
-
-Instructions widest_instructions() {
-  if (offered(Instructions::avx2)) return Instructions::avx2;
-  return offered(Instructions::sse4) ? Instructions::sse4 : Instructions::portable;
-}
-
 void count_colors(const ImageView& image, const PixelBlock& block, int row_step, const ColorThresholds& thresholds,
                   ColorCounts& counts, Instructions instructions) {
   const PixelBlock part = within(image, block);

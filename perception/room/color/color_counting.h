@@ -1,9 +1,10 @@
 // Counting the colours of a block of pixels: the one loop of room awareness that goes through the image. It exists in
-// three versions with the same results; the fastest that the processor offers is taken when the program runs.
+// three versions with the same results (perception/room/instructions.h).
 #pragma once
 
 #include "geometry/image.h"
 #include "perception/room/color/color_histogram.h"
+#include "perception/room/instructions.h"
 
 namespace reorient {
 
@@ -15,20 +16,9 @@ struct PixelBlock {
   int bottom = 0;
 };
 
-/// What a version asks of the processor, and how many pixels it takes at a time.
-enum class Instructions {
-  portable,  ///< nothing; one, by the definition (color_bin)
-  sse4,      ///< SSE4.2; 16
-  avx2       ///< AVX2; 32
-};
-
-/// Whether this program on this processor can count so.
-bool offered(Instructions instructions);
-/// The widest that is offered.
-Instructions widest_instructions();
-
 /// Adds the pixels of a block to `counts`. What lies outside of the image does not count. `instructions`: must be
-/// offered; images that are narrower than the registers are counted by a narrower version.
+/// offered; the wide versions take 16 and 32 pixels at a time, the portable one, by the definition (color_bin), one.
+/// Images that are narrower than the registers are counted by a narrower version.
 void count_colors(const ImageView& image, const PixelBlock& block, int row_step, const ColorThresholds& thresholds,
                   ColorCounts& counts, Instructions instructions = widest_instructions());
 

@@ -80,37 +80,22 @@ void PerceivedTiles::prepare_rays(const CameraModel& camera, int bands) {
       rays_.push_back(camera.ray({x, 0.5 * (top + bottom - 1)}));
     }
   }
-  prepare_rough_rays();
+  rough_rays_.clear();
+  rough_rays_.reserve(static_cast<std::size_t>(bands));
+  for (std::size_t first = 0; first < rays_.size(); first += kCells + 1)
+    rough_rays_.push_back(BandRays::of(std::span(rays_).subspan(first, kCells + 1)));
   covered_.assign(static_cast<std::size_t>(camera.width / 2 + 1), 0);
   // Every cell may show a new tile, and covered areas may cut each of them: enough for all but contrived cases.
   blocks_.reserve(static_cast<std::size_t>(bands) * kCells);
-}
-
-void PerceivedTiles::prepare_rough_rays() {
-  constexpr double kFarthest = 100.0;  // off the axis; a band that goes further is nothing that can be sketched
-  rough_rays_.resize(static_cast<std::size_t>(bands_));
-  for (std::size_t band = 0; band < rough_rays_.size(); ++band) {
-    const std::span rays = std::span(rays_).subspan(band * (kCells + 1), kCells + 1);
-    const bool near = std::all_of(rays.begin(), rays.end(), [](const Eigen::Vector3d& ray) {
-      return std::abs(ray.y()) < kFarthest && std::abs(ray.z()) < kFarthest;
-    });
-    RoughRays& rough = rough_rays_[band];
-    rough.near = near;
-    for (std::size_t i = 0; i < rough.y.size(); ++i) {
-      const Eigen::Vector3d& ray = rays[std::min(i, rays.size() - 1)];
-      rough.y[i] = near ? static_cast<float>(ray.y()) : 0.0f;
-      rough.z[i] = near ? static_cast<float>(ray.z()) : 0.0f;
-    }
-  }
 }
 
 void PerceivedTiles::find_in_band(int band, const Isometry3& field_from_camera, const Wall& wall,
                                   std::span<const CoveredArea> covered) {
   const int top = band * camera_.height / bands_;
   const int bottom = (band + 1) * camera_.height / bands_;
-  const RoughRays& rays = rough_rays_[static_cast<std::size_t>(band)];
-  if (!rays.near) sketch_.leave_blank();
-  if (rays.near && !sketch_.draw(rays.y, rays.z)) return;
+  const auto& rays = rough_rays_[static_cast<std::size_t>(band)];
+  if (!rays) sketch_.leave_blank();
+  if (rays && !sketch_.draw(*rays)) return;
   any_covered_ = false;
   for (const CoveredArea& area : covered) {
     if (area.bottom < top || area.top >= bottom) continue;

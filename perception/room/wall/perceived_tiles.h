@@ -89,7 +89,6 @@ class PerceivedTiles {
 
  private:
   void prepare_rays(const CameraModel& camera, int bands);
-  void prepare_rough_rays();
   void find_in_band(int band, const Isometry3& field_from_camera, const Wall& wall,
                     std::span<const CoveredArea> covered);
   void cut_exactly(int ray, const Isometry3& field_from_camera, const Wall& wall);
@@ -116,11 +115,7 @@ class PerceivedTiles {
   CameraModel camera_;  // that rays_ was made for
   int bands_ = 0;
   std::vector<Eigen::Vector3d> rays_;  // camera frame, x = 1; at the borders of evenly spaced cells, band by band
-  struct RoughRays {
-    BandRays y, z;
-    bool near = true;  // the axis; otherwise they are nothing that can be sketched
-  };
-  std::vector<RoughRays> rough_rays_;  // the same, for the sketch, band by band
+  std::vector<std::optional<BandRays>> rough_rays_;  // the same, for the sketch, band by band
   WallSketch sketch_;
   TileBlock run_;                      // of the current band, as far as it has got
   std::vector<std::uint8_t> covered_;  // for each pair of pixels of the current band

@@ -1,32 +1,53 @@
 // Where rays meet the wall, in single precision and with bounds of the error: a floating-point filter. What it is sure
-// of is what exact computation finds, at a tenth of the time; for the rest there is Wall::meet.
+// of is what exact computation finds, at a tenth of the time; for the rest there is Wall::meet. It exists in versions
+// for several processors, and for any other one nothing is sure.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "geometry/transform.h"
+#include "perception/room/instructions.h"
+#include "perception/room/wall/sketching_kernels.h"
 #include "perception/room/wall/wall.h"
 
 namespace reorient {
 
-/// The rays of one band of the image, from the left to the right, with a cell between each two neighbours. Padded to
-/// whole registers.
+/// Between the rays of one band of the image.
 inline constexpr int kBandCells = 40;
-using BandRays = std::array<float, 44>;
+
+/// The rays of one band, from the left to the right, with a cell between each two neighbours: (1, y, z) in the camera
+/// frame.
+class BandRays {
+ public:
+  /// Nothing if there are not kBandCells + 1, or if one leads so far off the axis that it is nothing to be sketched.
+  static std::optional<BandRays> of(std::span<const Eigen::Vector3d> rays);
+
+  const float* y() const { return y_.data(); }
+  const float* z() const { return z_.data(); }
+  /// The greatest that up(y, z) = from + y * by_y + z * by_z can be among them, or a little more.
+  float highest(float from, float by_y, float by_z) const;
+
+ private:
+  std::array<float, kSketchedRays> y_{}, z_{};  // the last ray fills them up
+  float y_least_ = 0.0f, y_most_ = 0.0f, z_least_ = 0.0f, z_most_ = 0.0f;
+};
 
 class WallSketch {
  public:
   /// Neither on a tile nor surely off the wall.
-  static constexpr int kUnsure = -3;
-  static constexpr int kBelow = -1;
-  static constexpr int kAbove = -2;
+  static constexpr int kUnsure = kNowhereSure;
+  static constexpr int kBelow = kBelowTheTiles;
+  static constexpr int kAbove = kAboveTheTiles;
+
+  /// `instructions`: must be offered.
+  explicit WallSketch(Instructions instructions = widest_instructions());
 
   /// One frame.
   void prepare(const Wall& wall, const Isometry3& field_from_camera);
-  /// One band of it. The rays' directions in the camera frame are (1, y, z). False if all of it is below the tiles:
-  /// then there is nothing more to ask.
-  bool draw(const BandRays& y, const BandRays& z);
+  /// One band of it. False if all of it is below the tiles: then there is nothing more to ask.
+  bool draw(const BandRays& rays);
   /// Instead: nothing is sure.
   void leave_blank();
 
@@ -39,27 +60,22 @@ class WallSketch {
   std::optional<double> border(int ray, double width) const;
 
   /// How far columns and rows may be wrong.
-  double column_error() const { return column_error_; }
-  double row_error() const { return row_error_; }
+  double column_error() const { return camera_.column_error; }
+  double row_error() const { return camera_.row_error; }
   double column(int ray) const { return columns_[static_cast<std::size_t>(ray)]; }
   double row(int ray) const { return rows_[static_cast<std::size_t>(ray)]; }
 
  private:
-  bool holds_ = false;  // the bounds, for the frame's camera
-  int wall_columns_ = 0;
-  int wall_rows_ = 0;
-  std::array<float, 9> rotation_{};  // row by row, after a turn that leads the camera's axis to the wall's azimuth 0
-  std::array<float, 3> eye_{};       // the same; the height is above the lowest tiles
-  float radius_ = 0.0f;
-  float first_column_ = 0.0f;  // at the axis
+  using Numbers = std::array<float, kSketchedRays>;
+
+  SketchingKernel* kernel_;  // null: none for this processor
+  bool holds_ = false;       // the bounds, for the frame's camera
+  SketchedCamera camera_;
   float row_height_ = 1.0f;
-  float rows_per_metre_ = 1.0f;
-  float column_error_ = 0.0f;
-  float row_error_ = 0.0f;
-  BandRays columns_{}, rows_{};
-  BandRays column_floors_{};  // kUnsure where that is not sure
-  BandRays row_floors_{};     // the same; from -1 (below) to the number of rows (above)
-  std::array<int, std::tuple_size_v<BandRays>> places_{};
+  Numbers columns_{}, rows_{};
+  Numbers column_floors_{};  // kUnsure where that is not sure
+  Numbers row_floors_{};     // the same; from -1 (below) to the number of rows (above)
+  std::array<int, kSketchedRays> places_{};
 };
 
 }  // namespace reorient
