@@ -55,10 +55,10 @@ RC_GTEST_PROP(HistogramDistance, ManyAreThoseOfOneByOne, ()) {
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, 14);
   for (const Distance measure : kAll) {
     const ComparedHistogram perceived = prepared(measure, any_histogram());
-    std::vector<ComparedHistogram> models;
-    for (std::size_t i = 0; i < count; ++i) models.push_back(prepared(measure, any_histogram()));
-    std::vector<const ComparedHistogram*> pointers;
-    for (const ComparedHistogram& model : models) pointers.push_back(&model);
+    std::vector<ComparedHistogram> models(count);
+    for (ComparedHistogram& model : models) model = prepared(measure, any_histogram());
+    std::vector<const ComparedHistogram*> pointers(count);
+    for (std::size_t i = 0; i < count; ++i) pointers[i] = &models[i];
     std::vector<double> results(count);
     distances(measure, perceived, pointers, results);
     for (std::size_t i = 0; i < count; ++i) RC_ASSERT(results[i] == distance(measure, perceived, models[i]));

@@ -83,8 +83,8 @@ TEST(Wall, FromOutsideOrStraightUpNothingIsMet) {
 TEST(Wall, ManyAzimuthsAreThoseOfOneByOne) {
   const Wall wall;
   const Eigen::Vector2d from(2.5, -1.5);
-  std::vector<double> angles;
-  for (int i = 0; i < 37; ++i) angles.push_back(-4.0 + 0.21 * i);
+  std::vector<double> angles(37);
+  for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = -4.0 + 0.21 * static_cast<double>(i);
   std::vector<Eigen::Vector2d> headings(angles.size());
   std::vector<double> azimuths(angles.size());
   unit_vectors(angles, headings);

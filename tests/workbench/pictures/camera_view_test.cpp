@@ -65,7 +65,7 @@ TEST(CameraView, draws_cells_of_a_grid_by_their_share) {
   const Picture picture = draw_camera_view(camera);
   const int greatest = count(picture, palette::view_particle, 380, 180, 424, 224);
   EXPECT_GT(greatest, 300);
-  EXPECT_NEAR(count(picture, palette::view_particle, 780, 180, 824, 224), greatest / 4, greatest / 8);
+  EXPECT_NEAR(count(picture, palette::view_particle, 780, 180, 824, 224), 0.25 * greatest, 0.125 * greatest);
   EXPECT_EQ(count(picture, palette::view_particle, 580, 180, 624, 224), 0);
 }
 
