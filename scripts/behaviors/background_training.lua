@@ -1,6 +1,7 @@
 --- When may the background model of the room be trained, when may the room be compared with it, and when is it trusted?
 --- With a known pose and no model the room is learned first, and the evaluation waits until enough of it is known on both
---- sides, since only what is known together with its reflection can tell whether the room differs from it at all; until
+--- sides, since only what is known together with its reflection can tell whether the room differs from it at all, and
+--- longer where it hardly seems to: a room that was called symmetric by mistake would not be learned any further. Until
 --- then somebody's word is all that speaks against the reflected pose, so reflected beliefs are purged on it. From then
 --- on the model is trained only while the room speaks for the believed pose: training on a reflected belief would paint the
 --- room the wrong way round. While the robot is disturbed its camera is not where the pose says: both rest.
@@ -10,6 +11,7 @@ local p = param {
   min_time      = { 10.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
   max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever is known" },
   paired        = { 0.4,  range = { 0, 1 },               doc = "share of the wall that must be known together with its other side" },
+  asymmetry     = { 0.9,  range = { 0, 1.5 },             doc = "what confidence.asymmetry must reach for that: a nearly symmetric room is learned longer" },
   lingering     = { 0.05, range = { 0, 1 },               doc = "share of reflected pose particles that is purged meanwhile" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
   proof         = { 4.6,  range = { -50, 50 },             doc = "log-odds of the believed pose that it takes to train on" },
@@ -23,7 +25,7 @@ local function stands_on_the_field() return robot.undisturbed_for > p.undisturbe
 
 local function knows_the_room()
   if training.seconds >= p.max_time then return true end
-  return training.seconds >= p.min_time and confidence.paired >= p.paired
+  return training.seconds >= p.min_time and confidence.paired >= p.paired and confidence.asymmetry >= p.asymmetry
 end
 
 local function is_known_no_more() return training.seconds < p.min_time and not knows_the_room() end

@@ -45,6 +45,16 @@ test("it goes on learning until enough of the wall is known on both sides", func
   expect.state("background_training", "learning/studying")
 end)
 
+test("it goes on learning a room that hardly differs from itself turned by half a turn", function()
+  start()
+  set_world { training = { seconds = 12 }, confidence = { paired = 0.5, asymmetry = 0.8 } }
+  advance(1)
+  expect.state("background_training", "learning/studying")
+  set_world { confidence = { asymmetry = 0.92 } }
+  advance(0.1)
+  expect.state("background_training", "trusting/watching")
+end)
+
 test("it trusts the model after a while whatever is known", function()
   start()
   set_world { training = { seconds = 36 }, confidence = { coverage = 0.5, paired = 0.1 } }
