@@ -249,6 +249,22 @@ class ModelCommand : public RunWithAModel {
   }
 };
 
+TEST_F(ModelCommand, LeavesWhatIsThereWhereItsOutputCannotBeWritten) {
+  const std::string one = file_of(some_model(1), "one.model"), other = file_of(some_model(1), "other.model");
+  const std::string out = (folder.path() / "out").string();
+  for (const auto& words :
+       {std::vector<std::string>{"model", "merge", one, other, "--out", out}, {"model", one, "--picture", out}}) {
+    folder.write("out", "what was here");
+    ChildProgram run(folder.path(), words, [] {
+      const rlimit small{4 * 1024, 4 * 1024};
+      setrlimit(RLIMIT_FSIZE, &small);
+    });
+    EXPECT_EQ(run.wait(), kBadInput) << words[1];
+    EXPECT_NE(run.err().find("reorient: cannot write '" + out + "': File too large\n"), std::string::npos) << run.err();
+    EXPECT_EQ(read_text(out), "what was here");
+  }
+}
+
 TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
   const std::string good = file_of(some_model(1, 0, 0.1, 0, 40)), picture = (folder.path() / "hall.png").string();
   const ProgramRun shown = model({good, "--picture", picture});
