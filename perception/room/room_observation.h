@@ -1,6 +1,7 @@
 // What one frame tells room awareness.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "geometry/camera.h"
@@ -30,5 +31,9 @@ struct RoomObservation {
   bool train = true;     ///< false: the background model is left as it is
   bool evaluate = true;  ///< false: the view filter rests and the confidences stay as they are
 };
+
+/// The observation's camera at its image's resolution. Nothing where there is no image to speak of, or where numbers of
+/// the camera or of the poses make no sense.
+std::optional<CameraModel> camera_of(const RoomObservation& view);
 
 }  // namespace reorient

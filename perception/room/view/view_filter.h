@@ -55,7 +55,7 @@ class ViewFilter {
   bool on_grid() const { return method_ == ViewMethod::grid; }
   void check(ViewMethod method) const;
 
-  ViewMethod method_ = ViewMethod::grid;
+  ViewMethod method_ = ViewFilterParameters().method;
   ViewParticles particles_;
   ViewGrid grid_;
   std::vector<ViewCluster> clusters_;

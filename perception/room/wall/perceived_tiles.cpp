@@ -15,15 +15,6 @@ bool same(const CameraModel& a, const CameraModel& b) {
          a.k2 == b.k2;
 }
 
-/// The camera at the image's resolution; nothing if its numbers make no sense.
-std::optional<CameraModel> camera_for(const CameraModel& camera, const ImageView& image) {
-  const bool sound = camera.width > 0 && camera.height > 0 && camera.focal.allFinite() && camera.center.allFinite() &&
-                     camera.focal.minCoeff() > 1e-3 && std::isfinite(camera.k1) && std::isfinite(camera.k2);
-  if (!sound) return std::nullopt;
-  if (camera.width == image.width && camera.height == image.height) return camera;
-  return camera.scaled_to(image.width, image.height);
-}
-
 int row_step(int height, const PerceptionParameters& parameters) {
   return std::max(1, height / std::max(parameters.sampled_rows, 1));
 }
@@ -52,11 +43,8 @@ void PerceivedTiles::find(const RoomObservation& view, const Wall& wall, const P
   counts_.assign(tiles, TileCount{});
   tiles_.reserve(tiles);
   lights_.reserve(tiles);
-  if (view.image.empty() || view.image.width < 2) return;
-  const bool finite = view.belief.position.allFinite() && std::isfinite(view.belief.rotation) &&
-                      view.robot_from_camera.matrix().allFinite();
-  const auto camera = camera_for(view.camera, view.image);
-  if (!finite || !camera) return;
+  const auto camera = camera_of(view);
+  if (!camera) return;
   const Isometry3 field_from_camera = to_isometry(view.belief) * view.robot_from_camera;
   if (!wall.surrounds(field_from_camera.translation().head<2>())) return;
 

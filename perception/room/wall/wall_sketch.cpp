@@ -60,8 +60,7 @@ void WallSketch::prepare(const Wall& wall, const Isometry3& field_from_camera) {
   camera_.first_column = static_cast<float>(wall.column_at(*azimuth));
   camera_.columns = static_cast<float>(wall.columns());
   camera_.rows = static_cast<float>(wall.rows());
-  row_height_ = static_cast<float>(wall.row_height());
-  camera_.rows_per_metre = 1.0f / row_height_;
+  camera_.rows_per_metre = 1.0f / static_cast<float>(wall.row_height());
   camera_.column_error = static_cast<float>(kAngleError / wall.column_width());
   const double highest = 4.0 * wall.radius() + std::abs(eye.z()) + std::abs(wall.bottom());
   camera_.row_error = static_cast<float>(kRowError * highest / wall.row_height());
@@ -71,7 +70,7 @@ bool WallSketch::draw(const BandRays& rays) {
   if (!holds_) return true;
   constexpr float kRounding = 1e-4f;  // of a slope
   const float highest = rays.highest(camera_.rotation[6], camera_.rotation[7], camera_.rotation[8]);
-  if (highest < -kRounding && camera_.eye[2] < -camera_.row_error * row_height_) return false;
+  if (highest < -kRounding && camera_.eye[2] * camera_.rows_per_metre < -camera_.row_error) return false;
   kernel_(camera_, rays.y(), rays.z(), kBandCells + 1,
           {columns_.data(), rows_.data(), column_floors_.data(), row_floors_.data(), places_.data()});
   return true;

@@ -71,7 +71,6 @@ class WallSketch {
   SketchingKernel* kernel_;  // null: none for this processor
   bool holds_ = false;       // the bounds, for the frame's camera
   SketchedCamera camera_;
-  float row_height_ = 1.0f;
   Numbers columns_{}, rows_{};
   Numbers column_floors_{};  // kUnsure where that is not sure
   Numbers row_floors_{};     // the same; from -1 (below) to the number of rows (above)

@@ -7,7 +7,7 @@
 namespace reorient {
 
 DomeCompass::DomeCompass(const DomeCompassParameters& parameters)
-    : TileCompass(TriangleDome(parameters.radius, parameters.cuts).tiles(), parameters.distance),
+    : TileCompass(TriangleDome(parameters.radius, parameters.cuts).tiles(), parameters.tiles),
       parameters_(parameters),
       dome_(parameters.radius, parameters.cuts),
       counts_(static_cast<std::size_t>(dome_.tiles())),
@@ -32,11 +32,10 @@ void DomeCompass::sample(const RoomObservation& view) {
 
 std::span<const SeenTile> DomeCompass::look(const RoomObservation& view) {
   sample(view);
-  for (const Sample& sample : samples_) light_.add(sample.color);
-  light_.next_frame(view.time, parameters_.light_memory);
+  for (const Sample& sample : samples_) add_light(sample.color);
+  const ColorThresholds now = next_thresholds(view.time);
   std::fill(counts_.begin(), counts_.end(), ColorCounts{});
   std::fill(in_view_.begin(), in_view_.end(), 0);
-  const ColorThresholds now = thresholds();
   for (const Sample& sample : samples_) {
     const auto tile = static_cast<std::size_t>(sample.tile);
     ++counts_[tile][static_cast<std::size_t>(color_bin(sample.color, now))];

@@ -14,8 +14,7 @@ struct DomeCompassParameters {
   int cuts = 4;
   int samples = 60;
   int least_samples = 8;
-  double light_memory = 20.0;
-  DistanceParameters distance{Distance::hellinger, 0.5};
+  TileCompassParameters tiles{};
 };
 template <typename Visit>
 void describe(DomeCompassParameters& p, Visit&& visit) {
@@ -24,9 +23,7 @@ void describe(DomeCompassParameters& p, Visit&& visit) {
   visit("cuts", p.cuts, 1, 16, "", "parts of each edge of a face, which so is this many times this many triangles");
   visit("samples", p.samples, 8, 640, "", "pixels that are looked at in a row of the image; as far apart downwards");
   visit("least_samples", p.least_samples, 1, 1000, "", "a triangle of which fewer are in view does not count");
-  visit("light_memory", p.light_memory, 0.0, 600.0, "s",
-        "over how long the triangles' mean colour runs, which the thresholds follow; 0: they are fixed");
-  describe(p.distance, visit);
+  describe(p.tiles, visit);
 }
 
 class DomeCompass : public TileCompass {

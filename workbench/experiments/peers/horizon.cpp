@@ -4,21 +4,6 @@
 #include <cmath>
 
 namespace reorient {
-namespace {
-
-bool is_sound(const CameraModel& camera) {
-  return camera.width > 0 && camera.height > 0 && camera.focal.allFinite() && camera.center.allFinite() &&
-         camera.focal.minCoeff() > 1e-3 && std::isfinite(camera.k1) && std::isfinite(camera.k2);
-}
-
-}  // namespace
-
-std::optional<CameraModel> camera_of(const RoomObservation& view) {
-  const bool finite = view.belief.position.allFinite() && std::isfinite(view.belief.rotation) &&
-                      view.robot_from_camera.matrix().allFinite();
-  if (!finite || view.image.empty() || view.image.width < 2 || !is_sound(view.camera)) return std::nullopt;
-  return view.camera.scaled_to(view.image.width, view.image.height);
-}
 
 bool is_covered(const RoomObservation& view, double x, double y) {
   return std::any_of(view.covered.begin(), view.covered.end(), [&](const CoveredArea& area) {

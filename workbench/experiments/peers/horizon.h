@@ -10,8 +10,6 @@
 
 namespace reorient {
 
-/// The camera of a view at the image's resolution. Nothing where there is no image, or where anything is not finite.
-std::optional<CameraModel> camera_of(const RoomObservation& view);
 /// Whether a robot or a goal hides the room at a pixel.
 bool is_covered(const RoomObservation& view, double x, double y);
 

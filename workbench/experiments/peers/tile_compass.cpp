@@ -19,14 +19,15 @@ double TileCompass::compare(const RoomObservation& view) {
     const LearnedTile& there = tiles_[static_cast<std::size_t>(reflected(seen.tile))];
     if (here.seen < kLeastSeen || there.seen < kLeastSeen) continue;
     const auto difference = [&](const LearnedTile& tile) {
-      return std::min(distance_.cap, distance(distance_.measure, seen.histogram, tile.mean));
+      return std::min(parameters_.distance.cap, distance(parameters_.distance.measure, seen.histogram, tile.mean));
     };
     score_ += difference(here) - difference(there);
   }
   return score_;
 }
 
-ColorThresholds TileCompass::thresholds() const {
+ColorThresholds TileCompass::next_thresholds(double time) {
+  light_.next_frame(time, parameters_.light_memory);
   return color_thresholds({}, light_.is_known() ? Light{light_.luma(), light_.cb(), light_.cr()} : Light{});
 }
 

@@ -18,6 +18,17 @@ struct SeenTile {
   ColorHistogram histogram{};
 };
 
+struct TileCompassParameters {
+  double light_memory = 20.0;
+  DistanceParameters distance{Distance::hellinger, 0.5};
+};
+template <typename Visit>
+void describe(TileCompassParameters& p, Visit&& visit) {
+  visit("light_memory", p.light_memory, 0.0, 600.0, "s",
+        "over how long the tiles' mean colour runs, which the thresholds follow; 0: they are fixed");
+  describe(p.distance, visit);
+}
+
 /// Learned is each tile's mean histogram. Compared is how far each tile in view is from its own and from its
 /// reflection's; the sum over tiles and frames is the score.
 class TileCompass : public OrientationCompass {
@@ -27,16 +38,16 @@ class TileCompass : public OrientationCompass {
   double compare(const RoomObservation& view) override;
 
  protected:
-  TileCompass(int tiles, const DistanceParameters& distance)
-      : distance_(distance), tiles_(static_cast<std::size_t>(tiles)) {}
+  TileCompass(int tiles, const TileCompassParameters& parameters)
+      : parameters_(parameters), tiles_(static_cast<std::size_t>(tiles)) {}
 
   /// The tiles that one frame shows well enough; valid until the next call.
   virtual std::span<const SeenTile> look(const RoomObservation& view) = 0;
   virtual int reflected(int tile) const = 0;
 
-  /// Of the tiles, as far as it is known, for colour thresholds that follow it.
-  RunningLight light_;
-  ColorThresholds thresholds() const;
+  /// One pixel on a tile. All of a frame, then the thresholds that follow the tiles' light.
+  void add_light(const Ycbcr& color) { light_.add(color); }
+  ColorThresholds next_thresholds(double time);
 
  private:
   struct LearnedTile {
@@ -44,7 +55,8 @@ class TileCompass : public OrientationCompass {
     int seen = 0;  // frames
   };
 
-  DistanceParameters distance_;
+  TileCompassParameters parameters_;
+  RunningLight light_;
   std::vector<LearnedTile> tiles_;
   double score_ = 0.0;
 };

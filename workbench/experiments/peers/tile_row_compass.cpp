@@ -16,7 +16,7 @@ WallParameters cylinder(const TileRowCompassParameters& parameters) {
 }  // namespace
 
 TileRowCompass::TileRowCompass(const TileRowCompassParameters& parameters)
-    : TileCompass(Wall(cylinder(parameters)).tiles(), parameters.distance),
+    : TileCompass(Wall(cylinder(parameters)).tiles(), parameters.tiles),
       parameters_(parameters),
       wall_(cylinder(parameters)) {}
 
@@ -25,10 +25,10 @@ std::span<const SeenTile> TileRowCompass::look(const RoomObservation& view) {
   perceived_.find(view, wall_, perception);
   for (const TileBlock& block : perceived_.blocks()) {
     const int y = (block.pixels.top + block.pixels.bottom) / 2;
-    for (int x = block.pixels.left; x < block.pixels.right; x += 4) light_.add(view.image.at(x, y));
+    for (int x = block.pixels.left; x < block.pixels.right; x += 4) add_light(view.image.at(x, y));
   }
-  light_.next_frame(view.time, parameters_.light_memory);
-  perceived_.count(view.image, thresholds(), thresholds(), perception);
+  const ColorThresholds now = next_thresholds(view.time);
+  perceived_.count(view.image, now, now, perception);
   seen_.clear();
   for (const PerceivedTile& tile : perceived_.tiles()) {
     if (tile.counts) seen_.push_back({tile.tile, tile.histogram});

@@ -16,8 +16,7 @@ struct TileRowCompassParameters {
   double bottom = 0.7;
   double top = 2.0;
   double radius = 8.0;
-  double light_memory = 20.0;
-  DistanceParameters distance{Distance::hellinger, 0.5};
+  TileCompassParameters tiles{};
 };
 template <typename Visit>
 void describe(TileRowCompassParameters& p, Visit&& visit) {
@@ -26,9 +25,7 @@ void describe(TileRowCompassParameters& p, Visit&& visit) {
   visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the tiles begin");
   visit("top", p.top, 0.1, 30.0, "m", "height where the tiles end");
   visit("radius", p.radius, 6.0, 100.0, "m", "distance of the tiles from the field's centre");
-  visit("light_memory", p.light_memory, 0.0, 600.0, "s",
-        "over how long the tiles' mean colour runs, which the thresholds follow; 0: they are fixed");
-  describe(p.distance, visit);
+  describe(p.tiles, visit);
 }
 
 class TileRowCompass : public TileCompass {
