@@ -55,7 +55,7 @@ void Compare(benchmark::State& state) {
     view.time += 1.0 / 30.0;
     view.belief = Pose2(-1.0, 0.5, 0.005 * frame);
     view.robot_from_camera =
-        robot_from_camera(dimensions, {1.1 * std::sin(0.04 * frame), -0.1}, {}, dimensions.hip_height);
+        robot_from_camera(dimensions, {1.1 * std::sin(0.04 * frame), -0.1}, {}, dimensions.torso_height);
   };
   for (int i = 0; i < 1800; ++i) {
     move_on();

@@ -10,9 +10,9 @@ namespace {
 void field_features(benchmark::State& state) {
   const FieldDimensions field;
   SimulatorParameters parameters;
-  parameters.image = static_cast<ImageSize>(state.range(0));
+  parameters.width = static_cast<int>(state.range(0));
   const Room room = procedural_hall(1, {});
-  Simulator simulator(parameters, field, room, {1.0, 0.5, 0.0}, 1);
+  Simulator simulator(parameters, RobotBody(), field, room, {1.0, 0.5, 0.0}, 1);
   Answer answer;
   answer.request.head = HeadRequest{{0.0, 0.15}, 10.0};
   simulator.answer(answer);
@@ -25,11 +25,7 @@ void field_features(benchmark::State& state) {
   state.counters["line_points"] = static_cast<double>(percept.line_points.size());
   state.SetLabel(std::to_string(camera.image.width) + "x" + std::to_string(camera.image.height));
 }
-BENCHMARK(field_features)
-    ->Arg(static_cast<int>(ImageSize::vga_640x480))
-    ->Arg(static_cast<int>(ImageSize::qvga_320x240))
-    ->Arg(static_cast<int>(ImageSize::qqvga_160x120))
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(field_features)->Arg(640)->Arg(320)->Arg(160)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace reorient

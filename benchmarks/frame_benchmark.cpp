@@ -34,10 +34,10 @@ FrameSetup shipped(const FieldDimensions& field) {
 class Replay {
  public:
   /// Records every second frame of `seconds` on the simulator.
-  Replay(ImageSize size, const FieldDimensions& field, double seconds) {
+  Replay(int width, const FieldDimensions& field, double seconds) {
     SimulatorParameters parameters;
-    parameters.image = size;
-    Simulator simulator(parameters, field, procedural_hall(1, RoomShape{}), kStart, 1);
+    parameters.width = width;
+    Simulator simulator(parameters, RobotBody(), field, procedural_hall(1, RoomShape{}), kStart, 1);
     FrameLoop engine(shipped(field));
     FrameInputs inputs;
     inputs.told.initial_pose = InitialPose{kStart};
@@ -73,9 +73,9 @@ class Replay {
 
 /// With the room learned: its view is trained and evaluated in every frame.
 struct Session {
-  explicit Session(ImageSize size)
+  explicit Session(int width)
       : field(load_field(kProject / "assets" / "fields" / "spl.toml")),
-        replay(size, field, 4.0),
+        replay(width, field, 4.0),
         engine(shipped(field)) {
     constexpr double kLearned = 40.0;  // s, beyond which background_training evaluates whatever it has seen
     inputs.told.initial_pose = InitialPose{kStart};
@@ -98,7 +98,7 @@ struct Session {
 void frame(benchmark::State& state) {
   static std::array<std::unique_ptr<Session>, 3> sessions;
   auto& session = sessions.at(static_cast<std::size_t>(state.range(0)));
-  if (!session) session = std::make_unique<Session>(static_cast<ImageSize>(state.range(0)));
+  if (!session) session = std::make_unique<Session>(static_cast<int>(state.range(0)));
   double evaluated = 0.0, trained = 0.0, line_points = 0.0, tiles = 0.0;
   for ([[maybe_unused]] auto _ : state) {
     const World& world = session->step().world;

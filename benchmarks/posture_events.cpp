@@ -36,7 +36,7 @@ struct Result {
 class Life {
  public:
   Life(bool foot_sensors, std::uint64_t seed) : random_(seed, 0x9057), body_(with(foot_sensors), {}, {}, seed) {
-    robot_.has_foot_sensors = foot_sensors;
+    if (!foot_sensors) standing_load_.reset();
   }
 
   Result live(int events) {
@@ -64,7 +64,7 @@ class Life {
     body_.advance(kStep, request_, {}, kBounds);
     time_ += kStep;
     const Posture before = posture_.posture();
-    posture_.update(body_.sample(time_), robot_, {ReportedPosture::unknown, request_.get_up}, parameters_);
+    posture_.update(body_.sample(time_), standing_load_, {ReportedPosture::unknown, request_.get_up}, parameters_);
     const Posture now = posture_.posture();
     if (now == before) return;
     const bool is_undisturbed = !may_be_lifted_ && !may_be_down_;
@@ -136,7 +136,7 @@ class Life {
 
   Random random_;
   Body body_;
-  RobotBody robot_;
+  std::optional<double> standing_load_ = RobotBody().standing_load;
   PostureParameters parameters_;
   PostureEstimator posture_;
   Request request_;

@@ -173,7 +173,7 @@ void measure_memory(int reloads) {
   Behaviors behaviors(read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts"), parameters);
   for (const char* name : kBehaviors) behaviors.host().load(name);
   const std::string text = behaviors.host().texts().find(kFile)->text;
-  World world;
+  World world = world_of(FieldDimensions(), RobotBody());
   std::vector<ScriptEdit> edits(1);
   std::vector<MachineCost> costs;
   std::printf("\n| reloads | resident memory | the script's Lua memory |\n|---|---|---|\n");

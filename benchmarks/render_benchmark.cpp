@@ -11,9 +11,9 @@ namespace {
 void simulate(benchmark::State& state, bool labels) {
   static const Room hall = procedural_hall(1, RoomShape{});
   SimulatorParameters parameters;
-  parameters.image = static_cast<ImageSize>(state.range(0));
+  parameters.width = static_cast<int>(state.range(0));
   parameters.labels = labels;
-  Simulator simulator(parameters, FieldDimensions{}, hall, Pose2(-3.2, -3.5, 0.5 * kPi), 1);
+  Simulator simulator(parameters, RobotBody(), FieldDimensions{}, hall, Pose2(-3.2, -3.5, 0.5 * kPi), 1);
   Observation observation;
   int frame = 0;
   for ([[maybe_unused]] auto _ : state) {

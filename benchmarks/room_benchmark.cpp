@@ -46,7 +46,7 @@ class Scan {
     ++frame_;
     view_.time += 1.0 / 30.0;
     const double yaw = 1.9 * std::sin(0.04 * frame_);
-    view_.robot_from_camera = robot_from_camera(dimensions_, {yaw, 0.0}, {}, dimensions_.hip_height);
+    view_.robot_from_camera = robot_from_camera(dimensions_, {yaw, 0.0}, {}, dimensions_.torso_height);
     return view_;
   }
 

@@ -36,7 +36,7 @@ void BM_FrameOfAllShippedBehaviours(benchmark::State& state) {
   ParameterRegistry parameters;
   Behaviors behaviors(read_scripts(kScripts), parameters);
   for (const std::string& file : behaviors.host().texts().in_folder("behaviors")) behaviors.host().load(file);
-  World world;
+  World world = world_of(FieldDimensions(), RobotBody());
   world.pose_known = true;
   for ([[maybe_unused]] auto _ : state) {
     step(world);
@@ -66,7 +66,7 @@ void BM_Reload(benchmark::State& state) {
   Behaviors behaviors(read_scripts(kScripts), parameters);
   behaviors.host().load("orientation");
   const std::string text = behaviors.host().texts().find("behaviors/orientation.lua")->text;
-  World world;
+  World world = world_of(FieldDimensions(), RobotBody());
   std::vector<ScriptEdit> edits(1);
   int count = 0;
   for ([[maybe_unused]] auto _ : state) {

@@ -1,8 +1,57 @@
 #include "engine/core_parameters.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/parameters/parameter_registry.h"
+#include "geometry/pinned_math.h"
 
 namespace reorient {
+namespace {
+
+double half_diagonal(const FieldDimensions& field) { return 0.5 * pinned::hypot(field.length, field.width); }
+
+/// rad that a pixel sees, of images with equally many columns.
+double pixel_angle(const RobotBody& body) { return body.upper_camera.field_of_view_horizontal; }
+
+/// The wall stands as far beyond the field's corners, in proportion, and its tiles at the same angles above the eyes.
+void fit_wall(double distance, double eye, double usual_eye, WallParameters& wall) {
+  const auto raised = [&](double height) {
+    return height + (eye - usual_eye) + (height - usual_eye) * (distance - 1.0);
+  };
+  wall.radius *= distance;
+  wall.bottom = std::max(0.0, raised(wall.bottom));
+  wall.top = raised(wall.top);
+}
+
+}  // namespace
+
+CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody& body) {
+  const FieldDimensions usual_field;
+  const RobotBody usual_body;
+  const double eye = standing_camera_height(body), usual_eye = standing_camera_height(usual_body);
+  const double height = eye / usual_eye;
+  CoreParameters parameters;
+  fit_wall(half_diagonal(field) / half_diagonal(usual_field), eye, usual_eye, parameters.room.wall);
+  ViewParameters& views = parameters.room.views;
+  views.reach = std::min(views.reach, body.neck.yaw);
+  views.half_width *= body.upper_camera.field_of_view_horizontal / usual_body.upper_camera.field_of_view_horizontal;
+
+  // Lines are looked for as far away as they are equally many pixels wide, what stands upright as far away as its place
+  // on the ground is equally sure.
+  const double line =
+      std::sqrt(height * (field.line_width / usual_field.line_width) * (pixel_angle(usual_body) / pixel_angle(body)));
+  FieldFeatureParameters& features = parameters.field_features;
+  MeasurementModelParameters& measurement = parameters.pose_filter.measurement;
+  features.line_range *= line;
+  measurement.farthest_line_point *= line;
+  features.post_range *= height;
+  features.obstacle_range *= height;
+  features.obstacle_height *= height;
+  measurement.camera_height *= height;
+  measurement.farthest_goal_post *= height;
+  return parameters;
+}
 
 void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   registry.bind("posture", parameters.posture);

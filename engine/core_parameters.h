@@ -5,9 +5,11 @@
 #include "engine/world/goal_view.h"
 #include "engine/world/posture.h"
 #include "engine/world/room_status.h"
+#include "geometry/field_dimensions.h"
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
+#include "robots/robot_body.h"
 
 namespace reorient {
 
@@ -22,6 +24,10 @@ struct CoreParameters {
   GoalViewParameters goal_view;
   ArbiterParameters arbiter;
 };
+
+/// The defaults, which were chosen for a NAO on the Standard Platform League's field, as they suit this body on this
+/// field: what has to do with how far it can see and turn, and with how far away the room is, follows from both.
+CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody& body);
 
 /// Declares every number of `parameters` in the registry, which changes them in place: both must live equally long.
 void declare(CoreParameters& parameters, ParameterRegistry& registry);

@@ -17,20 +17,22 @@ const FieldDimensions& checked(const FieldDimensions& field) {
 }  // namespace
 
 FrameLoop::FrameLoop(FrameSetup setup)
-    : revision_(declare_parameters(setup.parameters)),
+    : parameters_(core_parameters_for(setup.field, setup.body)),
+      revision_(declare_parameters(setup.parameters)),
       field_features_{FieldFeatures(parameters_.field_features, checked(setup.field)),
                       FieldFeatures(parameters_.field_features, setup.field)},
       pose_filter_(parameters_.pose_filter, setup.field, setup.seed),
+      body_(setup.body),
       external_reader_(setup.field),
       behaviors_(std::move(setup.scripts), registry_, limits_) {
   arbiter_.set_parameters(parameters_.arbiter);
   for (FieldPercept& percept : record_.percepts) percept.reserve();
   if (setup.room_awareness) room_.emplace(parameters_.room, setup.seed);
+  world_ = world_of(setup.field, body_);
   if (room_ && setup.model) {
     room_->take_model(*setup.model);
     world_.trained_seconds = setup.model->learned;
   }
-  world_.field = setup.field;
   for (const std::string& behavior : setup.behaviors) behaviors_.host().load(behavior);
   record_.names = behaviors_.host().names().table();
 }
@@ -98,16 +100,15 @@ void FrameLoop::take_told(const Told& told) {
 
 /// What the posture is, and since when nothing has put the belief in doubt.
 void FrameLoop::feel_body() {
-  if (observation_->robot) robot_ = *observation_->robot;
   const bool was_disturbed = world_.undisturbed_for <= 0.0;
   const Posture before = posture_.posture();
   const PostureEstimator::Hints hints{observation_->reported_posture, asked_to_get_up_};
   for (const BodySample& sample : observation_->body_samples) {
-    if (sample.time <= observation_->time) posture_.update(sample, robot_, hints, parameters_.posture);
+    if (sample.time <= observation_->time) posture_.update(sample, body_.standing_load, hints, parameters_.posture);
   }
   BodySample body = observation_->body;
   if (body.time == 0.0) body.time = observation_->time;
-  posture_.update(body, robot_, hints, parameters_.posture);
+  posture_.update(body, body_.standing_load, hints, parameters_.posture);
   world_.posture = posture_.posture();
   world_.posture_before = posture_.before();
   world_.posture_for = std::max(0.0, world_.time - posture_.since());

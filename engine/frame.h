@@ -21,12 +21,14 @@
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
+#include "robots/robot_body.h"
 
 namespace reorient {
 
 /// What a run begins with.
 struct FrameSetup {
   FieldDimensions field;
+  RobotBody body{};
   std::uint64_t seed = 1;
   bool room_awareness = true;  ///< false: no view of the room, confidences stay at zero
   ScriptTexts scripts{"the scripts"};
@@ -100,7 +102,7 @@ class FrameLoop {
   std::optional<RoomAwareness> room_;
   Arbiter arbiter_;
   PostureEstimator posture_;
-  RobotBody robot_;
+  RobotBody body_;
   bool asked_to_get_up_ = false;  ///< in the frame before
   ExternalBeliefReader external_reader_;
   bool external_belief_ = false;  ///< this frame, or the one before, goes by somebody else's localization

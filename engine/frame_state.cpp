@@ -4,7 +4,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x3565746174537252ull;  // "RrState5": another layout gets another number
+constexpr std::uint64_t kStateMagic = 0x3665746174537252ull;  // "RrState6": another layout gets another number
 
 /// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
 FrameSetup read_setup(ByteReader& in) {
@@ -12,7 +12,7 @@ FrameSetup read_setup(ByteReader& in) {
   in(magic);
   check_bytes(magic == kStateMagic, "this is no saved state of this version of the program");
   FrameSetup setup;
-  in(setup.field, setup.room_awareness, setup.parameters);
+  in(setup.field, setup.body, setup.room_awareness, setup.parameters);
   return setup;
 }
 
@@ -20,14 +20,14 @@ FrameSetup read_setup(ByteReader& in) {
 
 template <typename Archive>
 void FrameLoop::archive(Archive& archive) {
-  archive(field_features_, pose_filter_, arbiter_, posture_, robot_, asked_to_get_up_, external_belief_, world_,
+  archive(field_features_, pose_filter_, arbiter_, posture_, asked_to_get_up_, external_belief_, world_,
           last_odometry_);
   if (room_) archive(*room_);
 }
 
 void FrameLoop::save(std::vector<std::byte>& state) const {
   ByteWriter out(state);
-  out(kStateMagic, world_.field, room_.has_value(), registry_.overrides());
+  out(kStateMagic, world_.field, body_, room_.has_value(), registry_.overrides());
   const_cast<FrameLoop*>(this)->archive(out);  // a writer only looks
   behaviors_.host().save(out);
 }

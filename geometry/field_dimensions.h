@@ -18,7 +18,8 @@ struct FieldDimensions {
   double penalty_mark_x = 3.2;  ///< distance of both marks from the centre
   double penalty_mark_size = 0.1;
   double center_circle_radius = 0.75;
-  double goal_post_y = 0.8;  ///< posts at y = +-goal_post_y on the goal lines
+  double corner_arc_radius = 0.0;  ///< of the quarter circles at the corners; 0: there are none
+  double goal_post_y = 0.8;        ///< posts at y = +-goal_post_y on the goal lines
   double goal_height = 0.8;
   double goal_depth = 0.5;  ///< how far the net reaches behind the goal line
   double goal_post_diameter = 0.1;
@@ -29,8 +30,8 @@ template <typename Visit>
 void fields(Visit&& visit, FieldDimensions& field) {
   visit(field.length, field.width, field.border, field.line_width, field.penalty_area_depth, field.penalty_area_width,
         field.goal_area_depth, field.goal_area_width, field.penalty_mark_x, field.penalty_mark_size,
-        field.center_circle_radius, field.goal_post_y, field.goal_height, field.goal_depth, field.goal_post_diameter,
-        field.yellow_goals);
+        field.center_circle_radius, field.corner_arc_radius, field.goal_post_y, field.goal_height, field.goal_depth,
+        field.goal_post_diameter, field.yellow_goals);
 }
 
 /// Calls visit(key, length, least, most) for each length, with the range in which there can be such a field.
@@ -47,6 +48,7 @@ void describe(FieldDimensions& field, Visit&& visit) {
   visit("penalty_mark_x", field.penalty_mark_x, 0.0, 60.0);
   visit("penalty_mark_size", field.penalty_mark_size, 0.0, 0.5);
   visit("center_circle_radius", field.center_circle_radius, 0.0, 10.0);
+  visit("corner_arc_radius", field.corner_arc_radius, 0.0, 10.0);
   visit("goal_post_y", field.goal_post_y, 0.2, 5.0);
   visit("goal_height", field.goal_height, 0.2, 5.0);
   visit("goal_depth", field.goal_depth, 0.0, 5.0);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/run/venue.h"
 #include "workbench/files/home.h"
 #include "workbench/files/parameter_file.h"
 
@@ -51,6 +52,16 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
     changes.push_back({assignment.substr(0, equals), assignment.substr(equals + 1), ParameterOrigin::command_line, ""});
   }
   return changes;
+}
+
+void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field) {
+  parser
+      .add_option("--body", body,
+                  "the humanoid, a file or one of assets/robots: " + known_bodies() + " (default: nao-v6)")
+      ->check(check_not_empty);
+  parser
+      .add_option("--field", field, "its dimensions, a file or the name of one in assets/fields (default: the body's)")
+      ->check(check_not_empty);
 }
 
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts) {

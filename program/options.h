@@ -21,6 +21,8 @@ struct ParameterOptions {
 void add_parameter_options(CLI::App& parser, ParameterOptions& options);
 /// Throws std::runtime_error with one line where a file cannot be read or an assignment is none.
 std::vector<ParameterChange> overrides_of(const ParameterOptions& options);
+/// Which humanoid, and on which field.
+void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field);
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts);
 /// `told`, or scripts/ of the project where nothing was told.
 std::filesystem::path scripts_root(const std::filesystem::path& told);

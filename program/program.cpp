@@ -27,6 +27,7 @@ constexpr const char* kExamples = R"(Examples:
   reorient run --seed 7 --room hall.hdr     the same in another room, with other noise
   reorient run --realtime                   at the robot's own pace: edit scripts/behaviors/*.lua meanwhile
   reorient run --no-room-awareness     the same robot without it stays wrong (exit code 1)
+  reorient run --body booster-k1            another humanoid, on its own field
   reorient run --model hall.model           what was learned of the room is there the next time
   reorient run --set decision.false_flips=1  any parameter for this run; reorient params lists them
   reorient new behavior ball_search         a small script with its test, to start from

@@ -11,10 +11,9 @@ namespace {
 
 /// Everything that can be tuned in the simulator.
 struct SimulatorTuning {
-  explicit SimulatorTuning(const RobotOptions& options) {
-    simulator.image = options.width == 640   ? ImageSize::vga_640x480
-                      : options.width == 320 ? ImageSize::qvga_320x240
-                                             : ImageSize::qqvga_160x120;
+  explicit SimulatorTuning(const RobotOptions& options)
+      : simulator(simulator_parameters_of(options.body)), room_shape(room_shape_for(options.field)) {
+    simulator.width = options.width;
     simulator.cameras = options.both_cameras ? Cameras::both : Cameras::upper;
     for (const ParameterChange& change : options.parameters) registry.set_early(change);
     registry.bind("simulator", simulator);
@@ -36,9 +35,10 @@ RobotInstance make_simulator(const RobotOptions& options) {
   RoomCache own;
   RoomCache& rooms = options.rooms != nullptr ? *options.rooms : own;
   const Room& room = rooms.room(options.room, options.hall_seed, tuning.room_shape);
-  auto simulator = std::make_unique<Simulator>(tuning.simulator, field, room, beside_the_field, options.seed);
+  auto simulator =
+      std::make_unique<Simulator>(tuning.simulator, options.body, field, room, beside_the_field, options.seed);
   Simulator* const itself = simulator.get();
-  return {std::move(simulator), RobotInstance::Clock::simulated, itself, itself};
+  return {std::move(simulator), itself->body(), RobotInstance::Clock::simulated, itself, itself};
 }
 
 struct Maker {

@@ -26,6 +26,7 @@ class RoomCache {
 
 /// What a robot is made from; each takes what it needs.
 struct RobotOptions {
+  RobotBody body;
   FieldDimensions field;
   std::string room;             ///< panorama file; empty: the procedural hall
   std::uint64_t hall_seed = 1;  ///< of the procedural hall

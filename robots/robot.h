@@ -32,7 +32,7 @@ struct BodySample {
   TorsoAttitude torso;  ///< from the inertial unit, rad; beyond a quarter turn: the robot lies
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< of the torso, in its own frame, rad/s
   Eigen::Vector3d acceleration{0.0, 0.0, 9.81};  ///< of the torso against free fall, in its own frame, m/s^2
-  double foot_load = 5.3;                        ///< kg on both feet's pressure sensors; of no meaning without them
+  double foot_load = 5.3;  ///< kg on both feet's pressure sensors; of no meaning where there are none
 };
 template <typename Visit>
 void fields(Visit&& visit, BodySample& body) {
@@ -42,17 +42,6 @@ void fields(Visit&& visit, BodySample& body) {
 /// What the robot's own software says of its posture, where it does.
 enum class ReportedPosture { unknown, upright, falling, fallen, getting_up };
 constexpr int enum_count(ReportedPosture) { return 5; }
-
-/// Which robot it is, as far as the engine has to know. Sent with the first observation and whenever it changes.
-struct RobotBody {
-  std::string name = "NAO v6";
-  bool has_foot_sensors = true;
-  double standing_load = 5.3;  ///< kg on both feet of a standing robot
-};
-template <typename Visit>
-void fields(Visit&& visit, RobotBody& body) {
-  visit(body.name, body.has_foot_sensors, body.standing_load);
-}
 
 /// The belief of a localization that is not ours: then ours rests, and reorientations go out as answers. Give either a
 /// pose with its spread, or particles: then pose and spread are found among those. One that is not finite counts as
@@ -128,8 +117,7 @@ struct Observation {
   Pose2 odometry;    ///< dead reckoning since the start: m, rad; only its change from frame to frame counts
   ReportedPosture reported_posture = ReportedPosture::unknown;
   std::optional<ExternalBelief> belief;
-  std::optional<RobotBody> robot;  ///< where it changed
-  Told told;                       ///< what the robot's own software heard
+  Told told;  ///< what the robot's own software heard
 };
 
 class Robot {

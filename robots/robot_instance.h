@@ -5,6 +5,7 @@
 
 #include "robots/experimenter.h"
 #include "robots/robot.h"
+#include "robots/robot_body.h"
 
 namespace reorient {
 
@@ -15,6 +16,7 @@ struct RobotInstance {
   };
 
   std::unique_ptr<Robot> robot;
+  RobotBody body;
   Clock clock = Clock::simulated;
   Experimenter* experimenter = nullptr;      ///< part of the robot; nullptr: nobody can disturb it
   const GroundTruthSource* truth = nullptr;  ///< part of the robot; nullptr: nobody knows

@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kInputMagic = 0x334E4952;  // "RIN3": another layout gets another number
+constexpr std::uint32_t kInputMagic = 0x344E4952;  // "RIN4": another layout gets another number
 
 /// Where what is seen through a view is kept while it is read; a writer leaves it empty.
 struct Memory {
@@ -60,7 +60,7 @@ void archive_inputs(Archive& archive, FrameInputs& inputs, const Memory& memory)
   archive_view(archive, seen.body_samples, memory.body_samples);
   archive(seen.odometry, seen.reported_posture);
   archive_belief(archive, seen.belief, memory.particles);
-  archive(seen.robot, seen.told, inputs.parameter_changes, inputs.script_edits, inputs.told);
+  archive(seen.told, inputs.parameter_changes, inputs.script_edits, inputs.told);
 }
 
 }  // namespace

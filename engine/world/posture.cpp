@@ -59,7 +59,7 @@ void PostureEstimator::follow_height(const BodySample& sample, double step, cons
   if (posture_ == Posture::upright) bias_ += std::min(1.0, step / kBiasTime) * (upward - bias_);
 }
 
-void PostureEstimator::update(const BodySample& sample, const RobotBody& body, const Hints& hints,
+void PostureEstimator::update(const BodySample& sample, std::optional<double> standing_load, const Hints& hints,
                               const PostureParameters& parameters) {
   if (!is_finite(sample)) return;
   if (!seen_any_) since_ = sample.time;
@@ -79,18 +79,17 @@ void PostureEstimator::update(const BodySample& sample, const RobotBody& body, c
   tipping_ += std::min(1.0, step / kImpactTime) * (rate - tipping_);
 
   const auto count = [step](double& time, bool holds) { time = holds ? time + step : 0.0; };
-  const bool unloaded = body.has_foot_sensors && sample.foot_load < parameters.lifted_load * body.standing_load;
+  const bool unloaded = standing_load && sample.foot_load < parameters.lifted_load * *standing_load;
   count(unloaded_for_, unloaded);
   count(loaded_for_, !unloaded);
   count(standing_for_, tilt < kUprightAngle);
   count(still_for_, sample.angular_velocity.norm() < parameters.still_rate &&
                         std::abs(sample.acceleration.norm() - kGravity) < parameters.still_acceleration);
   follow_height(sample, step, parameters);
-  become(next(tilt, body, hints, parameters), sample.time);
+  become(next(tilt, standing_load.has_value(), hints, parameters), sample.time);
 }
 
-Posture PostureEstimator::next(double tilt, const RobotBody& body, const Hints& hints,
-                               const PostureParameters& p) const {
+Posture PostureEstimator::next(double tilt, bool feet_feel, const Hints& hints, const PostureParameters& p) const {
   switch (hints.reported) {
     case ReportedPosture::falling:
       return Posture::falling;
@@ -107,10 +106,10 @@ Posture PostureEstimator::next(double tilt, const RobotBody& body, const Hints& 
   const bool tips_over =
       !knows_itself &&
       (tilt > p.falling_angle || (tipping_ > p.falling_rate && tilt > kPushedAngle && climbed_ < p.lifted_height));
-  const bool carries_itself = body.has_foot_sensors ? loaded_for_ > p.lifted_time : true;
+  const bool carries_itself = feet_feel ? loaded_for_ > p.lifted_time : true;
   const bool feet_hang =
       unloaded_for_ > p.unloaded_time || (unloaded_for_ > p.lifted_time && climbed_ > p.lifted_height);
-  const bool is_lifted = body.has_foot_sensors ? feet_hang : climbed_ > p.lift_height;
+  const bool is_lifted = feet_feel ? feet_hang : climbed_ > p.lift_height;
   switch (posture_) {
     case Posture::upright:
       if (lies) return Posture::lying;
@@ -131,7 +130,7 @@ Posture PostureEstimator::next(double tilt, const RobotBody& body, const Hints& 
     case Posture::lifted:
       // A robot can be carried in any attitude; it lies only where it has come to rest.
       if (lies) return still_for_ > p.still_time ? Posture::lying : Posture::lifted;
-      if (body.has_foot_sensors) {
+      if (feet_feel) {
         if (tipping_ > p.falling_rate && tilt > p.falling_angle) return Posture::falling;
         return carries_itself ? Posture::upright : Posture::lifted;
       }

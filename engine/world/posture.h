@@ -77,7 +77,8 @@ class PostureEstimator {
 
   /// One sample of the body; those that are a little out of order, or that hold what is not finite, are
   /// left out.
-  void update(const BodySample& sample, const RobotBody& body, const Hints& hints, const PostureParameters& parameters);
+  void update(const BodySample& sample, std::optional<double> standing_load, const Hints& hints,
+              const PostureParameters& parameters);
 
   Posture posture() const { return posture_; }
   Posture before() const { return before_; }  ///< the posture before this one
@@ -95,7 +96,7 @@ class PostureEstimator {
   void check() const;
   void become(Posture posture, double time);
   void follow_height(const BodySample& sample, double step, const PostureParameters& parameters);
-  Posture next(double tilt, const RobotBody& body, const Hints& hints, const PostureParameters& parameters) const;
+  Posture next(double tilt, bool feet_feel, const Hints& hints, const PostureParameters& parameters) const;
 
   Posture posture_ = Posture::upright;
   Posture before_ = Posture::upright;

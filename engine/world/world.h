@@ -10,6 +10,7 @@
 #include "geometry/pose2.h"
 #include "localization/pose_belief.h"
 #include "perception/room/room_awareness.h"
+#include "robots/robot_body.h"
 
 namespace reorient {
 
@@ -41,6 +42,8 @@ struct World {
   bool sides_changed = false;    ///< the team plays towards the end that was its own at first
   double undisturbed_for = 0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
   HeadAngles head;
+  double head_reach = 0.0;  ///< rad that the neck turns to either side
+  double cruise = 0.0;      ///< m/s at which this body goes far; 0: it does not walk
 
   PoseBelief pose;
   double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
@@ -64,9 +67,19 @@ struct World {
 template <typename Visit>
 void fields(Visit&& visit, World& world) {
   visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for,
-        world.penalized, world.sides_changed, world.undisturbed_for, world.head, world.pose, world.recovery_probability,
-        world.pose_known, world.room_awareness, world.confidence, world.views, world.room_status, world.trained_seconds,
-        world.training, world.evaluating, world.goal_posts, world.line_points, world.field);
+        world.penalized, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.cruise,
+        world.pose, world.recovery_probability, world.pose_known, world.room_awareness, world.confidence, world.views,
+        world.room_status, world.trained_seconds, world.training, world.evaluating, world.goal_posts, world.line_points,
+        world.field);
+}
+
+/// Of a body on a field, before anything was seen.
+inline World world_of(const FieldDimensions& field, const RobotBody& body) {
+  World world;
+  world.field = field;
+  world.head_reach = body.neck.yaw;
+  world.cruise = body.gait ? body.gait->cruise : 0.0;
+  return world;
 }
 
 }  // namespace reorient

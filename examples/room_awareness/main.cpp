@@ -69,7 +69,7 @@ class Localization {
     view.time = time_;
     view.image = image_.view();
     view.camera = camera_;
-    view.robot_from_camera = robot_from_camera(RobotDimensions(), {yaw, 0.0}, {}, RobotDimensions().hip_height);
+    view.robot_from_camera = robot_from_camera(RobotDimensions(), {yaw, 0.0}, {}, RobotDimensions().torso_height);
     view.belief = belief;
     view.odometry_rotation = 0.0;  // it stands
     view.train = train;

@@ -51,6 +51,13 @@ double distance_to_marks(const FieldDimensions& field, const Eigen::Vector2d& pl
   return std::max(0.0, distance - field.penalty_mark_size / 2.0);
 }
 
+/// The quarter circle around the corner of the quarter in which both coordinates are positive; it ends at the lines.
+NearLine look_at_corner(const FieldDimensions& field, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d from_corner = place - 0.5 * Eigen::Vector2d(field.length, field.width);
+  if (field.corner_arc_radius <= 0.0 || from_corner.maxCoeff() > 0.0) return {FieldMap::kMaxDistance, 0.0};
+  return {std::abs(from_corner.norm() - field.corner_arc_radius), direction_of(from_corner)};
+}
+
 double distance_to_lines(const std::vector<NearLine>& lines, double normal) {
   double nearest = FieldMap::kMaxDistance;
   for (const NearLine& line : lines) {
@@ -102,12 +109,13 @@ FieldMap::FieldMap(const FieldDimensions& field) {
   std::vector<FieldLine> lines = field_lines(field);
   // The white tubes on the carpet that hold a goal's net look like lines, above all to a robot in front of them.
   add_areas(lines, field, -field.goal_depth, 2.0 * field.goal_post_y);
-  std::vector<NearLine> near_lines(lines.size() + 1);
+  std::vector<NearLine> near_lines(lines.size() + 2);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const Eigen::Vector2d place((column + 0.5) * kCellSize, (row + 0.5) * kCellSize);
       for (std::size_t i = 0; i < lines.size(); ++i) near_lines[i] = look_at(lines[i], place);
-      near_lines.back() = {std::abs(place.norm() - field.center_circle_radius), direction_of(place)};
+      near_lines[lines.size()] = {std::abs(place.norm() - field.center_circle_radius), direction_of(place)};
+      near_lines.back() = look_at_corner(field, place);
       const double mark = distance_to_marks(field, place);
       for (int direction = 0; direction < kDirections; ++direction) {
         const double distance = std::min(mark, distance_to_lines(near_lines, direction * kPi / kDirections));

@@ -41,9 +41,9 @@ void describe(MeasurementModelParameters& p, Visit&& visit) {
   visit("position_deviation", p.position_deviation, 0.01, 1.0, "m", "error of a measured position at any distance");
   visit("tilt_deviation", p.tilt_deviation, 0.001, 0.2, "rad", "error of the camera's tilt, which spoils distances");
   visit("bearing_deviation", p.bearing_deviation, 0.001, 0.5, "rad", "error of a bearing");
-  visit("camera_height", p.camera_height, 0.1, 2.0, "m", "height above the ground from which distances are judged");
-  visit("farthest_line_point", p.farthest_line_point, 1.0, 20.0, "m", "line points farther away are not used");
-  visit("farthest_goal_post", p.farthest_goal_post, 1.0, 20.0, "m", "goal posts farther away are not used");
+  visit("camera_height", p.camera_height, 0.1, 4.0, "m", "height above the ground from which distances are judged");
+  visit("farthest_line_point", p.farthest_line_point, 1.0, 60.0, "m", "line points farther away are not used");
+  visit("farthest_goal_post", p.farthest_goal_post, 1.0, 60.0, "m", "goal posts farther away are not used");
   visit("rough_distance_deviation", p.rough_distance_deviation, 0.05, 5.0, "",
         "error of a post's distance where its base is not in view, as a share of the distance");
   visit("line_point_cost_limit", p.line_point_cost_limit, 0.5, 20.0, "",

@@ -28,16 +28,16 @@ void describe(FieldFeatureParameters& p, Visit&& visit) {
         "a pixel is carpet with at least this share of the carpet's usual saturation");
   visit("line_contrast", p.line_contrast, 2.0, 100.0, "luma", "how much brighter than the carpet a line is at least");
   visit("noise_factor", p.noise_factor, 1.0, 10.0, "", "an edge is stronger than the carpet's texture times this");
-  visit("line_range", p.line_range, 0.5, 12.0, "m", "line points farther away are not looked for");
+  visit("line_range", p.line_range, 0.5, 30.0, "m", "line points farther away are not looked for");
   visit("line_spacing", p.line_spacing, 0.005, 0.5, "m",
         "scan lines closer together on the ground than this are left out");
   visit("line_support", p.line_support, 0, 10, "", "how many other points must continue the line of a line point");
   visit("post_contrast", p.post_contrast, 2.0, 100.0, "luma", "how much brighter than its surroundings a goal post is");
-  visit("post_range", p.post_range, 0.5, 12.0, "m", "goal posts farther away are not looked for");
+  visit("post_range", p.post_range, 0.5, 30.0, "m", "goal posts farther away are not looked for");
   visit("post_agreement", p.post_agreement, 0.3, 1.0, "", "share of a post's expected outline that must be seen");
-  visit("obstacle_range", p.obstacle_range, 0.5, 12.0, "m", "obstacles farther away are not looked for");
+  visit("obstacle_range", p.obstacle_range, 0.5, 30.0, "m", "obstacles farther away are not looked for");
   visit("obstacle_width", p.obstacle_width, 0.05, 1.0, "m", "what is narrower is no obstacle");
-  visit("obstacle_height", p.obstacle_height, 0.1, 2.0, "m", "how tall an obstacle is taken to be");
+  visit("obstacle_height", p.obstacle_height, 0.1, 4.0, "m", "how tall an obstacle is taken to be");
 }
 
 }  // namespace reorient

@@ -12,7 +12,10 @@
 #include "program/program.h"
 #include "program/robots.h"
 #include "program/run/simulation.h"
+#include "program/run/venue.h"
 #include "program/subcommand.h"
+#include "workbench/files/body_file.h"
+#include "workbench/files/field_file.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_host.h"
@@ -23,6 +26,7 @@ namespace {
 struct ParamsOptions {
   std::string filter;
   std::filesystem::path scripts;
+  std::filesystem::path body, field;  ///< as for `reorient run`
   ParameterOptions overrides;
   bool changed = false;
   std::filesystem::path save;
@@ -41,16 +45,21 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
 }
 
 /// Of the engine with all behaviours, of all scenarios, and of every robot.
-std::vector<Parameter> all_parameters(const ScriptTexts& texts, const std::vector<ParameterChange>& overrides) {
+std::vector<Parameter> all_parameters(const ScriptTexts& texts, const ParamsOptions& options,
+                                      const std::vector<ParameterChange>& overrides) {
   FrameSetup setup;
+  setup.body = load_body(body_file(options.body));
+  setup.field = load_field(field_file(options.field.empty() ? std::filesystem::path(setup.body.field) : options.field));
   setup.scripts = texts;
   setup.behaviors = texts.in_folder("behaviors");
   setup.parameters = overrides;
-  std::vector<std::vector<Parameter>> lists{FrameLoop(std::move(setup)).parameters()};
+  std::vector<std::vector<Parameter>> lists{FrameLoop(setup).parameters()};
   const RecordedBehaviors no_behaviors;
   for (const std::string& file : texts.in_folder("scenarios"))
     lists.push_back(ScenarioHost(texts, file, overrides, no_behaviors).parameters().list());
   RobotOptions robot;
+  robot.body = setup.body;
+  robot.field = setup.field;
   robot.parameters = overrides;
   for (const std::string& name : robot_names()) lists.push_back(robot_parameters(name, robot));
   return merged(std::move(lists));
@@ -59,7 +68,7 @@ std::vector<Parameter> all_parameters(const ScriptTexts& texts, const std::vecto
 int params(const ParamsOptions& options, std::ostream& out) {
   const std::vector<ParameterChange> overrides = overrides_of(options.overrides);
   const ScriptTexts texts = read_scripts(scripts_root(options.scripts));
-  const std::vector<Parameter> all = all_parameters(texts, overrides);
+  const std::vector<Parameter> all = all_parameters(texts, options, overrides);
   std::set<std::string> loaded;
   for (const char* folder : {"behaviors", "scenarios"}) {
     for (const std::string& file : texts.in_folder(folder)) loaded.insert(module_of_script(file));
@@ -85,6 +94,7 @@ Subcommand add_params(CLI::App& program) {
       program.add_subcommand("params", "list all parameters: value, origin, range, meaning")->fallthrough();
   parser->add_option("filter", options->filter, "only those with this in their names, as in: orientation.");
   parser->add_flag("--changed", options->changed, "only those that differ from their defaults");
+  add_body_options(*parser, options->body, options->field);
   add_parameter_options(*parser, options->overrides);
   parser->add_option("--save-params", options->save, "write the overrides into this file, for --params");
   add_scripts_option(*parser, options->scripts);

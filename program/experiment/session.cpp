@@ -18,6 +18,7 @@
 #include "program/script_names.h"
 #include "workbench/experiments/condition/experiment_file.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/body_file.h"
 #include "workbench/files/home.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_host.h"
@@ -168,10 +169,12 @@ void Session::prepare_conditions() {
     if (condition.compasses) static_cast<void>(compass_parameters_of(condition));
     const RecordedBehaviors nobody;
     const ScenarioHost scenario(texts, scenario_file(scripts_, texts, options.scenario), overrides, nobody);
-    const Venue venue = venue_of(options, scenario.setting());
+    const std::filesystem::path body = body_file(options.body);
+    const Venue venue = venue_of(options, scenario.setting(), load_body(body));
     std::string text = fmt::format("{}\n{:x}\n{}", REORIENT_VERSION, scripts_hash_, as_text(condition));
     for (const ParameterChange& change : overrides)
       text.append(change.name).append(" = ").append(change.value).append("\n");
+    text += fmt::format("body {:x}\n", files.of(body));
     text += fmt::format("field {:x}\n", files.of(venue.field));
     if (!venue.room.empty()) text += fmt::format("room {:x}\n", files.of(venue.room));
     origins.push_back(content_hash(text));

@@ -24,9 +24,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--hall-seed", options.hall_seed, "of the procedural hall (default: the scenario's, else 1)")
       ->check(check_seed)
       ->excludes(room);
-  run.add_option("--field", options.field,
-                 "field dimensions, a file or the name of one in assets/fields (default: spl)")
-      ->check(check_not_empty);
+  add_body_options(run, options.body, options.field);
   CLI::Option* const model =
       run.add_option("--model", options.model,
                      "file with a model of the room: loaded if it is there, and saved with what this run learns")
@@ -38,7 +36,7 @@ void add_options(CLI::App& run, RunOptions& options) {
       ->check(check_seed)
       ->capture_default_str();
   run.add_option("--width", options.width, "of the camera image, pixels")
-      ->check(CLI::IsMember({160, 320, 640}))
+      ->check(CLI::IsMember({160, 320, 544, 640}))
       ->capture_default_str();
   run.add_option("--cameras", options.cameras, "which of the robot's two cameras give images")
       ->check(CLI::IsMember({"upper", "both"}))

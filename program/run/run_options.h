@@ -20,6 +20,7 @@ struct SimulationOptions {
   std::vector<std::string> without;       ///< of those that the scenario lists
   std::filesystem::path scripts;          ///< root of the scripts
   // Where it takes place; what is left open here is up to the scenario (program/run/venue.h).
+  std::filesystem::path body;              ///< TOML file, or the name of a shipped one; empty: the NAO
   std::filesystem::path field;             ///< TOML file, or the name of a shipped one
   std::string room;                        ///< panorama file, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of the procedural hall

@@ -8,6 +8,7 @@
 #include "program/parameter_modules.h"
 #include "program/robots.h"
 #include "program/script_names.h"
+#include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
 #include "workbench/files/script_files.h"
 
@@ -87,7 +88,8 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
   const ScriptTexts scripts = read_scripts(options.scripts);
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),
                                              overrides, behaviors_, options.seed);
-  venue_ = venue_of(options, scenario_->setting());
+  const RobotBody body = load_body(body_file(options.body));
+  venue_ = venue_of(options, scenario_->setting(), body);
   FrameSetup setup;
   setup.field = load_field(venue_.field);
   setup.seed = options.seed;
@@ -97,9 +99,12 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
   setup.parameters = overrides;
   setup.model = model_;
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
-  RobotOptions robot{setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
-                     overrides,   rooms};
+  RobotOptions robot{
+      body,      setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
+      overrides, rooms};
   robot_parameters_ = robot_parameters(options.robot, robot);
+  robot_ = make_robot(options.robot, robot);
+  setup.body = robot_.body;
   try {
     engine_ = std::make_unique<FrameLoop>(std::move(setup));
   } catch (const UnfitModel& reason) {
@@ -108,7 +113,6 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
   }
   modules.parameters = parameters();
   kept_parameters_ = kept_for_others(overrides, modules);
-  robot_ = make_robot(options.robot, robot);
 }
 
 RunParts Simulation::parts() {

@@ -13,7 +13,7 @@ namespace reorient {
 namespace {
 
 constexpr std::string_view kRooms[] = {".hdr", ".png", ".jpg", ".jpeg"};
-constexpr std::string_view kFields[] = {".toml"};
+constexpr std::string_view kTomlFiles[] = {".toml"};
 
 /// The files of a folder that may be meant.
 std::vector<std::string> candidates(const std::filesystem::path& folder, std::span<const std::string_view> extensions) {
@@ -58,7 +58,23 @@ std::string file_named_by_script(const std::filesystem::path& scripts, const std
   return named.empty() || is_name || path.is_absolute() ? named : (scripts / path).lexically_normal().string();
 }
 
-Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting) {
+std::filesystem::path body_file(const std::filesystem::path& named) {
+  return existing_file("body", "robots", named.empty() ? "nao-v6" : named, kTomlFiles);
+}
+
+std::filesystem::path field_file(const std::filesystem::path& named) {
+  return existing_file("field", "fields", named, kTomlFiles);
+}
+
+std::string known_bodies() try {
+  std::string all;
+  for (const std::string& name : asset_names("robots", kTomlFiles)) all.append(all.empty() ? "" : ", ").append(name);
+  return all;
+} catch (const std::runtime_error&) {  // a help text is no place to tell that there is no home
+  return "none found";
+}
+
+Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting, const RobotBody& body) {
   Venue venue;
   const bool room_is_told = !options.room.empty() || options.hall_seed;
   const std::string room = room_is_told ? options.room : file_named_by_script(options.scripts, setting.room);
@@ -66,7 +82,7 @@ Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting)
   venue.hall_seed = (room_is_told ? options.hall_seed : setting.hall_seed).value_or(1);
   const std::string field =
       options.field.empty() ? file_named_by_script(options.scripts, setting.field) : options.field.string();
-  venue.field = existing_file("field", "fields", field.empty() ? "spl" : field, kFields);
+  venue.field = field_file(field.empty() ? body.field : field);
   return venue;
 }
 

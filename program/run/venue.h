@@ -1,4 +1,5 @@
-// Where a run takes place: what the command line says, else the scenario, else the shipped hall and field.
+// Where a run takes place, and with which body: what the command line says, else the scenario, else the shipped hall
+// and the body's field.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 
 #include "engine/script/machine/machine_definition.h"
 #include "program/run/run_options.h"
+#include "robots/robot_body.h"
 
 namespace reorient {
 
@@ -18,8 +20,17 @@ struct Venue {
   std::string name() const;  ///< of the room, for people
 };
 
-/// Throws std::runtime_error with one line where a room or field is no file.
-Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting);
+/// `body`: on whose field it takes place where nothing else is said. Throws std::runtime_error with one line where a
+/// room or field is no file.
+Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting, const RobotBody& body);
+
+/// A file, or a shipped one by its name; the NAO's where nothing is named. Throws std::runtime_error with one line
+/// where it is none.
+std::filesystem::path body_file(const std::filesystem::path& named);
+/// The same of a field.
+std::filesystem::path field_file(const std::filesystem::path& named);
+/// Those that are shipped, for people: "booster-k1, nao-v6".
+std::string known_bodies();
 
 /// A file as a script names it: the name of a shipped one, or a path from the scripts' root.
 std::string file_named_by_script(const std::filesystem::path& scripts, const std::string& named);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "geometry/pinned_math.h"
@@ -12,23 +14,44 @@ namespace {
 
 constexpr std::uint64_t kLink = 0x117c;  // random stream
 
-CameraModel camera_of(const SimulatorParameters& parameters) {
-  constexpr int kWidth[] = {640, 320, 160};
-  constexpr int kHeight[] = {480, 240, 120};
-  const auto size = static_cast<std::size_t>(parameters.image);
-  CameraModel camera = CameraModel::from_fields_of_view(
-      kWidth[size], kHeight[size], parameters.field_of_view_horizontal, parameters.field_of_view_vertical);
+CameraModel camera_of(const SimulatorParameters& parameters, const CameraOptics& optics) {
+  const int width = parameters.width / 2 * 2;
+  const int height = (width * optics.height / optics.width + 1) / 2 * 2;
+  CameraModel camera = CameraModel::from_fields_of_view(width, height, parameters.field_of_view_horizontal,
+                                                        parameters.field_of_view_vertical);
   camera.k1 = parameters.distortion_k1;
   camera.k2 = parameters.distortion_k2;
   return camera;
 }
 
-RobotDimensions with_tilt_error(RobotDimensions dimensions, double deviation, double offset, std::uint64_t seed) {
+/// As it really is: with what the calibration of its cameras missed.
+RobotBody with_tilt_error(RobotBody body, const SimulatorParameters& parameters, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 0x7117;
   Random random(seed, kStream);
-  dimensions.camera_tilt += offset + deviation * random.normal();
-  dimensions.lower_camera_tilt += offset + deviation * random.normal();
-  return dimensions;
+  for (CameraMount* const mount : {&body.dimensions.upper, &body.dimensions.lower})
+    mount->tilt += parameters.tilt_offset + parameters.tilt_error * random.normal();
+  return body;
+}
+
+RobotBody as_built(RobotBody body, const SimulatorParameters& parameters) {
+  if (!parameters.body.foot_sensors) body.standing_load.reset();
+  if (parameters.cameras == Cameras::both && !body.lower_camera)
+    throw std::runtime_error("a " + body.name + " has one camera only; leave --cameras both out");
+  return body;
+}
+
+/// Throws where the carpet is larger than the floor.
+const Room& checked(const Room& room, const FieldDimensions& field) {
+  const Eigen::Vector2d carpet(field.length + 2.0 * field.border, field.width + 2.0 * field.border);
+  const Eigen::Vector2d floor = floor_extent(room.shape);
+  const bool holds =
+      room.shape.form == RoomForm::box ? (carpet.array() <= floor.array()).all() : carpet.norm() <= floor.x();
+  if (holds) return room;
+  std::ostringstream message;
+  message << "a carpet of " << carpet.x() << " x " << carpet.y() << " m does not lie in a "
+          << (room.shape.form == RoomForm::box ? "room" : "round room") << " of " << floor.x() << " x " << floor.y()
+          << " m: give room_shape.length and room_shape.width with --set";
+  throw std::runtime_error(message.str());
 }
 
 Eigen::Vector2d bounds_of(const Room& room) {
@@ -77,16 +100,28 @@ Ball somewhere_on(const FieldDimensions& field, std::uint64_t seed) {
 
 }  // namespace
 
-Simulator::Simulator(const SimulatorParameters& parameters, const FieldDimensions& field, const Room& room,
-                     const Pose2& start, std::uint64_t seed)
+SimulatorParameters simulator_parameters_of(const RobotBody& body) {
+  SimulatorParameters parameters;
+  parameters.frame_rate = body.upper_camera.rate;
+  parameters.field_of_view_horizontal = body.upper_camera.field_of_view_horizontal;
+  parameters.field_of_view_vertical = body.upper_camera.field_of_view_vertical;
+  parameters.distortion_k1 = body.upper_camera.k1;
+  parameters.distortion_k2 = body.upper_camera.k2;
+  parameters.body = body_parameters_of(body);
+  return parameters;
+}
+
+Simulator::Simulator(const SimulatorParameters& parameters, const RobotBody& body, const FieldDimensions& field,
+                     const Room& room, const Pose2& start, std::uint64_t seed)
     : parameters_(parameters),
       field_(field),
-      room_(room),
+      room_(checked(room, field)),
       bounds_(bounds_of(room)),
       goals_(barriers_of(field)),
-      true_dimensions_(with_tilt_error(dimensions_, parameters.tilt_error, parameters.tilt_offset, seed)),
-      camera_(camera_of(parameters)),
-      body_(parameters.body, true_dimensions_, start, seed),
+      robot_(as_built(body, parameters)),
+      size_(standing_camera_height(robot_) / standing_camera_height(RobotBody())),
+      camera_(camera_of(parameters, robot_.upper_camera)),
+      body_(parameters.body, with_tilt_error(robot_, parameters, seed), start, seed),
       players_(parameters.other_robots, field, start.position, seed),
       ball_(somewhere_on(field, seed)),
       spectators_(parameters.spectators, room.shape, field, room.light, seed),
@@ -112,7 +147,6 @@ bool Simulator::observe(Observation& observation) {
   return true;
 }
 
-/// The first image tells the robot who it is: it always arrives.
 bool Simulator::is_dropped() {
   return parameters_.dropped_frames > 0.0 && frame_ > 0 && link_.uniform() < parameters_.dropped_frames;
 }
@@ -164,7 +198,7 @@ CameraFrame Simulator::moment(HeadCamera camera, const BodySample& body) const {
   frame.time = body.time;
   frame.camera = camera_;
   frame.odometry = body_.odometry();
-  frame.robot_from_camera = body_.measured_camera(dimensions_, body, camera);
+  frame.robot_from_camera = body_.measured_camera(robot_.dimensions, body, camera);
   return frame;
 }
 
@@ -186,7 +220,6 @@ void Simulator::look(Observation& observation) {
   observation.time = static_cast<double>(frame_) / parameters_.frame_rate;
   light_up();
   place_people(observation.time);
-  if (frame_ == 0) observation.robot = RobotBody{"NAO v6", parameters_.body.foot_sensors, RobotBody{}.standing_load};
   observation.told.referee = std::exchange(whistle_, std::nullopt);
   observation.body = body_samples_.back();
   observation.body_samples = body_samples_;
@@ -209,7 +242,7 @@ void Simulator::place_people(double time) {
   scene_.shadows.resize(standing_shadows_);
   static const LinearColor kJerseys[] = {{0.03f, 0.07f, 0.42f}, {0.55f, 0.02f, 0.03f}};
   for (const Player& player : players_.all()) {
-    add_robot(scene_, player.pose, player.stride, kJerseys[player.team], room_.light);
+    add_robot(scene_, player.pose, player.stride, size_, kJerseys[player.team], room_.light);
   }
   if (parameters_.ball) add_ball(scene_, ball_.position, room_.light);
   spectators_.add_to(scene_, time);

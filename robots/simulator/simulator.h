@@ -1,4 +1,5 @@
-// A NAO on a field in a room, simulated a frame at a time: the same seed and the same requests give the same bytes.
+// A humanoid on a field in a room, simulated a frame at a time: the same seed and the same requests give the same
+// bytes.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +24,11 @@
 
 namespace reorient {
 
-/// The cameras' resolution.
-enum class ImageSize { vga_640x480, qvga_320x240, qqvga_160x120 };
-
 enum class Cameras { upper, both };
 
 struct SimulatorParameters {
   Cameras cameras = Cameras::upper;
-  ImageSize image = ImageSize::vga_640x480;
+  int width = 640;
   double frame_rate = 30.0;
   int body_samples = 3;
   double field_of_view_horizontal = from_degrees(56.3);
@@ -54,13 +52,14 @@ struct SimulatorParameters {
 template <typename Visit>
 void describe(SimulatorParameters& p, Visit&& visit) {
   visit("cameras", p.cameras, {"upper", "both"}, "which cameras give images");
-  visit("image", p.image, {"640x480", "320x240", "160x120"}, "the cameras' resolution in pixels");
+  visit("width", p.width, 80, 1280, "",
+        "pixels of a row of the images, made even; there are as many rows as the robot's camera asks for");
   visit("frame_rate", p.frame_rate, 1.0, 120.0, "Hz", "frames per second of simulated time");
   visit("body_samples", p.body_samples, 1, 20, "", "how often joints and inertial unit are read in each frame");
   visit("field_of_view_horizontal", p.field_of_view_horizontal, 0.35, 2.0, "rad",
-        "the camera's field of view, left to right");
-  visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 1.6, "rad",
-        "the camera's field of view, top to bottom");
+        "the cameras' field of view, left to right");
+  visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 2.0, "rad",
+        "the cameras' field of view, top to bottom");
   visit("distortion_k1", p.distortion_k1, -0.3, 0.5, "", "radial distortion of the camera, quadratic");
   visit("distortion_k2", p.distortion_k2, -0.1, 0.3, "", "radial distortion of the camera, to the fourth power");
   visit("tilt_error", p.tilt_error, 0.0, 0.1, "rad",
@@ -75,14 +74,20 @@ void describe(SimulatorParameters& p, Visit&& visit) {
   visit("ball", p.ball, "whether a ball lies on the field");
 }
 
+/// What a body's file says of them; the rest as it is.
+SimulatorParameters simulator_parameters_of(const RobotBody& body);
+
 class Simulator : public Robot, public Experimenter, public GroundTruthSource {
  public:
-  Simulator(const SimulatorParameters& parameters, const FieldDimensions& field, const Room& room, const Pose2& start,
-            std::uint64_t seed);
+  /// Throws std::runtime_error with one line where both cameras are asked for and the robot has one.
+  Simulator(const SimulatorParameters& parameters, const RobotBody& body, const FieldDimensions& field,
+            const Room& room, const Pose2& start, std::uint64_t seed);
 
   /// Moves the world on by one frame and looks at it. Never ends, never waits.
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
+  /// What the robot knows of itself.
+  const RobotBody& body() const { return robot_; }
   GroundTruth ground_truth() const override { return body_.ground_truth(); }
 
   void pick_up() override { body_.pick_up(); }
@@ -139,8 +144,8 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   std::vector<Barrier> goals_;
   std::vector<Barrier> barriers_;  // goals and other robots
 
-  RobotDimensions dimensions_;       // as the robot believes
-  RobotDimensions true_dimensions_;  // with the error of the camera's calibration
+  RobotBody robot_;
+  double size_;  // of it and the other robots, as share of a NAO's
   CameraModel camera_;
   Body body_;
   Players players_;

@@ -38,6 +38,8 @@ game = {}
 ---@field penalized boolean the referee has taken it out of the game
 ---@field head_yaw number rad, measured angle of the head, to the left
 ---@field head_pitch number rad, measured angle of the head, downwards
+---@field head_reach number rad, how far the neck turns to either side
+---@field cruise number m/s, at which speed this body goes far; 0: it does not walk
 robot = {}
 
 ---Where the robot believes that it is, in the field's frame: x towards the opponent goal, y to the left.
@@ -103,6 +105,7 @@ seen = {}
 ---@field penalty_area_depth number m, from the goal line
 ---@field penalty_area_width number m, along the goal line
 ---@field goal_post_y number m, distance of a goal's posts from its middle
+---@field corner_arc_radius number m, radius of the quarter circles at the corners; 0: there are none
 ---@field center_circle_radius number m, radius of the centre circle
 field = {}
 
@@ -268,10 +271,11 @@ do
 ---@class lib.ground_truth
 local library = {}
 
---- Where a robot stands beside the field before a match (m, m, rad): at the height of its own penalty mark, looking into
---- the field.
----@type { x: number, y: number, rotation: number }
-library.START = nil
+--- Where a robot stands beside the field before a match: at the height of its own penalty mark, looking into the field.
+---@return number x m
+---@return number y m
+---@return number rotation rad
+function library.start_pose() end
 
 --- Puts the robot down at the start and tells it so.
 function library.start() end

@@ -11,34 +11,36 @@ local p = param {
 
 local NEAR = 0.05   -- rad
 
-local function is_left() return math.abs(robot.head_yaw - p.width) < NEAR end
+local function side() return math.min(p.width, robot.head_reach) end   -- rad
 
-local function is_right() return math.abs(robot.head_yaw + p.width) < NEAR end
+local function is_left() return math.abs(robot.head_yaw - side()) < NEAR end
+
+local function is_right() return math.abs(robot.head_yaw + side()) < NEAR end
 
 behavior "head_scan" {
   priority = 10,
   initial = "walls to the left",
 
   state "walls to the left" {
-    update = function() head.look(p.width, p.wall_pitch, p.speed) end,
+    update = function() head.look(side(), p.wall_pitch, p.speed) end,
     { "walls to the right", when = is_left, because = "the side is reached" },
     { "walls to the right", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "walls to the right" {
-    update = function() head.look(-p.width, p.wall_pitch, p.speed) end,
+    update = function() head.look(-side(), p.wall_pitch, p.speed) end,
     { "field to the left", when = is_right, because = "the side is reached" },
     { "field to the left", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "field to the left" {
-    update = function() head.look(p.width, p.field_pitch, p.speed) end,
+    update = function() head.look(side(), p.field_pitch, p.speed) end,
     { "field to the right", when = is_left, because = "the side is reached" },
     { "field to the right", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "field to the right" {
-    update = function() head.look(-p.width, p.field_pitch, p.speed) end,
+    update = function() head.look(-side(), p.field_pitch, p.speed) end,
     { "walls to the left", when = is_right, because = "the side is reached" },
     { "walls to the left", after = "timeout", because = "the side cannot be reached" },
   },

@@ -32,8 +32,9 @@ function gaze.is_at(x, y) return gaze.angle_to(x, y) < p.near end
 ---@param y number m
 function gaze.at(x, y)
   local _, bearing = walking.distance_and_bearing(x, y)
-  head.look(math.max(-p.reach, math.min(p.reach, bearing)), p.pitch, p.speed)
-  if math.abs(bearing) > p.reach then
+  local reach = math.min(p.reach, robot.head_reach)
+  head.look(math.max(-reach, math.min(reach, bearing)), p.pitch, p.speed)
+  if math.abs(bearing) > reach then
     walking.turn(bearing > 0 and p.turn or -p.turn)
   else
     walk.stand()

@@ -9,16 +9,16 @@ local p = param {
 
 local ground_truth = {}
 
---- Where a robot stands beside the field before a match (m, m, rad): at the height of its own penalty mark, looking into
---- the field.
----@type { x: number, y: number, rotation: number }
-ground_truth.START = { x = -3.2, y = -3.5, rotation = math.pi / 2 }
+--- Where a robot stands beside the field before a match: at the height of its own penalty mark, looking into the field.
+---@return number x m
+---@return number y m
+---@return number rotation rad
+function ground_truth.start_pose() return -field.penalty_mark_x, -field.width / 2 - 0.5, math.pi / 2 end
 
 --- Puts the robot down at the start and tells it so.
 function ground_truth.start()
-  local start = ground_truth.START
-  experimenter.put_down(start.x, start.y, start.rotation)
-  experimenter.set_initial_pose(start.x, start.y, start.rotation)
+  experimenter.put_down(ground_truth.start_pose())
+  experimenter.set_initial_pose(ground_truth.start_pose())
 end
 
 --- How far the believed pose is from the true one.

@@ -1,7 +1,7 @@
 --- Walking to a place on the field, by the pose that the robot believes in.
 
 local p = param {
-  speed    = { 0.2, range = { 0, 0.4 }, unit = "m/s",   doc = "how fast to walk forward" },
+  speed    = { 1.0, range = { 0, 2 },                   doc = "how fast to walk forward: share of the speed at which the robot goes far" },
   turn     = { 0.6, range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn" },
   near     = { 0.3, range = { 0, 2 },   unit = "m",     doc = "from this distance on walk slower and without turning to the target" },
   aligned  = { 0.4, range = { 0, 3.2 }, unit = "rad",   doc = "up to this bearing walk while turning; beyond turn on the spot" },
@@ -19,6 +19,8 @@ function walk_library.normalize(angle)
   if turned > math.pi then turned = turned - 2 * math.pi end
   return turned
 end
+
+local function forward_speed() return p.speed * robot.cruise end   -- m/s
 
 local function clamp(value, limit) return math.max(-limit, math.min(limit, value)) end
 
@@ -47,13 +49,13 @@ function walk_library.is_near(x, y, distance) return (walk_library.distance_and_
 function walk_library.walk_to(x, y, rotation)
   local distance, bearing = walk_library.distance_and_bearing(x, y)
   if distance > p.near then
-    local forward = math.abs(bearing) < p.aligned and p.speed or 0.0
+    local forward = math.abs(bearing) < p.aligned and forward_speed() or 0.0
     walk.velocity(forward, 0.0, clamp(2.0 * bearing, p.turn))
     return false
   end
   local error = rotation and walk_library.normalize(rotation - pose.rotation) or 0.0
   if distance > p.distance then
-    local speed = math.min(p.speed, distance)
+    local speed = math.min(forward_speed(), distance)
     walk.velocity(speed * math.cos(bearing), speed * math.sin(bearing), clamp(error, p.turn))
     return false
   end

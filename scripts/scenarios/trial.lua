@@ -29,9 +29,9 @@ local p = param {
 local memory = keep { x = 0.0, y = 0.0, rotation = 0.0, wait = 0.0 }   -- the belief when something happens
 
 local function start_pose()
-  local start = ground_truth.START
-  if p.side == "own" then return start.x, start.y, start.rotation end
-  return -start.x, -start.y, start.rotation + math.pi
+  local x, y, rotation = ground_truth.start_pose()
+  if p.side == "own" then return x, y, rotation end
+  return -x, -y, rotation + math.pi
 end
 
 local function remember_belief()

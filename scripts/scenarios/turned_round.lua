@@ -12,8 +12,6 @@ local p = param {
   timeout = { 120.0, range = { 1, 600 },  unit = "s", doc = "how long it may take after being put down" },
 }
 
-local START = { x = -3.2, y = -3.5, rotation = math.rad(90) }
-
 local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
 
 local function stands_on_mark(side)
@@ -28,10 +26,7 @@ scenario "turned_round" {
   initial = "placing",
 
   state "placing" {
-    enter = function()
-      experimenter.put_down(START.x, START.y, START.rotation)
-      experimenter.set_initial_pose(START.x, START.y, START.rotation)
-    end,
+    enter = ground_truth.start,
     { "learning", after = 0.1, because = "the robot was told where it stands" },
   },
 

@@ -161,7 +161,7 @@ test("an edit of the library counts without losing the way", function()
   stand_at(-3.2, 0, 0)
   advance(1.3)
   expect.state("penalty_marks", "walking")
-  reload { file = "lib/walk.lua", from = "speed    = { 0.2,", to = "speed    = { 0.3," }
+  reload { file = "lib/walk.lua", from = "speed    = { 1.0,", to = "speed    = { 1.5," }
   advance(0.1)
   expect.walk(0.3, 0, 0)
 end)

@@ -41,14 +41,14 @@ class SteadyState : public testing::TestWithParam<Cameras> {
  protected:
   SteadyState() {
     SimulatorParameters parameters;
-    parameters.image = ImageSize::qqvga_160x120;
+    parameters.width = 160;
     parameters.cameras = GetParam();
     FrameSetup setup;
     setup.scripts = read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts");
     setup.behaviors = {"orientation", "background_training", "kidnap_recovery", "goal_search",
                        "wall_gaze",   "head_scan",           "get_up",          "penalty_marks"};
     const Pose2 start(-2.0, 1.0, 0.5);
-    simulator.emplace(parameters, setup.field, procedural_hall(1, {}), start, 1);
+    simulator.emplace(parameters, setup.body, setup.field, procedural_hall(1, {}), start, 1);
     engine.emplace(std::move(setup));
     inputs.told.initial_pose = InitialPose{start};
     if (const char* number = std::getenv("REORIENT_STOP_AT_ALLOCATION")) stop_at = std::atol(number);

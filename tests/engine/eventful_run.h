@@ -58,9 +58,9 @@ inline std::vector<ExternalBelief::Particle> scattered_around(const Pose2& pose)
 /// One element for each frame.
 inline std::vector<Bytes> eventful_run(int frames, FrameSetup setup = eventful_setup()) {
   SimulatorParameters parameters;
-  parameters.image = ImageSize::qqvga_160x120;
+  parameters.width = 160;
   const Pose2 start(-2.0, 1.0, 0.5);
-  Simulator simulator(parameters, setup.field, procedural_hall(1, {}), start, 5);
+  Simulator simulator(parameters, RobotBody(), setup.field, procedural_hall(1, {}), start, 5);
   const ScriptText orientation = *setup.scripts.find("behaviors/orientation.lua");
   FrameLoop engine(std::move(setup));
   std::vector<Bytes> run;

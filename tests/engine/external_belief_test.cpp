@@ -136,11 +136,11 @@ class OwnLocalization : public Robot {
 
 TEST(ExternalBelief, OfARobotThatIsTurnedRoundIsCorrectedByItsOwnLocalization) {
   SimulatorParameters parameters;
-  parameters.image = ImageSize::qqvga_160x120;
+  parameters.width = 160;
   FrameSetup setup;
   setup.scripts = read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts");
   setup.behaviors = {"orientation", "background_training", "head_scan", "penalty_marks"};
-  Simulator simulator(parameters, setup.field, procedural_hall(1, {}), Pose2(-2.0, 1.0, 0.5), 1);
+  Simulator simulator(parameters, RobotBody(), setup.field, procedural_hall(1, {}), Pose2(-2.0, 1.0, 0.5), 1);
   OwnLocalization robot(simulator);
   FrameLoop engine(std::move(setup));
   FrameInputs inputs;

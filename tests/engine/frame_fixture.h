@@ -48,7 +48,7 @@ class HandFedLoop {
     CameraFrame& upper = inputs.observation.upper.emplace();
     upper.image = image.view();
     upper.camera = CameraModel().scaled_to(image.width(), image.height());
-    upper.robot_from_camera = robot_from_camera(RobotDimensions(), {}, {}, RobotDimensions().hip_height);
+    upper.robot_from_camera = robot_from_camera(RobotDimensions(), {}, {}, RobotDimensions().torso_height);
   }
 
   /// This many frames; what was told or changed is for the first of them.

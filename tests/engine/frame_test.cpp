@@ -117,10 +117,11 @@ TEST(Frame, KeepsTheBeliefWhereACommandIsRefused) {
 
 TEST(Frame, SeesTheFieldWithBothCamerasEachWithItsOwnPose) {
   SimulatorParameters parameters;
-  parameters.image = ImageSize::qvga_320x240;
+  parameters.width = 320;
   parameters.cameras = Cameras::both;
   const FieldDimensions field;
-  Simulator simulator(parameters, field, procedural_hall(1, {}), Pose2(-0.8, 0.0, 0.0), 1);  // before the centre circle
+  Simulator simulator(parameters, RobotBody(), field, procedural_hall(1, {}), Pose2(-0.8, 0.0, 0.0),
+                      1);  // before the centre circle
   FrameSetup setup;
   setup.scripts.apply({"behaviors/tested.lua", ScriptText{kIdle, ""}});
   setup.behaviors = {"tested"};
@@ -212,7 +213,7 @@ TEST(Frame, NeitherTrainsNorEvaluatesNorSeesTheFieldWhileItLies) {
   const double trained = loop.world().trained_seconds;
   loop.inputs.observation.body.torso.pitch = 1.5;
   loop.inputs.observation.upper->robot_from_camera =
-      robot_from_camera(RobotDimensions(), {}, {0.0, 1.5}, RobotDimensions().hip_height);
+      robot_from_camera(RobotDimensions(), {}, {0.0, 1.5}, RobotDimensions().torso_height);
   loop.step();
   EXPECT_EQ(loop.world().posture, Posture::lying);
   EXPECT_FALSE(loop.world().training);

@@ -89,7 +89,8 @@ class HalfTimeOnTheSimulator : public ::testing::Test {
   static constexpr const char* kTurnsRound =
       R"(behavior "tested" { update = function() walk.velocity(0, 0, 0.6) end })";
 
-  HalfTimeOnTheSimulator() : simulator_(parameters(), FieldDimensions(), procedural_hall(1, {}), kStandsAt, 1) {
+  HalfTimeOnTheSimulator()
+      : simulator_(parameters(), RobotBody(), FieldDimensions(), procedural_hall(1, {}), kStandsAt, 1) {
     FrameSetup setup;
     setup.scripts.apply({"behaviors/tested.lua", ScriptText{kTurnsRound, ""}});
     setup.behaviors.emplace_back("tested");
@@ -97,7 +98,7 @@ class HalfTimeOnTheSimulator : public ::testing::Test {
   }
   static SimulatorParameters parameters() {
     SimulatorParameters parameters;
-    parameters.image = ImageSize::qqvga_160x120;
+    parameters.width = 160;
     return parameters;
   }
 

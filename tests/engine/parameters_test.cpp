@@ -7,13 +7,13 @@
 namespace reorient {
 namespace {
 
-enum class Distance { hellinger, ssd3 };
+enum class Metric { hellinger, ssd3 };
 
 struct FilterParameters {
   int particles = 100;
   double noise = 0.05;
   bool paper = false;
-  Distance distance = Distance::hellinger;
+  Metric distance = Metric::hellinger;
 };
 
 template <typename Visit>
@@ -53,7 +53,7 @@ TEST_F(Parameters, ASettingIsWrittenIntoTheBoundStruct) {
   EXPECT_EQ(filter.particles, 30);
   EXPECT_EQ(filter.noise, 0.5);
   EXPECT_TRUE(filter.paper);
-  EXPECT_EQ(filter.distance, Distance::ssd3);
+  EXPECT_EQ(filter.distance, Metric::ssd3);
 }
 
 TEST_F(Parameters, AreListedWithValueDefaultAndOrigin) {

@@ -28,12 +28,12 @@ class Standing : public ::testing::Test {
   void feel(BodySample sample, double seconds = kBodyStep) {
     for (double t = 0.0; t < seconds - 1e-9; t += kBodyStep) {
       sample.time = time += kBodyStep;
-      posture.update(sample, body, hints, parameters);
+      posture.update(sample, standing_load, hints, parameters);
     }
   }
 
   double time = 0.0;
-  RobotBody body;
+  std::optional<double> standing_load = 5.3;  // kg
   PostureEstimator::Hints hints;
   PostureParameters parameters;
   PostureEstimator posture;
@@ -166,7 +166,7 @@ TEST_F(Standing, BelievesWhatTheRobotItselfReports) {
 }
 
 TEST_F(Standing, WithoutFootSensorsIsLiftedByGoingUpAndPutDownByStandingStill) {
-  body.has_foot_sensors = false;
+  standing_load.reset();
   feel(felt(0.0), 2.0);
   ASSERT_EQ(posture.posture(), Posture::upright) << "a load of nothing says nothing";
   BodySample up = felt(0.0);
@@ -186,14 +186,14 @@ TEST_F(Standing, LeavesOutWhatIsNotFiniteOrOutOfOrder) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BodySample bad = felt(kStanding, nan);
   bad.time = time + 0.1;
-  posture.update(bad, body, hints, parameters);
+  posture.update(bad, standing_load, hints, parameters);
   bad = felt(0.0, 1.5);
   bad.acceleration.x() = std::numeric_limits<double>::infinity();
   bad.time = time + 0.1;
-  posture.update(bad, body, hints, parameters);
+  posture.update(bad, standing_load, hints, parameters);
   BodySample late = felt(0.0, 1.5);
   late.time = time - 0.5;
-  posture.update(late, body, hints, parameters);
+  posture.update(late, standing_load, hints, parameters);
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
@@ -208,8 +208,7 @@ TEST_F(Standing, GoesOnWhenTheRobotsClockBeginsAnew) {
 RC_GTEST_PROP(PostureProperty, StaysFiniteAndGoesOnFromItsBytes, ()) {
   PostureEstimator one;
   const PostureParameters parameters;
-  RobotBody body;
-  body.has_foot_sensors = *rc::gen::arbitrary<bool>();
+  const std::optional<double> standing_load = *rc::gen::arbitrary<bool>() ? std::optional(5.3) : std::nullopt;
   double time = 0.0;
   const auto draw = [](int most) { return 0.01 * *rc::gen::inRange(-most, most + 1); };
   const auto next = [&] {
@@ -219,7 +218,7 @@ RC_GTEST_PROP(PostureProperty, StaysFiniteAndGoesOnFromItsBytes, ()) {
     sample.acceleration = {draw(5000), draw(5000), draw(5000)};
     return sample;
   };
-  for (int i = 0; i < 20; ++i) one.update(next(), body, {}, parameters);
+  for (int i = 0; i < 20; ++i) one.update(next(), standing_load, {}, parameters);
   std::vector<std::byte> bytes;
   ByteWriter writer(bytes);
   writer(one);
@@ -228,8 +227,8 @@ RC_GTEST_PROP(PostureProperty, StaysFiniteAndGoesOnFromItsBytes, ()) {
   reader(other);
   for (int i = 0; i < 20; ++i) {
     const BodySample sample = next();
-    one.update(sample, body, {}, parameters);
-    other.update(sample, body, {}, parameters);
+    one.update(sample, standing_load, {}, parameters);
+    other.update(sample, standing_load, {}, parameters);
     RC_ASSERT(one.posture() == other.posture());
     RC_ASSERT(one.since() == other.since());
   }
@@ -240,8 +239,9 @@ class SimulatedBody : public ::testing::TestWithParam<bool> {
  protected:
   SimulatedBody() {
     BodyParameters of_body;
-    of_body.foot_sensors = robot.has_foot_sensors = GetParam();
-    body.emplace(of_body, RobotDimensions{}, Pose2(), 3);
+    of_body.foot_sensors = GetParam();
+    if (!of_body.foot_sensors) standing_load.reset();
+    body.emplace(of_body, RobotBody{}, Pose2(), 3);
   }
 
   void run(double seconds) {
@@ -249,13 +249,13 @@ class SimulatedBody : public ::testing::TestWithParam<bool> {
       body->advance(kBodyStep, request, {}, kBounds);
       time += kBodyStep;
       const Posture before = posture.posture();
-      posture.update(body->sample(time), robot, {ReportedPosture::unknown, request.get_up}, parameters);
+      posture.update(body->sample(time), standing_load, {ReportedPosture::unknown, request.get_up}, parameters);
       if (posture.posture() != before) seen.push_back(posture.posture());
     }
   }
 
   double time = 0.0;
-  RobotBody robot;
+  std::optional<double> standing_load = 5.3;  // kg
   std::optional<Body> body;
   Request request;
   PostureParameters parameters;

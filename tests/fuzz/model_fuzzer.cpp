@@ -55,7 +55,8 @@ void try_in_a_robot(const SavedModel& model) {
   view.camera = CameraModel().scaled_to(image.width(), image.height());
   for (int frame = 0; frame < 3; ++frame) {
     view.time = 0.1 * frame;
-    view.robot_from_camera = robot_from_camera(RobotDimensions(), {0.5 * frame, 0.0}, {}, RobotDimensions().hip_height);
+    view.robot_from_camera =
+        robot_from_camera(RobotDimensions(), {0.5 * frame, 0.0}, {}, RobotDimensions().torso_height);
     const Confidences& confidences = room.update(view);
     for (const double value : {confidences.evidence, confidences.current, confidences.opposite, confidences.coverage,
                                confidences.distinctiveness, room.light().luma, room.light().cb})

@@ -8,38 +8,64 @@ namespace {
 
 TEST(Head, OfAStandingRobotCarriesItsCameraHalfAMetreUp) {
   const RobotDimensions nao;
-  const Isometry3 camera = robot_from_camera(nao, {}, {}, nao.hip_height);
+  const Isometry3 camera = robot_from_camera(nao, {}, {}, nao.torso_height);
   EXPECT_NEAR(camera.translation().z(), 0.523, 0.001);
   EXPECT_NEAR(camera.translation().x(), 0.0587, 0.001);
 }
 
 TEST(Head, TurnedLeftLooksLeft) {
   const RobotDimensions nao;
-  const Isometry3 camera = robot_from_camera(nao, {kPi / 2.0, 0.0}, {}, nao.hip_height);
+  const Isometry3 camera = robot_from_camera(nao, {kPi / 2.0, 0.0}, {}, nao.torso_height);
   EXPECT_GT(camera.linear().col(0).y(), 0.99);
 }
 
 TEST(Head, PitchedForwardLooksDown) {
   const RobotDimensions nao;
-  EXPECT_LT(robot_from_camera(nao, {0.0, 0.3}, {}, nao.hip_height).linear().col(0).z(), -0.29);
-  EXPECT_LT(robot_from_camera(nao, {}, {0.0, 0.3}, nao.hip_height).linear().col(0).z(), -0.29);
+  EXPECT_LT(robot_from_camera(nao, {0.0, 0.3}, {}, nao.torso_height).linear().col(0).z(), -0.29);
+  EXPECT_LT(robot_from_camera(nao, {}, {0.0, 0.3}, nao.torso_height).linear().col(0).z(), -0.29);
 }
 
 TEST(Head, PitchRangeMeetsTheTableAndTheMiddleBetweenItsRows) {
-  EXPECT_DOUBLE_EQ(head_pitch_range(0.0).max, 0.515);
-  EXPECT_DOUBLE_EQ(head_pitch_range(-0.756).min, -0.548);
-  EXPECT_NEAR(head_pitch_range(0.243).max, 0.4685, 1e-6);
-  EXPECT_DOUBLE_EQ(head_pitch_range(9.0).min, -0.449);
+  const NeckReach nao;
+  EXPECT_DOUBLE_EQ(nao.pitch_at(0.0).max, 0.515);
+  EXPECT_DOUBLE_EQ(nao.pitch_at(-0.756).min, -0.548);
+  EXPECT_NEAR(nao.pitch_at(0.243).max, 0.4685, 1e-6);
+  EXPECT_DOUBLE_EQ(nao.pitch_at(9.0).min, -0.449);
+}
+
+TEST(Head, OfANeckWithOneRangeHasItAtEveryAngle) {
+  const NeckReach reach{1.0, {{0.0, -0.349, 0.855}}};
+  for (const double yaw : {-2.0, -0.5, 0.0, 0.3, 1.0}) {
+    EXPECT_EQ(reach.pitch_at(yaw).min, -0.349);
+    EXPECT_EQ(reach.pitch_at(yaw).max, 0.855);
+  }
+  EXPECT_EQ(reach.clamp({-1.5, 1.0}).yaw, -1.0);
+  EXPECT_EQ(reach.clamp({-1.5, 1.0}).pitch, 0.855);
+}
+
+TEST(Head, WhoseNeckPitchesFirstLooksElsewhereWithTheSameAngles) {
+  RobotDimensions robot;
+  robot.second_axis = {0.0, 0.0, 0.1};
+  const HeadAngles aside{0.5 * kPi, 0.5};
+  const Isometry3 yaw_first = robot_from_camera(robot, aside, {}, robot.torso_height);
+  robot.neck_order = NeckOrder::pitch_then_yaw;
+  const Isometry3 pitch_first = robot_from_camera(robot, aside, {}, robot.torso_height);
+  // Turned to the left and then nodded it looks down; nodded and then turned to the left it looks along its ears.
+  EXPECT_LT(yaw_first.linear().col(0).z(), -0.4);
+  EXPECT_NEAR(pitch_first.linear().col(0).z(), -robot.upper.tilt * std::cos(0.5), 0.01);
+  EXPECT_NEAR(yaw_first.translation().x(), 0.0, 1e-9) << "the second axis is above the first one";
+  EXPECT_GT(pitch_first.translation().x(), 0.04) << "and in front of it, where the neck is bent";
 }
 
 RC_GTEST_PROP(Head, ClampedIsWithinReachAndClampsNoFurther, ()) {
   const HeadAngles wanted{*rc::gen::inRange(-4000, 4000) * 1e-3, *rc::gen::inRange(-2000, 2000) * 1e-3};
-  const HeadAngles reached = clamp_to_reach(wanted);
-  const PitchRange range = head_pitch_range(reached.yaw);
-  RC_ASSERT(std::abs(reached.yaw) <= kHeadYawLimit);
+  const NeckReach nao;
+  const HeadAngles reached = nao.clamp(wanted);
+  const PitchLimit range = nao.pitch_at(reached.yaw);
+  RC_ASSERT(std::abs(reached.yaw) <= nao.yaw);
   RC_ASSERT(reached.pitch >= range.min);
   RC_ASSERT(reached.pitch <= range.max);
-  const HeadAngles again = clamp_to_reach(reached);
+  const HeadAngles again = nao.clamp(reached);
   RC_ASSERT(again.yaw == reached.yaw && again.pitch == reached.pitch);
 }
 

@@ -1,67 +1,57 @@
 #include "workbench/files/field_file.h"
 
 #include <algorithm>
-#include <limits>
-#include <optional>
-#include <sstream>
-#include <stdexcept>
 #include <string>
-#include <vector>
 
-#include <toml++/toml.h>
-
-#include "engine/parameters/utf8.h"
-#include "workbench/files/toml_text.h"
+#include "workbench/files/table_reader.h"
 
 namespace reorient {
 namespace {
 
-[[noreturn]] void refuse_field(const std::string& name, const std::string& what) {
-  throw std::runtime_error(as_line("field file '" + name + "': " + what));
-}
-
-toml::table parse(std::string_view text, const std::string& name) {
-  if (const std::optional<TomlExcess> excess = excess_in_toml(text))
-    refuse_field(name, "line " + std::to_string(excess->line) + ": " + excess->why);
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    std::ostringstream what;
-    what << "line " << error.source().begin.line << ": " << error.description();
-    refuse_field(name, what.str());
-  }
+/// Rule books measure to the outside of lines, and to the inside of goals; the program to the middle of both.
+void to_centers(FieldDimensions& field) {
+  const double line = field.line_width;
+  const auto shrink = [](double& length, double by) { length = std::max(0.0, length - by); };
+  shrink(field.length, line);
+  shrink(field.width, line);
+  field.border += 0.5 * line;
+  shrink(field.penalty_area_depth, line);
+  shrink(field.penalty_area_width, line);
+  shrink(field.goal_area_depth, line);
+  shrink(field.goal_area_width, line);
+  shrink(field.center_circle_radius, 0.5 * line);
+  shrink(field.corner_arc_radius, 0.5 * line);
 }
 
 }  // namespace
 
 FieldDimensions load_field(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    refuse_field(file.string(), "there is no such file; assets/fields has examples");
-  const std::optional<std::string> text = read_toml_text(file);
-  if (!text) refuse_field(file.string(), "it cannot be read; check its permissions");
-  return parse_field(*text, file.string());
+  return parse_field(read_data_file(file, "field", "assets/fields"), file.string());
 }
 
 FieldDimensions parse_field(std::string_view text, const std::string& name) {
-  const toml::table table = parse(text, name);
+  const toml::table table = parse_table(text, name);
+  const TableReader in(table, name);
   FieldDimensions field;
-  std::vector<std::string> keys{"yellow_goals"};
-  describe(field,
-           [&](const char* key, double& /*length*/, double /*least*/, double /*most*/) { keys.emplace_back(key); });
-  for (const auto& [key, value] : table) {
-    if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
-      refuse_field(
-          name, "'" + std::string(key.str().substr(0, 60)) + "' is not a key of a field; see assets/fields/README.md");
-  }
-  describe(field, [&](const char* key, double& length, double /*least*/, double /*most*/) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) refuse_field(name, std::string("'") + key + "' is missing; add it, in metres");
-    length = node->value<double>().value_or(std::numeric_limits<double>::quiet_NaN());
+  bool outside = false;
+  TableReader::Readers readers{
+      {"measured_to",
+       [&](auto& key, auto& value) {
+         const std::string what = in.text(key, value);
+         outside = what == "outside of lines";
+         if (!outside && what != "middle of lines")
+           in.refuse(value, R"(measured_to is "middle of lines" or "outside of lines")");
+       }},
+      {"yellow_goals", [&](auto& key, auto& value) { field.yellow_goals = in.yes(key, value); }}};
+  describe(field, [&](const char* length, double& metres, double least, double most) {
+    readers[length] = [&in, &metres, least, most](auto& key, auto& value) {
+      metres = in.number(key, value, least, most);
+    };
   });
-  if (const std::string mistake = mistake_in(field); !mistake.empty()) refuse_field(name, mistake);
-  const std::optional<bool> yellow = table["yellow_goals"].value_exact<bool>();
-  if (!yellow) refuse_field(name, "'yellow_goals' must be true or false");
-  field.yellow_goals = *yellow;
+  in.read_all(readers);
+  if (outside) to_centers(field);
+  if (const std::string mistake = mistake_in(field); !mistake.empty())
+    in.refuse(table, mistake + " between the middles of lines");
   return field;
 }
 

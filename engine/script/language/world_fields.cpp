@@ -57,6 +57,9 @@ const BoundField kFields[] = {
     {"robot", "penalized", "", "the referee has taken it out of the game", [](World& w) { return &w.penalized; }},
     {"robot", "head_yaw", "rad", "measured angle of the head, to the left", [](World& w) { return &w.head.yaw; }},
     {"robot", "head_pitch", "rad", "measured angle of the head, downwards", [](World& w) { return &w.head.pitch; }},
+    {"robot", "head_reach", "rad", "how far the neck turns to either side", [](World& w) { return &w.head_reach; }},
+    {"robot", "cruise", "m/s", "at which speed this body goes far; 0: it does not walk",
+     [](World& w) { return &w.cruise; }},
     {"pose", "x", "m", "towards the opponent goal", [](World& w) { return &w.pose.pose.position.x(); }},
     {"pose", "y", "m", "to the left", [](World& w) { return &w.pose.pose.position.y(); }},
     {"pose", "rotation", "rad", "0 looks towards the opponent goal, positive turns left",
@@ -127,6 +130,8 @@ const BoundField kFields[] = {
     {"field", "penalty_area_width", "m", "along the goal line", [](World& w) { return &w.field.penalty_area_width; }},
     {"field", "goal_post_y", "m", "distance of a goal's posts from its middle",
      [](World& w) { return &w.field.goal_post_y; }},
+    {"field", "corner_arc_radius", "m", "radius of the quarter circles at the corners; 0: there are none",
+     [](World& w) { return &w.field.corner_arc_radius; }},
     {"field", "center_circle_radius", "m", "radius of the centre circle",
      [](World& w) { return &w.field.center_circle_radius; }},
 };

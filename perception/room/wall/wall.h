@@ -28,9 +28,9 @@ void fields(Visit&& visit, WallParameters& p) {
 }
 template <typename Visit>
 void describe(WallParameters& p, Visit&& visit) {
-  visit("radius", p.radius, 1.0, 100.0, "m", "distance of the virtual wall from the field's centre");
+  visit("radius", p.radius, 1.0, 200.0, "m", "distance of the virtual wall from the field's centre");
   visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the lowest row of tiles begins");
-  visit("top", p.top, 0.1, 30.0, "m", "height where the highest row of tiles ends");
+  visit("top", p.top, 0.1, 120.0, "m", "height where the highest row of tiles ends");
   visit("rows", p.rows, 1, 8, "", "rows of tiles");
   visit("columns", p.columns, 4, 128, "", "columns of tiles around the field; made even");
 }

@@ -10,9 +10,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kLyingHipHeight = 0.09;  // m
-constexpr double kStandingLoad = 5.3;     // kg
-constexpr double kGravity = 9.81;         // m/s^2
+constexpr double kGravity = 9.81;  // m/s^2
 
 double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 
@@ -26,12 +24,28 @@ double ease(double share) {
 
 }  // namespace
 
-Body::Body(const BodyParameters& parameters, const RobotDimensions& dimensions, const Pose2& start, std::uint64_t seed)
+BodyParameters body_parameters_of(const RobotBody& body) {
+  BodyParameters parameters;
+  const Gait gait = body.gait.value_or(Gait{.forward = 0.0, .left = 0.0, .turn = 0.0});
+  parameters.forward_limit = gait.forward;
+  parameters.left_limit = gait.left;
+  parameters.turn_limit = gait.turn;
+  parameters.head_speed_limit = body.head_speed;
+  parameters.step_frequency = gait.step_frequency;
+  parameters.sway_roll = gait.sway_roll;
+  parameters.sway_pitch = gait.sway_pitch;
+  parameters.sway_height = gait.sway_height;
+  parameters.get_up_time = body.get_up_time.value_or(parameters.get_up_time);
+  parameters.foot_sensors = body.standing_load.has_value();
+  return parameters;
+}
+
+Body::Body(const BodyParameters& parameters, const RobotBody& robot, const Pose2& start, std::uint64_t seed)
     : parameters_(parameters),
-      dimensions_(dimensions),
+      robot_(robot),
       random_(seed, 0xb0d7),
       pose_(start),
-      hip_height_(dimensions.hip_height) {
+      torso_height_(robot.dimensions.torso_height) {
   const double scale = parameters_.odometry_scale_error;
   odometry_scale_ = {1.0 + scale * random_.normal(), 1.0 + scale * random_.normal(), 1.0 + scale * random_.normal()};
   odometry_drift_ = parameters_.odometry_turn_bias * random_.normal();
@@ -68,7 +82,7 @@ void Body::put_down(const Pose2& where) {
   last_velocity_.reset();
   if (posture_ != Posture::carried || hands_.lower_time <= 0.0) return set_down();
   hands_.lowered_since = since_;
-  hands_.held_at = hip_height_;
+  hands_.held_at = torso_height_;
 }
 
 /// The feet are on the ground.
@@ -78,7 +92,7 @@ void Body::set_down() {
   velocity_ = {};
   torso_ = {};
   effort_ = 0.0;
-  hip_height_ = dimensions_.hip_height;
+  torso_height_ = robot_.dimensions.torso_height;
 }
 
 void Body::push_over() {
@@ -102,8 +116,8 @@ void Body::move_head(double time_step, const Request& request) {
   if (!request.head) return;
   const double wanted_speed = finite(request.head->speed);
   const double most = std::clamp(wanted_speed, 0.0, parameters_.head_speed_limit) * time_step;
-  const HeadAngles wanted = clamp_to_reach({finite(request.head->angles.yaw), finite(request.head->angles.pitch)});
-  head_ = clamp_to_reach({toward(head_.yaw, wanted.yaw, most), toward(head_.pitch, wanted.pitch, most)});
+  const HeadAngles wanted = robot_.neck.clamp({finite(request.head->angles.yaw), finite(request.head->angles.pitch)});
+  head_ = robot_.neck.clamp({toward(head_.yaw, wanted.yaw, most), toward(head_.pitch, wanted.pitch, most)});
 }
 
 void Body::walk(double time_step, const Request& request) {
@@ -147,20 +161,20 @@ void Body::dead_reckon(const Pose2& step) {
 }
 
 void Body::balance(double time_step, bool get_up) {
-  const double stand = dimensions_.hip_height;
+  const double stand = robot_.dimensions.torso_height;
   switch (posture_) {
     case Posture::upright: {
       // Feet push the torso from side to side once per double step; it nods and sinks with every step.
       torso_ = {parameters_.sway_roll * effort_ * pinned::sin(gait_),
                 parameters_.sway_pitch * effort_ * pinned::sin(2.0 * gait_ + 0.8)};
-      hip_height_ = stand - parameters_.sway_height * effort_ * (1.0 + pinned::cos(2.0 * gait_));
+      torso_height_ = stand - parameters_.sway_height * effort_ * (1.0 + pinned::cos(2.0 * gait_));
       break;
     }
     case Posture::falling: {
       const double share = since_ / parameters_.fall_time;
       const double down = std::min(1.0, share * share);
       torso_ = {down * lying_.roll, down * lying_.pitch};
-      hip_height_ = std::lerp(stand, kLyingHipHeight, down);
+      torso_height_ = std::lerp(stand, robot_.lying_height, down);
       if (share >= 1.0) {
         posture_ = Posture::lying;
         since_ = 0.0;
@@ -169,14 +183,14 @@ void Body::balance(double time_step, bool get_up) {
     }
     case Posture::lying:
       torso_ = lying_;
-      if (get_up && !penalized_) stand_up_again();
+      if (get_up && !penalized_ && robot_.get_up_time) stand_up_again();
       break;
     case Posture::getting_up: {
       const double share = since_ / parameters_.get_up_time;
       const double up = ease(1.6 * share - 0.5);  // arms and legs first
       const double rock = 0.15 * pinned::sin(9.0 * since_) * (1.0 - up) * std::min(1.0, since_);
       torso_ = {(1.0 - up) * lying_.roll + rock, (1.0 - up) * lying_.pitch + 0.5 * rock};
-      hip_height_ = std::lerp(kLyingHipHeight, stand, up);
+      torso_height_ = std::lerp(robot_.lying_height, stand, up);
       pose_.rotation = normalize_angle(pose_.rotation + slip_ * time_step / parameters_.get_up_time);
       if (share >= 1.0) set_down();
       break;
@@ -187,12 +201,12 @@ void Body::balance(double time_step, bool get_up) {
       torso_ = {held * (0.12 * pinned::sin(1.9 * t) + 0.04 * pinned::sin(4.3 * t)),
                 held * 0.15 * pinned::sin(1.3 * t + 0.6)};
       if (hands_.lowered_since < 0.0) {
-        hip_height_ = stand + hands_.height * ease(since_ / hands_.raise_time);
+        torso_height_ = stand + hands_.height * ease(since_ / hands_.raise_time);
         pose_.rotation = normalize_angle(pose_.rotation + 0.25 * pinned::sin(1.1 * t) * time_step);
         break;
       }
       const double share = (since_ - hands_.lowered_since) / hands_.lower_time;
-      hip_height_ = std::lerp(hands_.held_at, stand, ease(share));
+      torso_height_ = std::lerp(hands_.held_at, stand, ease(share));
       torso_ = {(1.0 - ease(share)) * torso_.roll, (1.0 - ease(share)) * torso_.pitch};
       if (share >= 1.0) set_down();
       break;
@@ -202,11 +216,11 @@ void Body::balance(double time_step, bool get_up) {
 
 /// What an inertial unit in the torso goes through.
 void Body::feel(double time_step) {
-  const Moment now{{pose_.position.x(), pose_.position.y(), hip_height_}, torso_, pose_.rotation};
+  const Moment now{{pose_.position.x(), pose_.position.y(), torso_height_}, torso_, pose_.rotation};
   acceleration_.setZero();
   angular_velocity_.setZero();
   if (last_moment_ && time_step > 0.0) {
-    const Eigen::Vector3d velocity = (now.hip - last_moment_->hip) / time_step;
+    const Eigen::Vector3d velocity = (now.torso_origin - last_moment_->torso_origin) / time_step;
     if (last_velocity_) acceleration_ = (velocity - *last_velocity_) / time_step;
     last_velocity_ = velocity;
     angular_velocity_ =
@@ -251,16 +265,17 @@ BodySample Body::sample(double time) {
   const double shock = posture_ == Posture::upright ? parameters_.step_shock * effort_ : 0.0;
   body.acceleration = field_from_torso.transpose() * (acceleration_ + kGravity * Eigen::Vector3d::UnitZ()) +
                       accelerometer_bias_ + noise(pinned::hypot(parameters_.accelerometer_noise, shock));
-  const double load = posture_ == Posture::carried ? 0.03 : (posture_ == Posture::upright ? kStandingLoad : 0.5);
-  body.foot_load = std::max(0.0, load + 0.02 * kStandingLoad * random_.normal());
+  const double standing = robot_.standing_load.value_or(0.0);
+  const double load = posture_ == Posture::carried ? 0.03 : (posture_ == Posture::upright ? standing : 0.5);
+  body.foot_load = std::max(0.0, load + 0.02 * standing * random_.normal());
   if (!parameters_.foot_sensors) body.foot_load = 0.0;
   return body;
 }
 
 Isometry3 Body::measured_camera(const RobotDimensions& dimensions, const BodySample& body, HeadCamera camera) const {
   // The legs' kinematics know nothing of a fall or of hands that hold the robot.
-  const double hip_height = posture_ == Posture::upright ? hip_height_ : dimensions_.hip_height;
-  return robot_from_camera(dimensions, body.head, body.torso, hip_height, camera);
+  const double torso_height = posture_ == Posture::upright ? torso_height_ : robot_.dimensions.torso_height;
+  return robot_from_camera(dimensions, body.head, body.torso, torso_height, camera);
 }
 
 GroundTruth Body::ground_truth() const {
@@ -269,7 +284,7 @@ GroundTruth Body::ground_truth() const {
 }
 
 Isometry3 Body::field_from_camera(HeadCamera camera) const {
-  return to_isometry(pose_) * robot_from_camera(dimensions_, head_, torso_, hip_height_, camera);
+  return to_isometry(pose_) * robot_from_camera(robot_.dimensions, head_, torso_, torso_height_, camera);
 }
 
 }  // namespace reorient

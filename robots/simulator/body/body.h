@@ -11,6 +11,7 @@
 #include "geometry/random.h"
 #include "robots/experimenter.h"
 #include "robots/robot.h"
+#include "robots/robot_body.h"
 #include "robots/simulator/body/barrier.h"
 
 namespace reorient {
@@ -55,7 +56,7 @@ void describe(BodyParameters& p, Visit&& visit) {
   visit("step_frequency", p.step_frequency, 0.5, 5.0, "Hz", "double steps per second");
   visit("sway_roll", p.sway_roll, 0.0, 0.3, "rad", "amplitude of the torso's roll at full walking speed");
   visit("sway_pitch", p.sway_pitch, 0.0, 0.3, "rad", "amplitude of the torso's pitch at full walking speed");
-  visit("sway_height", p.sway_height, 0.0, 0.05, "m", "amplitude of the hip's height at full walking speed");
+  visit("sway_height", p.sway_height, 0.0, 0.05, "m", "amplitude of the torso's height at full walking speed");
   visit("odometry_scale_error", p.odometry_scale_error, 0.0, 0.5, "",
         "standard deviation of the robot's own scale errors");
   visit("odometry_turn_bias", p.odometry_turn_bias, 0.0, 0.5, "rad/m",
@@ -81,11 +82,15 @@ void describe(BodyParameters& p, Visit&& visit) {
         "standard deviation of what steps at full speed add to the accelerations");
 }
 
+/// What a body's file says of them; the rest as it is.
+BodyParameters body_parameters_of(const RobotBody& body);
+
 class Body {
  public:
   enum class Posture { upright, falling, lying, getting_up, carried };
 
-  Body(const BodyParameters& parameters, const RobotDimensions& dimensions, const Pose2& start, std::uint64_t seed);
+  /// `robot`: as it really is, with what its calibration missed.
+  Body(const BodyParameters& parameters, const RobotBody& robot, const Pose2& start, std::uint64_t seed);
 
   /// Moves on by `time_step` seconds. Barriers stop the robot or make it slide along; `bounds` (half sizes of the
   /// ground, m) hold it.
@@ -109,7 +114,7 @@ class Body {
   const Pose2& pose() const { return pose_; }
   const HeadAngles& head() const { return head_; }
   const TorsoAttitude& torso() const { return torso_; }
-  double hip_height() const { return hip_height_; }  ///< m above the ground; more while it is carried
+  double torso_height() const { return torso_height_; }  ///< m above the ground; more while it is carried
   const WalkVelocity& velocity() const { return velocity_; }
 
   Isometry3 field_from_camera(HeadCamera camera = HeadCamera::upper) const;
@@ -127,14 +132,14 @@ class Body {
   void feel(double time_step);
 
   BodyParameters parameters_;
-  RobotDimensions dimensions_;
+  RobotBody robot_;
   Random random_;
 
   Pose2 pose_;
   WalkVelocity velocity_;
   HeadAngles head_;
   TorsoAttitude torso_;
-  double hip_height_;
+  double torso_height_;
 
   Posture posture_ = Posture::upright;
   double since_ = 0.0;  // s in this posture
@@ -163,7 +168,7 @@ class Body {
 
   // Of the step before, for the inertial unit; nothing where the body was put somewhere else.
   struct Moment {
-    Eigen::Vector3d hip;  // m, in the field's frame
+    Eigen::Vector3d torso_origin;  // m, in the field's frame
     TorsoAttitude torso;
     double heading = 0.0;
   };

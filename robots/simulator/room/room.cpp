@@ -46,20 +46,26 @@ Eigen::Vector2d floor_extent(const RoomShape& shape) {
   return {shape.length, shape.form == RoomForm::box ? shape.width : shape.length};
 }
 
+RoomShape room_shape_for(const FieldDimensions& field) {
+  const FieldDimensions usual;
+  RoomShape shape;
+  shape.length = field.length + (shape.length - usual.length);
+  shape.width = field.width + (shape.width - usual.width);
+  return shape;
+}
+
 void check(const RoomShape& shape) {
   const Eigen::Vector2d extent = floor_extent(shape);
-  // A round wall goes around the corners of the carpet.
-  const Eigen::Vector2d least =
-      shape.form == RoomForm::box ? Eigen::Vector2d(11.0, 8.0) : Eigen::Vector2d::Constant(13.2);
-  constexpr double kGreatest = 100.0;
-  const bool sound = (extent.array() >= least.array()).all() && (extent.array() <= kGreatest).all() &&
-                     shape.height >= 2.5 && shape.height <= 30.0 && shape.viewpoint_height >= 0.3 &&
+  constexpr double kLeast = 4.0, kGreatest = 200.0;
+  const bool sound = (extent.array() >= kLeast).all() && (extent.array() <= kGreatest).all() && shape.height >= 2.5 &&
+                     shape.height <= 30.0 && shape.viewpoint_height >= 0.3 &&
                      shape.viewpoint_height <= 0.96 * shape.height && std::isfinite(shape.turn);
   if (sound) return;
   std::ostringstream message;
   message << "a room of " << extent.x() << " x " << extent.y() << " x " << shape.height << " m, seen from "
-          << shape.viewpoint_height << " m, cannot be built: choose " << least.x() << "...100 x " << least.y()
-          << "...100 x 2.5...30 m and a viewpoint between 0.3 m and just below the ceiling";
+          << shape.viewpoint_height
+          << " m, cannot be built: choose 4...200 x 4...200 x 2.5...30 m and a viewpoint between 0.3 m and just below "
+             "the ceiling";
   throw std::runtime_error(message.str());
 }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "geometry/field_dimensions.h"
 #include "robots/simulator/room/texture.h"
 
 namespace reorient {
@@ -31,8 +32,8 @@ struct RoomShape {
 template <typename Visit>
 void describe(RoomShape& shape, Visit&& visit) {
   visit("form", shape.form, {"box", "cylinder"}, "whether the room has four walls or one round wall");
-  visit("length", shape.length, 11.0, 100.0, "m", "the room's size along the field; a cylinder's diameter");
-  visit("width", shape.width, 8.0, 100.0, "m", "the room's size across the field; a cylinder has none");
+  visit("length", shape.length, 4.0, 200.0, "m", "the room's size along the field; a cylinder's diameter");
+  visit("width", shape.width, 4.0, 200.0, "m", "the room's size across the field; a cylinder has none");
   visit("height", shape.height, 2.5, 30.0, "m", "from the floor to the ceiling");
   visit("viewpoint_height", shape.viewpoint_height, 0.3, 2.4, "m", "height at which the panorama was taken");
   visit("turn", shape.turn, -3.1416, 3.1416, "rad", "turns the panorama to the left about the field's centre");
@@ -40,6 +41,9 @@ void describe(RoomShape& shape, Visit&& visit) {
         "two_fold: opposite walls are the same; four_fold: all of them are, stretched to their width");
   visit("color", shape.color, 0.0, 1.0, "", "share of the room's colours that is left; 0: a grey room");
 }
+
+/// As much larger than the default one as the field is larger than the default one.
+RoomShape room_shape_for(const FieldDimensions& field);
 
 /// A room that is ready to be rendered. Immutable; copies share their memory.
 struct Room {

@@ -19,7 +19,7 @@ struct Stand {
 
   Stand(int width, int height, const Pose2& pose, const HeadAngles& head, const TorsoAttitude& torso = {})
       : camera(CameraModel::from_fields_of_view(width, height, from_degrees(56.3), from_degrees(43.7))),
-        robot_from_camera(reorient::robot_from_camera({}, head, torso, RobotDimensions{}.hip_height)),
+        robot_from_camera(reorient::robot_from_camera({}, head, torso, RobotDimensions{}.torso_height)),
         field_from_robot(pose) {}
 
   Image see(const FlatField& scene) const {

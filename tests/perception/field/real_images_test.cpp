@@ -26,7 +26,7 @@ struct RealImage {
 
 RealImage old_robot(const std::filesystem::path& file, double pitch_degrees) {
   return {read_png(file), CameraModel::from_fields_of_view(640, 480, from_degrees(60.97), from_degrees(47.64)),
-          robot_from_camera({}, {0.0, from_degrees(pitch_degrees)}, {}, RobotDimensions{}.hip_height)};
+          robot_from_camera({}, {0.0, from_degrees(pitch_degrees)}, {}, RobotDimensions{}.torso_height)};
 }
 
 /// Line points whose pixel is within `tolerance` rows of the straight line from (x0, y0) to (x1, y1).
@@ -78,7 +78,7 @@ TEST_F(RealImages, ShowTouchlineHalfwayLineAndTheGoalBehind) {
 
 TEST_F(RealImages, ShowACircleATouchlineAndARobotOnGrass) {
   const Image large = read_yuyv(shared_images() / "nao-v6-top-1280x960.yuyv.raw", 1280, 960, 36);
-  const auto attitude = robot_from_camera({}, {0.0, from_degrees(17.4)}, {}, RobotDimensions{}.hip_height);
+  const auto attitude = robot_from_camera({}, {0.0, from_degrees(17.4)}, {}, RobotDimensions{}.torso_height);
   for (Image image = large; image.width() >= 160; image = halved(image.view())) {
     SCOPED_TRACE(image.width());
     const double scale = image.width() / 640.0;

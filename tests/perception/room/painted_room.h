@@ -63,7 +63,7 @@ inline CameraModel small_camera() {
 /// The camera of a robot that stands upright.
 inline Isometry3 standing_camera(double yaw, double pitch = 0.0) {
   const RobotDimensions dimensions;
-  return robot_from_camera(dimensions, {yaw, pitch}, {}, dimensions.hip_height);
+  return robot_from_camera(dimensions, {yaw, pitch}, {}, dimensions.torso_height);
 }
 
 /// A robot that stands somewhere and scans with its head, with a belief of its own.

@@ -34,14 +34,14 @@ namespace {
 
 TEST(SimulatorInSteadyState, AllocatesNothingInHardLight) {
   SimulatorParameters parameters;
-  parameters.image = ImageSize::qqvga_160x120;
+  parameters.width = 160;
   parameters.light = {0.5, 0.18, 0.06, 15.0, 1.0, 0.8, 150.0, 1.0, 0.35, 0.2, 3.5, 0.5, 5.0};
   parameters.sensor.blur_angle = 0.003;
   parameters.sensor.exposure_time = 0.01;
   parameters.sensor.readout_time = 0.028;
   parameters.sensor.noise_gain = 1.0;
   const Room room = procedural_hall(1, RoomShape{});
-  Simulator simulator(parameters, FieldDimensions{}, room, Pose2(-3.2, -3.5, 0.5 * kPi), 1);
+  Simulator simulator(parameters, RobotBody(), FieldDimensions{}, room, Pose2(-3.2, -3.5, 0.5 * kPi), 1);
   Observation observation;
   const auto frame = [&](int number) {
     Answer answer;

@@ -14,7 +14,7 @@ constexpr double kStep = 1.0 / 30.0;
 const Eigen::Vector2d kBounds(8.0, 6.0);
 
 Body body_at(const Pose2& pose, std::uint64_t seed = 1, const BodyParameters& parameters = {}) {
-  return {parameters, RobotDimensions{}, pose, seed};
+  return {parameters, RobotBody{}, pose, seed};
 }
 
 void run(Body& body, const Request& request, double seconds, const std::vector<Barrier>& barriers = {}) {
@@ -89,7 +89,7 @@ RC_GTEST_PROP(Body, KeepsItsHeadWithinReach, ()) {
     request.head = HeadRequest{{*rc::gen::inRange(-400, 400) * 1e-2, *rc::gen::inRange(-200, 200) * 1e-2}, 20.0};
     for (int frame = 0; frame < 12; ++frame) {
       body.advance(kStep, request, {}, kBounds);
-      const HeadAngles reached = clamp_to_reach(body.head());
+      const HeadAngles reached = NeckReach().clamp(body.head());
       RC_ASSERT(reached.yaw == body.head().yaw);
       RC_ASSERT(reached.pitch == body.head().pitch);
     }
@@ -148,7 +148,7 @@ TEST(Body, HangsInTheAirUntilItIsPutDown) {
   run(body, walking(0.25, 0.0, 0.0), 2.0);
   EXPECT_TRUE(body.ground_truth().carried);
   EXPECT_LT(felt(body).foot_load, 0.5);
-  EXPECT_GT(body.hip_height(), 0.248 + 0.3);
+  EXPECT_GT(body.torso_height(), 0.248 + 0.3);
   EXPECT_EQ(body.pose().position.x(), 1.0) << "legs in the air do not walk";
   const Pose2 odometry = body.odometry();
   body.put_down(Pose2(-3.2, 3.5, -1.57));

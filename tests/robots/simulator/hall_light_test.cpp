@@ -31,7 +31,7 @@ HallLightParameters hard_light() {
 
 SimulatorParameters hard_simulator() {
   SimulatorParameters parameters;
-  parameters.image = ImageSize::qqvga_160x120;
+  parameters.width = 160;
   parameters.light = hard_light();
   return parameters;
 }
@@ -235,8 +235,8 @@ TEST(WallPatches, LeaveEverythingButTheWallAlone) {
 TEST(ChangedLight, LeavesThePicturesBeforeTheChangeAsTheyWere) {
   SimulatorParameters usual = hard_simulator();
   usual.light = {};
-  Simulator one(usual, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
-  Simulator two(hard_simulator(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator one(usual, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator two(hard_simulator(), RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
   Observation a;
   Observation b;
   for (int frame = 0; frame < 20; ++frame) {
@@ -256,8 +256,8 @@ TEST(ChangedLight, LeavesThePicturesBeforeTheChangeAsTheyWere) {
 TEST(ChangedLight, ChangesNothingWhereNothingIsToChange) {
   SimulatorParameters usual = hard_simulator();
   usual.light = {};
-  Simulator one(usual, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
-  Simulator two(usual, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator one(usual, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+  Simulator two(usual, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
   Observation a;
   Observation b;
   one.change_light();
@@ -272,8 +272,8 @@ TEST(ChangedLight, IsTheSameForOneSeedAndAnotherForAnother) {
   Observation a;
   Observation b;
   for (const std::uint64_t other : {5u, 6u}) {
-    Simulator one(hard_simulator(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
-    Simulator two(hard_simulator(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), other);
+    Simulator one(hard_simulator(), RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
+    Simulator two(hard_simulator(), RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), other);
     one.change_light();
     two.change_light();
     for (int frame = 0; frame < 20; ++frame) {
@@ -289,7 +289,7 @@ TEST(ChangedLight, SurvivesTheAutomaticExposure) {
   parameters.light = {};
   parameters.light.exposure_spread = 0.5;
   const auto settled = [&](bool change, std::uint64_t seed) {
-    Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), seed);
+    Simulator simulator(parameters, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), seed);
     Observation observation;
     if (change) simulator.change_light();
     for (int frame = 0; frame < 90; ++frame) simulator.observe(observation);

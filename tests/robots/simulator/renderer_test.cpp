@@ -108,7 +108,7 @@ TEST(Renderer, ShowsGoalPostsWhereTheCameraModelProjectsThem) {
 RC_GTEST_PROP(Renderer, MeasuresTheDepthOfTheCarpetItShows, ()) {
   const Pose2 pose(*rc::gen::inRange(-4000, 2000) * 1e-3, *rc::gen::inRange(-3000, 3000) * 1e-3,
                    *rc::gen::inRange(-3000, 3000) * 1e-3);
-  const HeadAngles head = clamp_to_reach({*rc::gen::inRange(-1500, 1500) * 1e-3, *rc::gen::inRange(0, 400) * 1e-3});
+  const HeadAngles head = NeckReach().clamp({*rc::gen::inRange(-1500, 1500) * 1e-3, *rc::gen::inRange(0, 400) * 1e-3});
   const View view = view_in_plain_room(pose, head);
   const Pose2 gaze(pose.position, pose.rotation + head.yaw);
   const Eigen::Vector2d ground = gaze * Eigen::Vector2d(1.5, *rc::gen::inRange(-300, 300) * 1e-3);
@@ -176,7 +176,7 @@ TEST(Renderer, HidesWhatStandsBehindARobot) {
   add_ball(scene, {2.0, -0.05}, LinearColor::Ones());
   const int free = pixels_of(Label::ball, renderer.render(eye, scene));
   EXPECT_GT(free, 100);
-  add_robot(scene, Pose2(1.2, 0.0, kPi), 0.0, LinearColor::Ones(), LinearColor::Ones());
+  add_robot(scene, Pose2(1.2, 0.0, kPi), 0.0, 1.0, LinearColor::Ones(), LinearColor::Ones());
   const Frame& frame = renderer.render(eye, scene);
   EXPECT_GT(pixels_of(Label::robot, frame), 1000);
   EXPECT_LT(pixels_of(Label::ball, frame), free / 4);
@@ -186,7 +186,7 @@ TEST(Renderer, StaysFiniteWhereverTheCameraIs) {
   Renderer renderer(camera(), FieldDimensions{}, plain_room(), false);
   Scene scene;
   add_goals(scene, FieldDimensions{}, LinearColor::Ones());
-  add_robot(scene, Pose2(0.1, 0.0, 0.0), 0.0, LinearColor::Ones(), LinearColor::Ones());
+  add_robot(scene, Pose2(0.1, 0.0, 0.0), 0.0, 1.0, LinearColor::Ones(), LinearColor::Ones());
   for (const double pitch : {-kPi / 2, -0.5, 0.0, kPi / 2}) {
     for (const Eigen::Vector3d& where :
          {Eigen::Vector3d(0.1, 0.0, 0.3), Eigen::Vector3d(50.0, -50.0, -3.0), Eigen::Vector3d(4.5, 0.8, 0.4)}) {

@@ -41,9 +41,9 @@ TEST(RoomShape, OfHalfATurnIsTheOppositePointOfTheWall) {
   }
 }
 
-TEST(RoomShape, ThatCannotHoldAFieldIsRefused) {
+TEST(RoomShape, ThatCannotBeBuiltIsRefused) {
   RoomShape shape;
-  shape.length = 5.0;
+  shape.length = 3.0;
   EXPECT_THROW(procedural_hall(1, shape), std::runtime_error);
   shape = RoomShape{};
   shape.height = std::nan("");
@@ -51,9 +51,16 @@ TEST(RoomShape, ThatCannotHoldAFieldIsRefused) {
   shape = RoomShape{};
   shape.viewpoint_height = 9.0;
   EXPECT_THROW(procedural_hall(1, shape), std::runtime_error);
-  shape = round_room();
-  shape.length = 12.0;  // the carpet's corners would stick out
-  EXPECT_THROW(procedural_hall(1, shape), std::runtime_error);
+}
+
+TEST(RoomShape, GrowsWithTheField) {
+  FieldDimensions field;
+  EXPECT_EQ(room_shape_for(field).length, RoomShape().length);
+  EXPECT_EQ(room_shape_for(field).width, RoomShape().width);
+  field.length += 5.0;
+  field.width += 3.0;
+  EXPECT_DOUBLE_EQ(room_shape_for(field).length, RoomShape().length + 5.0);
+  EXPECT_DOUBLE_EQ(room_shape_for(field).width, RoomShape().width + 3.0);
 }
 
 TEST(Texture, KeepsItsMeanOnEveryLevel) {

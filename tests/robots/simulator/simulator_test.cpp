@@ -17,7 +17,7 @@ const Pose2 kBesideTheField(-3.2, -3.5, kPi / 2.0);
 
 SimulatorParameters small() {
   SimulatorParameters parameters;
-  parameters.image = ImageSize::qqvga_160x120;
+  parameters.width = 160;
   return parameters;
 }
 
@@ -33,8 +33,8 @@ std::vector<std::uint8_t> bytes_of(const ImageView& image) {
 }
 
 TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {
-  Simulator one(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
-  Simulator two(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
+  Simulator one(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
+  Simulator two(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
   Observation a;
   Observation b;
   for (int frame = 0; frame < 60; ++frame) {
@@ -51,8 +51,8 @@ TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {
 }
 
 TEST(Simulator, ShowsAnotherScenePerSeed) {
-  Simulator one(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
-  Simulator two(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 6);
+  Simulator one(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
+  Simulator two(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 6);
   Observation a;
   Observation b;
   one.observe(a);
@@ -60,20 +60,68 @@ TEST(Simulator, ShowsAnotherScenePerSeed) {
   EXPECT_NE(bytes_of(a.upper->image), bytes_of(b.upper->image));
 }
 
+TEST(Simulator, WhoseRoomDoesNotHoldItsCarpetIsRefused) {
+  RoomShape box;
+  box.length = 10.0;
+  RoomShape round;
+  round.form = RoomForm::cylinder;
+  round.length = 12.0;  // the carpet's corners would stick out
+  for (const RoomShape& shape : {box, round}) {
+    Room room = shared_hall();
+    room.shape = shape;
+    try {
+      Simulator simulator(small(), RobotBody(), FieldDimensions{}, room, kBesideTheField, 1);
+      FAIL() << shape.length;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("a carpet of 10.4 x 7.4 m does not lie in a "), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(Simulator, OfABodyHasItsCameraItsSensorsAndItsLimits) {
+  RobotBody body;
+  body.upper_camera = {544, 448, from_degrees(105.0), from_degrees(94.0), 0.0, 0.0, 20.0};
+  body.lower_camera.reset();
+  body.standing_load.reset();
+  body.neck = {1.0, {{0.0, -0.3, 0.8}}};
+  body.dimensions.torso_height = 0.6;
+  SimulatorParameters parameters = simulator_parameters_of(body);
+  parameters.width = 320;
+  Simulator simulator(parameters, body, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Observation observation;
+  Answer answer;
+  answer.request.head = HeadRequest{{2.0, 1.5}, 10.0};
+  for (int frame = 0; frame < 40; ++frame) {
+    simulator.observe(observation);
+    simulator.answer(answer);
+  }
+  EXPECT_NEAR(observation.time, 39 / 20.0, 1e-9);
+  EXPECT_EQ(observation.upper->image.width, 320);
+  EXPECT_EQ(observation.upper->image.height, 264);
+  EXPECT_FALSE(observation.lower);
+  EXPECT_NEAR(observation.body.head.yaw, 1.0, 0.02);
+  EXPECT_NEAR(observation.body.head.pitch, 0.8, 0.02);
+  EXPECT_EQ(observation.body.foot_load, 0.0);
+  EXPECT_GT(observation.upper->robot_from_camera.translation().z(), 0.8);
+  EXPECT_NEAR(observation.upper->camera.ray({159.5, 0.0}).z(), std::tan(from_degrees(47.0)), 0.02);
+
+  parameters.cameras = Cameras::both;
+  EXPECT_THROW(Simulator(parameters, body, FieldDimensions{}, shared_hall(), kBesideTheField, 1), std::runtime_error);
+}
+
 TEST(Simulator, MovesOnByOneFramePerObservation) {
-  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   for (int frame = 0; frame < 31; ++frame) simulator.observe(observation);
   EXPECT_NEAR(observation.time, 1.0, 1e-9);
 }
 
 TEST(Simulator, DeliversEveryResolutionThroughTheSameWindow) {
-  const std::pair<ImageSize, int> sizes[] = {
-      {ImageSize::vga_640x480, 640}, {ImageSize::qvga_320x240, 320}, {ImageSize::qqvga_160x120, 160}};
-  for (const auto& [size, width] : sizes) {
+  for (const int width : {640, 320, 160}) {
     SimulatorParameters parameters;
-    parameters.image = size;
-    Simulator simulator(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+    parameters.width = width;
+    Simulator simulator(parameters, RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
     Observation observation;
     simulator.observe(observation);
     EXPECT_EQ(observation.upper->image.width, width);
@@ -89,7 +137,7 @@ TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
   parameters.tilt_error = 0.0;
   parameters.other_robots = 0;
   parameters.body.head_noise = parameters.body.attitude_noise = parameters.body.attitude_bias = 0.0;
-  Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(2.0, 0.0, 0.0), 1);
+  Simulator simulator(parameters, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(2.0, 0.0, 0.0), 1);
   Observation observation;
   simulator.observe(observation);
   const Isometry3 field_from_camera = to_isometry(simulator.ground_truth().pose) * observation.upper->robot_from_camera;
@@ -101,7 +149,7 @@ TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
 }
 
 TEST(Simulator, KeepsLabelsAndDepthOnlyWhenAsked) {
-  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
   EXPECT_TRUE(simulator.labels().empty());
@@ -115,8 +163,8 @@ TEST(Simulator, LooksTheSameInLabelsButNotInColoursAfterHalfATurn) {
   parameters.spectators = 0;
   parameters.ball = false;
   parameters.tilt_error = 0.0;
-  Simulator here(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
-  Simulator there(parameters, FieldDimensions{}, shared_hall(), reflect(kBesideTheField), 1);
+  Simulator here(parameters, RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator there(parameters, RobotBody(), FieldDimensions{}, shared_hall(), reflect(kBesideTheField), 1);
   Observation a;
   Observation b;
   here.observe(a);
@@ -138,7 +186,7 @@ TEST(Simulator, SeesGroundOrCeilingAfterAFall) {
   parameters.labels = true;
   std::set<Label> seen;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(-1.5, 1.5, 0.0), seed);
+    Simulator simulator(parameters, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-1.5, 1.5, 0.0), seed);
     Observation observation;
     simulator.observe(observation);
     simulator.push_over();
@@ -151,7 +199,7 @@ TEST(Simulator, SeesGroundOrCeilingAfterAFall) {
 }
 
 TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
-  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
   const Pose2 odometry = observation.odometry;
@@ -167,9 +215,9 @@ TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
 
 TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
   SimulatorParameters parameters = small();
-  Simulator one(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator one(parameters, RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   parameters.cameras = Cameras::both;
-  Simulator both(parameters, FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator both(parameters, RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation upper_alone, observation;
   for (int i = 0; i < 5; ++i) {
     one.observe(upper_alone);
@@ -189,7 +237,7 @@ TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
 }
 
 TEST(Simulator, TellsOnceWhatTheRefereeSaid) {
-  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
   EXPECT_FALSE(observation.told.referee);
@@ -204,7 +252,7 @@ TEST(Simulator, TellsOnceWhatTheRefereeSaid) {
 }
 
 TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
-  Simulator simulator(small(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
+  Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   double before = 1e9;
   for (const double stops : {1.0, 0.0, -1.0, -2.0}) {
@@ -218,7 +266,7 @@ TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
 TEST(Simulator, StopsTheRobotAtAGoalPost) {
   SimulatorParameters parameters = small();
   parameters.other_robots = 0;
-  Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(4.0, 0.8, 0.0), 1);
+  Simulator simulator(parameters, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(4.0, 0.8, 0.0), 1);
   Observation observation;
   Answer answer;
   answer.request.walk.forward = 0.25;
@@ -231,7 +279,7 @@ TEST(Simulator, StopsTheRobotAtAGoalPost) {
 TEST(Simulator, KeepsRobotsApart) {
   SimulatorParameters parameters = small();
   parameters.other_robots = 8;
-  Simulator simulator(parameters, FieldDimensions{}, shared_hall(), Pose2(0.0, 0.0, 0.0), 3);
+  Simulator simulator(parameters, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(0.0, 0.0, 0.0), 3);
   Observation observation;
   for (int i = 0; i < 600; ++i) {
     Answer answer;

@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoScenario", "title = \"x\"", "no scenario is named"},
         Mistake{"Trials", "title = \"x\"\ntrials = 0", ":2: trials is a whole number from 1 to 100000"},
         Mistake{"Text", "title = 3", ":1: title is a text in quotes"},
-        Mistake{"Width", kBegin + "width = 200", ":4: width is 160, 320 or 640 pixels"},
+        Mistake{"Width", kBegin + "width = 200", ":4: width is 160, 320, 544 or 640 pixels"},
         Mistake{"Cameras", kBegin + "cameras = \"lower\"", ":4: cameras is"},
         Mistake{"Seconds", kBegin + "seconds = nan", ":4: seconds is a number from 1 to 86400"},
         Mistake{"SecondsText", kBegin + "seconds = \"10\"", ":4: seconds is a number"},

@@ -34,12 +34,12 @@ std::string complaint_about(std::string_view text) {
   return complaint(folder.write("field.toml", text));
 }
 
-std::string with(std::string_view key, std::string_view value) {
+std::string with(std::string_view key, std::string_view value, std::string_view before = "") {
   std::istringstream lines(text_of(kFields / "spl.toml"));
   std::string line, text;
   while (std::getline(lines, line)) {
     const bool hit = line.rfind(std::string(key) + " ", 0) == 0;
-    text += hit ? std::string(key) + " = " + std::string(value) + "\n" : line + "\n";
+    text += hit ? std::string(before) + std::string(key) + " = " + std::string(value) + "\n" : line + "\n";
   }
   return text;
 }
@@ -68,6 +68,43 @@ TEST(FieldFile, OfThePaperHasYellowGoalsAndASmallPenaltyArea) {
   EXPECT_DOUBLE_EQ(field.penalty_mark_x, 2.7);
 }
 
+TEST(FieldFile, OfARuleBookIsReadToTheMiddleOfItsLines) {
+  const FieldDimensions field = load_field(kFields / "middle.toml");
+  EXPECT_DOUBLE_EQ(field.length, 13.95);
+  EXPECT_DOUBLE_EQ(field.width, 8.95);
+  EXPECT_DOUBLE_EQ(field.border, 1.025);
+  EXPECT_DOUBLE_EQ(field.penalty_area_depth, 2.95);
+  EXPECT_DOUBLE_EQ(field.penalty_area_width, 5.95);
+  EXPECT_DOUBLE_EQ(field.center_circle_radius, 1.475);
+  EXPECT_DOUBLE_EQ(field.corner_arc_radius, 0.475);
+  EXPECT_DOUBLE_EQ(field.penalty_mark_x, 5.0);
+}
+
+TEST(FieldFile, OfEveryShippedFieldIsInOrder) {
+  int fields = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFields)) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_EQ(complaint(entry.path()), "");
+    ++fields;
+  }
+  EXPECT_GE(fields, 5);
+}
+
+TEST(FieldFile, SaysToWhichPartOfALineItIsMeasured) {
+  EXPECT_NE(complaint_about(with("measured_to", "\"inside\"")).find("measured_to is \"middle of lines\""),
+            std::string::npos);
+}
+
+TEST(FieldFile, WhoseLinesLeaveNothingOfItIsRefused) {
+  const std::string text = with("length", "2.0");
+  EXPECT_EQ(complaint_about(text), "");
+  std::string outside = text;
+  outside.replace(outside.find("middle of"), 9, "outside of");
+  EXPECT_NE(
+      complaint_about(outside).find("'length' must be a number from 2 to 120 metres between the middles of lines"),
+      std::string::npos);
+}
+
 TEST(FieldFile, ThatIsMissingIsNamedInOneLine) {
   const std::string text = complaint("nowhere/field.toml");
   EXPECT_NE(text.find("nowhere/field.toml"), std::string::npos);
@@ -75,24 +112,23 @@ TEST(FieldFile, ThatIsMissingIsNamedInOneLine) {
 }
 
 TEST(FieldFile, ThatIsNoTomlIsRefusedWithItsLine) {
-  EXPECT_NE(complaint_about("length = 9.0\nwidth = = 6").find("line 2"), std::string::npos);
+  EXPECT_NE(complaint_about("length = 9.0\nwidth = = 6").find(":2: "), std::string::npos);
   EXPECT_NE(complaint_about(std::string("\0\xff\x01", 3)), "");
 }
 
 TEST(FieldFile, WithAKeyOfAHundredThousandPartsDoesNotExhaustTheStack) {
   std::string key = "a";
   for (int i = 0; i < 100'000; ++i) key += ".a";
-  EXPECT_NE(complaint_about("\n" + key + " = 1").find("line 2: the line is longer than 1000 letters"),
-            std::string::npos);
+  EXPECT_NE(complaint_about("\n" + key + " = 1").find(":2: the line is longer than 1000 letters"), std::string::npos);
 }
 
 TEST(FieldFile, TellsAnUnknownKeyOnOneLine) {
   const std::string text = complaint_about("\"\\u001b[2J\\n\" = 1");
-  EXPECT_NE(text.find("'\\x1B[2J ' is not a key of a field"), std::string::npos) << text;
+  EXPECT_NE(text.find("there is no key '\\x1B[2J ' here"), std::string::npos) << text;
 }
 
 TEST(FieldFile, WithoutAKeyIsRefusedWithTheKeysName) {
-  EXPECT_NE(complaint_about("").find("'length' is missing"), std::string::npos);
+  EXPECT_NE(complaint_about(with("length", "9.0", "# ")).find("the key 'length' is missing"), std::string::npos);
 }
 
 TEST(FieldFile, WithAnUnknownKeyIsRefused) {
@@ -101,9 +137,10 @@ TEST(FieldFile, WithAnUnknownKeyIsRefused) {
 
 TEST(FieldFile, WithAValueOutOfRangeOrOfTheWrongTypeIsRefused) {
   for (const char* value : {"-9.0", "1e9", "nan", "inf", "\"nine\"", "true", "[9.0]"}) {
-    EXPECT_NE(complaint_about(with("length", value)).find("'length' must be"), std::string::npos) << value;
+    EXPECT_NE(complaint_about(with("length", value)).find("length is a number from 2 to 120"), std::string::npos)
+        << value;
   }
-  EXPECT_NE(complaint_about(with("yellow_goals", "1")).find("'yellow_goals'"), std::string::npos);
+  EXPECT_NE(complaint_about(with("yellow_goals", "1")).find("yellow_goals is true or false"), std::string::npos);
 }
 
 }  // namespace

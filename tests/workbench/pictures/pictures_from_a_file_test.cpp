@@ -47,7 +47,7 @@ void append(const FrameRecord& frame, const GroundTruth& truth, std::string& fil
 template <typename Watch>
 void run(Topics wanted, const Watch& watch) {
   SimulatorParameters parameters;
-  parameters.image = ImageSize::qqvga_160x120;
+  parameters.width = 160;
   FrameSetup setup;
   setup.scripts.apply({"behaviors/flips.lua", ScriptText{R"(behavior "flips" { initial = "training",
   update = function() head.look(math.sin(clock.time), 0.0, 2) end,
@@ -58,7 +58,7 @@ void run(Topics wanted, const Watch& watch) {
                                                          ""}});
   setup.behaviors = {"flips"};
   const Pose2 start(-2.0, 1.0, 0.5);
-  Simulator simulator(parameters, setup.field, procedural_hall(1, {}), start, 1);
+  Simulator simulator(parameters, RobotBody(), setup.field, procedural_hall(1, {}), start, 1);
   FrameLoop engine(std::move(setup));
   FrameInputs inputs;
   inputs.told.initial_pose = InitialPose{start};

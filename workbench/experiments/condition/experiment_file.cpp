@@ -11,9 +11,8 @@
 
 #include "engine/parameters/utf8.h"
 #include "workbench/experiments/condition/reference_reader.h"
-#include "workbench/experiments/condition/table_reader.h"
 #include "workbench/files/parameter_file.h"
-#include "workbench/files/toml_text.h"
+#include "workbench/files/table_reader.h"
 
 namespace reorient {
 namespace {
@@ -155,6 +154,7 @@ class ExperimentReader {
         {"room", [&](auto& key, auto& value) { patch.room = in.text(key, value); }},
         {"hall_seed", [&](auto& key, auto& value) { patch.hall_seed = in.whole(key, value, 0, kMostSeeds); }},
         {"field", [&](auto& key, auto& value) { patch.field = in.text(key, value); }},
+        {"body", [&](auto& key, auto& value) { patch.body = in.text(key, value); }},
         {"cameras",
          [&](auto& key, auto& value) {
            patch.cameras = in.text(key, value);
@@ -164,8 +164,8 @@ class ExperimentReader {
         {"width",
          [&](auto& key, auto& value) {
            patch.width = static_cast<int>(in.whole(key, value, 160, 640));
-           if (*patch.width != 160 && *patch.width != 320 && *patch.width != 640)
-             in.refuse(value, "width is 160, 320 or 640 pixels");
+           if (*patch.width != 160 && *patch.width != 320 && *patch.width != 544 && *patch.width != 640)
+             in.refuse(value, "width is 160, 320, 544 or 640 pixels");
          }},
         {"room_awareness", [&](auto& key, auto& value) { patch.room_awareness = in.yes(key, value); }},
         {"seconds", [&](auto& key, auto& value) { patch.seconds = in.number(key, value, 1.0, kDay); }},
@@ -226,44 +226,23 @@ class ExperimentReader {
   const ConditionFiles& conditions_;
 };
 
-toml::table parsed(std::string_view text, const std::string& name) {
-  if (const std::optional<TomlExcess> excess = excess_in_toml(text))
-    throw std::runtime_error(as_line(name + ":" + std::to_string(excess->line) + ": " + excess->why));
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    throw std::runtime_error(
-        as_line(name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description())));
-  }
-}
-
-/// `folder`: of assets, which has some.
-std::string text_of(const std::filesystem::path& file, const std::string& kind, const std::string& folder) {
-  std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing))
-    throw std::runtime_error(as_line(file.string() + ": there is no such " + kind + "; " + folder + " has some"));
-  std::optional<std::string> text = read_toml_text(file);
-  if (!text) throw std::runtime_error(as_line(file.string() + ": it cannot be read; check its permissions"));
-  return *std::move(text);
-}
-
 }  // namespace
 
 Experiment parse_experiment(std::string_view text, const std::string& name, const ConditionFiles& conditions) {
-  return ExperimentReader(name, conditions).read(parsed(text, name));
+  return ExperimentReader(name, conditions).read(parse_table(text, name));
 }
 
 Experiment read_experiment(const std::filesystem::path& file, const ConditionFiles& conditions) {
-  return parse_experiment(text_of(file, "experiment", "assets/experiments"), file.string(), conditions);
+  return parse_experiment(read_data_file(file, "experiment", "assets/experiments"), file.string(), conditions);
 }
 
 ConditionPatch parse_condition(std::string_view text, const std::string& name) {
   const ConditionFiles none;
-  return ExperimentReader(name, none).read_condition(parsed(text, name));
+  return ExperimentReader(name, none).read_condition(parse_table(text, name));
 }
 
 ConditionPatch read_condition(const std::filesystem::path& file) {
-  return parse_condition(text_of(file, "condition", "assets/conditions"), file.string());
+  return parse_condition(read_data_file(file, "condition", "assets/conditions"), file.string());
 }
 
 }  // namespace reorient

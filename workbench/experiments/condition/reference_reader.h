@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "workbench/experiments/condition/reference.h"
-#include "workbench/experiments/condition/table_reader.h"
+#include "workbench/files/table_reader.h"
 
 namespace reorient {
 

@@ -55,6 +55,7 @@ TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, cons
     : root_(std::move(scripts_root)), texts_(std::move(texts)), simulate_(simulate), budget_(budget), trace_(trace) {
   parameters_.bind("arbiter", arbiter_parameters_);
   parameters_.bind("script", limits_);
+  world_ = world_of(FieldDimensions(), RobotBody());
   world_.posture_for = world_.undisturbed_for = world_.confidence.age = kLongAgo;
 }
 

@@ -107,14 +107,26 @@ std::vector<Eigen::Vector3d> sampled(const FieldLine& line) {
   return points;
 }
 
-std::vector<Eigen::Vector3d> sampled_circle(double radius) {
-  constexpr int kPieces = 72;
+/// Around a place on the field, from one direction on, rad.
+std::vector<Eigen::Vector3d> sampled_circle(const Eigen::Vector2d& center, double radius, double begin, double turn) {
+  constexpr double kPiece = kPi / 36.0;
+  const int pieces = static_cast<int>(std::ceil(turn / kPiece));
   std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i <= kPieces; ++i) {
-    const double angle = 2.0 * kPi * i / kPieces;
-    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = begin + turn * i / pieces;
+    points.emplace_back(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle), 0.0);
   }
   return points;
+}
+
+void add_circles(const FieldDimensions& field, const Projection& projection, CameraView& view) {
+  projection.add_polyline(sampled_circle({0.0, 0.0}, field.center_circle_radius, 0.0, 2.0 * kPi), view.projected_lines);
+  if (field.corner_arc_radius <= 0.0) return;
+  const double x = 0.5 * field.length, y = 0.5 * field.width;
+  const std::pair<Eigen::Vector2d, double> corners[] = {
+      {{x, y}, kPi}, {{-x, y}, 1.5 * kPi}, {{-x, -y}, 0.0}, {{x, -y}, 0.5 * kPi}};
+  for (const auto& [corner, begin] : corners)
+    projection.add_polyline(sampled_circle(corner, field.corner_arc_radius, begin, 0.5 * kPi), view.projected_lines);
 }
 
 void add_room(const RoomRecord& room, const Projection& projection, CameraView& view) {
@@ -200,7 +212,7 @@ CameraView camera_view_of(const FrameRecord& frame) {
   const Projection projection(*camera, belief_when_looking(frame));
   for (const FieldLine& line : field_lines(frame.world.field))
     projection.add_polyline(sampled(line), view.projected_lines);
-  projection.add_polyline(sampled_circle(frame.world.field.center_circle_radius), view.projected_lines);
+  add_circles(frame.world.field, projection, view);
   add_percept(frame.percepts[is_upper ? 0 : 1], *camera, view);
   add_room(frame.room, projection, view);
   return view;

@@ -49,6 +49,9 @@ FieldLines::FieldLines(const FieldDimensions& field, double worn) : worn_(static
   strip(field.penalty_mark_x - half, field.penalty_mark_x + half, kAcross, mark);
   strip(kAcross, mark, kAcross, half);  // kick-off mark
   circle_radius_ = static_cast<float>(field.center_circle_radius);
+  corner_x_ = static_cast<float>(goal_line);
+  corner_y_ = static_cast<float>(touchline);
+  corner_radius_ = static_cast<float>(field.corner_arc_radius);
   half_line_ = static_cast<float>(half);
 }
 
@@ -93,6 +96,20 @@ REORIENT_WIDE void FieldLines::cover(const GroundPatches& patches, float* __rest
     for (int i = 0; i < count; ++i) {
       const float part = covered_share(std::fabs(x[i]), half_x[i], strip.low_x, strip.high_x) *
                          covered_share(std::fabs(y[i]), half_y[i], strip.low_y, strip.high_y);
+      coverage[i] = part > coverage[i] ? part : coverage[i];
+    }
+  }
+  const float reach = corner_radius_ + half_line;
+  if (corner_radius_ > 0.0f && most_x > corner_x_ - reach && most_y > corner_y_ - reach) {
+    for (int i = 0; i < count; ++i) {
+      const float inward_x = corner_x_ - std::fabs(x[i]);
+      const float inward_y = corner_y_ - std::fabs(y[i]);
+      const float radius = std::sqrt(inward_x * inward_x + inward_y * inward_y) + 1e-6f;
+      const float across_x = half_x[i] * inward_x / radius;
+      const float across_y = half_y[i] * inward_y / radius;
+      const float half = std::sqrt(across_x * across_x + across_y * across_y) + 1e-6f;
+      const float arc = covered_share(radius, half, corner_radius_ - half_line, reach);
+      const float part = inward_x > 0.0f && inward_y > 0.0f ? arc : 0.0f;
       coverage[i] = part > coverage[i] ? part : coverage[i];
     }
   }

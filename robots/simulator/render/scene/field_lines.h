@@ -34,6 +34,7 @@ class FieldLines {
   };
   std::vector<Strip> strips_;
   float circle_radius_ = 0.0f;
+  float corner_x_ = 0.0f, corner_y_ = 0.0f, corner_radius_ = 0.0f;
   float half_line_ = 0.0f;
   float worn_ = 0.0f;
 };

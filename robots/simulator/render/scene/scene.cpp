@@ -53,16 +53,17 @@ void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& li
   }
 }
 
-void add_robot(Scene& scene, const Pose2& pose, double stride, const LinearColor& jersey, const LinearColor& light) {
+void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,
+               const LinearColor& light) {
   const double swing = 0.06 * pinned::sin(stride);
   const double lift = 0.012 * std::abs(pinned::sin(stride));
   const double rock = 0.012 * pinned::cos(stride);
   const auto point = [&](double forward, double left, double height) {
-    return at(pose * Eigen::Vector2d(forward, left), height);
+    return at(pose * Eigen::Vector2d(size * forward, size * left), size * height);
   };
   const auto limb = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius,
                         const LinearColor& color) {
-    scene.capsules.push_back({from, to, radius, color * light, Label::robot, false, false});
+    scene.capsules.push_back({from, to, static_cast<float>(size) * radius, color * light, Label::robot, false, false});
   };
   for (const double side : {1.0, -1.0}) {
     const double foot = side * swing;
@@ -77,7 +78,7 @@ void add_robot(Scene& scene, const Pose2& pose, double stride, const LinearColor
   limb(point(0.0, rock, 0.45), point(0.0, rock, 0.47), 0.03f, kJoint);
   limb(point(0.015, rock, 0.515), point(-0.005, rock, 0.525), 0.055f, kPlastic);
   limb(point(0.0, rock - 0.062, 0.52), point(0.0, rock + 0.062, 0.52), 0.024f, kJoint);
-  scene.shadows.push_back({pose.position.cast<float>(), 0.24f, 0.6f});
+  scene.shadows.push_back({pose.position.cast<float>(), static_cast<float>(0.24 * size), 0.6f});
 }
 
 void add_ball(Scene& scene, const Eigen::Vector2d& position, const LinearColor& light) {

@@ -27,8 +27,9 @@ struct Scene {
 /// Both goals: posts, crossbar, net and the frame that holds it.
 void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& light);
 
-/// A NAO; `stride` in radians moves its legs and arms.
-void add_robot(Scene& scene, const Pose2& pose, double stride, const LinearColor& jersey, const LinearColor& light);
+/// Of a NAO's shape and `size` times as large; `stride` in radians moves its legs and arms.
+void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,
+               const LinearColor& light);
 
 void add_ball(Scene& scene, const Eigen::Vector2d& position, const LinearColor& light);
 

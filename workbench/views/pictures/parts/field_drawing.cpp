@@ -27,6 +27,12 @@ class LinePainter {
     canvas_.ring(view_.center, radius * view_.pixels_per_metre, palette::field_line, thickness_);
   }
 
+  /// `turn`: rad at which it begins; it goes on for a quarter.
+  void quarter(const Eigen::Vector2d& center, double radius, double turn) {
+    const std::vector<Pixel> points = arc(view_ * center, radius * view_.pixels_per_metre, turn, turn + 0.5 * kPi);
+    if (!points.empty()) canvas_.polyline(points, palette::field_line, thickness_);
+  }
+
   void cross(double x, double size) {
     line({x - size / 2.0, 0.0}, {x + size / 2.0, 0.0});
     line({x, -size / 2.0}, {x, size / 2.0});
@@ -100,6 +106,12 @@ void draw_field(Canvas& canvas, const FieldView& view, const FieldDimensions& fi
   paint.line({0.0, -y}, {0.0, y});
   paint.circle(field.center_circle_radius);
   paint.cross(0.0, field.penalty_mark_size);
+  if (field.corner_arc_radius > 0.0) {
+    paint.quarter({x, y}, field.corner_arc_radius, kPi);
+    paint.quarter({-x, y}, field.corner_arc_radius, 1.5 * kPi);
+    paint.quarter({-x, -y}, field.corner_arc_radius, 0.0);
+    paint.quarter({x, -y}, field.corner_arc_radius, 0.5 * kPi);
+  }
   for (const double side : {-1.0, 1.0}) {
     const auto area = [&](double depth, double width) {
       if (depth > 0.0) paint.rectangle(side * x, -width / 2.0, side * (x - depth), width / 2.0);

@@ -1,10 +1,12 @@
-#include "workbench/experiments/condition/table_reader.h"
+#include "workbench/files/table_reader.h"
 
+#include <optional>
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/parameter.h"
 #include "engine/parameters/utf8.h"
+#include "workbench/files/toml_text.h"
 
 namespace reorient {
 namespace {
@@ -19,6 +21,26 @@ std::string number_text(double number) { return to_text(ParameterValue(number));
 
 }  // namespace
 
+std::string read_data_file(const std::filesystem::path& file, const std::string& kind, const std::string& folder) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(file, missing))
+    throw std::runtime_error(as_line(file.string() + ": there is no such " + kind + "; " + folder + " has some"));
+  std::optional<std::string> text = read_toml_text(file);
+  if (!text) throw std::runtime_error(as_line(file.string() + ": it cannot be read; check its permissions"));
+  return *std::move(text);
+}
+
+toml::table parse_table(std::string_view text, const std::string& name) {
+  if (const std::optional<TomlExcess> excess = excess_in_toml(text))
+    throw std::runtime_error(as_line(name + ":" + std::to_string(excess->line) + ": " + excess->why));
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw std::runtime_error(
+        as_line(name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description())));
+  }
+}
+
 void TableReader::refuse(const toml::node& node, const std::string& why) const {
   throw std::runtime_error(as_line(file_ + ":" + std::to_string(node.source().begin.line) + ": " + why));
 }
@@ -29,6 +51,13 @@ void TableReader::read(const Readers& readers) const {
     const auto reader = readers.find(name);
     if (reader == readers.end()) refuse(value, "there is no key '" + name + "' here" + nearest(name, readers));
     reader->second(name, value);
+  }
+}
+
+void TableReader::read_all(const Readers& readers) const {
+  read(readers);
+  for (const auto& [key, reader] : readers) {
+    if (!table_.contains(key)) refuse(table_, "the key '" + key + "' is missing");
   }
 }
 
@@ -64,6 +93,16 @@ std::vector<std::string> TableReader::texts(const std::string& key, const toml::
   if (array == nullptr) refuse(node, key + R"( is a list of texts: ["one", "two"])");
   std::vector<std::string> all;
   for (const toml::node& one : *array) all.push_back(text(key, one));
+  return all;
+}
+
+std::vector<double> TableReader::numbers(const std::string& key, const toml::node& node, std::size_t count,
+                                         double least, double most) const {
+  const toml::array* const array = node.as_array();
+  if (array == nullptr || array->size() != count)
+    refuse(node, key + " is a list of " + std::to_string(count) + " numbers");
+  std::vector<double> all;
+  for (const toml::node& one : *array) all.push_back(number("each of " + key, one, least, most));
   return all;
 }
 

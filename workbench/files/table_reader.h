@@ -3,14 +3,22 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <toml++/toml.h>
 
 namespace reorient {
+
+/// The text of a data file. `kind`: what it is; `folder`: of assets, which has some. Throws std::runtime_error with one
+/// line.
+std::string read_data_file(const std::filesystem::path& file, const std::string& kind, const std::string& folder);
+/// `name`: for messages. Throws std::runtime_error with one line.
+toml::table parse_table(std::string_view text, const std::string& name);
 
 class TableReader {
  public:
@@ -22,6 +30,8 @@ class TableReader {
   /// Each key with what reads it. Whatever else stands in the table is a mistake.
   using Readers = std::map<std::string, std::function<void(const std::string& key, const toml::node& value)>>;
   void read(const Readers& readers) const;
+  /// The same, and each of the keys has to be there.
+  void read_all(const Readers& readers) const;
 
   // A value of a kind, or a mistake.
   std::string text(const std::string& key, const toml::node& node) const;  ///< not empty
@@ -29,6 +39,8 @@ class TableReader {
   double number(const std::string& key, const toml::node& node, double least, double most) const;
   std::int64_t whole(const std::string& key, const toml::node& node, std::int64_t least, std::int64_t most) const;
   std::vector<std::string> texts(const std::string& key, const toml::node& node) const;
+  std::vector<double> numbers(const std::string& key, const toml::node& node, std::size_t count, double least,
+                              double most) const;
   const toml::table& table(const std::string& key, const toml::node& node) const;
   const toml::array& tables(const std::string& key, const toml::node& node) const;  ///< one or more
 

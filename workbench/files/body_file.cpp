@@ -1,0 +1,184 @@
+#include "workbench/files/body_file.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "workbench/files/table_reader.h"
+
+namespace reorient {
+namespace {
+
+/// What of a body is in which range: generous for anything that walks on two legs and fits into a hall.
+constexpr double kTallest = 2.5;                        // m
+constexpr double kFastest = 20.0;                       // rad/s
+constexpr double kLeastView = 20.0, kMostView = 150.0;  // degrees
+constexpr std::int64_t kLeastPixels = 64, kMostPixels = 4096;
+
+using Reader = std::function<void(const std::string& key, const toml::node& value)>;
+
+class BodyReader {
+ public:
+  explicit BodyReader(std::string file) : file_(std::move(file)) {}
+
+  RobotBody read(const toml::table& table) const {
+    RobotBody body;
+    body.lower_camera.reset();
+    body.standing_load.reset();
+    body.gait.reset();
+    body.get_up_time.reset();
+    const TableReader in(table, file_);
+    TableReader::Readers readers{
+        {"name", [&](auto& key, auto& value) { body.name = short_text(in, key, value); }},
+        {"field", [&](auto& key, auto& value) { body.field = short_text(in, key, value); }},
+        {"torso", [&](auto& key, auto& value) { read_torso(in.table(key, value), body); }},
+        {"neck", [&](auto& key, auto& value) { read_neck(in.table(key, value), body); }},
+        {"upper_camera",
+         [&](auto& key, auto& value) { body.upper_camera = read_camera(in.table(key, value), body.dimensions.upper); }},
+    };
+    // What a body may do without.
+    const TableReader::Readers parts{
+        {"lower_camera",
+         [&](auto& key, auto& value) { body.lower_camera = read_camera(in.table(key, value), body.dimensions.lower); }},
+        {"feet", [&](auto& key, auto& value) { body.standing_load = read_feet(in.table(key, value)); }},
+        {"walk", [&](auto& key, auto& value) { body.gait = read_gait(in.table(key, value)); }},
+        {"get_up", [&](auto& key, auto& value) { body.get_up_time = read_get_up(in.table(key, value)); }},
+    };
+    for (const auto& [key, reader] : parts) {
+      if (table.contains(key)) readers[key] = reader;
+    }
+    in.read_all(readers);
+    return body;
+  }
+
+ private:
+  static std::string short_text(const TableReader& in, const std::string& key, const toml::node& value) {
+    constexpr std::size_t kLongest = 60;  // bytes
+    std::string text = in.text(key, value);
+    if (text.size() > kLongest) in.refuse(value, key + " is longer than " + std::to_string(kLongest) + " letters");
+    return text;
+  }
+
+  static Reader into(const TableReader& in, double& number, double least, double most) {
+    return [&in, &number, least, most](auto& key, auto& value) { number = in.number(key, value, least, most); };
+  }
+
+  static Reader into(const TableReader& in, Eigen::Vector3d& place) {
+    return [&in, &place](auto& key, auto& value) {
+      const std::vector<double> metres = in.numbers(key, value, 3, -kTallest, kTallest);
+      place = {metres[0], metres[1], metres[2]};
+    };
+  }
+
+  void read_torso(const toml::table& table, RobotBody& body) const {
+    const TableReader in(table, file_);
+    in.read_all({{"height", into(in, body.dimensions.torso_height, 0.05, kTallest)},
+                 {"lying_height", into(in, body.lying_height, 0.01, kTallest)}});
+  }
+
+  void read_neck(const toml::table& table, RobotBody& body) const {
+    const TableReader in(table, file_);
+    in.read_all({
+        {"order",
+         [&](auto& key, auto& value) {
+           const std::string order = in.text(key, value);
+           if (order != "yaw, pitch" && order != "pitch, yaw")
+             in.refuse(value, R"(order is "yaw, pitch" or "pitch, yaw", from the torso to the head)");
+           body.dimensions.neck_order = order == "yaw, pitch" ? NeckOrder::yaw_then_pitch : NeckOrder::pitch_then_yaw;
+         }},
+        {"first_axis", into(in, body.dimensions.first_axis)},
+        {"second_axis", into(in, body.dimensions.second_axis)},
+        {"yaw", into(in, body.neck.yaw, 0.0, kPi)},
+        {"pitch", [&](auto& key, auto& value) { body.neck.pitch = read_pitch(in, key, value); }},
+        {"speed", into(in, body.head_speed, 0.1, kFastest)},
+    });
+  }
+
+  static std::vector<PitchLimit> read_pitch(const TableReader& in, const std::string& key, const toml::node& node) {
+    constexpr std::size_t kMost = 64;
+    const toml::array* const rows = node.as_array();
+    if (rows == nullptr || rows->empty() || rows->size() > kMost)
+      in.refuse(node, key + " is a list of 1 to " + std::to_string(kMost) + " times [yaw, least, most]");
+    std::vector<PitchLimit> limits;
+    for (const toml::node& row : *rows) {
+      const std::vector<double> numbers = in.numbers("each row of " + key, row, 3, -kPi, kPi);
+      const PitchLimit limit{numbers[0], numbers[1], numbers[2]};
+      if (limit.min > limit.max) in.refuse(row, "the least pitch is above the most");
+      if (limit.yaw < 0.0 || (!limits.empty() && limit.yaw <= limits.back().yaw))
+        in.refuse(row, "each row's yaw is greater than the one's before, and none is negative");
+      limits.push_back(limit);
+    }
+    return limits;
+  }
+
+  CameraOptics read_camera(const toml::table& table, CameraMount& mount) const {
+    const TableReader in(table, file_);
+    CameraOptics camera;
+    const auto pixels = [&](int& count) -> Reader {
+      return [&in, &count](auto& key, auto& value) {
+        count = static_cast<int>(in.whole(key, value, kLeastPixels, kMostPixels));
+      };
+    };
+    in.read_all({
+        {"position", into(in, mount.position)},
+        {"tilt", into(in, mount.tilt, -0.5 * kPi, 0.5 * kPi)},
+        {"width", pixels(camera.width)},
+        {"height", pixels(camera.height)},
+        {"field_of_view_degrees",
+         [&](auto& key, auto& value) {
+           const std::vector<double> degrees = in.numbers(key, value, 2, kLeastView, kMostView);
+           camera.field_of_view_horizontal = from_degrees(degrees[0]);
+           camera.field_of_view_vertical = from_degrees(degrees[1]);
+         }},
+        {"distortion",
+         [&](auto& key, auto& value) {
+           const std::vector<double> radial = in.numbers(key, value, 2, -0.5, 0.5);
+           camera.k1 = radial[0];
+           camera.k2 = radial[1];
+         }},
+        {"rate", into(in, camera.rate, 1.0, 120.0)},
+    });
+    return camera;
+  }
+
+  double read_feet(const toml::table& table) const {
+    const TableReader in(table, file_);
+    double load = 0.0;
+    in.read_all({{"standing_load", into(in, load, 0.1, 200.0)}});
+    return load;
+  }
+
+  Gait read_gait(const toml::table& table) const {
+    const TableReader in(table, file_);
+    Gait gait;
+    in.read_all({{"forward", into(in, gait.forward, 0.0, 1.0)},
+                 {"left", into(in, gait.left, 0.0, 1.0)},
+                 {"turn", into(in, gait.turn, 0.0, 3.0)},
+                 {"cruise", into(in, gait.cruise, 0.0, 1.0)},
+                 {"step_frequency", into(in, gait.step_frequency, 0.5, 5.0)},
+                 {"sway_roll", into(in, gait.sway_roll, 0.0, 0.3)},
+                 {"sway_pitch", into(in, gait.sway_pitch, 0.0, 0.3)},
+                 {"sway_height", into(in, gait.sway_height, 0.0, 0.05)}});
+    return gait;
+  }
+
+  double read_get_up(const toml::table& table) const {
+    const TableReader in(table, file_);
+    double time = 0.0;
+    in.read_all({{"time", into(in, time, 0.5, 30.0)}});
+    return time;
+  }
+
+  std::string file_;
+};
+
+}  // namespace
+
+RobotBody load_body(const std::filesystem::path& file) {
+  return parse_body(read_data_file(file, "robot", "assets/robots"), file.string());
+}
+
+RobotBody parse_body(std::string_view text, const std::string& name) {
+  return BodyReader(name).read(parse_table(text, name));
+}
+
+}  // namespace reorient
