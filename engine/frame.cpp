@@ -198,6 +198,7 @@ void FrameLoop::answer() {
   Answer& answer = record_.answer;
   answer.request = behaviors_.wanted().request;
   asked_to_get_up_ = answer.request.get_up;
+  answer.belief = {world_.pose.pose, world_.pose.covariance, world_.pose_known};
   answer.reorientation.reset();
   if (record_.reorientation) answer.reorientation = record_.reorientation->reorientation;
   answer.room = {world_.confidence.current, world_.confidence.opposite, world_.confidence.evidence,

@@ -61,6 +61,7 @@ class FrameLoop {
   // Between frames, for those who list and check.
   std::vector<Parameter> parameters() const { return registry_.list(); }
   std::vector<const MachineDefinition*> machines() const { return behaviors_.host().definitions(); }
+  const ScriptTexts& scripts() const { return behaviors_.host().texts(); }
 
  private:
   explicit FrameLoop(ByteReader&& state);

@@ -49,6 +49,11 @@ struct Maker {
 
 constexpr Maker kMakers[] = {
     {"simulator", make_simulator, [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
+    {kCompanion,
+     [](const RobotOptions&) -> RobotInstance {
+       throw std::runtime_error("the companion plays no scenarios: nobody can carry it about");
+     },
+     [](const RobotOptions&) { return std::vector<Parameter>(); }},
 };
 
 const Maker& maker_of(const std::string& name) {

@@ -5,6 +5,7 @@
 
 #include "geometry/angle.h"
 #include "geometry/head.h"
+#include "geometry/pose2.h"
 
 namespace reorient {
 
@@ -55,8 +56,20 @@ void fields(Visit&& visit, RoomOpinion& room) {
   visit(room.current, room.opposite, room.evidence, room.usable);
 }
 
+/// Where the robot is believed to be, by whichever localization counts.
+struct BelievedPose {
+  Pose2 pose;                                            ///< field_from_robot
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y, rotation; m^2, m rad, rad^2
+  bool known = false;                                    ///< somebody told it, or it was found
+};
+template <typename Visit>
+void fields(Visit&& visit, BelievedPose& belief) {
+  visit(belief.pose, belief.covariance, belief.known);
+}
+
 struct Answer {
   Request request;
+  BelievedPose belief;
   /// Granted in this frame. Where the robot brings its own belief, it is to be carried out there; otherwise it is done.
   std::optional<Reorientation> reorientation;
   RoomOpinion room;
@@ -65,7 +78,8 @@ struct Answer {
 };
 template <typename Visit>
 void fields(Visit&& visit, Answer& answer) {
-  visit(answer.request, answer.reorientation, answer.room, answer.training_paused, answer.evaluation_paused);
+  visit(answer.request, answer.belief, answer.reorientation, answer.room, answer.training_paused,
+        answer.evaluation_paused);
 }
 
 }  // namespace reorient

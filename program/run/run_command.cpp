@@ -1,7 +1,11 @@
 #include <memory>
 #include <ostream>
+#include <span>
+#include <stdexcept>
+#include <string>
 
 #include "program/robots.h"
+#include "program/run/companion/run_companion.h"
 #include "program/run/run_scenario.h"
 #include "program/subcommand.h"
 
@@ -14,6 +18,16 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--robot", options.robot, "the robot that it is played with")
       ->check(CLI::IsMember(robot_names()))
       ->capture_default_str();
+  run.add_option("--socket", options.socket, "companion: where it listens (default: in $XDG_RUNTIME_DIR, else in /tmp)")
+      ->check(check_not_empty);
+  run.add_option("--behaviors", options.behaviors,
+                 "companion: which behaviours run, as in A,B (default: all that the robot can carry out)")
+      ->delimiter(',')
+      ->check(check_not_empty);
+  run.add_option("--state", options.state,
+                 "companion: what it knows is kept here for the next one (default: beside the socket)")
+      ->check(check_not_empty);
+  run.add_flag("--fresh", options.fresh, "companion: go on from nothing");
   run.add_option("--with", options.with, "a behaviour beside those of the scenario; may be given again")
       ->allow_extra_args(false);
   run.add_option("--without", options.without, "leave a behaviour of the scenario out; may be given again")
@@ -58,15 +72,36 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("--every-transition", options.every_transition, "show in the timeline what repeats itself, too");
 }
 
+/// What the one kind of robot would not heed.
+void refuse_in_vain(const CLI::App& run, bool is_companion) {
+  constexpr const char* kOfCompanion[] = {"--socket", "--behaviors", "--state", "--fresh"};
+  constexpr const char* kOfSimulator[] = {"--with", "--without", "--room",    "--hall-seed",  "--field",
+                                          "--body", "--width",   "--cameras", "--realtime",   "--save-params",
+                                          "--out",  "--json",    "--seconds", "--no-pictures"};
+  if (is_companion && run.get_option("scenario")->count() > 0)
+    throw std::runtime_error(
+        "--robot companion plays no scenario, since nobody can carry that robot about; leave it out, and choose with "
+        "--behaviors");
+  const auto refuse = [&run](std::span<const char* const> names, const char* why) {
+    for (const char* const name : names) {
+      if (run.get_option(name)->count() > 0) throw std::runtime_error(std::string(name) + why);
+    }
+  };
+  if (is_companion) refuse(kOfSimulator, ": the companion would not heed it; its client says what robot it is");
+  if (!is_companion) refuse(kOfCompanion, ": only --robot companion heeds it");
+}
+
 }  // namespace
 
 Subcommand add_run(CLI::App& program) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* const parser = program.add_subcommand("run", "run a scenario on the simulator")->fallthrough();
   add_options(*parser, *options);
-  return {parser, [options](std::ostream& out, std::ostream& err) {
+  return {parser, [parser, options](std::ostream& out, std::ostream& err) {
             options->scripts = scripts_root(options->scripts);
-            return run_scenario(*options, {}, out, err);
+            const bool is_companion = options->robot == kCompanion;
+            refuse_in_vain(*parser, is_companion);
+            return is_companion ? run_companion(*options, out, err) : run_scenario(*options, {}, out, err);
           }};
 }
 

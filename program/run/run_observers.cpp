@@ -71,6 +71,7 @@ Progress::Progress(std::ostream& err, std::function<bool()> is_hidden)
 
 void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
   const double time = frame.world.time;
+  if (!first_time_) first_time_ = time;  // not zero where a companion goes on from before
   if (time < next_ || (is_hidden_ && is_hidden_())) return;
   next_ = time + (terminal_ ? 0.5 : 10.0);
   std::string states;
@@ -82,7 +83,7 @@ void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
   const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const Confidences& confidence = frame.world.confidence;
   err_ << fmt::format("{}{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}",
-                      terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states, time / passed,
+                      terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states, (time - *first_time_) / passed,
                       terminal_ ? "" : "\n")
        << std::flush;
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 
 #include <spdlog/sinks/sink.h>
 
@@ -28,6 +29,7 @@ class Progress : public Observer {
   bool terminal_;
   std::function<bool()> is_hidden_;
   double next_ = 0.0;
+  std::optional<double> first_time_;  // s
   std::chrono::steady_clock::time_point start_;
 };
 

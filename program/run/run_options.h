@@ -36,6 +36,11 @@ struct SimulationOptions {
 };
 
 struct RunOptions : SimulationOptions {
+  // Of the companion (program/run/companion/).
+  std::filesystem::path socket;        ///< at which it listens; empty: in the user's own folder for such things
+  std::filesystem::path state;         ///< what it goes on from; empty: beside the socket
+  bool fresh = false;                  ///< it goes on from nothing
+  std::vector<std::string> behaviors;  ///< empty: all that the robot can carry out
   bool realtime = false;
   std::filesystem::path out = "out";
   bool pictures = true;

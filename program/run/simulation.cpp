@@ -60,8 +60,9 @@ std::set<std::string> loaded_modules(const SimulationOptions& options, const std
   return modules;
 }
 
-/// What the file holds, if it is there. Throws where it is no model: it is not to be overwritten either.
-std::optional<SavedModel> saved_model(const SimulationOptions& options) {
+}  // namespace
+
+std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options) {
   if (options.model.empty()) return std::nullopt;
   const std::string name = "--model " + options.model.string() + ": ";
   if (!options.room_awareness)
@@ -80,10 +81,8 @@ std::optional<SavedModel> saved_model(const SimulationOptions& options) {
   }
 }
 
-}  // namespace
-
 Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
-    : model_(options.learned ? options.learned : saved_model(options)), longest_(options.seconds) {
+    : model_(options.learned ? options.learned : model_to_begin_with(options)), longest_(options.seconds) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),

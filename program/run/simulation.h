@@ -48,6 +48,10 @@ class Simulation {
   double longest_;  ///< s
 };
 
+/// What the options' file of a model holds, turned as they ask for; nothing: they name none, or it is not there. Throws
+/// std::runtime_error with one line where it is no model: it is not to be overwritten either.
+std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options);
+
 /// Those of several owners as one list, by name; what two of them have, as several scripts share a library, stands
 /// there once, as the first has it.
 std::vector<Parameter> merged(std::vector<std::vector<Parameter>> lists);

@@ -45,7 +45,7 @@ void try_file(std::string_view text) {
     field = parse_field(text, "field.toml");
   } catch (const std::runtime_error& error) {
     require_message(error.what());
-    require(std::string_view(error.what()).starts_with("field file 'field.toml': "), "a refusal names the file");
+    require(std::string_view(error.what()).starts_with("field.toml:"), "a refusal names the file");
     return;
   }
   require(mistake_in(field).empty(), "a field that is read can be there");

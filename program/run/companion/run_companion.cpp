@@ -1,0 +1,247 @@
+#include "program/run/companion/run_companion.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "engine/record/digest.h"
+#include "program/interruption.h"
+#include "program/model/model_keeper.h"
+#include "program/program.h"
+#include "program/run/companion/state_file.h"
+#include "program/run/console/history_file.h"
+#include "program/run/console/live_console.h"
+#include "program/run/run_observers.h"
+#include "program/run/simulation.h"
+#include "program/run/timeline_printer.h"
+#include "program/run/venue.h"
+#include "program/script_names.h"
+#include "robots/companion/companion.h"
+#include "workbench/files/atomic_file.h"
+#include "workbench/files/body_file.h"
+#include "workbench/files/field_file.h"
+#include "workbench/files/script_files.h"
+#include "workbench/run/run_loop.h"
+
+namespace reorient {
+namespace {
+
+double steady_clock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::uint64_t drawn_by_lot() {
+  std::random_device device;
+  return (static_cast<std::uint64_t>(device()) << 32) | device();
+}
+
+/// By their names here; what a client calls otherwise it has to send as numbers.
+KnownRobots known_robots() {
+  const auto named = [](const std::string& name, auto load) -> decltype(std::optional(load(name))) {
+    try {
+      if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") != std::string::npos)
+        return std::nullopt;
+      return load(name);
+    } catch (const std::runtime_error&) {
+      return std::nullopt;
+    }
+  };
+  return {[named](const std::string& name) {
+            return named(name, [](const std::string& one) { return load_body(body_file(one)); });
+          },
+          [named](const std::string& name) {
+            return named(name, [](const std::string& one) { return load_field(field_file(one)); });
+          }};
+}
+
+/// What a robot has to carry out for a behaviour to be of use.
+struct ShippedBehavior {
+  const char* name;
+  bool head, walk, get_up;
+};
+constexpr ShippedBehavior kShipped[] = {
+    {"orientation", false, false, false},     {"background_training", false, false, false},
+    {"kidnap_recovery", false, false, false}, {"goal_search", true, true, false},
+    {"wall_gaze", true, false, false},        {"head_scan", true, false, false},
+    {"get_up", false, false, true},           {"penalty_marks", false, true, false},
+};
+
+std::vector<std::string> behaviors_for(const Greeting& greeting) {
+  std::vector<std::string> names;
+  for (const ShippedBehavior& one : kShipped) {
+    const bool possible = (!one.head || greeting.carries_out_head) && (!one.walk || greeting.carries_out_walk) &&
+                          (!one.get_up || greeting.carries_out_get_up);
+    if (possible) names.emplace_back(one.name);
+  }
+  return names;
+}
+
+/// What a process that goes on from another one's state must have in common with it.
+std::string circumstances_of(const Greeting& greeting, const FrameSetup& setup) {
+  std::vector<std::byte> bytes;
+  ByteWriter out(bytes);
+  out(std::string(REORIENT_VERSION), greeting.own_localization, greeting.carries_out_head, greeting.carries_out_walk,
+      greeting.carries_out_get_up, setup.body, setup.field, setup.room_awareness, setup.behaviors, setup.parameters);
+  Digest digest;
+  digest.add(bytes);
+  return digest.hex();
+}
+
+/// The companion as the run loop sees it: before it waits for the next frame, what is known is kept.
+class KeptCompanion : public Robot {
+ public:
+  KeptCompanion(Companion& companion, StateKeeper& keeper) : companion_(companion), keeper_(keeper) {}
+  void set_engine(const FrameLoop& engine) { engine_ = &engine; }
+
+  bool observe(Observation& observation) override {
+    if (any_frame_) keeper_.keep(*engine_, companion_, steady_clock());
+    any_frame_ = companion_.observe(observation);
+    return any_frame_;
+  }
+  void answer(const Answer& answer) override { companion_.answer(answer); }
+
+ private:
+  Companion& companion_;
+  StateKeeper& keeper_;
+  const FrameLoop* engine_ = nullptr;
+  bool any_frame_ = false;
+};
+
+/// Machines' states, logs and faults, for the client.
+class CompanionReport : public Observer {
+ public:
+  explicit CompanionReport(Companion& companion) : companion_(companion) {}
+
+  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+    for (const MachineStatus& machine : frame.machines)
+      companion_.tell_state(frame.name(machine.machine), machine.stopped ? "stopped" : frame.name(machine.state));
+    for (const FaultRecord& fault : frame.faults)
+      companion_.tell_note(NoteKind::fault, fault.script + ": " + fault.fault.message);
+    for (const LogRecord& log : frame.logs) companion_.tell_note(NoteKind::log, log.text);
+  }
+
+ private:
+  Companion& companion_;
+};
+
+/// Edits on the disk become inputs, and at first those that were made while nobody looked.
+class Edits : public InputSource {
+ public:
+  explicit Edits(const std::filesystem::path& root) : files_(root) {}
+
+  const ScriptTexts& texts() const { return files_.texts(); }
+  void add_missed(const ScriptTexts& known) { missed_ = edits_between(known, files_.texts()); }
+
+  void add_to(FrameInputs& inputs) override {
+    for (ScriptEdit& edit : std::exchange(missed_, {})) inputs.script_edits.push_back(std::move(edit));
+    for (ScriptEdit& edit : files_.poll(steady_clock())) inputs.script_edits.push_back(std::move(edit));
+  }
+
+ private:
+  ScriptFiles files_;
+  std::vector<ScriptEdit> missed_;
+};
+
+}  // namespace
+
+int run_companion(const RunOptions& options, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
+  Edits edits(options.scripts);
+  const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
+  if (!options.model.empty()) require_writable_file(options.model, "--model");
+  std::optional<SavedModel> model = model_to_begin_with(options);
+  const std::filesystem::path socket = options.socket.empty() ? default_socket_path() : options.socket;
+  const std::filesystem::path state = options.state.empty() ? socket.string() + ".state" : options.state.string();
+  require_writable_file(state, "--state");
+
+  // What the prompt looks at changes with each client that is another robot.
+  FrameLoop* engine_now = nullptr;
+  LiveConsole console(
+      STDIN_FILENO, out,
+      {.scenario = nullptr,
+       .parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
+       .kept_parameters = [] { return std::vector<ParameterChange>(); },
+       .scripts = options.scripts},
+      history_path());
+  Companion companion({socket, known_robots(), drawn_by_lot(), steady_clock,
+                       [&] { return Interruption::signal() != 0 || console.wants_to_quit(); }});
+  err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
+
+  bool fresh = options.fresh;
+  while (const Greeting* const greeting_now = companion.wait_for_greeting()) {
+    const Greeting greeting = *greeting_now;
+    FrameSetup setup;
+    setup.body = greeting.body;
+    setup.field = greeting.field;
+    setup.seed = options.seed;
+    setup.room_awareness = options.room_awareness;
+    setup.scripts = edits.texts();
+    setup.parameters = overrides;
+    setup.model = model;
+    const std::vector<std::string> wanted = options.behaviors.empty() ? behaviors_for(greeting) : options.behaviors;
+    for (const std::string& name : wanted)
+      setup.behaviors.push_back(behavior_file(options.scripts, setup.scripts, name));
+    StateKeeper keeper(state, circumstances_of(greeting, setup));
+    std::string why_not;
+    std::unique_ptr<FrameLoop> engine = fresh ? nullptr : keeper.restore(companion, why_not);
+    const bool goes_on = engine != nullptr;
+    if (goes_on) edits.add_missed(engine->scripts());
+    if (!why_not.empty()) spdlog::warn("{} is not gone on from: {}", state.string(), why_not);
+    if (!engine) engine = std::make_unique<FrameLoop>(std::move(setup));
+    fresh = false;
+    engine_now = engine.get();
+    companion.begin(greeting, goes_on, static_cast<int>(wanted.size()));
+    err << fmt::format(
+               "reorient: a client has come: {}, field of {:.1f} x {:.1f} m, {} localization, {} behaviours, {}\n",
+               greeting.body.name, greeting.field.length, greeting.field.width,
+               greeting.own_localization ? "its own" : "our", wanted.size(),
+               goes_on ? "going on from before" : "beginning anew")
+        << std::flush;
+
+    RunLog log;
+    const RoomForLog room_for_log([&] { console.make_room(); });
+    Progress progress(err, [&] { return console.is_open(); });
+    TimelinePrinter timeline(out, options.every_transition, [&] {
+      progress.make_room();
+      console.begin_line();
+    });
+    CompanionReport report(companion);
+    std::optional<ModelKeeper> model_keeper;
+    if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed);
+    auto robot = std::make_unique<KeptCompanion>(companion, keeper);
+    robot->set_engine(*engine);
+    RobotInstance instance{std::move(robot), greeting.body, RobotInstance::Clock::real, nullptr, nullptr};
+    RunParts parts{instance, *engine, nullptr, nullptr, {&edits, &console}, {&report, &log, &timeline}, {}, 0.0, false};
+    if (model_keeper) parts.observers.push_back(&*model_keeper);
+    parts.observers.push_back(&progress);
+    parts.observers.push_back(&console);
+    parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
+    RunLoop(std::move(parts)).run();
+    progress.end();
+    keeper.finish(*engine, companion);
+    if (model_keeper) {
+      model_keeper->save();
+      model = model_to_begin_with(options);
+    }
+    engine_now = nullptr;
+    if (!companion.has_other_robot()) break;
+  }
+  const Companion::Counts& counts = companion.counts();
+  out << fmt::format(
+      "{} frames of {} clients; {} not looked at since a newer one had come, {} of no use, {} answers not taken\n",
+      counts.frames, counts.clients, counts.superseded, counts.unusable, counts.unanswered);
+  return Interruption::signal() != 0 ? exit_code_of(Interruption::signal()) : kSuccess;
+}
+
+}  // namespace reorient

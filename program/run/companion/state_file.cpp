@@ -1,0 +1,114 @@
+#include "program/run/companion/state_file.h"
+
+#include <chrono>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <spdlog/spdlog.h>
+
+#include "engine/record/digest.h"
+#include "geometry/bytes.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::uint64_t kMagic = 0x31706d6f43725272ull;  // "rRrComp1": another layout gets another number
+constexpr double kPeriod = 1.0;                          // s
+/// s, by the wall clock; a robot that nobody has watched for longer may be anywhere.
+constexpr double kOldest = 600.0;
+
+double wall_clock() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+std::uint64_t digest_of(std::span<const std::byte> bytes) {
+  Digest digest;
+  digest.add(bytes);
+  return digest.value();
+}
+
+std::string written(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
+  try {
+    write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+StateKeeper::StateKeeper(std::filesystem::path file, std::string circumstances)
+    : file_(std::move(file)), circumstances_(std::move(circumstances)) {}
+
+StateKeeper::~StateKeeper() { end_writing(); }
+
+/// The digest of all that follows it stands first.
+std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion& companion) const {
+  std::vector<std::byte> state;
+  engine.save(state);
+  std::vector<std::byte> rest;
+  ByteWriter out(rest);
+  out(circumstances_, wall_clock(), state, companion);
+  std::vector<std::byte> all;
+  ByteWriter whole(all);
+  whole(kMagic, digest_of(rest));
+  all.insert(all.end(), rest.begin(), rest.end());
+  return all;
+}
+
+void StateKeeper::keep(const FrameLoop& engine, Companion& companion, double now) {
+  using namespace std::chrono_literals;
+  if (file_.empty() || now < next_) return;
+  if (writing_.valid() && writing_.wait_for(0s) != std::future_status::ready) return;  // asked again in the next frame
+  next_ = now + kPeriod;
+  end_writing();
+  writing_ = std::async(std::launch::async,
+                        [bytes = bytes_of(engine, companion), file = file_] { return written(file, bytes); });
+}
+
+void StateKeeper::finish(const FrameLoop& engine, Companion& companion) {
+  if (file_.empty()) return;
+  end_writing();
+  if (const std::string mistake = written(file_, bytes_of(engine, companion)); !mistake.empty())
+    spdlog::warn("{}", mistake);
+}
+
+void StateKeeper::end_writing() {
+  if (!writing_.valid()) return;
+  if (const std::string mistake = writing_.get(); !mistake.empty()) spdlog::warn("{}", mistake);
+}
+
+std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::string& why_not) const {
+  why_not.clear();
+  if (file_.empty()) return nullptr;
+  const std::optional<std::string> text = read_whole_file(file_);
+  if (!text) return nullptr;
+  const auto bytes = std::as_bytes(std::span(*text));
+  constexpr std::size_t kHeader = 2 * sizeof(std::uint64_t);
+  try {
+    ByteReader in(bytes);
+    std::uint64_t magic = 0, digest = 0;
+    in(magic, digest);
+    check_bytes(magic == kMagic, "it is of another version");
+    check_bytes(digest == digest_of(bytes.subspan(kHeader)), "it is damaged");
+    std::string circumstances;
+    double saved = 0.0;
+    in(circumstances, saved);
+    check_bytes(circumstances == circumstances_, "it is of another robot, field, set of behaviours or of parameters");
+    check_bytes(wall_clock() - saved <= kOldest && saved <= wall_clock() + kPeriod, "it is older than ten minutes");
+    std::vector<std::byte> state;
+    in(state);
+    auto engine = std::make_unique<FrameLoop>(state);
+    in(companion);
+    in.finish();
+    return engine;
+  } catch (const BadBytes& bad) {
+    why_not = bad.what();
+    return nullptr;
+  }
+}
+
+}  // namespace reorient

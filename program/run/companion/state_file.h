@@ -1,0 +1,46 @@
+// What a companion knew, in a file: the next process goes on from it, as if it had only been slow.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/frame.h"
+#include "robots/companion/companion.h"
+
+namespace reorient {
+
+/// Saves once a second. A disk is slow: no frame waits for it.
+class StateKeeper {
+ public:
+  /// `circumstances`: of two processes that shall go on from each other they are equal. Empty file: keeps nothing.
+  StateKeeper(std::filesystem::path file, std::string circumstances);
+  ~StateKeeper();
+  StateKeeper(const StateKeeper&) = delete;
+  StateKeeper& operator=(const StateKeeper&) = delete;
+
+  /// Between two frames; `now`: s, of a clock that only goes on.
+  void keep(const FrameLoop& engine, Companion& companion, double now);
+  /// The last of it, when the run ends.
+  void finish(const FrameLoop& engine, Companion& companion);
+
+  /// An engine that goes on, and a companion that knows it. Nothing: there is no such file, or `why_not` says in a few
+  /// words what it is instead.
+  std::unique_ptr<FrameLoop> restore(Companion& companion, std::string& why_not) const;
+
+ private:
+  std::vector<std::byte> bytes_of(const FrameLoop& engine, Companion& companion) const;
+  void end_writing();
+
+  std::filesystem::path file_;
+  std::string circumstances_;
+  double next_ = 0.0;                 // s
+  std::future<std::string> writing_;  // gives what went wrong, or nothing
+};
+
+}  // namespace reorient

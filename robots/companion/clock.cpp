@@ -1,0 +1,40 @@
+#include "robots/companion/clock.h"
+
+#include <algorithm>
+
+namespace reorient {
+namespace {
+
+constexpr double kStep = 0.001;      // s, the least between two frames where nothing tells how long it was
+constexpr double kLongest = 3600.0;  // s that may pass from one frame to the next
+
+}  // namespace
+
+/// The client's clock shows this now, and `gap` seconds have passed since the frame before.
+void ClientClock::go_on_at(double time, double gap) {
+  offset_ = (known_ ? last_time_ + std::clamp(gap, kStep, kLongest) : 0.0) - time;
+}
+
+std::optional<ClientClock::Moment> ClientClock::advance(std::uint64_t client, double time, const Pose2& odometry,
+                                                        double silence) {
+  constexpr double kPatience = 1.0;  // s
+  began_anew_ = !known_ || client != client_;
+  if (began_anew_) {
+    go_on_at(time, silence);
+    before_ = last_odometry_ * odometry.inverse();
+    client_ = client;
+    known_ = true;
+  } else if (to_engine(time) <= last_time_) {
+    backwards_ += silence;
+    if (backwards_ < kPatience) return std::nullopt;
+    go_on_at(time, backwards_);
+  } else if (to_engine(time) > last_time_ + kLongest) {
+    go_on_at(time, silence);
+  }
+  backwards_ = 0.0;
+  last_time_ = to_engine(time);
+  last_odometry_ = before_ * odometry;
+  return Moment{last_time_, last_odometry_};
+}
+
+}  // namespace reorient

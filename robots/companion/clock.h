@@ -1,0 +1,48 @@
+// A client's time and odometry as the engine sees them: both go on, whatever becomes of the client. A client's clock
+// begins anyhow, its odometry begins at zero whenever its process does.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "geometry/pose2.h"
+
+namespace reorient {
+
+class ClientClock {
+ public:
+  /// One frame's time (s) and odometry on the client's side, as the engine's. `client`: another one where its process
+  /// has begun anew; `silence`: s on our clock since the frame before. Nothing: the time is not after that of the frame
+  /// before. A clock that went back stays back: after a second of such frames the engine's goes on with it.
+  struct Moment {
+    double time = 0.0;
+    Pose2 odometry;
+  };
+  std::optional<Moment> advance(std::uint64_t client, double time, const Pose2& odometry, double silence);
+
+  /// The engine's time of a moment on the client's clock; of use after the first frame.
+  double to_engine(double time) const { return time + offset_; }
+  /// The engine's, of the last frame.
+  const Pose2& odometry() const { return last_odometry_; }
+  /// Whether the last frame was the first one of a client that has begun anew.
+  bool began_anew() const { return began_anew_; }
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(known_, client_, offset_, last_time_, before_, last_odometry_);
+  }
+
+ private:
+  void go_on_at(double time, double gap);
+
+  bool known_ = false;
+  std::uint64_t client_ = 0;
+  double offset_ = 0.0;     // s, engine's time less client's
+  double last_time_ = 0.0;  // s, the engine's
+  Pose2 before_;            // the engine's odometry is this times the client's
+  Pose2 last_odometry_;     // the engine's
+  double backwards_ = 0.0;  // s of our clock for which the client's has been behind
+  bool began_anew_ = false;
+};
+
+}  // namespace reorient

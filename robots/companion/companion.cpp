@@ -1,0 +1,345 @@
+#include "robots/companion/companion.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "robots/camera_pairing.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kMostSamples = 100;  // of the body, from frame to frame
+constexpr std::size_t kMostNotes = 64;     // that wait
+
+ReportedPosture posture_of(std::uint32_t told) { return static_cast<ReportedPosture>(told); }
+static_assert(static_cast<int>(ReportedPosture::unknown) == REORIENT_UNKNOWN &&
+              static_cast<int>(ReportedPosture::upright) == REORIENT_UPRIGHT &&
+              static_cast<int>(ReportedPosture::falling) == REORIENT_FALLING &&
+              static_cast<int>(ReportedPosture::fallen) == REORIENT_FALLEN &&
+              static_cast<int>(ReportedPosture::getting_up) == REORIENT_GETTING_UP);
+
+std::uint32_t kind_of(Reorientation reorientation) {
+  switch (reorientation) {
+    case Reorientation::flip_pose:
+      return REORIENT_FLIP;
+    case Reorientation::purge_reflection:
+      return REORIENT_PURGE;
+    case Reorientation::reset_orientation:
+      return REORIENT_RESET;
+  }
+  return 0;
+}
+
+Pose2 pose_of(const double (&numbers)[3]) { return Pose2(numbers[0], numbers[1], numbers[2]); }
+
+Isometry3 camera_pose_of(const double (&pose)[12]) {
+  Isometry3 result = Isometry3::Identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) result.linear()(row, column) = pose[4 * row + column];
+    result.translation()(row) = pose[4 * row + 3];
+  }
+  return result;
+}
+
+Eigen::Matrix3d covariance_of(const double (&half)[6]) {
+  Eigen::Matrix3d full;
+  full << half[0], half[1], half[2], half[1], half[3], half[4], half[2], half[4], half[5];
+  return full;
+}
+
+void set_covariance(const Eigen::Matrix3d& full, double (&half)[6]) {
+  const double values[6] = {full(0, 0), full(0, 1), full(0, 2), full(1, 1), full(1, 2), full(2, 2)};
+  std::copy(std::begin(values), std::end(values), std::begin(half));
+}
+
+}  // namespace
+
+Companion::Companion(CompanionOptions options)
+    : options_(std::move(options)), connection_(options_.socket, options_.now), command_(options_.server) {
+  samples_.reserve(kMostSamples);
+  body_samples_.reserve(kMostSamples);
+  particles_.reserve(REORIENT_MOST_PARTICLES);
+  for (Arrived* const one : {&arrived_, &newest_}) {
+    one->message.particles.reserve(REORIENT_MOST_PARTICLES);
+    one->message.messages.reserve(REORIENT_MOST_MESSAGES);
+  }
+}
+
+const Greeting* Companion::wait_for_greeting() {
+  while (!greeting_) {
+    if (options_.is_over && options_.is_over()) return nullptr;
+    connection_.listen(options_.patience, *this);
+  }
+  return &*greeting_;
+}
+
+void Companion::begin(const Greeting& greeting, bool goes_on, int behaviors) {
+  engine_for_ = greeting;
+  goes_on_ = goes_on;
+  behaviors_ = behaviors;
+  states_.clear();
+  if (greeting_ && !has_other_robot()) welcome();
+}
+
+void Companion::welcome() {
+  if (welcomed_) return;
+  welcomed_ = connection_.send(
+      REORIENT_WELCOME, reorient_welcome{options_.server, goes_on_ ? 1u : 0u, static_cast<std::uint32_t>(behaviors_)});
+  goes_on_ = true;  // whoever comes next finds an engine that knows something
+}
+
+bool Companion::has_other_robot() const { return greeting_ && engine_for_ && !is_same_robot(*greeting_, *engine_for_); }
+
+bool Companion::observe(Observation& observation) {
+  // What has come while the engine was busy comes first: the newest frame is wanted, not the oldest.
+  connection_.listen(0.0, *this);
+  while (true) {
+    if (has_other_robot()) return false;
+    if (use_newest(observation)) return true;
+    if (options_.is_over && options_.is_over()) return false;
+    connection_.listen(options_.patience, *this);
+  }
+}
+
+void Companion::connected() {
+  ++counts_.clients;
+  greeting_.reset();
+  welcomed_ = false;
+}
+
+void Companion::disconnected() {
+  greeting_.reset();
+  welcomed_ = false;
+  has_newest_ = false;
+  samples_.clear();
+  for (auto& images : shared_) images.reset();
+  for (auto& [behavior, state] : states_) state.second = false;
+}
+
+void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, OwnedDescriptor& memory) {
+  if (kind == REORIENT_HELLO) return take_hello(body);
+  if (!greeting_) throw BadMessage("the first message of a client is its hello");
+  switch (kind) {
+    case REORIENT_MEMORY:
+      return take_memory(body, memory);
+    case REORIENT_FRAME:
+      return take_frame(body);
+    case REORIENT_SAMPLE:
+      return take_sample(body);
+    default:
+      throw BadMessage("there is no message of kind " + std::to_string(kind));
+  }
+}
+
+void Companion::take_hello(std::span<const std::byte> body) {
+  if (greeting_) throw BadMessage("a client says hello once; connect again to say something else");
+  greeting_ = read_greeting(body, options_.known);
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const std::optional<reorient_camera>& camera = greeting_->cameras[i];
+    images_[i] = camera ? Image(camera->width, camera->height) : Image();
+  }
+  if (engine_for_ && !has_other_robot()) welcome();
+}
+
+void Companion::take_memory(std::span<const std::byte> body, OwnedDescriptor& memory) {
+  const auto layout = take_message<reorient_memory>(body, "a message about memory");
+  if (!body.empty()) throw BadMessage("a message about memory is longer than it should be");
+  if (!memory) throw BadMessage("a message about memory came without a file descriptor");
+  if (layout.camera >= shared_.size() || !greeting_->cameras[layout.camera])
+    throw BadMessage("memory for a camera that the hello does not have");
+  shared_[layout.camera].reset();
+  shared_[layout.camera].emplace(memory, layout, *greeting_->cameras[layout.camera]);
+  memory = OwnedDescriptor();
+}
+
+void Companion::take_frame(std::span<const std::byte> body) {
+  read_frame(body, arrived_.message);
+  for (std::size_t i = 0; i < shared_.size(); ++i) {
+    const reorient_image& image = arrived_.message.frame.images[i];
+    if (image.present == 0) continue;
+    if (!shared_[i]) throw BadMessage("an image of a camera whose memory was not handed over");
+    if (image.slot >= REORIENT_SLOTS) throw BadMessage("there is no slot " + std::to_string(image.slot));
+  }
+  ++counts_.frames;
+  command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
+  if (nonsense_in(arrived_.message) != nullptr) {
+    ++counts_.unusable;
+    return;
+  }
+  arrived_.at = options_.now();
+  keep_told(arrived_.message);
+  if (has_newest_) ++counts_.superseded;
+  std::swap(arrived_, newest_);
+  has_newest_ = true;
+}
+
+/// What is told once must not be lost with a frame that nobody looks at.
+void Companion::keep_told(const FrameMessage& message) {
+  const reorient_frame& frame = message.frame;
+  if (message.has(REORIENT_HALF_TIME)) told_.half_time = !told_.half_time;
+  if (message.has(REORIENT_HAS_TOLD_POSE)) {
+    told_.initial_pose = InitialPose{pose_of(frame.told_pose), frame.told_deviation[0], frame.told_deviation[1]};
+    command_.withdraw();
+  }
+  if (message.has(REORIENT_HAS_REFEREE)) told_.referee = RefereeState{frame.penalized != 0};
+  for (const Message& word : message.messages) {
+    if (told_.messages.size() < kMostMessages) told_.messages.push_back(word);
+  }
+}
+
+void Companion::take_sample(std::span<const std::byte> body) {
+  const reorient_sample sample = read_sample(body);
+  if (!is_sound(sample)) return;
+  if (samples_.size() >= kMostSamples) samples_.erase(samples_.begin());
+  samples_.push_back(sample);
+}
+
+/// False: there is none, or it is of no use.
+bool Companion::use_newest(Observation& observation) {
+  if (!has_newest_) return false;
+  has_newest_ = false;
+  const FrameMessage& message = newest_.message;
+  const reorient_frame& frame = message.frame;
+  const bool has_time = message.has(REORIENT_HAS_TIME);
+  const double time = has_time ? frame.time : newest_.at - greeting_->delay;
+  const std::optional<ClientClock::Moment> moment =
+      clock_.advance(greeting_->client, time, pose_of(frame.odometry), newest_.at - last_arrival_);
+  observation = {};
+  if (!moment || !take_images(message, moment->time, observation)) {
+    ++counts_.unusable;
+    return false;
+  }
+  last_arrival_ = newest_.at;
+  if (clock_.began_anew()) command_.withdraw();
+  observation.time = moment->time;
+  observation.odometry = moment->odometry;
+  const auto with_load = [&](BodySample sample, std::uint32_t has) {
+    if ((has & REORIENT_HAS_FOOT_LOAD) == 0 && greeting_->body.standing_load)
+      sample.foot_load = *greeting_->body.standing_load;
+    return sample;
+  };
+  observation.body = with_load(body_sample(frame, moment->time), frame.has);
+  body_samples_.clear();
+  for (const reorient_sample& sample : samples_) {
+    const double felt = has_time ? clock_.to_engine(sample.time) : moment->time;
+    if (felt <= moment->time) body_samples_.push_back(with_load(body_sample(sample, felt), sample.has));
+  }
+  samples_.clear();
+  observation.body_samples = body_samples_;
+  observation.reported_posture = posture_of(frame.posture);
+  if (greeting_->own_localization && (message.has(REORIENT_HAS_BELIEF) || !message.particles.empty())) {
+    particles_ = message.particles;
+    ExternalBelief& belief = observation.belief.emplace();
+    belief.pose = pose_of(frame.belief);
+    belief.covariance = covariance_of(frame.covariance);
+    belief.particles = particles_;
+  }
+  observation.told = std::exchange(told_, {});
+  answered_ = frame.number;
+  answered_time_ = time;
+  answered_at_ = newest_.at;
+  return true;
+}
+
+/// False: one of them was written over.
+bool Companion::take_images(const FrameMessage& message, double time, Observation& observation) {
+  const bool told_attitude = message.has(REORIENT_HAS_ATTITUDE), told_head = message.has(REORIENT_HAS_HEAD);
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const reorient_image& which = message.frame.images[i];
+    if (which.present == 0) continue;
+    if (!shared_[i] || !shared_[i]->copy(which, images_[i])) return false;
+    CameraFrame& camera = (i == 0 ? observation.upper : observation.lower).emplace();
+    camera.time = time - which.age;
+    camera.image = images_[i].view();
+    camera.camera = camera_model(*greeting_->cameras[i]);
+    camera.odometry = clock_.odometry();
+    if (which.present == 2) {
+      camera.robot_from_camera = camera_pose_of(which.pose);
+      continue;
+    }
+    const reorient_frame& frame = message.frame;
+    const HeadAngles head = told_head ? HeadAngles{frame.head[0], frame.head[1]} : HeadAngles{};
+    const TorsoAttitude torso = told_attitude ? TorsoAttitude{frame.attitude[0], frame.attitude[1]} : TorsoAttitude{};
+    const RobotDimensions& dimensions = greeting_->body.dimensions;
+    camera.robot_from_camera = robot_from_camera(dimensions, head, torso, dimensions.torso_height,
+                                                 i == 0 ? HeadCamera::upper : HeadCamera::lower);
+  }
+  return true;
+}
+
+void Companion::answer(const Answer& answer) {
+  const auto flag = [](bool set, std::uint32_t bit) { return set ? bit : 0u; };
+  if (answer.reorientation && engine_for_ && engine_for_->own_localization) command_.grant(*answer.reorientation);
+  reorient_answer message{};
+  message.number = answered_;
+  message.time = answered_time_;
+  message.took = options_.now() - answered_at_;
+  if (command_.waiting()) {
+    message.command = command_.number();
+    message.command_kind = kind_of(*command_.waiting());
+  }
+  message.current = answer.room.current;
+  message.opposite = answer.room.opposite;
+  message.evidence = answer.room.evidence;
+  const Pose2& pose = answer.belief.pose;
+  message.pose[0] = pose.position.x();
+  message.pose[1] = pose.position.y();
+  message.pose[2] = pose.rotation;
+  set_covariance(answer.belief.covariance, message.covariance);
+  const Request& request = answer.request;
+  const bool head = request.head && greeting_ && greeting_->carries_out_head;
+  const bool walk = greeting_ && greeting_->carries_out_walk;
+  const bool get_up = request.get_up && greeting_ && greeting_->carries_out_get_up;
+  if (head) {
+    message.head[0] = request.head->angles.yaw;
+    message.head[1] = request.head->angles.pitch;
+    message.head[2] = request.head->speed;
+  }
+  if (walk) {
+    message.walk[0] = request.walk.forward;
+    message.walk[1] = request.walk.left;
+    message.walk[2] = request.walk.turn;
+  }
+  message.has = flag(answer.belief.known, REORIENT_ANSWER_POSE) | flag(head, REORIENT_ANSWER_HEAD) |
+                flag(walk, REORIENT_ANSWER_WALK) | flag(get_up, REORIENT_ANSWER_GET_UP) |
+                flag(answer.room.usable, REORIENT_ANSWER_ROOM) |
+                flag(answer.training_paused, REORIENT_ANSWER_TRAINING_PAUSED) |
+                flag(answer.evaluation_paused, REORIENT_ANSWER_EVALUATION_PAUSED);
+  message.frames = counts_.frames;
+  message.superseded = counts_.superseded;
+  message.unusable = counts_.unusable;
+  if (greeting_ && !connection_.send(REORIENT_ANSWER, message)) ++counts_.unanswered;
+  send_waiting();
+}
+
+void Companion::tell_state(const std::string& behavior, const std::string& state) {
+  auto& [last, is_known] = states_[behavior];
+  if (last == state) return;
+  last = state;
+  is_known = false;
+}
+
+void Companion::tell_note(NoteKind kind, const std::string& text) {
+  if (notes_.size() >= kMostNotes) notes_.erase(notes_.begin());
+  reorient_note& note = notes_.emplace_back();
+  note.kind = static_cast<std::uint32_t>(kind);
+  set_text(note.text, text);
+}
+
+void Companion::send_waiting() {
+  if (!welcomed_) return;
+  for (auto& [behavior, state] : states_) {
+    if (state.second) continue;
+    reorient_state message{};
+    set_text(message.behavior, behavior);
+    set_text(message.state, state.first);
+    if (!connection_.send(REORIENT_STATE, message)) return;
+    state.second = true;
+  }
+  std::size_t sent = 0;
+  while (sent < notes_.size() && connection_.send(REORIENT_NOTE, notes_[sent])) ++sent;
+  notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(sent));
+}
+
+}  // namespace reorient

@@ -1,0 +1,124 @@
+// A robot that another program drives, and that program's client beside it: what comes through the socket becomes
+// observations, what the engine answers goes back (docs/companion.md). One thread: nothing here waits for the client
+// but observe(), and nothing in the client ever waits for us.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robots/companion/clock.h"
+#include "robots/companion/commands.h"
+#include "robots/companion/connection.h"
+#include "robots/companion/frame_message.h"
+#include "robots/companion/greeting.h"
+#include "robots/companion/shared_images.h"
+#include "robots/robot.h"
+
+namespace reorient {
+
+struct CompanionOptions {
+  std::filesystem::path socket;
+  KnownRobots known;
+  std::uint64_t server = 1;       ///< another number for each process: drawn by lot
+  std::function<double()> now;    ///< s, of a clock that only goes on
+  std::function<bool()> is_over;  ///< asked as often as patience says while nothing comes
+  double patience = 0.1;          ///< s
+};
+
+/// What the client is told beside answers.
+enum class NoteKind { fault = REORIENT_NOTE_FAULT, log = REORIENT_NOTE_LOG, message = REORIENT_NOTE_MESSAGE };
+
+class Companion : public Robot, private Receiver {
+ public:
+  /// Throws std::runtime_error with one line where nobody can listen there.
+  explicit Companion(CompanionOptions options);
+
+  /// Waits until a client has said who it is. Nothing: it is over.
+  const Greeting* wait_for_greeting();
+  /// An engine that was made for `greeting` stands behind this from now on. `goes_on`: it knows what one before it
+  /// knew.
+  void begin(const Greeting& greeting, bool goes_on, int behaviors);
+
+  /// False: it is over, or a client has come that is another robot (has_other_robot()).
+  bool observe(Observation& observation) override;
+  void answer(const Answer& answer) override;
+  bool has_other_robot() const;
+
+  void tell_state(const std::string& behavior, const std::string& state);
+  void tell_note(NoteKind kind, const std::string& text);
+
+  /// Of all clients so far.
+  struct Counts {
+    std::uint64_t frames = 0;      ///< that arrived
+    std::uint64_t superseded = 0;  ///< of those were not looked at, since a newer one had come
+    std::uint64_t unusable = 0;  ///< of those: numbers that make no sense, a time before the last, images written over
+    std::uint64_t unanswered = 0;  ///< answers that the client did not take
+    std::uint64_t clients = 0;
+  };
+  const Counts& counts() const { return counts_; }
+
+  /// What a process that takes this one's place has to know, but for the engine.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(clock_);
+    if constexpr (Archive::kReads) last_arrival_ = options_.now();
+  }
+
+ private:
+  struct Arrived {
+    FrameMessage message;
+    double at = 0.0;  ///< s, on our clock
+  };
+
+  void connected() override;
+  void receive(std::uint16_t kind, std::span<const std::byte> body, OwnedDescriptor& memory) override;
+  void disconnected() override;
+
+  void take_hello(std::span<const std::byte> body);
+  void take_memory(std::span<const std::byte> body, OwnedDescriptor& memory);
+  void take_frame(std::span<const std::byte> body);
+  void take_sample(std::span<const std::byte> body);
+  void keep_told(const FrameMessage& message);
+  bool use_newest(Observation& observation);
+  bool take_images(const FrameMessage& message, double time, Observation& observation);
+  void welcome();
+  void send_waiting();
+
+  CompanionOptions options_;
+  Connection connection_;
+  Counts counts_;
+  PendingCommand command_;
+  ClientClock clock_;
+
+  std::optional<Greeting> greeting_;  ///< of the client that is connected
+  std::optional<Greeting> engine_for_;
+  bool goes_on_ = false;
+  int behaviors_ = 0;
+  bool welcomed_ = false;
+  std::array<std::optional<SharedImages>, 2> shared_;
+
+  Arrived arrived_, newest_;
+  bool has_newest_ = false;
+  double last_arrival_ = 0.0;
+  Told told_;  ///< of frames that were not looked at
+  std::vector<reorient_sample> samples_;
+
+  // What the observation looks at, until the next one.
+  std::array<Image, 2> images_;
+  std::vector<BodySample> body_samples_;
+  std::vector<ExternalBelief::Particle> particles_;
+  std::uint64_t answered_ = 0;  ///< number of the frame
+  double answered_time_ = 0.0;  ///< s, on the client's clock
+  double answered_at_ = 0.0;    ///< s, on ours, when it came
+
+  std::map<std::string, std::pair<std::string, bool>> states_;  ///< of each behaviour, and whether the client knows
+  std::vector<reorient_note> notes_;                            ///< to be sent
+};
+
+}  // namespace reorient

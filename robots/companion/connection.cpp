@@ -1,0 +1,219 @@
+#include "robots/companion/connection.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+namespace reorient {
+namespace {
+
+constexpr double kSilent = 2.0;  // s after which a newcomer takes the place of a client that says nothing
+
+sockaddr_un address_of(const std::filesystem::path& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string text = path.string();
+  if (text.empty() || text.size() >= sizeof(address.sun_path))
+    throw std::runtime_error("--socket " + text + ": a socket's path has 1 to " +
+                             std::to_string(sizeof(address.sun_path) - 1) + " letters; name a shorter one");
+  std::copy(text.begin(), text.end(), address.sun_path);
+  return address;
+}
+
+OwnedDescriptor new_socket() {
+  OwnedDescriptor made(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!made) throw std::runtime_error("no socket can be made: " + std::string(strerror(errno)));
+  return made;
+}
+
+const sockaddr* generic(const sockaddr_un& address) { return reinterpret_cast<const sockaddr*>(&address); }
+
+/// What an earlier process left behind. Throws where it is none of that.
+void remove_left_socket(const std::filesystem::path& path, const sockaddr_un& address) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0) return;
+  if (!S_ISSOCK(status.st_mode))
+    throw std::runtime_error("--socket " + path.string() + ": there is a file of this name; name another one");
+  const OwnedDescriptor probe = new_socket();
+  const bool answers = connect(probe.get(), generic(address), sizeof(address)) == 0 || errno == EAGAIN;
+  if (answers)
+    throw std::runtime_error("--socket " + path.string() +
+                             ": another companion listens there; end it, or name another");
+  unlink(path.c_str());
+}
+
+bool is_same_user(int client) {
+  ucred peer{};
+  socklen_t size = sizeof(peer);
+  return getsockopt(client, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && (peer.uid == geteuid() || peer.uid == 0);
+}
+
+/// Whatever it may have said before.
+bool has_hung_up(int client) {
+  pollfd look{client, 0, 0};
+  return poll(&look, 1, 0) == 1 && (look.revents & (POLLHUP | POLLERR)) != 0;
+}
+
+}  // namespace
+
+Connection::Connection(std::filesystem::path path, std::function<double()> now)
+    : path_(std::move(path)), now_(std::move(now)), listener_(new_socket()) {
+  const sockaddr_un address = address_of(path_);
+  remove_left_socket(path_, address);
+  // The mode is that of the file from its first moment on.
+  const mode_t mask = umask(0177);
+  const int bound = bind(listener_.get(), generic(address), sizeof(address));
+  const int why = errno;
+  umask(mask);
+  constexpr int kWaiting = 4;
+  if (bound != 0 || ::listen(listener_.get(), kWaiting) != 0)
+    throw std::runtime_error("--socket " + path_.string() + ": " + strerror(bound != 0 ? why : errno));
+}
+
+Connection::~Connection() { unlink(path_.c_str()); }
+
+void Connection::listen(double seconds, Receiver& receiver) {
+  if (std::exchange(gone_, false)) drop(receiver);
+  std::array<pollfd, 2> waits{{{listener_.get(), POLLIN, 0}, {client_.get(), POLLIN, 0}}};
+  if (client_ && sent_ < out_.size()) waits[1].events |= POLLOUT;
+  const int ready = poll(waits.data(), client_ ? 2 : 1, static_cast<int>(1000.0 * seconds));
+  if (ready <= 0) return;
+  if (client_ && (waits[1].revents & POLLOUT) != 0) flush();
+  if (client_ && (waits[1].revents & (POLLIN | POLLHUP | POLLERR)) != 0) read_messages(receiver);
+  if ((waits[0].revents & POLLIN) != 0) accept_clients(receiver);
+}
+
+void Connection::accept_clients(Receiver& receiver) {
+  constexpr int kAtOnce = 8;
+  for (int i = 0; i < kAtOnce; ++i) {
+    OwnedDescriptor client(accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (!client) return;
+    if (!is_same_user(client.get())) {
+      refuse(client, "only processes of the companion's own user may connect");
+    } else if (client_ && !has_hung_up(client_.get()) && now_() - last_heard_ < kSilent) {
+      refuse(client, "another client is connected, and has been heard within 2 s");
+    } else {
+      if (client_) drop(receiver);
+      client_ = std::move(client);
+      last_heard_ = now_();
+      receiver.connected();
+    }
+  }
+}
+
+void Connection::refuse(OwnedDescriptor& client, const std::string& why) const {
+  reorient_refusal refusal{};
+  set_text(refusal.why, why);
+  std::vector<std::byte> bytes;
+  append_message(REORIENT_REFUSAL, refusal, bytes);
+  static_cast<void>(::send(client.get(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
+}
+
+void Connection::drop(Receiver& receiver) {
+  client_ = OwnedDescriptor();
+  memory_ = OwnedDescriptor();
+  in_.clear();
+  out_.clear();
+  sent_ = 0;
+  gone_ = false;
+  receiver.disconnected();
+}
+
+void Connection::read_messages(Receiver& receiver) {
+  constexpr std::size_t kPiece = 64 * 1024;
+  constexpr std::size_t kAtOnce = 64 * kPiece;  // whoever sends without end must not keep us from anything else
+  for (std::size_t total = 0; total < kAtOnce;) {
+    const std::size_t before = in_.size();
+    in_.resize(before + kPiece);
+    union {
+      cmsghdr header;
+      char bytes[CMSG_SPACE(4 * sizeof(int))];
+    } control;
+    iovec part{in_.data() + before, kPiece};
+    msghdr all{};
+    all.msg_iov = &part;
+    all.msg_iovlen = 1;
+    all.msg_control = &control;
+    all.msg_controllen = sizeof(control);
+    const ssize_t got = recvmsg(client_.get(), &all, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
+    const int why = errno;
+    in_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    if (got >= 0) {
+      for (cmsghdr* header = CMSG_FIRSTHDR(&all); header != nullptr; header = CMSG_NXTHDR(&all, header)) {
+        if (header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_RIGHTS) continue;
+        const std::size_t count = (header->cmsg_len - CMSG_LEN(0)) / sizeof(int);
+        for (std::size_t i = 0; i < count; ++i) {
+          int descriptor = -1;
+          std::memcpy(&descriptor, CMSG_DATA(header) + i * sizeof(int), sizeof(int));
+          memory_ = OwnedDescriptor(descriptor);  // the last one counts, and the others are closed
+        }
+      }
+    }
+    if (got < 0 && (why == EAGAIN || why == EWOULDBLOCK || why == EINTR)) return;
+    if (got <= 0) return drop(receiver);
+    total += static_cast<std::size_t>(got);
+    last_heard_ = now_();
+    if (!take_whole_messages(receiver)) return;
+    if (static_cast<std::size_t>(got) < kPiece) return;
+  }
+}
+
+/// False: the client is gone.
+bool Connection::take_whole_messages(Receiver& receiver) {
+  std::span<const std::byte> rest = in_;
+  try {
+    while (rest.size() >= sizeof(reorient_header)) {
+      std::span<const std::byte> bytes = rest;
+      const auto header = take_message<reorient_header>(bytes, "a header");
+      if (header.version != REORIENT_VERSION_1)
+        throw BadMessage("this companion speaks version 1 of the protocol, and the message is of version " +
+                         std::to_string(header.version));
+      if (header.size > REORIENT_LONGEST_BODY)
+        throw BadMessage("a message of " + std::to_string(header.size) + " bytes; the longest has 65536");
+      if (bytes.size() < header.size) break;
+      receiver.receive(header.kind, bytes.first(header.size), memory_);
+      rest = bytes.subspan(header.size);
+    }
+  } catch (const BadMessage& bad) {
+    refuse(client_, bad.what());
+    drop(receiver);
+    return false;
+  }
+  in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(in_.size() - rest.size()));
+  return true;
+}
+
+/// False: something is left, or the client is gone.
+bool Connection::flush() {
+  while (sent_ < out_.size()) {
+    const ssize_t sent = ::send(client_.get(), out_.data() + sent_, out_.size() - sent_, MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (sent > 0) {
+      sent_ += static_cast<std::size_t>(sent);
+    } else if (sent < 0 && errno == EINTR) {
+      continue;
+    } else {
+      if (errno != EAGAIN && errno != EWOULDBLOCK) gone_ = true;
+      return false;
+    }
+  }
+  out_.clear();
+  sent_ = 0;
+  return true;
+}
+
+std::filesystem::path default_socket_path() {
+  const char* const folder = std::getenv("XDG_RUNTIME_DIR");
+  if (folder != nullptr && *folder != '\0') return std::filesystem::path(folder) / "reorient.sock";
+  return "/tmp/reorient-" + std::to_string(geteuid()) + ".sock";
+}
+
+}  // namespace reorient

@@ -1,0 +1,112 @@
+#include "robots/companion/frame_message.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reorient {
+namespace {
+
+constexpr double kFarthest = 1e4;  // m; also of angles that are summed, rad
+
+template <std::size_t Size>
+bool are_within(const double (&values)[Size], double most) {
+  return std::all_of(std::begin(values), std::end(values),
+                     [most](double value) { return value >= -most && value <= most; });
+}
+
+/// Of what a frame and a sample have in common.
+template <typename Body>
+bool is_body_sound(const Body& body) {
+  constexpr double kFastest = 200.0, kHardest = 2000.0, kHeaviest = 1000.0;
+  const auto unless = [&](std::uint32_t what, bool sound) { return (body.has & what) == 0 || sound; };
+  return unless(REORIENT_HAS_HEAD, are_within(body.head, kPi)) &&
+         unless(REORIENT_HAS_ATTITUDE, are_within(body.attitude, 2.0 * kPi)) &&
+         unless(REORIENT_HAS_RATES, are_within(body.rates, kFastest)) &&
+         unless(REORIENT_HAS_ACCELERATION, are_within(body.acceleration, kHardest)) &&
+         unless(REORIENT_HAS_FOOT_LOAD, std::abs(body.foot_load) <= kHeaviest);
+}
+
+template <typename Body>
+BodySample sample_of(const Body& body, double time) {
+  const auto has = [&](std::uint32_t what) { return (body.has & what) != 0; };
+  BodySample sample;
+  sample.time = time;
+  if (has(REORIENT_HAS_HEAD)) sample.head = {body.head[0], body.head[1]};
+  if (has(REORIENT_HAS_ATTITUDE)) sample.torso = {body.attitude[0], body.attitude[1]};
+  if (has(REORIENT_HAS_RATES)) sample.angular_velocity = {body.rates[0], body.rates[1], body.rates[2]};
+  if (has(REORIENT_HAS_ACCELERATION))
+    sample.acceleration = {body.acceleration[0], body.acceleration[1], body.acceleration[2]};
+  if (has(REORIENT_HAS_FOOT_LOAD)) sample.foot_load = body.foot_load;
+  return sample;
+}
+
+/// Three rows of a rotation and a place.
+bool is_camera_pose(const double (&pose)[12]) {
+  constexpr double kTolerance = 1e-3;
+  if (!are_within(pose, kFarthest)) return false;
+  Eigen::Matrix3d rotation;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) rotation(row, column) = pose[4 * row + column];
+  const Eigen::Matrix3d error = rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
+  return error.cwiseAbs().maxCoeff() < kTolerance && rotation.determinant() > 0.0;
+}
+
+}  // namespace
+
+void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
+  message.frame = take_message<reorient_frame>(bytes, "a frame");
+  message.particles.clear();
+  message.messages.clear();
+  const reorient_frame& frame = message.frame;
+  if (frame.particles > REORIENT_MOST_PARTICLES) throw BadMessage("a frame with more than 2000 particles");
+  if (frame.messages > REORIENT_MOST_MESSAGES) throw BadMessage("a frame with more than 8 messages");
+  if (frame.posture > REORIENT_GETTING_UP) throw BadMessage("a frame with a posture that there is not");
+  for (std::uint32_t i = 0; i < frame.particles; ++i) {
+    const auto particle = take_message<reorient_particle>(bytes, "a particle");
+    message.particles.push_back({Pose2(particle.x, particle.y, particle.rotation), particle.weight});
+  }
+  for (std::uint32_t i = 0; i < frame.messages; ++i) {
+    const auto word = take_message<reorient_message>(bytes, "a message");
+    if (word.length > REORIENT_LONGEST_TEXT) throw BadMessage("a message of more than 240 bytes");
+    message.messages.push_back({word.sender, std::string(word.text, word.length)});
+  }
+  if (!bytes.empty()) throw BadMessage("a frame is longer than it should be");
+}
+
+const char* nonsense_in(const FrameMessage& message) {
+  constexpr double kLatest = 1e10, kOldest = 1.0;  // s
+  const reorient_frame& frame = message.frame;
+  if (message.has(REORIENT_HAS_TIME) && !(std::abs(frame.time) <= kLatest)) return "a time";
+  if (!are_within(frame.odometry, kFarthest)) return "the odometry";
+  if (!is_body_sound(frame)) return "what the body feels";
+  if (message.has(REORIENT_HAS_BELIEF) && !(are_within(frame.belief, kFarthest) && are_within(frame.covariance, 1e6)))
+    return "the belief";
+  const bool sound_particles = std::all_of(message.particles.begin(), message.particles.end(), [](const auto& one) {
+    return one.pose.position.cwiseAbs().maxCoeff() <= kFarthest && std::abs(one.pose.rotation) <= kFarthest &&
+           one.weight >= 0.0 && std::isfinite(one.weight);
+  });
+  if (!sound_particles) return "the particles";
+  if (message.has(REORIENT_HAS_TOLD_POSE) &&
+      !(are_within(frame.told_pose, kFarthest) && frame.told_deviation[0] > 0.0 && frame.told_deviation[0] <= 20.0 &&
+        frame.told_deviation[1] > 0.0 && frame.told_deviation[1] <= 10.0))
+    return "the told pose";
+  for (const reorient_image& image : frame.images) {
+    if (image.present == 0) continue;
+    if (!(image.age >= 0.0 && image.age <= kOldest)) return "the age of an image";
+    if (image.present == 2 && !is_camera_pose(image.pose)) return "the pose of a camera";
+  }
+  return nullptr;
+}
+
+reorient_sample read_sample(std::span<const std::byte> bytes) {
+  const auto sample = take_message<reorient_sample>(bytes, "a sample");
+  if (!bytes.empty()) throw BadMessage("a sample is longer than it should be");
+  return sample;
+}
+
+bool is_sound(const reorient_sample& sample) { return std::isfinite(sample.time) && is_body_sound(sample); }
+
+BodySample body_sample(const reorient_frame& frame, double time) { return sample_of(frame, time); }
+BodySample body_sample(const reorient_sample& sample, double time) { return sample_of(sample, time); }
+
+}  // namespace reorient

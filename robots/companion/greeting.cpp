@@ -1,0 +1,179 @@
+#include "robots/companion/greeting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/bytes.h"
+#include "geometry/pinned_math.h"
+#include "robots/companion/image_formats.h"
+
+namespace reorient {
+namespace {
+
+double checked(double value, double least, double most, const char* what) {
+  if (value >= least && value <= most) return value;  // written so that NaN fails as well
+  throw BadMessage(std::string("hello: ") + what + " is " + std::to_string(value) + ", and can be " +
+                   std::to_string(least) + " to " + std::to_string(most));
+}
+
+template <std::size_t Size>
+void check(const double (&values)[Size], double least, double most, const char* what) {
+  for (const double value : values) checked(value, least, most, what);
+}
+
+constexpr double kTallest = 2.5;  // m
+
+void check(const reorient_camera& camera) {
+  constexpr int kLeast = 64, kMost = 4096;
+  const auto is_sound = [](int pixels) { return pixels >= kLeast && pixels <= kMost && pixels % 2 == 0; };
+  if (!is_sound(camera.width) || !is_sound(camera.height))
+    throw BadMessage("hello: images of " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
+                     " pixels; both are even, from 64 to 4096");
+  const std::size_t bytes = bytes_of_image(camera.width, camera.height, camera.format);
+  if (bytes == 0) throw BadMessage("hello: there is no image format " + std::to_string(camera.format));
+  if (bytes > REORIENT_LARGEST_IMAGE) throw BadMessage("hello: images of more than 16 MiB");
+  check(camera.focal, 10.0, 1e5, "a focal length in pixels");
+  check(camera.center, -1e4, 1e4, "an image's centre in pixels");
+  check(camera.distortion, -2.0, 2.0, "a distortion");
+  check(camera.position, -kTallest, kTallest, "a camera's position");
+  checked(camera.tilt, -0.5 * kPi, 0.5 * kPi, "a camera's tilt");
+}
+
+/// Without distortion: good enough for what follows from it.
+CameraOptics optics_of(const reorient_camera& camera) {
+  CameraOptics optics;
+  optics.width = camera.width;
+  optics.height = camera.height;
+  optics.field_of_view_horizontal = 2.0 * pinned::atan2(0.5 * camera.width, camera.focal[0]);
+  optics.field_of_view_vertical = 2.0 * pinned::atan2(0.5 * camera.height, camera.focal[1]);
+  optics.k1 = camera.distortion[0];
+  optics.k2 = camera.distortion[1];
+  return optics;
+}
+
+Eigen::Vector3d vector_of(const double (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
+
+RobotBody body_of(const reorient_body& told, const KnownRobots& known) {
+  const std::string name = text_of(told.name);
+  if ((told.has & REORIENT_BODY_NUMBERS) == 0) {
+    if (std::optional<RobotBody> body = known.body(name)) return *std::move(body);
+    throw BadMessage("hello: there is no robot '" + name + "' here; send its numbers (REORIENT_BODY_NUMBERS)");
+  }
+  RobotBody body;
+  body.name = name.empty() ? "a robot" : name;
+  RobotDimensions& dimensions = body.dimensions;
+  dimensions.torso_height = checked(told.torso_height, 0.05, kTallest, "torso_height");
+  dimensions.neck_order = told.pitch_first != 0 ? NeckOrder::pitch_then_yaw : NeckOrder::yaw_then_pitch;
+  check(told.first_axis, -kTallest, kTallest, "first_axis");
+  check(told.second_axis, -kTallest, kTallest, "second_axis");
+  dimensions.first_axis = vector_of(told.first_axis);
+  dimensions.second_axis = vector_of(told.second_axis);
+  check(told.pitch_limit, -kPi, kPi, "pitch_limit");
+  if (told.pitch_limit[0] > told.pitch_limit[1]) throw BadMessage("hello: the least pitch is above the most");
+  body.neck = {checked(told.yaw_limit, 0.0, kPi, "yaw_limit"), {{0.0, told.pitch_limit[0], told.pitch_limit[1]}}};
+  body.head_speed = checked(told.head_speed, 0.1, 20.0, "head_speed");
+  body.standing_load.reset();
+  body.gait.reset();
+  body.get_up_time.reset();
+  if ((told.has & REORIENT_BODY_FEET) != 0)
+    body.standing_load = checked(told.standing_load, 0.1, 200.0, "standing_load");
+  if ((told.has & REORIENT_BODY_WALK) != 0) {
+    check(told.walk_limit, 0.0, 5.0, "walk_limit");
+    Gait& gait = body.gait.emplace();
+    gait.forward = told.walk_limit[0];
+    gait.left = told.walk_limit[1];
+    gait.turn = told.walk_limit[2];
+    gait.cruise = checked(told.cruise, 0.0, 2.0, "cruise");
+  }
+  if ((told.has & REORIENT_BODY_GET_UP) != 0) body.get_up_time.emplace(6.0);
+  return body;
+}
+
+FieldDimensions field_of(const reorient_field& told, const RobotBody& body, const KnownRobots& known) {
+  const std::string name = text_of(told.name);
+  const bool has_numbers = told.length != 0.0;
+  if (!name.empty() || !has_numbers) {
+    const std::string wanted = name.empty() ? body.field : name;
+    if (const std::optional<FieldDimensions> field = known.field(wanted)) return *field;
+    throw BadMessage("hello: there is no field '" + wanted + "' here; send its numbers, and no name");
+  }
+  FieldDimensions field;
+  field.length = told.length;
+  field.width = told.width;
+  field.border = told.border;
+  field.line_width = told.line_width;
+  field.penalty_area_depth = told.penalty_area[0];
+  field.penalty_area_width = told.penalty_area[1];
+  field.goal_area_depth = told.goal_area[0];
+  field.goal_area_width = told.goal_area[1];
+  field.penalty_mark_x = told.penalty_mark;
+  field.penalty_mark_size = told.mark_size;
+  field.center_circle_radius = told.circle_radius;
+  field.corner_arc_radius = told.corner_radius;
+  field.goal_post_y = told.post_y;
+  field.goal_height = told.goal_height;
+  field.goal_depth = told.goal_depth;
+  field.goal_post_diameter = told.post_diameter;
+  if (const std::string mistake = mistake_in(field); !mistake.empty()) throw BadMessage("hello: field: " + mistake);
+  return field;
+}
+
+}  // namespace
+
+Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& known) {
+  const auto hello = take_message<reorient_hello>(bytes, "the hello");
+  if (!bytes.empty()) throw BadMessage("the hello is longer than it should be");
+  if (hello.way != REORIENT_OWN_LOCALIZATION && hello.way != REORIENT_OUR_LOCALIZATION)
+    throw BadMessage("hello: way is " + std::to_string(hello.way) + ", and can be 1 (your localization) or 2 (ours)");
+  Greeting greeting;
+  greeting.client = hello.client;
+  greeting.own_localization = hello.way == REORIENT_OWN_LOCALIZATION;
+  greeting.delay = checked(hello.delay, 0.0, 2.0, "delay");
+  greeting.body = body_of(hello.body, known);
+  greeting.field = field_of(hello.field, greeting.body, known);
+  for (std::size_t i = 0; i < greeting.cameras.size(); ++i) {
+    if (hello.cameras[i].format == REORIENT_NO_IMAGE) continue;
+    check(hello.cameras[i]);
+    greeting.cameras[i] = hello.cameras[i];
+  }
+  if (!greeting.cameras[0]) throw BadMessage("hello: the first camera is missing; a robot with one has that one");
+  RobotBody& body = greeting.body;
+  const auto mount_of = [](const reorient_camera& camera) {
+    return CameraMount{vector_of(camera.position), camera.tilt};
+  };
+  body.upper_camera = optics_of(*greeting.cameras[0]);
+  body.dimensions.upper = mount_of(*greeting.cameras[0]);
+  body.lower_camera.reset();
+  if (greeting.cameras[1]) {
+    body.lower_camera = optics_of(*greeting.cameras[1]);
+    body.dimensions.lower = mount_of(*greeting.cameras[1]);
+  }
+  greeting.carries_out_head = (hello.wants & REORIENT_WANT_HEAD) != 0;
+  greeting.carries_out_walk = (hello.wants & REORIENT_WANT_WALK) != 0 && body.gait.has_value();
+  greeting.carries_out_get_up = (hello.wants & REORIENT_WANT_GET_UP) != 0 && body.get_up_time.has_value();
+  return greeting;
+}
+
+CameraModel camera_model(const reorient_camera& camera) {
+  CameraModel model;
+  model.width = camera.width;
+  model.height = camera.height;
+  model.focal = {camera.focal[0], camera.focal[1]};
+  model.center = {camera.center[0], camera.center[1]};
+  model.k1 = camera.distortion[0];
+  model.k2 = camera.distortion[1];
+  return model;
+}
+
+bool is_same_robot(const Greeting& one, const Greeting& other) {
+  const auto bytes_of = [](const Greeting& greeting) {
+    std::vector<std::byte> bytes;
+    ByteWriter out(bytes);
+    out(greeting.own_localization, greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up,
+        greeting.body, greeting.field);
+    return bytes;
+  };
+  return bytes_of(one) == bytes_of(other);
+}
+
+}  // namespace reorient

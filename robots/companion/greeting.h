@@ -1,0 +1,45 @@
+// What a client says of itself, once: whose localization counts, which robot it is, its cameras, its field.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "geometry/camera.h"
+#include "geometry/field_dimensions.h"
+#include "robots/companion/message.h"
+#include "robots/robot_body.h"
+
+namespace reorient {
+
+/// Robots and fields that have a name here; nothing: there is none of this name.
+struct KnownRobots {
+  std::function<std::optional<RobotBody>(const std::string& name)> body;
+  std::function<std::optional<FieldDimensions>(const std::string& name)> field;
+};
+
+struct Greeting {
+  std::uint64_t client = 0;       ///< another one where the client's process has begun anew
+  bool own_localization = false;  ///< the team's belief counts, and ours rests
+  bool carries_out_head = false;  ///< what the robot does of what behaviours ask for
+  bool carries_out_walk = false;
+  bool carries_out_get_up = false;
+  double delay = 0.0;  ///< s that an image without a time is old when it arrives
+  RobotBody body;
+  FieldDimensions field;
+  std::array<std::optional<reorient_camera>, 2> cameras;  ///< the upper and the lower one
+};
+
+/// Throws BadMessage.
+Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& known);
+
+CameraModel camera_model(const reorient_camera& camera);
+
+/// Whether an engine that was made for the one can go on with the other: the same robot on the same field, and the same
+/// localization counts.
+bool is_same_robot(const Greeting& one, const Greeting& other);
+
+}  // namespace reorient

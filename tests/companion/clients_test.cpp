@@ -1,0 +1,119 @@
+// The companion as teams meet it: the program in a process of its own, the examples' clients in others, and a robot
+// that is the simulator behind a pipe.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <future>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/child_program.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+const std::string kSource = REORIENT_SOURCE_DIR;
+
+struct Setting {
+  const char* name;
+  const char* client;
+  const char* way;
+  const char* body;
+  const char* field;
+};
+
+class CompanionClient : public ::testing::TestWithParam<Setting> {
+ protected:
+  std::string socket() const { return (folder_.path() / "s").string(); }
+  std::vector<std::string> server() const { return {"run", "--robot", "companion", "--socket", socket()}; }
+
+  /// The main job with a client: `learn` seconds to learn the room, then `after` in which the belief has to come right.
+  static std::string play(const Setting& setting, const std::string& socket, int learn, int after, int pace = 1000) {
+    return std::string(setting.client) + " " + socket + " " + setting.way + " " + REORIENT_TEST_ROBOT + " " + kSource +
+           "/assets/robots/" + setting.body + ".toml " + kSource + "/assets/fields/" + setting.field + ".toml 1 160 " +
+           std::to_string(learn) + " " + std::to_string(after) + " " + std::to_string(pace) + " 2>&1";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(CompanionClient, EndsRightAfterItsRobotWasTurnedRound) {
+  const ChildProgram companion(folder_.path(), server());
+  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+  EXPECT_EQ(std::system(play(GetParam(), socket(), 15, 10).c_str()), 0) << companion.out() << companion.err();
+  EXPECT_NE(companion.err().find("beginning anew"), std::string::npos) << companion.err();
+  EXPECT_NE(companion.out().find("flip_pose granted"), std::string::npos) << companion.out();
+}
+
+constexpr const char* kC = REORIENT_C_CLIENT;
+constexpr const char* kPython = "python3 " REORIENT_SOURCE_DIR "/examples/companion/client.py";
+
+INSTANTIATE_TEST_SUITE_P(All, CompanionClient,
+                         ::testing::Values(Setting{"CWithItsOwnLocalization", kC, "own", "nao-v6", "spl"},
+                                           Setting{"CWithOursOnAnotherBody", kC, "ours", "booster-k1", "middle"},
+                                           Setting{"PythonWithItsOwnOnAnotherBody", kPython, "own", "booster-k1",
+                                                   "middle"},
+                                           Setting{"PythonWithOurs", kPython, "ours", "nao-v6", "spl"}),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST_F(CompanionClient, GoesOnWithACompanionThatWasKilledAndBegunAgain) {
+  const Setting setting{"", kC, "ours", "nao-v6", "spl"};
+  std::future<int> client;
+  {
+    const ChildProgram companion(folder_.path(), server());
+    ASSERT_TRUE(companion.await("no client has come yet"));
+    client = std::async(std::launch::async, [&] { return std::system(play(setting, socket(), 40, 15, 8).c_str()); });
+    ASSERT_TRUE(companion.await("trusting/")) << companion.out();  // the room is learned
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200));  // and kept
+    companion.kill(SIGKILL);
+  }
+  const ChildProgram companion(folder_.path(), server());
+  EXPECT_TRUE(companion.await("going on from before")) << companion.err();
+  EXPECT_EQ(client.get(), 0) << companion.out() << companion.err();
+}
+
+TEST_F(CompanionClient, FindsItsWayToACompanionThatComesLater) {
+  const Setting setting{"", kC, "ours", "nao-v6", "spl"};
+  std::future<int> client =
+      std::async(std::launch::async, [&] { return std::system(play(setting, socket(), 20, 10, 20).c_str()); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const ChildProgram companion(folder_.path(), server());
+  EXPECT_TRUE(companion.await("a client has come")) << companion.err();
+  client.wait();
+}
+
+TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
+  const std::pair<std::vector<std::string>, const char*> mistakes[] = {
+      {{"run", "turned_round", "--robot", "companion"}, "--robot companion plays no scenario"},
+      {{"run", "--robot", "companion", "--room", "hall.hdr"}, "--room: the companion would not heed it"},
+      {{"run", "--robot", "companion", "--body", "nao-v6"}, "--body: the companion would not heed it"},
+      {{"run", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
+      {{"run", "--fresh"}, "--fresh: only --robot companion heeds it"},
+      {{"run", "--robot", "companion", "--socket", folder_.write("file", "x").string()},
+       "there is a file of this name"},
+      {{"run", "--robot", "companion", "--socket", socket(), "--state", "/nowhere/state"}, "--state"},
+      {{"run", "--robot", "unicorn"}, "--robot"},
+  };
+  for (const auto& [words, why] : mistakes) {
+    ChildProgram program(folder_.path(), words);
+    EXPECT_EQ(program.wait(), 2) << why;
+    const std::string err = program.err();
+    EXPECT_NE(err.find(why), std::string::npos) << err;
+    EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+  }
+}
+
+TEST_F(CompanionClient, IsServedUntilSomebodyEndsTheCompanion) {
+  ChildProgram companion(folder_.path(), server());
+  ASSERT_TRUE(companion.await("no client has come yet"));
+  companion.kill(SIGTERM);
+  EXPECT_EQ(companion.wait(), 128 + SIGTERM);
+  EXPECT_FALSE(std::filesystem::exists(socket()));
+  EXPECT_NE(companion.out().find("0 frames of 0 clients"), std::string::npos) << companion.out();
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,74 @@
+// Arbitrary bytes from a client of the companion: before it has said hello, or after. Whatever they are, the companion
+// goes on, and what comes out of it can be used.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include <unistd.h>
+
+#include "robots/companion/companion.h"
+#include "tests/fuzz/promises.h"
+#include "tests/robots/companion/raw_client.h"
+
+namespace reorient {
+namespace {
+
+class Served {
+ public:
+  void serve(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return;
+    const Haste haste(5.0);
+    const auto how = static_cast<unsigned>(bytes.front());
+    now_ += 5.0;
+    looks_ = 0;
+    RawClient client(path());
+    require(client.is_connected(), "the companion listens");
+    if ((how & 1) != 0) client.introduce(small_hello(1 + (how >> 1 & 3), 1 + (how >> 3 & 1)));
+    if ((how & 16) != 0) client.paint(7);
+    client.send_bytes(bytes.subspan(1), (how & 32) != 0 ? client.memory() : -1);
+    if (const Greeting* const greeting = companion_.wait_for_greeting(); greeting != nullptr)
+      companion_.begin(*greeting, false, 1);
+    for (int i = 0; i < 3; ++i) look();
+    for (const RawClient::Heard& heard : client.hear())
+      require(heard.kind >= REORIENT_WELCOME && heard.kind <= REORIENT_NOTE, "what is said is said by the protocol");
+    client.end();
+    look();
+  }
+
+ private:
+  static std::filesystem::path path() { return "/tmp/reorient-fuzz-" + std::to_string(getpid()); }
+
+  void look() {
+    Observation seen;
+    looks_ = 0;
+    now_ += 0.03;
+    if (!companion_.observe(seen)) return;
+    require(std::isfinite(seen.time) && seen.time > last_time_, "time goes on");
+    last_time_ = seen.time;
+    require(seen.odometry.position.allFinite() && std::isfinite(seen.odometry.rotation), "the odometry is somewhere");
+    require(seen.body.acceleration.allFinite() && std::isfinite(seen.body.foot_load), "the body feels something");
+    require(seen.body_samples.size() <= 100, "samples are bounded");
+    require(!seen.told.initial_pose || seen.told.initial_pose->pose.position.allFinite(), "a told pose is somewhere");
+    require(seen.told.messages.size() <= kMostMessages, "messages are bounded");
+    require(!seen.upper || seen.upper->robot_from_camera.matrix().allFinite(), "the camera is somewhere");
+    companion_.answer({});
+  }
+
+  double now_ = 0.0;
+  int looks_ = 0;
+  double last_time_ = -1.0;
+  Companion companion_{{path(), nobody_known(), 3, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}};
+};
+
+}  // namespace
+}  // namespace reorient
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static reorient::Served served;
+  served.serve(std::as_bytes(std::span(data, size)));
+  return 0;
+}

@@ -1,0 +1,346 @@
+#include "robots/companion/companion.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/robots/companion/raw_client.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+class CompanionTest : public ::testing::Test {
+ protected:
+  CompanionTest() { companion_.emplace(options()); }
+
+  CompanionOptions options() {
+    return {
+        folder_.path() / "socket", nobody_known(), 77, [this] { return now_; }, [this] { return ++looks_ > 3; }, 0.0};
+  }
+
+  /// One frame, if there is one.
+  std::optional<Observation> observed() {
+    looks_ = 0;
+    Observation observation;
+    if (!companion_->observe(observation)) return std::nullopt;
+    return observation;
+  }
+
+  RawClient greeted(const reorient_hello& hello = small_hello()) {
+    RawClient client(folder_.path() / "socket");
+    client.introduce(hello);
+    looks_ = 0;
+    const Greeting* const greeting = companion_->wait_for_greeting();
+    EXPECT_NE(greeting, nullptr);
+    if (greeting != nullptr && !begun_) companion_->begin(*greeting, false, 3);
+    begun_ = true;
+    static_cast<void>(observed());  // takes the memory
+    return client;
+  }
+
+  TemporaryFolder folder_;
+  double now_ = 1000.0;
+  int looks_ = 0;
+  bool begun_ = false;
+  std::optional<Companion> companion_;
+};
+
+TEST_F(CompanionTest, TurnsAFrameIntoAnObservationAndAnswersIt) {
+  RawClient client = greeted();
+  reorient_frame frame = standing_frame(5, 33.0, client.paint(90));
+  frame.has |= REORIENT_HAS_HEAD | REORIENT_HAS_TOLD_POSE | REORIENT_HAS_REFEREE | REORIENT_HAS_FOOT_LOAD;
+  frame.head[0] = 0.5;
+  frame.foot_load = 4.5;
+  frame.told_pose[0] = -2.0;
+  frame.told_deviation[0] = frame.told_deviation[1] = 0.1;
+  frame.penalized = 1;
+  frame.posture = REORIENT_FALLEN;
+  client.send(REORIENT_FRAME, frame);
+  const auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_EQ(observation->time, 0.0);
+  ASSERT_TRUE(observation->upper);
+  EXPECT_EQ(observation->upper->image.at(10, 10).y, 90);
+  EXPECT_EQ(observation->upper->camera.width, 64);
+  EXPECT_GT(observation->upper->robot_from_camera.linear().col(0).y(), 0.4) << "the head is turned to the left";
+  EXPECT_EQ(observation->body.foot_load, 4.5);
+  EXPECT_EQ(observation->reported_posture, ReportedPosture::fallen);
+  ASSERT_TRUE(observation->told.initial_pose);
+  EXPECT_EQ(observation->told.initial_pose->pose.position.x(), -2.0);
+  EXPECT_TRUE(observation->told.referee->penalized);
+  EXPECT_FALSE(observation->belief) << "our localization counts";
+
+  Answer answer;
+  answer.belief = {Pose2(1.0, 2.0, 3.0), Eigen::Matrix3d::Identity(), true};
+  answer.room = {0.25, 0.5, -3.0, true};
+  answer.request.head = HeadRequest{{0.1, 0.2}, 1.5};
+  answer.request.walk = {0.3, 0.0, -0.2};
+  answer.reorientation = Reorientation::flip_pose;
+  now_ += 0.002;
+  companion_->answer(answer);
+  const auto heard = client.answer();
+  ASSERT_TRUE(heard);
+  EXPECT_EQ(heard->number, 5u);
+  EXPECT_EQ(heard->time, 33.0);
+  EXPECT_NEAR(heard->took, 0.002, 1e-9);
+  EXPECT_EQ(heard->has,
+            std::uint32_t{REORIENT_ANSWER_POSE | REORIENT_ANSWER_HEAD | REORIENT_ANSWER_WALK | REORIENT_ANSWER_ROOM});
+  EXPECT_EQ(heard->pose[1], 2.0);
+  EXPECT_EQ(heard->covariance[3], 1.0);
+  EXPECT_EQ(heard->evidence, -3.0);
+  EXPECT_EQ(heard->head[2], 1.5);
+  EXPECT_EQ(heard->walk[2], -0.2);
+  EXPECT_EQ(heard->command, 0u) << "it was carried out here already";
+}
+
+TEST_F(CompanionTest, RepeatsACommandUntilItIsDone) {
+  RawClient client = greeted(small_hello(7, REORIENT_OWN_LOCALIZATION));
+  Answer flip, nothing;
+  flip.reorientation = Reorientation::flip_pose;
+  std::uint64_t number = 0;
+  const auto exchange = [&](const Answer& answer, std::uint32_t done, std::uint64_t server = 77) {
+    ++number;
+    reorient_frame frame = standing_frame(number, 0.1 * static_cast<double>(number), client.paint(1));
+    frame.done = done;
+    frame.done_server = server;
+    client.send(REORIENT_FRAME, frame);
+    EXPECT_TRUE(observed());
+    companion_->answer(answer);
+    return client.answer().value_or(reorient_answer{});
+  };
+  EXPECT_EQ(exchange(nothing, 0).command, 0u);
+  EXPECT_EQ(exchange(flip, 0).command, 1u);
+  EXPECT_EQ(exchange(nothing, 0).command_kind, std::uint32_t{REORIENT_FLIP});
+  EXPECT_EQ(exchange(flip, 0).command, 1u) << "the same again would undo it";
+  EXPECT_EQ(exchange(nothing, 1, 76).command, 1u) << "another server's was done";
+  EXPECT_EQ(exchange(nothing, 1).command, 0u);
+  EXPECT_EQ(exchange(flip, 1).command, 2u);
+  Answer reset;
+  reset.reorientation = Reorientation::reset_orientation;
+  EXPECT_EQ(exchange(reset, 1).command, 3u) << "the newer takes the older one's place";
+  EXPECT_EQ(exchange(nothing, 1).command_kind, std::uint32_t{REORIENT_RESET});
+  // Across a connection that is made again by the same process.
+  client.end();
+  static_cast<void>(observed());
+  client = greeted(small_hello(7, REORIENT_OWN_LOCALIZATION));
+  EXPECT_EQ(exchange(nothing, 1).command, 3u);
+  // A process that begins anew has another belief: nobody knows whether that one needs it.
+  client.end();
+  static_cast<void>(observed());
+  client = greeted(small_hello(8, REORIENT_OWN_LOCALIZATION));
+  EXPECT_EQ(exchange(nothing, 0).command, 0u);
+}
+
+TEST_F(CompanionTest, TakesTheNewestOfSeveralFramesAndLosesNothingThatWasTold) {
+  RawClient client = greeted();
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    reorient_frame frame = standing_frame(i, static_cast<double>(i), client.paint(static_cast<std::uint8_t>(i)));
+    if (i == 1) {
+      frame.has |= REORIENT_HAS_TOLD_POSE | REORIENT_HALF_TIME;
+      frame.told_deviation[0] = frame.told_deviation[1] = 0.1;
+    }
+    client.send(REORIENT_FRAME, frame);
+  }
+  const auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_EQ(observation->upper->image.at(0, 0).y, 3);
+  EXPECT_TRUE(observation->told.initial_pose);
+  EXPECT_TRUE(observation->told.half_time);
+  companion_->answer({});
+  EXPECT_EQ(client.answer()->superseded, 2u);
+  EXPECT_FALSE(observed()) << "there is no other";
+}
+
+TEST_F(CompanionTest, LeavesAnImageOutThatIsWrittenOver) {
+  RawClient client = greeted();
+  const std::uint64_t sequence = client.paint(1);
+  client.send(REORIENT_FRAME, standing_frame(1, 1.0, sequence));
+  for (int i = 0; i < 3; ++i) client.paint(2);  // round once
+  EXPECT_FALSE(observed());
+  EXPECT_EQ(companion_->counts().unusable, 1u);
+  client.send_frame(1.1, 2);
+  EXPECT_TRUE(observed()) << "and goes on";
+}
+
+TEST_F(CompanionTest, LeavesFramesOutWhoseNumbersMakeNoSense) {
+  RawClient client = greeted();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::uint64_t number = 0;
+  const auto with = [&](auto spoil) {
+    ++number;
+    reorient_frame frame = standing_frame(number, static_cast<double>(number), client.paint(1));
+    frame.has |= REORIENT_HAS_HEAD | REORIENT_HAS_BELIEF | REORIENT_HAS_ACCELERATION;
+    spoil(frame);
+    client.send(REORIENT_FRAME, frame);
+    return observed().has_value();
+  };
+  EXPECT_TRUE(with([](reorient_frame&) {}));
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.time = nan; }));
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.odometry[2] = nan; }));
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.head[0] = 1e30; }));
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.belief[1] = nan; }));
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.acceleration[1] = -std::numeric_limits<double>::infinity(); }));
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.images[0].age = -1.0; }));
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.images[0].present = 2; })) << "no rotation is all zeros";
+  EXPECT_FALSE(with([&](reorient_frame& frame) {
+    frame.has |= REORIENT_HAS_TOLD_POSE;
+    frame.told_pose[0] = nan;
+  }));
+  EXPECT_TRUE(with([](reorient_frame&) {})) << "and the client is still there";
+  EXPECT_EQ(companion_->counts().unusable, 8u);
+}
+
+TEST_F(CompanionTest, TellsAClientThatIsNoneWhyItEndsTheConnection) {
+  const auto refusal_of = [&](auto say) {
+    RawClient client = greeted();
+    say(client);
+    static_cast<void>(observed());
+    std::string why = client.refusal();
+    EXPECT_FALSE(client.is_connected());
+    return why;
+  };
+  const auto header = [](RawClient& client, std::uint32_t size, std::uint16_t kind, std::uint16_t version) {
+    const reorient_header wrong{size, kind, version};
+    client.send_bytes(std::as_bytes(std::span(&wrong, 1)));
+  };
+  EXPECT_NE(refusal_of([&](RawClient& client) { header(client, 8, REORIENT_FRAME, 2); }).find("of version 2"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&](RawClient& client) {
+              header(client, 0x80000000u, REORIENT_FRAME, 1);
+            }).find("a message of 2147483648 bytes"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&](RawClient& client) { client.send(9, reorient_memory{}); }).find("no message of kind 9"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&](RawClient& client) {
+              client.send(REORIENT_FRAME, reorient_memory{});
+            }).find("a frame is cut short"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&](RawClient& client) { client.send(REORIENT_HELLO, small_hello()); }).find("says hello once"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&](RawClient& client) {
+              reorient_frame frame = standing_frame(1, 1.0, 2);
+              frame.images[0].slot = 3;
+              client.send(REORIENT_FRAME, frame);
+            }).find("no slot 3"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&](RawClient& client) {
+              reorient_frame frame = standing_frame(1, 1.0, 0);
+              frame.particles = 0xFFFFFFFFu;
+              client.send(REORIENT_FRAME, frame);
+            }).find("more than 2000 particles"),
+            std::string::npos);
+}
+
+TEST_F(CompanionTest, TakesNoMemoryThatCouldBeTakenAway) {
+  const auto refusal_of = [&](const OwnedDescriptor& memory, reorient_memory layout) {
+    RawClient client(folder_.path() / "socket");
+    client.send(REORIENT_HELLO, small_hello());
+    client.send(REORIENT_MEMORY, layout, memory.get());
+    looks_ = 0;
+    static_cast<void>(observed());
+    return client.refusal();
+  };
+  const std::uint32_t slot = REORIENT_SLOT_HEADER + 64 * 64;
+  EXPECT_NE(refusal_of(memory_of(3 * slot, false), {0, slot}).find("no F_SEAL_SHRINK"), std::string::npos);
+  EXPECT_NE(refusal_of(memory_of(3 * slot - 1, true), {0, slot}).find("smaller than its slots"), std::string::npos);
+  EXPECT_NE(refusal_of(memory_of(3 * slot, true), {0, slot - 64}).find("do not fit images"), std::string::npos);
+  EXPECT_NE(refusal_of(memory_of(3 * slot, true), {0, 0xFFFFFFC0u}).find("do not fit images"), std::string::npos);
+  EXPECT_NE(refusal_of(memory_of(3 * slot, true), {1, slot}).find("does not have"), std::string::npos);
+  EXPECT_NE(refusal_of(memory_of(3 * slot, true), {0xFFFFFFFFu, slot}).find("does not have"), std::string::npos);
+  EXPECT_NE(refusal_of(OwnedDescriptor(), {0, slot}).find("without a file descriptor"), std::string::npos);
+  EXPECT_NE(refusal_of(OwnedDescriptor(open("/dev/null", O_RDONLY)), {0, slot}).find("no memfd"), std::string::npos);
+}
+
+TEST_F(CompanionTest, ServesOneClientAndANewcomerOnlyWhereThatOneIsSilent) {
+  RawClient first = greeted();
+  RawClient second(folder_.path() / "socket");
+  static_cast<void>(observed());
+  EXPECT_NE(second.refusal().find("another client is connected"), std::string::npos);
+  now_ += 3.0;
+  RawClient third(folder_.path() / "socket");
+  third.introduce(small_hello(12));
+  static_cast<void>(observed());
+  third.send_frame(1.0, 1);
+  EXPECT_TRUE(observed());
+  static_cast<void>(first.hear());
+  EXPECT_FALSE(first.is_connected());
+}
+
+TEST_F(CompanionTest, EndsWhereTheNextClientIsAnotherRobot) {
+  RawClient client = greeted();
+  client.end();
+  RawClient other(folder_.path() / "socket");
+  reorient_hello hello = small_hello();
+  hello.body.yaw_limit = 0.5;
+  other.introduce(hello);
+  EXPECT_FALSE(observed());
+  EXPECT_TRUE(companion_->has_other_robot());
+}
+
+TEST_F(CompanionTest, TellsStatesAtFirstAndWheneverTheyChange) {
+  RawClient client = greeted();
+  const auto states = [&] {
+    companion_->answer({});
+    std::vector<std::string> told;
+    for (const RawClient::Heard& one : client.hear()) {
+      if (one.kind == REORIENT_STATE) told.push_back(text_of(one.as<reorient_state>().state));
+    }
+    return told;
+  };
+  companion_->tell_state("orientation", "watching");
+  EXPECT_EQ(states(), std::vector<std::string>{"watching"});
+  companion_->tell_state("orientation", "watching");
+  EXPECT_TRUE(states().empty());
+  companion_->tell_state("orientation", std::string(500, 'x'));
+  EXPECT_EQ(states().at(0).size(), 191u);
+  client.end();
+  static_cast<void>(observed());
+  client = greeted();
+  EXPECT_EQ(states().size(), 1u) << "a new client knows nothing";
+}
+
+TEST_F(CompanionTest, GoesOnWithoutAClientThatDoesNotRead) {
+  RawClient client = greeted();
+  for (int i = 0; i < 5000; ++i) companion_->answer({});
+  EXPECT_GT(companion_->counts().unanswered, 1000u);
+  client.send_frame(1.0, 1);
+  EXPECT_TRUE(observed());
+  const std::size_t heard = client.hear().size();
+  EXPECT_GT(heard, 100u) << "whole messages, all of them";
+  companion_->answer({});
+  EXPECT_TRUE(client.answer());
+}
+
+TEST_F(CompanionTest, ListensWhereOnlyItsUserMayConnect) {
+  struct stat status {};
+  ASSERT_EQ(stat((folder_.path() / "socket").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+}
+
+TEST_F(CompanionTest, SaysWhyItCannotListen) {
+  const auto complaint = [&](const std::filesystem::path& path) -> std::string {
+    CompanionOptions options = this->options();
+    options.socket = path;
+    try {
+      Companion companion(options);
+      return {};
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_NE(complaint(folder_.path() / "socket").find("another companion listens there"), std::string::npos);
+  EXPECT_NE(complaint(folder_.write("file", "x")).find("there is a file of this name"), std::string::npos);
+  EXPECT_NE(complaint(folder_.path() / std::string(200, 'x')).find("a socket's path has 1 to 107 letters"),
+            std::string::npos);
+  EXPECT_NE(complaint(folder_.path() / "gone" / "socket").find("No such file"), std::string::npos);
+  companion_.reset();
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "socket"));
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,116 @@
+#include "robots/companion/greeting.h"
+
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/robots/companion/raw_client.h"
+
+namespace reorient {
+namespace {
+
+std::span<const std::byte> bytes_of(const reorient_hello& hello) { return std::as_bytes(std::span(&hello, 1)); }
+
+/// Empty: it is taken.
+std::string complaint_about(const reorient_hello& hello) {
+  try {
+    static_cast<void>(read_greeting(bytes_of(hello), nobody_known()));
+    return {};
+  } catch (const BadMessage& bad) {
+    return bad.what();
+  }
+}
+
+TEST(Greeting, SaysWhichRobotItIs) {
+  const Greeting greeting = read_greeting(bytes_of(small_hello(9)), nobody_known());
+  EXPECT_EQ(greeting.client, 9u);
+  EXPECT_FALSE(greeting.own_localization);
+  EXPECT_TRUE(greeting.carries_out_head);
+  EXPECT_TRUE(greeting.carries_out_walk);
+  EXPECT_FALSE(greeting.carries_out_get_up) << "it does not want to, and cannot";
+  EXPECT_EQ(greeting.body.name, "a test robot");
+  EXPECT_EQ(greeting.body.neck.yaw, 2.0);
+  EXPECT_EQ(greeting.body.standing_load, 5.0);
+  EXPECT_FALSE(greeting.body.lower_camera);
+  EXPECT_EQ(greeting.field.length, 9.0);
+  EXPECT_NEAR(greeting.body.upper_camera.field_of_view_horizontal, 2.0 * std::atan(32.0 / 60.0), 1e-9);
+}
+
+TEST(Greeting, MayNameARobotAndAField) {
+  reorient_hello hello = small_hello();
+  hello.body = {};
+  set_text(hello.body.name, "k9");
+  hello.field = {};
+  hello.cameras[0].position[2] = 0.07;
+  KnownRobots known = nobody_known();
+  known.body = [](const std::string& name) {
+    RobotBody body;
+    body.field = "lawn";
+    return name == "k9" ? std::optional(body) : std::nullopt;
+  };
+  known.field = [](const std::string& name) {
+    FieldDimensions field;
+    field.length = 12.0;
+    return name == "lawn" ? std::optional(field) : std::nullopt;
+  };
+  const Greeting greeting = read_greeting(bytes_of(hello), known);
+  EXPECT_EQ(greeting.field.length, 12.0);
+  EXPECT_EQ(greeting.body.dimensions.upper.position.z(), 0.07) << "its own calibration counts";
+  EXPECT_FALSE(greeting.body.lower_camera) << "and so do the cameras that it has";
+}
+
+TEST(Greeting, OfTheSameRobotMayCalibrateAnew) {
+  reorient_hello hello = small_hello(1);
+  const Greeting one = read_greeting(bytes_of(hello), nobody_known());
+  hello.client = 2;
+  EXPECT_TRUE(is_same_robot(one, read_greeting(bytes_of(hello), nobody_known())));
+  hello.way = REORIENT_OWN_LOCALIZATION;
+  EXPECT_FALSE(is_same_robot(one, read_greeting(bytes_of(hello), nobody_known())));
+  hello = small_hello(1);
+  hello.body.yaw_limit = 1.0;
+  EXPECT_FALSE(is_same_robot(one, read_greeting(bytes_of(hello), nobody_known())));
+}
+
+TEST(Greeting, WithAMistakeIsRefusedWithWhatIsWrong) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<std::function<void(reorient_hello&)>, const char*> mistakes[] = {
+      {[](auto& hello) { hello.way = 0; }, "way is 0"},
+      {[](auto& hello) { hello.delay = -1.0; }, "delay is -1"},
+      {[&](auto& hello) { hello.delay = nan; }, "delay is"},
+      {[](auto& hello) { hello.cameras[0].format = 0; }, "the first camera is missing"},
+      {[](auto& hello) { hello.cameras[0].format = 6; }, "there is no image format 6"},
+      {[](auto& hello) { hello.cameras[0].width = 63; }, "images of 63x64 pixels"},
+      {[](auto& hello) { hello.cameras[0].height = 65534; }, "images of 64x65534 pixels"},
+      {[](auto& hello) {
+         hello.cameras[0].width = hello.cameras[0].height = 4096;
+         hello.cameras[0].format = REORIENT_RGB;
+       },
+       "images of more than 16 MiB"},
+      {[](auto& hello) { hello.cameras[0].focal[1] = 0.0; }, "a focal length"},
+      {[&](auto& hello) { hello.cameras[0].tilt = nan; }, "a camera's tilt"},
+      {[](auto& hello) { hello.body.has = 0; }, "there is no robot 'a test robot' here"},
+      {[](auto& hello) { hello.body.torso_height = 1e300; }, "torso_height is"},
+      {[](auto& hello) { hello.body.pitch_limit[0] = 0.6; }, "the least pitch is above the most"},
+      {[&](auto& hello) { hello.body.first_axis[0] = nan; }, "first_axis"},
+      {[](auto& hello) { hello.field.length = 1e9; }, "field: 'length' must be a number from 2 to 120"},
+      {[](auto& hello) { hello.field.length = 0.0; }, "there is no field 'spl' here"},
+  };
+  for (const auto& [make, why] : mistakes) {
+    reorient_hello hello = small_hello();
+    make(hello);
+    EXPECT_NE(complaint_about(hello).find(why), std::string::npos) << why << "\n" << complaint_about(hello);
+  }
+}
+
+TEST(Greeting, OfAnotherSizeIsRefused) {
+  const reorient_hello hello = small_hello();
+  const auto bytes = bytes_of(hello);
+  EXPECT_THROW(read_greeting(bytes.first(bytes.size() - 1), nobody_known()), BadMessage);
+  std::vector<std::byte> longer(bytes.begin(), bytes.end());
+  longer.push_back({});
+  EXPECT_THROW(read_greeting(longer, nobody_known()), BadMessage);
+}
+
+}  // namespace
+}  // namespace reorient

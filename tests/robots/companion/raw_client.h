@@ -1,0 +1,78 @@
+// A client of the companion that can say anything, and two kinds of nonsense in one breath.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "robots/companion/companion.h"
+#include "robots/companion/message.h"
+#include "robots/companion/shared_images.h"
+
+namespace reorient {
+
+/// A NAO with one small camera whose numbers are sent.
+reorient_hello small_hello(std::uint64_t client = 7, std::uint32_t way = REORIENT_OUR_LOCALIZATION);
+/// A frame of it that stands straight, with an image in the slot with this sequence number.
+reorient_frame standing_frame(std::uint64_t number, double time, std::uint64_t sequence);
+
+/// For tests alone: knows no robot and no field by name.
+KnownRobots nobody_known();
+
+class RawClient {
+ public:
+  explicit RawClient(const std::filesystem::path& path);
+  bool is_connected() const { return static_cast<bool>(socket_); }
+  void end() { socket_ = OwnedDescriptor(); }
+
+  /// False: it does not fit, or nobody listens any more.
+  bool send_bytes(std::span<const std::byte> bytes, int descriptor = -1);
+  template <typename Message>
+  bool send(std::uint16_t kind, const Message& message, int descriptor = -1) {
+    std::vector<std::byte> bytes;
+    append_message(kind, message, bytes);
+    return send_bytes(bytes, descriptor);
+  }
+  /// Says hello and hands memory over.
+  void introduce(const reorient_hello& hello);
+  /// Writes a picture of one grey into the next slot, and gives its number.
+  std::uint64_t paint(std::uint8_t grey);
+  bool send_frame(double time, std::uint64_t number);
+
+  struct Heard {
+    std::uint16_t kind = 0;
+    std::vector<std::byte> body;
+    template <typename Message>
+    Message as() const {
+      std::span<const std::byte> bytes = body;
+      return take_message<Message>(bytes, "what was heard");
+    }
+  };
+  /// All that has come.
+  std::vector<Heard> hear();
+  /// The last answer among it.
+  std::optional<reorient_answer> answer();
+  /// Why the companion ended the connection; empty: it has not said so.
+  std::string refusal();
+
+  std::byte* slots() { return slots_; }
+  int memory() const { return memory_.get(); }
+  std::uint32_t slot_size() const { return slot_size_; }
+
+ private:
+  OwnedDescriptor socket_;
+  OwnedDescriptor memory_;
+  std::byte* slots_ = nullptr;
+  std::uint32_t slot_size_ = 0;
+  std::uint32_t slot_ = 0;
+  std::uint64_t sequence_ = 0;
+  std::vector<std::byte> in_;
+};
+
+/// A memfd of so many bytes.
+OwnedDescriptor memory_of(std::size_t bytes, bool sealed);
+
+}  // namespace reorient
