@@ -83,8 +83,8 @@ void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
   const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const Confidences& confidence = frame.world.confidence;
   err_ << fmt::format("{}{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}",
-                      terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states, (time - *first_time_) / passed,
-                      terminal_ ? "" : "\n")
+                      terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states,
+                      (time - *first_time_) / passed, terminal_ ? "" : "\n")
        << std::flush;
 }
 
