@@ -122,7 +122,7 @@ int main(int count, char** words) {
     }
     if (own) {
       filter_move(&filter, felt.odometry);
-      filter_see(&filter, felt.bearings, felt.posts);
+      filter_see(&filter, felt.bearings, felt.distances, felt.posts);
       for (i = 0; i < PARTICLES; ++i) {
         const struct particle* one = &filter.particles[i];
         cloud[i].x = (float)one->x, cloud[i].y = (float)one->y;

@@ -112,7 +112,7 @@ def main(path, way, *robot):
     companion = Companion(path, OWN if way == "own" else OURS, name, width, height, numbers[:10])
     localization = ParticleFilter(*numbers[10:], seed=1)
     while True:
-        felt = struct.unpack("<d14d3d4I4d", process.stdout.read(192))
+        felt = struct.unpack("<d14d3d4I8d", process.stdout.read(224))
         if felt[19]:
             return process.wait()  # it is over
         companion.image(process.stdout.read(companion.image_bytes))
@@ -121,7 +121,7 @@ def main(path, way, *robot):
             localization.told(felt[15:18])
             has |= HAS_TOLD_POSE
         localization.move(felt[1:4])
-        localization.see(felt[22:22 + felt[20]])
+        localization.see(list(zip(felt[22:22 + felt[20]], felt[26:])))
         body = felt[1:15] + (0.0,) * 9 + felt[15:18] + (0.1, 0.1)
         pose = head = walk = (0.0, 0.0, 0.0)
         answered = answer_has = 0

@@ -55,27 +55,29 @@ void filter_move(struct particle_filter* filter, const double odometry[3]) {
   if (way == 0.0 && turn == 0.0) return;
   for (i = 0; i < PARTICLES; ++i) {
     struct particle* one = &filter->particles[i];
-    const double spread = 0.15 * way + 0.02 * fabs(turn);
+    const double spread = 0.1 * way + 0.02 * fabs(turn);
     const double ahead = forward + spread * normal(filter), aside = left + spread * normal(filter);
     one->x += cos(one->rotation) * ahead - sin(one->rotation) * aside;
     one->y += sin(one->rotation) * ahead + cos(one->rotation) * aside;
-    one->rotation = turned(one->rotation + turn + (0.15 * fabs(turn) + 0.15 * way) * normal(filter));
+    one->rotation = turned(one->rotation + turn + (0.1 * fabs(turn) + 0.1 * way) * normal(filter));
   }
 }
 
-/* How far a bearing is from that to the nearest of the four posts, in the direction of view. */
-static double mismatch(const struct particle_filter* filter, const struct particle* one, double bearing) {
-  double best = PI;
+/* How badly what was seen of a post fits the best of the four; soft, since frames are not independent. */
+static double mismatch(const struct particle_filter* filter, const struct particle* one, double bearing,
+                       double distance) {
+  double best = 100.0;
   int post;
   for (post = 0; post < 4; ++post) {
     const double x = post & 1 ? filter->post_x : -filter->post_x, y = post & 2 ? filter->post_y : -filter->post_y;
-    const double error = fabs(turned(atan2(y - one->y, x - one->x) - one->rotation - bearing));
-    if (error < best) best = error;
+    const double aside = turned(atan2(y - one->y, x - one->x) - one->rotation - bearing) / 0.12;
+    const double along = (hypot(x - one->x, y - one->y) / distance - 1.0) / 0.4;
+    if (aside * aside + along * along < best) best = aside * aside + along * along;
   }
   return best;
 }
 
-void filter_see(struct particle_filter* filter, const double* bearings, unsigned count) {
+void filter_see(struct particle_filter* filter, const double* bearings, const double* distances, unsigned count) {
   struct particle drawn[PARTICLES];
   double sum = 0.0, squares = 0.0, next;
   unsigned i, from = 0;
@@ -84,8 +86,7 @@ void filter_see(struct particle_filter* filter, const double* bearings, unsigned
     struct particle* one = &filter->particles[i];
     unsigned seen;
     for (seen = 0; seen < count; ++seen) {
-      const double error = mismatch(filter, one, bearings[seen]) / 0.15; /* frames are not independent: be soft */
-      one->weight *= 0.02 + exp(-0.5 * error * error);
+      one->weight *= 0.02 + exp(-0.5 * mismatch(filter, one, bearings[seen], distances[seen]));
     }
     sum += one->weight;
   }

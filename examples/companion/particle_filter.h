@@ -1,5 +1,6 @@
-/* A small localization of a team's own: odometry and bearings to goal posts that all look alike, so that a pose and its
- * reflection through the field's centre always fit equally well. Reorient's commands tell the two apart. */
+/* A small localization of a team's own: odometry, and bearings and rough distances to goal posts that all look alike,
+ * so that a pose and its reflection through the field's centre always fit equally well. Reorient's commands tell the
+ * two apart. */
 #ifndef PARTICLE_FILTER_H
 #define PARTICLE_FILTER_H
 
@@ -22,7 +23,7 @@ struct particle_filter {
 void filter_begin(struct particle_filter* filter, double post_x, double post_y, uint64_t seed);
 void filter_told(struct particle_filter* filter, const double pose[3]);
 void filter_move(struct particle_filter* filter, const double odometry[3]);
-void filter_see(struct particle_filter* filter, const double* bearings, unsigned count);
+void filter_see(struct particle_filter* filter, const double* bearings, const double* distances, unsigned count);
 void filter_flip(struct particle_filter* filter);  /* all of it through the centre */
 void filter_purge(struct particle_filter* filter); /* no particle near the reflection of the mean */
 void filter_reset(struct particle_filter* filter); /* half of the particles through the centre */

@@ -1,4 +1,5 @@
-"""A small localization of a team's own, as particle_filter.c: odometry and bearings to goal posts that all look alike."""
+"""A small localization of a team's own, as particle_filter.c: odometry, and bearings and rough distances to goal
+posts that all look alike."""
 import math
 import random
 
@@ -27,19 +28,22 @@ class ParticleFilter:
         heading = math.atan2(dy, dx) - before[2]
         normal = self.random.gauss
         for one in self.particles:
-            length = way + normal(0, 0.15 * way + 0.02 * abs(turn))
+            length = way + normal(0, 0.1 * way + 0.02 * abs(turn))
             one[0] += length * math.cos(one[2] + heading)
             one[1] += length * math.sin(one[2] + heading)
-            one[2] += turn + normal(0, 0.15 * abs(turn) + 0.15 * way)
+            one[2] += turn + normal(0, 0.1 * abs(turn) + 0.1 * way)
 
-    def see(self, bearings):
-        if not bearings or not self.particles:
+    def see(self, posts):
+        """Bearing and distance of each that was seen."""
+        if not posts or not self.particles:
             return
         for one in self.particles:
-            expected = [math.atan2(y - one[1], x - one[0]) - one[2] for x, y in self.posts]
-            for bearing in bearings:
-                error = min(abs(math.remainder(angle - bearing, 2 * math.pi)) for angle in expected) / 0.15
-                one[3] *= 0.02 + math.exp(-0.5 * error * error)  # frames are not independent: be soft
+            expected = [(math.atan2(y - one[1], x - one[0]) - one[2], math.hypot(x - one[0], y - one[1]))
+                        for x, y in self.posts]
+            for bearing, distance in posts:
+                error = min((math.remainder(angle - bearing, 2 * math.pi) / 0.12) ** 2 + ((far / distance - 1) / 0.4) ** 2
+                            for angle, far in expected)
+                one[3] *= 0.02 + math.exp(-0.5 * error)  # frames are not independent: be soft
         total = sum(one[3] for one in self.particles)
         for one in self.particles:
             one[3] /= total

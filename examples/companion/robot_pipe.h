@@ -20,7 +20,8 @@ struct pipe_frame { /* then the image */
   uint32_t is_over; /* nothing follows, and there is no image */
   uint32_t posts;   /* goal posts in view: */
   uint32_t zero;
-  double bearings[4]; /* rad to the left of where its trunk looks, with noise */
+  double bearings[4];  /* rad to the left of where its trunk looks, with noise */
+  double distances[4]; /* m, rough: a tenth off */
 };
 
 struct pipe_request {

@@ -55,7 +55,7 @@ void set(double (&numbers)[Size], std::initializer_list<double> values) {
 /// Of goal posts in view, as a team's own vision may have them.
 void see_posts(const Simulator& simulator, const FieldDimensions& field, const CameraModel& camera, Random& random,
                pipe_frame& frame) {
-  constexpr double kFarthest = 12.0, kNoise = 0.03, kMissed = 0.3;
+  constexpr double kFarthest = 20.0, kNoise = 0.03, kRough = 0.1, kMissed = 0.3;
   const GroundTruth truth = simulator.ground_truth();
   if (truth.carried || truth.fallen) return;
   const Isometry3 camera_from_field = simulator.field_from_camera().inverse();
@@ -65,6 +65,7 @@ void see_posts(const Simulator& simulator, const FieldDimensions& field, const C
       const auto pixel = camera.project(camera_from_field * post);
       const Eigen::Vector2d place = truth.pose.inverse() * Eigen::Vector2d(x, y);
       if (!pixel || !camera.contains(*pixel) || place.norm() > kFarthest || random.uniform() < kMissed) continue;
+      frame.distances[frame.posts] = place.norm() * (1.0 + kRough * random.normal());
       frame.bearings[frame.posts++] = pinned::atan2(place.y(), place.x()) + kNoise * random.normal();
     }
   }
@@ -83,6 +84,7 @@ int play(const RobotBody& body, const FieldDimensions& field, std::uint64_t seed
   const char* const heartbeat = std::getenv("REORIENT_HEARTBEAT");
   std::uint64_t answered = 0;
   const auto begin = std::chrono::steady_clock::now();
+  double distance = 0.0, turn = 0.0;  // of the belief in the end
   double right_since = -1.0, corrected = -1.0, put_down_at = 0.0;
   while (simulator.observe(observation)) {
     const CameraFrame& upper = *observation.upper;
@@ -140,14 +142,16 @@ int play(const RobotBody& body, const FieldDimensions& field, std::uint64_t seed
     if (heartbeat != nullptr) std::ofstream(heartbeat) << answered << '\n';
     const Pose2 belief(request.belief[0], request.belief[1], request.belief[2]);
     const Pose2 truth = simulator.ground_truth().pose;
-    const bool is_right = request.knows != 0 && (belief.position - truth.position).norm() < kNear &&
-                          std::abs(angle_difference(belief.rotation, truth.rotation)) < kNear;
+    distance = (belief.position - truth.position).norm();
+    turn = std::abs(angle_difference(belief.rotation, truth.rotation));
+    const bool is_right = request.knows != 0 && distance < kNear && turn < kNear;
     if (!is_right) right_since = -1.0;
     if (is_right && right_since < 0.0) right_since = time;
     if (is_down && corrected < 0.0 && is_right) corrected = time - put_down_at;
   }
   const bool ends_right = right_since >= 0.0 && learn + kCarry + after - right_since > kHold && corrected > 0.0;
-  std::cerr << (ends_right ? "right" : "wrong") << ", corrected after " << corrected << " s\n";
+  std::cerr << (ends_right ? "right" : "wrong") << ", corrected after " << corrected << " s; in the end off by "
+            << distance << " m, " << turn << " rad\n";
   return ends_right ? 0 : 1;
 }
 

@@ -67,7 +67,6 @@ class RawClient {
   OwnedDescriptor memory_;
   std::byte* slots_ = nullptr;
   std::uint32_t slot_size_ = 0;
-  std::uint32_t slot_ = 0;
   std::uint64_t sequence_ = 0;
   std::vector<std::byte> in_;
 };
