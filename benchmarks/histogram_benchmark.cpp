@@ -88,7 +88,7 @@ void CountColors(benchmark::State& state) {
 BENCHMARK(CountColors)
     ->ArgNames({"instructions", "row_step"})
     ->ArgsProduct({{static_cast<int>(Instructions::portable), static_cast<int>(Instructions::sse4),
-                    static_cast<int>(Instructions::avx2)},
+                    static_cast<int>(Instructions::avx2), static_cast<int>(Instructions::neon)},
                    {1, 2}})
     ->Unit(benchmark::kMicrosecond);
 

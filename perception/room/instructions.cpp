@@ -7,13 +7,17 @@ bool offered(Instructions instructions) {
   // Both ask the processor once, when the program starts.
   if (instructions == Instructions::sse4) return __builtin_cpu_supports("sse4.2") != 0;
   if (instructions == Instructions::avx2) return __builtin_cpu_supports("avx2") != 0;
+#elif defined(__aarch64__)
+  if (instructions == Instructions::neon) return true;
 #endif
   return instructions == Instructions::portable;
 }
 
 Instructions widest_instructions() {
-  if (offered(Instructions::avx2)) return Instructions::avx2;
-  return offered(Instructions::sse4) ? Instructions::sse4 : Instructions::portable;
+  for (const Instructions wide : {Instructions::neon, Instructions::avx2, Instructions::sse4}) {
+    if (offered(wide)) return wide;
+  }
+  return Instructions::portable;
 }
 
 }  // namespace reorient

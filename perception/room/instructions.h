@@ -7,7 +7,8 @@ namespace reorient {
 enum class Instructions {
   portable,  ///< nothing
   sse4,      ///< SSE4.2
-  avx2       ///< AVX2
+  avx2,      ///< AVX2
+  neon       ///< NEON, which every 64-bit ARM has
 };
 
 /// Whether this program has such versions, and this processor runs them.

@@ -25,6 +25,11 @@ void count_one_by_one(const PixelRows& rows, int begin, int end, const ColorThre
   }
 }
 
+CountingKernel* counting_of(Instructions instructions) {
+  if (instructions == Instructions::neon) return neon_kernel();
+  return instructions == Instructions::avx2 ? avx2_kernel() : sse4_kernel();
+}
+
 }  // namespace
 
 void count_colors(const ImageView& image, const PixelBlock& block, int row_step, const ColorThresholds& thresholds,
@@ -35,15 +40,14 @@ void count_colors(const ImageView& image, const PixelBlock& block, int row_step,
   const PixelRows rows{image.row(part.top), static_cast<std::ptrdiff_t>(step) * image.stride,
                        (part.bottom - part.top + step - 1) / step, image.width & ~1};
   if (instructions == Instructions::avx2 && rows.width < 16) instructions = Instructions::sse4;
-  if (instructions == Instructions::sse4 && rows.width < 8) instructions = Instructions::portable;
+  if (instructions != Instructions::avx2 && rows.width < 8) instructions = Instructions::portable;
   if (instructions == Instructions::portable) return count_one_by_one(rows, part.left, part.right, thresholds, counts);
 
   // Pairs of pixels share their chroma: half a pair is counted by itself.
   const int begin = part.left + part.left % 2;
   const int end = part.right - part.right % 2;
   count_one_by_one(rows, part.left, begin, thresholds, counts);
-  CountingKernel* kernel = instructions == Instructions::avx2 ? avx2_kernel() : sse4_kernel();
-  if (begin < end) kernel(rows, begin, end, thresholds, counts.data());
+  if (begin < end) counting_of(instructions)(rows, begin, end, thresholds, counts.data());
   count_one_by_one(rows, end, part.right, thresholds, counts);
 }
 

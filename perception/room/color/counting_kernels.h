@@ -26,5 +26,6 @@ using CountingKernel = void(const PixelRows& rows, int begin, int end, const Col
 /// Null where the program is compiled for another kind of processor.
 CountingKernel* sse4_kernel();
 CountingKernel* avx2_kernel();
+CountingKernel* neon_kernel();
 
 }  // namespace reorient

@@ -41,5 +41,6 @@ inline constexpr int kAboveTheTiles = -2;
 /// Null where the program is compiled for another kind of processor.
 SketchingKernel* sse4_sketching();
 SketchingKernel* avx2_sketching();
+SketchingKernel* neon_sketching();
 
 }  // namespace reorient

@@ -5,6 +5,16 @@
 #include <cstdlib>
 
 namespace reorient {
+namespace {
+
+/// Null for the portable instructions: without a sketch, each ray is computed exactly.
+SketchingKernel* sketching_of(Instructions instructions) {
+  if (instructions == Instructions::neon) return neon_sketching();
+  if (instructions == Instructions::avx2) return avx2_sketching();
+  return instructions == Instructions::sse4 ? sse4_sketching() : nullptr;
+}
+
+}  // namespace
 
 std::optional<BandRays> BandRays::of(std::span<const Eigen::Vector3d> rays) {
   constexpr double kFarthest = 100.0;
@@ -29,10 +39,7 @@ float BandRays::highest(float from, float by_y, float by_z) const {
   return from + std::max(by_y * y_least_, by_y * y_most_) + std::max(by_z * z_least_, by_z * z_most_);
 }
 
-WallSketch::WallSketch(Instructions instructions)
-    : kernel_(instructions == Instructions::avx2   ? avx2_sketching()
-              : instructions == Instructions::sse4 ? sse4_sketching()
-                                                   : nullptr) {}
+WallSketch::WallSketch(Instructions instructions) : kernel_(sketching_of(instructions)) {}
 
 void WallSketch::prepare(const Wall& wall, const Isometry3& field_from_camera) {
   // Near the wall, and where the camera looks up or down, small errors of a ray are large ones on the wall.

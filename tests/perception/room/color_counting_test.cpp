@@ -12,7 +12,8 @@
 namespace reorient {
 namespace {
 
-constexpr Instructions kVersions[] = {Instructions::portable, Instructions::sse4, Instructions::avx2};
+constexpr Instructions kVersions[] = {Instructions::portable, Instructions::sse4, Instructions::avx2,
+                                      Instructions::neon};
 
 std::vector<Instructions> offered_here() {
   std::vector<Instructions> result;
@@ -69,6 +70,9 @@ TEST(ColorCounting, TheWidestThatTheProcessorOffersIsTaken) {
 #ifdef __x86_64__
   EXPECT_TRUE(offered(Instructions::sse4)) << "the rest of the program needs it, too";
   EXPECT_EQ(offered(Instructions::avx2), __builtin_cpu_supports("avx2") != 0);
+#endif
+#ifdef __aarch64__
+  EXPECT_TRUE(offered(Instructions::neon)) << "there is no such processor without";
 #endif
 }
 

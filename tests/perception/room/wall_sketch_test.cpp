@@ -14,10 +14,15 @@
 namespace reorient {
 namespace {
 
+/// The least that the processor offers beside the portable one.
+Instructions narrowest_wide_instructions() {
+  return offered(Instructions::sse4) ? Instructions::sse4 : widest_instructions();
+}
+
 /// Some wall, and a camera somewhere in it that looks somewhere, mostly ahead.
 struct SketchedView {
   explicit SketchedView(std::uint64_t seed)
-      : random(seed), sketch(random.uniform() < 0.5 ? widest_instructions() : Instructions::sse4) {
+      : random(seed), sketch(random.uniform() < 0.5 ? widest_instructions() : narrowest_wide_instructions()) {
     WallParameters parameters;
     if (random.uniform() < 0.7) {
       parameters.radius = random.uniform(3.0, 20.0);
