@@ -42,8 +42,9 @@ void PoseFilter::set_initial_pose(const Pose2& pose, double position_deviation, 
   }
   particles_ = ParticleSet(particles_.size());
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const Eigen::Vector2d offset(rough_normal(random_), rough_normal(random_));
-    const Eigen::Vector2d position = pose.position + position_deviation * offset;
+    const double beside = rough_normal(random_);
+    const double ahead = rough_normal(random_);
+    const Eigen::Vector2d position = pose.position + position_deviation * Eigen::Vector2d(ahead, beside);
     particles_.set_pose(i, {position.cwiseMax(-half_size_).cwiseMin(half_size_),
                             pose.rotation + rotation_deviation * static_cast<double>(rough_normal(random_))});
   }

@@ -23,8 +23,9 @@ Eigen::Vector2d disturb(const Eigen::Vector2d& post, const MeasurementModel& obs
   const double distance = post.norm();
   const Eigen::Vector2d sight = post / distance;
   const Eigen::Vector2d across(-sight.y(), sight.x());
-  return post + sight * (std::sqrt(observed.variance_along(distance)) * static_cast<double>(rough_normal(random))) +
-         across * (std::sqrt(observed.variance_across(distance)) * static_cast<double>(rough_normal(random)));
+  const double aside = std::sqrt(observed.variance_across(distance)) * static_cast<double>(rough_normal(random));
+  const double farther = std::sqrt(observed.variance_along(distance)) * static_cast<double>(rough_normal(random));
+  return post + sight * farther + across * aside;
 }
 
 }  // namespace

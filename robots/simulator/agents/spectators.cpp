@@ -12,9 +12,9 @@ namespace {
 
 PersonLook any_look(const LinearColor& light, Random& random) {
   const LinearColor skin = LinearColor(0.42f, 0.24f, 0.16f) * static_cast<float>(random.uniform(0.3, 1.4));
-  return {paint_of(random.uniform(), random.uniform(0.0, 0.9), random.uniform(0.15, 0.85)) * light,
-          paint_of(random.uniform(0.5, 0.72), random.uniform(0.1, 0.6), random.uniform(0.08, 0.45)) * light,
-          skin * light, paint_of(0.08, random.uniform(0.2, 0.7), random.uniform(0.08, 0.55)) * light};
+  return {any_paint(Range{}, {0.0, 0.9}, {0.15, 0.85}, random) * light,
+          any_paint({0.5, 0.72}, {0.1, 0.6}, {0.08, 0.45}, random) * light, skin * light,
+          any_paint(0.08, {0.2, 0.7}, {0.08, 0.55}, random) * light};
 }
 
 }  // namespace

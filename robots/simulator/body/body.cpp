@@ -154,10 +154,12 @@ void Body::dead_reckon(const Pose2& step) {
   if (distance == 0.0 && turn == 0.0) return;
   const double spread = parameters_.odometry_noise * std::sqrt(distance + 0.05 * turn);
   const double spread_turn = parameters_.odometry_noise * std::sqrt(turn + 0.5 * distance);
-  odometry_ = odometry_ *
-              Pose2(step.position.x() * odometry_scale_.x() + spread * random_.normal(),
-                    step.position.y() * odometry_scale_.y() + spread * random_.normal(),
-                    step.rotation * odometry_scale_.z() + odometry_drift_ * distance + spread_turn * random_.normal());
+  const double wrong_turn = spread_turn * random_.normal();
+  const double wrong_left = spread * random_.normal();
+  const double wrong_forward = spread * random_.normal();
+  odometry_ = odometry_ * Pose2(step.position.x() * odometry_scale_.x() + wrong_forward,
+                                step.position.y() * odometry_scale_.y() + wrong_left,
+                                step.rotation * odometry_scale_.z() + odometry_drift_ * distance + wrong_turn);
 }
 
 void Body::balance(double time_step, bool get_up) {
@@ -252,7 +254,9 @@ BodySample Body::sample(double time) {
   const double joint = parameters_.head_noise;
   const double attitude = parameters_.attitude_noise;
   const auto noise = [this](double deviation) {
-    return Eigen::Vector3d(deviation * random_.normal(), deviation * random_.normal(), deviation * random_.normal());
+    const double z = deviation * random_.normal();
+    const double y = deviation * random_.normal();
+    return Eigen::Vector3d(deviation * random_.normal(), y, z);
   };
   BodySample body;
   body.time = time;

@@ -168,7 +168,7 @@ void WallPatches::add_curtain(const Rectangle& outline, const LinearColor& light
   constexpr double kFold = 0.34;  // m
   const double width = outline.right - outline.left;
   const double height = outline.top - outline.bottom;
-  const LinearColor cloth = paint_of(random.uniform(), random.uniform(0.2, 0.75), random.uniform(0.2, 0.55)) * light;
+  const LinearColor cloth = any_paint(Range{}, {0.2, 0.75}, {0.2, 0.55}, random) * light;
   add(outline.left, outline.bottom, width, height, cloth);
   for (double x = 0.2; x < width; x += kFold) {
     add(outline.left + x, outline.bottom, std::min(0.12, width - x), height,

@@ -65,9 +65,7 @@ struct Palette {
   LinearColor pale(int i, double value = 0.7) const { return paint_of(hue + 0.21 * i, 0.25, value); }
 };
 
-LinearColor any_cloth(Random& random) {
-  return paint_of(random.uniform(), random.uniform(0.1, 0.9), random.uniform(0.15, 0.8));
-}
+LinearColor any_cloth(Random& random) { return any_paint(Range{}, {0.1, 0.9}, {0.15, 0.8}, random); }
 
 /// Blocks like writing: letters of one height, seen from afar.
 void write(Wall& wall, const Area& area, const LinearColor& color, Random& random) {
@@ -103,7 +101,7 @@ void banner(Wall& wall, const Area& area, const LinearColor& ground, const Linea
 void person(Wall& wall, double x, double seat, const LinearColor& cloth, Random& random) {
   const double lean = random.uniform(-0.05, 0.05);
   const LinearColor skin = kSkin * static_cast<float>(random.uniform(0.35, 1.5));
-  const LinearColor hair = paint_of(0.08, random.uniform(0.2, 0.7), random.uniform(0.08, 0.6));
+  const LinearColor hair = any_paint(0.08, {0.2, 0.7}, {0.08, 0.6}, random);
   wall.ellipse(x, seat + 0.26, 0.23, 0.36, cloth);
   wall.ellipse(x + lean, seat + 0.70, 0.10, 0.135, hair);
   wall.ellipse(x + lean, seat + 0.67, 0.085, 0.11, skin);
@@ -192,9 +190,11 @@ void windows(Wall& wall, const Palette& palette, Random& random) {
       // Trees and houses outside.
       for (int i = 0; i < 4; ++i) {
         const double wide = random.uniform(0.15, 0.4);
-        wall.ellipse(std::clamp(random.uniform(glass.left, glass.right), glass.left + wide, glass.right - wide),
-                     glass.bottom + 0.3, wide, random.uniform(0.15, 0.3),
-                     paint_of(random.uniform(0.2, 0.4), 0.6, 0.45));
+        const LinearColor leaves = paint_of(random.uniform(0.2, 0.4), 0.6, 0.45);
+        const double high = random.uniform(0.15, 0.3);
+        const double middle =
+            std::clamp(random.uniform(glass.left, glass.right), glass.left + wide, glass.right - wide);
+        wall.ellipse(middle, glass.bottom + 0.3, wide, high, leaves);
       }
       wall.rectangle({glass.left, glass.top - 0.9, glass.right, glass.top - 0.85}, kSteel);
     }

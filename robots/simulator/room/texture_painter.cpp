@@ -92,4 +92,16 @@ LinearColor paint_of(double hue, double saturation, double value) {
   return {channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0)};
 }
 
+LinearColor any_paint(double hue, const Range& saturation, const Range& value, Random& random) {
+  const double drawn_value = random.uniform(value.low, value.high);
+  const double drawn_saturation = random.uniform(saturation.low, saturation.high);
+  return paint_of(hue, drawn_saturation, drawn_value);
+}
+
+LinearColor any_paint(const Range& hue, const Range& saturation, const Range& value, Random& random) {
+  const double drawn_value = random.uniform(value.low, value.high);
+  const double drawn_saturation = random.uniform(saturation.low, saturation.high);
+  return paint_of(random.uniform(hue.low, hue.high), drawn_saturation, drawn_value);
+}
+
 }  // namespace reorient

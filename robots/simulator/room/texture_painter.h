@@ -48,4 +48,13 @@ class TexturePainter {
 /// A paint from hue (turns), saturation and value in [0, 1], as on a screen.
 LinearColor paint_of(double hue, double saturation, double value);
 
+/// What a random number is drawn from.
+struct Range {
+  double low = 0.0;
+  double high = 1.0;
+};
+/// Some paint: first its value is drawn, then its saturation, then its hue where that is not given.
+LinearColor any_paint(double hue, const Range& saturation, const Range& value, Random& random);
+LinearColor any_paint(const Range& hue, const Range& saturation, const Range& value, Random& random);
+
 }  // namespace reorient
