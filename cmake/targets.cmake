@@ -9,11 +9,16 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   list(APPEND REORIENT_WARNINGS -Wno-unknown-pragmas)  # "GCC ivdep", a hint of which it knows nothing
 endif()
+# The same bits on every processor (geometry/pinned_math.h): no product and sum become one rounding, and `char` has a sign, which
+# it lacks on ARM.
+set(REORIENT_ARCHITECTURE -ffp-contract=off -fsigned-char)
 # Every x86-64 robot and desktop since 2009 has SSE4.2; a preset may ask for a particular processor instead.
-# No product and sum become one rounding: the same bits on every processor (geometry/pinned_math.h).
-set(REORIENT_ARCHITECTURE -ffp-contract=off)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_FLAGS MATCHES "-march=")
   list(APPEND REORIENT_ARCHITECTURE -march=x86-64-v2)
+elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+  # Eigen would fuse products by hand, whatever the compiler may do, and add in another order. To do without its packets would be
+  # no way: they are what gives x86-64 its bits, and without them vectors are aligned otherwise than in programs that link us.
+  list(APPEND REORIENT_ARCHITECTURE -U__ARM_FEATURE_FMA "SHELL:-include ${PROJECT_SOURCE_DIR}/geometry/eigen_packets.h")
 endif()
 
 # reorient_include_root(TARGET SCOPE header...): a folder of links to just these headers (paths from the top of the tree)
@@ -74,6 +79,23 @@ function(reorient_add_program name)
   target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE})
   target_link_libraries(${name} PRIVATE ${PROGRAM_LINKS})
   target_compile_definitions(${name} PRIVATE REORIENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(CMAKE_CROSSCOMPILING_EMULATOR)
+    list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
+    target_compile_definitions(${name} PRIVATE REORIENT_EMULATOR="${emulator}")
+  endif()
+endfunction()
+
+# reorient_runnable(VARIABLE TARGET): the path by which a test starts a program. Where that is for another kind of processor, a
+# script which hands it to the emulator.
+function(reorient_runnable variable target)
+  set(${variable} "$<TARGET_FILE:${target}>" PARENT_SCOPE)
+  if(CMAKE_CROSSCOMPILING_EMULATOR)
+    list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
+    set(script "${PROJECT_BINARY_DIR}/emulated/${target}")
+    file(GENERATE OUTPUT "${script}" CONTENT "#!/bin/sh\nexec ${emulator} '$<TARGET_FILE:${target}>' \"$@\"\n"
+      FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    set(${variable} "${script}" PARENT_SCOPE)
+  endif()
 endfunction()
 
 # reorient_add_tests(NAME SOURCES file... LINKS target...): one GoogleTest program, each of its tests known to CTest.

@@ -12,6 +12,7 @@
 #include "engine/record/record_bytes.h"
 #include "tests/engine/eventful_run.h"
 #include "tests/temporary_folder.h"
+#include "tests/this_program.h"
 
 namespace reorient {
 namespace {
@@ -195,9 +196,8 @@ TEST(State, GoesOnTheSameInAnotherProcess) {
   std::string expected;
   for (const Bytes& record : records(engine, 240, 480)) expected += "record " + digits(record) + "\n";
 
-  const std::string command = "REORIENT_TEST_STATE='" + file.string() + "' '" +
-                              std::filesystem::read_symlink("/proc/self/exe").string() +
-                              "' --gtest_also_run_disabled_tests --gtest_filter='StateInAnotherProcess.*' 2>&1";
+  const std::string command = "REORIENT_TEST_STATE='" + file.string() + "' " + this_program() +
+                              " --gtest_also_run_disabled_tests --gtest_filter='StateInAnotherProcess.*' 2>&1";
   FILE* const pipe = popen(command.c_str(), "r");
   ASSERT_NE(pipe, nullptr);
   std::string said;

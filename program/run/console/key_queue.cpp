@@ -13,7 +13,7 @@ bool is_in(char letter, char first, char last) { return letter >= first && lette
 /// How many bytes the escape sequence at the beginning has; 0: more must come to know.
 std::size_t sequence_length(std::string_view bytes) {
   if (bytes.size() < 2) return 0;
-  if (bytes[1] >= '\0' && bytes[1] < ' ') return 1;  // the Escape key, and behind it another
+  if (static_cast<unsigned char>(bytes[1]) < ' ') return 1;  // the Escape key, and behind it another
   if (bytes[1] == 'O') return bytes.size() < 3 ? 0 : 3;
   if (bytes[1] != '[') return 2;
   std::size_t end = 2;

@@ -13,6 +13,7 @@
 #include "engine/record/record_bytes.h"
 #include "robots/simulator/simulator.h"
 #include "tests/temporary_folder.h"
+#include "tests/this_program.h"
 #include "workbench/views/pictures/run_pictures.h"
 
 namespace reorient {
@@ -120,10 +121,9 @@ TEST(Pictures, AreTheSameWhenAnotherProcessDrawsThemFromAFileOfRecords) {
   ASSERT_EQ(pictures.write(here), std::vector<std::string>());
 
   const std::filesystem::path file = folder.write("records", records);
-  const std::string command =
-      "REORIENT_TEST_RECORDS='" + file.string() + "' REORIENT_TEST_PICTURES='" + there.string() + "' '" +
-      std::filesystem::read_symlink("/proc/self/exe").string() +
-      "' --gtest_also_run_disabled_tests --gtest_filter='PicturesInAnotherProcess.*' >/dev/null";
+  const std::string command = "REORIENT_TEST_RECORDS='" + file.string() + "' REORIENT_TEST_PICTURES='" +
+                              there.string() + "' " + this_program() +
+                              " --gtest_also_run_disabled_tests --gtest_filter='PicturesInAnotherProcess.*' >/dev/null";
   ASSERT_EQ(std::system(command.c_str()), 0);
   for (const char* picture : {"world_view.png", "camera_view.png", "confidences.png", "reorientations.png"}) {
     const std::string drawn_here = read_file(here / picture);
