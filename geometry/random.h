@@ -17,7 +17,9 @@ constexpr std::uint64_t scatter(std::uint64_t value) {
   return value ^ (value >> 31);
 }
 
-/// xoshiro256++ (Blackman and Vigna, 2019), seeded by splitmix64. A seed and a stream name one sequence.
+/// xoshiro256++ (Blackman and Vigna, 2019), seeded by splitmix64. A seed and a stream name one sequence. Two numbers of
+/// it are never drawn by the arguments of one call or the operands of one operator: which is drawn first differs
+/// between processors and compilers. In braces the order is that of reading.
 class Random {
  public:
   using result_type = std::uint64_t;
