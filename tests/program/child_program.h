@@ -63,9 +63,14 @@ class ChildProgram {
   std::string out() const { return read_text(folder_ / "out.txt"); }
   std::string err() const { return read_text(folder_ / "err.txt"); }
 
-  /// Until it has said `text`, on either way; false: it ended, or half a minute passed.
+  /// Until it has said `text`, on either way; false: it ended, or half a minute passed, under an emulator five.
   bool await(const std::string& text) const {
-    for (int i = 0; i < 3000; ++i) {
+#ifdef REORIENT_EMULATOR
+    constexpr int kPatience = 30'000;
+#else
+    constexpr int kPatience = 3'000;
+#endif
+    for (int i = 0; i < kPatience; ++i) {
       if (err().find(text) != std::string::npos || out().find(text) != std::string::npos) return true;
       siginfo_t ended{};
       waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
