@@ -1,5 +1,7 @@
 #include "perception/room/instructions.h"
 
+#include <initializer_list>
+
 namespace reorient {
 
 bool offered(Instructions instructions) {

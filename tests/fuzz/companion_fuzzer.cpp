@@ -28,7 +28,7 @@ class Served {
     RawClient client(path());
     require(client.is_connected(), "the companion listens");
     if ((how & 1) != 0) client.introduce(small_hello(1 + (how >> 1 & 3), 1 + (how >> 3 & 1)));
-    if ((how & 16) != 0) client.paint(7);
+    if ((how & 17) == 17) client.paint(7);
     client.send_bytes(bytes.subspan(1), (how & 32) != 0 ? client.memory() : -1);
     if (const Greeting* const greeting = companion_.wait_for_greeting(); greeting != nullptr)
       companion_.begin(*greeting, false, 1);
