@@ -108,14 +108,16 @@ void RawClient::introduce(const reorient_hello& hello) {
   slot_size_ = REORIENT_SLOT_HEADER + 64 * 64;
   const std::size_t bytes = std::size_t{REORIENT_SLOTS} * slot_size_;
   memory_ = memory_of(bytes, true);
-  slots_ = static_cast<std::byte*>(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory_.get(), 0));
+  void* const base = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory_.get(), 0);
+  if (base == MAP_FAILED) throw std::runtime_error("no memory");
+  slots_ = {static_cast<std::byte*>(base), [bytes](std::byte* slots) { munmap(slots, bytes); }};
   send(REORIENT_HELLO, hello);
   send(REORIENT_MEMORY, reorient_memory{0, slot_size_}, memory_.get());
 }
 
 std::uint64_t RawClient::paint(std::uint8_t grey) {
   sequence_ += 2;
-  std::byte* const slot = slots_ + sequence_ / 2 % REORIENT_SLOTS * slot_size_;
+  std::byte* const slot = slots_.get() + sequence_ / 2 % REORIENT_SLOTS * slot_size_;
   std::memset(slot + REORIENT_SLOT_HEADER, grey, 64 * 64);
   std::memcpy(slot, &sequence_, sizeof(sequence_));
   return sequence_;

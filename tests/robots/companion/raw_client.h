@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,14 +59,14 @@ class RawClient {
   /// Why the companion ended the connection; empty: it has not said so.
   std::string refusal();
 
-  std::byte* slots() { return slots_; }
+  std::byte* slots() { return slots_.get(); }
   int memory() const { return memory_.get(); }
   std::uint32_t slot_size() const { return slot_size_; }
 
  private:
   OwnedDescriptor socket_;
   OwnedDescriptor memory_;
-  std::byte* slots_ = nullptr;
+  std::shared_ptr<std::byte> slots_;
   std::uint32_t slot_size_ = 0;
   std::uint64_t sequence_ = 0;
   std::vector<std::byte> in_;
