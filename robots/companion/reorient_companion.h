@@ -276,6 +276,7 @@ REORIENT_SIZE(reorient_note, 256);
 
 #ifdef REORIENT_COMPANION_CLIENT
 /* ---- the client: no call waits for anything ---- */
+/* NOLINTBEGIN(modernize-use-nullptr): C99 has none */
 
 #include <errno.h>
 #include <fcntl.h>
@@ -351,7 +352,7 @@ static inline int reorient_open(struct reorient_client* client, const char* path
     errno = ENAMETOOLONG;
     return -1;
   }
-  strcpy(client->address.sun_path, path);
+  memcpy(client->address.sun_path, path, strlen(path) + 1);
   for (camera = 0; camera < 2; ++camera) {
     const size_t bytes = reorient_image_bytes(&hello->cameras[camera]);
     const size_t slot = (REORIENT_SLOT_HEADER + bytes + 63) / 64 * 64;
@@ -592,6 +593,7 @@ static inline int reorient_take_command(struct reorient_client* client, const st
   return (int)answer->command_kind;
 }
 
+/* NOLINTEND(modernize-use-nullptr) */
 #endif /* REORIENT_COMPANION_CLIENT */
 
 #endif /* REORIENT_COMPANION_H */
