@@ -14,9 +14,9 @@
 #include <string>
 #include <thread>
 
+#include <robot_pipe.h>
 #include <unistd.h>
 
-#include "examples/companion/robot_pipe.h"
 #include "geometry/pinned_math.h"
 #include "geometry/random.h"
 #include "robots/simulator/simulator.h"
