@@ -1,12 +1,7 @@
 #include "program/model/model_keeper.h"
 
-#include <chrono>
-#include <exception>
 #include <stdexcept>
 #include <utility>
-#include <vector>
-
-#include <spdlog/spdlog.h>
 
 #include "program/model/model_file.h"
 
@@ -14,15 +9,6 @@ namespace reorient {
 namespace {
 
 constexpr double kSavingPeriod = 30.0;  // s
-
-std::string written(const SavedModel& model, const std::filesystem::path& file) {
-  try {
-    write_model_file(model, file);
-    return {};
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
 
 }  // namespace
 
@@ -49,25 +35,18 @@ std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
 
 void ModelKeeper::observe(const FrameRecord& frame, const StageRecord& /*stage*/) {
   if (frame.world.time < next_) return;
-  using namespace std::chrono_literals;
-  if (writing_.valid() && writing_.wait_for(0s) != std::future_status::ready) return;  // asked again in the next frame
+  if (writing_.is_busy()) return;  // asked again in the next frame
   next_ = frame.world.time + kSavingPeriod;
-  end_writing();
   std::optional<SavedModel> model = news(frame);
   if (!model) return;
   learned_before_ = model->learned;
-  writing_ = std::async(std::launch::async, [model = std::move(*model), file = file_] { return written(model, file); });
+  writing_.start([model = std::move(*model), file = file_] { write_model_file(model, file); });
 }
 
 void ModelKeeper::finish(const FrameRecord& last, const StageRecord& /*stage*/) {
-  end_writing();
+  writing_.end();
   if (any_news_) learned_before_ = 0.0;  // the last time may have failed
   end_ = news(last);
-}
-
-void ModelKeeper::end_writing() {
-  if (!writing_.valid()) return;
-  if (const std::string mistake = writing_.get(); !mistake.empty()) spdlog::warn("{}", mistake);
 }
 
 void ModelKeeper::save() {

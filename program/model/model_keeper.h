@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <future>
 #include <limits>
 #include <optional>
 #include <string>
 
 #include "perception/room/saved_model.h"
+#include "program/background_writing.h"
 #include "workbench/run/observer.h"
 
 namespace reorient {
@@ -36,7 +36,6 @@ class ModelKeeper : public Observer {
   };
 
   std::optional<SavedModel> news(const FrameRecord& frame);
-  void end_writing();
 
   std::filesystem::path file_;
   bool sides_changed_;
@@ -47,7 +46,7 @@ class ModelKeeper : public Observer {
   bool is_forgotten_ = false;                            // by the run, not by the file
   std::optional<SavedModel> end_;                        // what the run ended with
   double next_ = std::numeric_limits<double>::lowest();  // s, in the robot's time
-  std::future<std::string> writing_;                     // gives what went wrong, or nothing
+  BackgroundWriting writing_;
 };
 
 }  // namespace reorient

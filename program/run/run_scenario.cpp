@@ -17,11 +17,11 @@
 #include "program/run/console/live_console.h"
 #include "program/run/report.h"
 #include "program/run/run_observers.h"
+#include "program/run/script_edits.h"
 #include "program/run/simulation.h"
 #include "program/run/timeline_printer.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/parameter_file.h"
-#include "workbench/files/script_files.h"
 #include "workbench/run/digest_observer.h"
 #include "workbench/run/frame_times.h"
 #include "workbench/run/run_summary.h"
@@ -29,20 +29,6 @@
 
 namespace reorient {
 namespace {
-
-/// Edits on the disk become inputs.
-class ScriptEdits : public InputSource {
- public:
-  explicit ScriptEdits(const std::filesystem::path& root) : files_(root) {}
-
-  void add_to(FrameInputs& inputs) override {
-    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
-    for (ScriptEdit& edit : files_.poll(now.count())) inputs.script_edits.push_back(std::move(edit));
-  }
-
- private:
-  ScriptFiles files_;
-};
 
 void require_writable_outputs(const RunOptions& options) {
   if (!options.json.empty()) require_writable_file(options.json, "--json");

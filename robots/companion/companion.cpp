@@ -75,27 +75,29 @@ const Greeting* Companion::wait_for_greeting() {
 }
 
 void Companion::begin(const Greeting& greeting, bool goes_on, int behaviors) {
-  engine_for_ = greeting;
+  engine_for_ = identity_of(greeting);
+  has_own_localization_ = greeting.own_localization;
   goes_on_ = goes_on;
   behaviors_ = behaviors;
   states_.clear();
-  if (greeting_ && !has_other_robot()) welcome();
+  meet();
 }
 
-void Companion::welcome() {
-  if (welcomed_) return;
+/// Welcomes a client that the engine was made for.
+void Companion::meet() {
+  if (!greeting_ || engine_for_.empty()) return;
+  has_other_robot_ = identity_of(*greeting_) != engine_for_;
+  if (has_other_robot_ || welcomed_) return;
   welcomed_ = connection_.send(
       REORIENT_WELCOME, reorient_welcome{options_.server, goes_on_ ? 1u : 0u, static_cast<std::uint32_t>(behaviors_)});
   goes_on_ = true;  // whoever comes next finds an engine that knows something
 }
 
-bool Companion::has_other_robot() const { return greeting_ && engine_for_ && !is_same_robot(*greeting_, *engine_for_); }
-
 bool Companion::observe(Observation& observation) {
   // What has come while the engine was busy comes first: the newest frame is wanted, not the oldest.
   connection_.listen(0.0, *this);
   while (true) {
-    if (has_other_robot()) return false;
+    if (has_other_robot_) return false;
     if (use_newest(observation)) return true;
     if (options_.is_over && options_.is_over()) return false;
     connection_.listen(options_.patience, *this);
@@ -105,11 +107,13 @@ bool Companion::observe(Observation& observation) {
 void Companion::connected() {
   ++counts_.clients;
   greeting_.reset();
+  has_other_robot_ = false;
   welcomed_ = false;
 }
 
 void Companion::disconnected() {
   greeting_.reset();
+  has_other_robot_ = false;
   welcomed_ = false;
   has_newest_ = false;
   samples_.clear();
@@ -139,7 +143,7 @@ void Companion::take_hello(std::span<const std::byte> body) {
     const std::optional<reorient_camera>& camera = greeting_->cameras[i];
     images_[i] = camera ? Image(camera->width, camera->height) : Image();
   }
-  if (engine_for_ && !has_other_robot()) welcome();
+  meet();
 }
 
 void Companion::take_memory(std::span<const std::byte> body, OwnedDescriptor& memory) {
@@ -270,7 +274,7 @@ bool Companion::take_images(const FrameMessage& message, double time, Observatio
 
 void Companion::answer(const Answer& answer) {
   const auto flag = [](bool set, std::uint32_t bit) { return set ? bit : 0u; };
-  if (answer.reorientation && engine_for_ && engine_for_->own_localization) command_.grant(*answer.reorientation);
+  if (answer.reorientation && has_own_localization_) command_.grant(*answer.reorientation);
   reorient_answer message{};
   message.number = answered_;
   message.time = answered_time_;
@@ -313,14 +317,16 @@ void Companion::answer(const Answer& answer) {
   send_waiting();
 }
 
-void Companion::tell_state(const std::string& behavior, const std::string& state) {
-  auto& [last, is_known] = states_[behavior];
+void Companion::tell_state(std::string_view behavior, std::string_view state) {
+  auto known = states_.find(behavior);
+  if (known == states_.end()) known = states_.emplace(behavior, std::pair{std::string(), false}).first;
+  auto& [last, is_known] = known->second;
   if (last == state) return;
   last = state;
   is_known = false;
 }
 
-void Companion::tell_note(NoteKind kind, const std::string& text) {
+void Companion::tell_note(NoteKind kind, std::string_view text) {
   if (notes_.size() >= kMostNotes) notes_.erase(notes_.begin());
   reorient_note& note = notes_.emplace_back();
   note.kind = static_cast<std::uint32_t>(kind);

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "robots/companion/clock.h"
@@ -48,10 +49,10 @@ class Companion : public Robot, private Receiver {
   /// False: it is over, or a client has come that is another robot (has_other_robot()).
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
-  bool has_other_robot() const;
+  bool has_other_robot() const { return has_other_robot_; }
 
-  void tell_state(const std::string& behavior, const std::string& state);
-  void tell_note(NoteKind kind, const std::string& text);
+  void tell_state(std::string_view behavior, std::string_view state);
+  void tell_note(NoteKind kind, std::string_view text);
 
   /// Of all clients so far.
   struct Counts {
@@ -87,7 +88,7 @@ class Companion : public Robot, private Receiver {
   void keep_told(const FrameMessage& message);
   bool use_newest(Observation& observation);
   bool take_images(const FrameMessage& message, double time, Observation& observation);
-  void welcome();
+  void meet();
   void send_waiting();
 
   CompanionOptions options_;
@@ -96,8 +97,10 @@ class Companion : public Robot, private Receiver {
   PendingCommand command_;
   ClientClock clock_;
 
-  std::optional<Greeting> greeting_;  ///< of the client that is connected
-  std::optional<Greeting> engine_for_;
+  std::optional<Greeting> greeting_;   ///< of the client that is connected
+  std::vector<std::byte> engine_for_;  ///< identity; empty: there is no engine yet
+  bool has_own_localization_ = false;  ///< the robot that the engine was made for
+  bool has_other_robot_ = false;
   bool goes_on_ = false;
   int behaviors_ = 0;
   bool welcomed_ = false;
@@ -117,8 +120,9 @@ class Companion : public Robot, private Receiver {
   double answered_time_ = 0.0;  ///< s, on the client's clock
   double answered_at_ = 0.0;    ///< s, on ours, when it came
 
-  std::map<std::string, std::pair<std::string, bool>> states_;  ///< of each behaviour, and whether the client knows
-  std::vector<reorient_note> notes_;                            ///< to be sent
+  /// Of each behaviour, and whether the client knows.
+  std::map<std::string, std::pair<std::string, bool>, std::less<>> states_;
+  std::vector<reorient_note> notes_;  ///< to be sent
 };
 
 }  // namespace reorient

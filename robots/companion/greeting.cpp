@@ -5,7 +5,6 @@
 
 #include "geometry/bytes.h"
 #include "geometry/pinned_math.h"
-#include "robots/companion/image_formats.h"
 
 namespace reorient {
 namespace {
@@ -29,7 +28,7 @@ void check(const reorient_camera& camera) {
   if (!is_sound(camera.width) || !is_sound(camera.height))
     throw BadMessage("hello: images of " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
                      " pixels; both are even, from 64 to 4096");
-  const std::size_t bytes = bytes_of_image(camera.width, camera.height, camera.format);
+  const std::size_t bytes = reorient_image_bytes(&camera);
   if (bytes == 0) throw BadMessage("hello: there is no image format " + std::to_string(camera.format));
   if (bytes > REORIENT_LARGEST_IMAGE) throw BadMessage("hello: images of more than 16 MiB");
   check(camera.focal, 10.0, 1e5, "a focal length in pixels");
@@ -165,15 +164,12 @@ CameraModel camera_model(const reorient_camera& camera) {
   return model;
 }
 
-bool is_same_robot(const Greeting& one, const Greeting& other) {
-  const auto bytes_of = [](const Greeting& greeting) {
-    std::vector<std::byte> bytes;
-    ByteWriter out(bytes);
-    out(greeting.own_localization, greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up,
-        greeting.body, greeting.field);
-    return bytes;
-  };
-  return bytes_of(one) == bytes_of(other);
+std::vector<std::byte> identity_of(const Greeting& greeting) {
+  std::vector<std::byte> bytes;
+  ByteWriter out(bytes);
+  out(greeting.own_localization, greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up,
+      greeting.body, greeting.field);
+  return bytes;
 }
 
 }  // namespace reorient

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geometry/camera.h"
 #include "geometry/field_dimensions.h"
@@ -38,8 +39,8 @@ Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& know
 
 CameraModel camera_model(const reorient_camera& camera);
 
-/// Whether an engine that was made for the one can go on with the other: the same robot on the same field, and the same
-/// localization counts.
-bool is_same_robot(const Greeting& one, const Greeting& other);
+/// All that an engine is made for: the robot, its field, what it carries out and whose localization counts. Where two
+/// are equal, an engine can go on from the one with the other.
+std::vector<std::byte> identity_of(const Greeting& greeting);
 
 }  // namespace reorient

@@ -61,23 +61,6 @@ void convert_grey(const std::uint8_t* from, Image& image) {
 
 }  // namespace
 
-std::size_t bytes_of_image(int width, int height, std::uint32_t format) {
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  switch (format) {
-    case REORIENT_YUYV:
-      return 2 * pixels;
-    case REORIENT_NV12:
-      return pixels + pixels / 2;
-    case REORIENT_RGB:
-    case REORIENT_BGR:
-      return 3 * pixels;
-    case REORIENT_GREY:
-      return pixels;
-    default:
-      return 0;
-  }
-}
-
 void convert_image(std::span<const std::uint8_t> bytes, std::uint32_t format, Image& image) {
   switch (format) {
     case REORIENT_YUYV: {

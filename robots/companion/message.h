@@ -52,7 +52,7 @@ std::string text_of(const char (&field)[Size]) {
 
 /// Cut off where it does not fit, never in the middle of a letter.
 template <std::size_t Size>
-void set_text(char (&field)[Size], const std::string& text) {
+void set_text(char (&field)[Size], std::string_view text) {
   std::size_t length = std::min(text.size(), Size - 1);
   while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
   std::memset(field, 0, Size);

@@ -12,6 +12,7 @@
 #ifndef REORIENT_COMPANION_H
 #define REORIENT_COMPANION_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #define REORIENT_VERSION_1 1
@@ -274,6 +275,24 @@ REORIENT_SIZE(reorient_answer, 208);
 REORIENT_SIZE(reorient_state, 256);
 REORIENT_SIZE(reorient_note, 256);
 
+/* Of an image, in its format; 0: there is no such format. */
+static inline size_t reorient_image_bytes(const struct reorient_camera* camera) {
+  const size_t pixels = (size_t)camera->width * camera->height;
+  switch (camera->format) {
+    case REORIENT_YUYV:
+      return 2 * pixels;
+    case REORIENT_NV12:
+      return pixels + pixels / 2;
+    case REORIENT_RGB:
+    case REORIENT_BGR:
+      return 3 * pixels;
+    case REORIENT_GREY:
+      return pixels;
+    default:
+      return 0;
+  }
+}
+
 #ifdef REORIENT_COMPANION_CLIENT
 /* ---- the client: no call waits for anything ---- */
 /* NOLINTBEGIN(modernize-use-nullptr): C99 has none */
@@ -315,24 +334,6 @@ union reorient_event {
   struct reorient_state state;
   struct reorient_note note;
 };
-
-/* Of an image, in its format. */
-static inline size_t reorient_image_bytes(const struct reorient_camera* camera) {
-  const size_t pixels = (size_t)camera->width * camera->height;
-  switch (camera->format) {
-    case REORIENT_YUYV:
-      return 2 * pixels;
-    case REORIENT_NV12:
-      return pixels + pixels / 2;
-    case REORIENT_RGB:
-    case REORIENT_BGR:
-      return 3 * pixels;
-    case REORIENT_GREY:
-      return pixels;
-    default:
-      return 0;
-  }
-}
 
 static inline void reorient_disconnect(struct reorient_client* client) {
   if (client->socket >= 0) close(client->socket);

@@ -30,7 +30,7 @@ SharedImages::SharedImages(const OwnedDescriptor& memory, const reorient_memory&
     : size_(std::size_t{REORIENT_SLOTS} * layout.slot_size),
       slot_size_(layout.slot_size),
       format_(camera.format),
-      image_bytes_(bytes_of_image(camera.width, camera.height, camera.format)) {
+      image_bytes_(reorient_image_bytes(&camera)) {
   constexpr std::size_t kAligned = 64;
   if (image_bytes_ == 0) throw BadMessage("memory for a camera that the hello does not have");
   if (slot_size_ % kAligned != 0 || slot_size_ < REORIENT_SLOT_HEADER + image_bytes_ ||

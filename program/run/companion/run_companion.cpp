@@ -23,6 +23,7 @@
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
 #include "program/run/run_observers.h"
+#include "program/run/script_edits.h"
 #include "program/run/simulation.h"
 #include "program/run/timeline_printer.h"
 #include "program/run/venue.h"
@@ -31,7 +32,6 @@
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
-#include "workbench/files/script_files.h"
 #include "workbench/run/run_loop.h"
 
 namespace reorient {
@@ -91,8 +91,7 @@ std::vector<std::string> behaviors_for(const Greeting& greeting) {
 std::string circumstances_of(const Greeting& greeting, const FrameSetup& setup) {
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
-  out(std::string(REORIENT_VERSION), greeting.own_localization, greeting.carries_out_head, greeting.carries_out_walk,
-      greeting.carries_out_get_up, setup.body, setup.field, setup.room_awareness, setup.behaviors, setup.parameters);
+  out(std::string(REORIENT_VERSION), identity_of(greeting), setup.room_awareness, setup.behaviors, setup.parameters);
   Digest digest;
   digest.add(bytes);
   return digest.hex();
@@ -135,29 +134,11 @@ class CompanionReport : public Observer {
   Companion& companion_;
 };
 
-/// Edits on the disk become inputs, and at first those that were made while nobody looked.
-class Edits : public InputSource {
- public:
-  explicit Edits(const std::filesystem::path& root) : files_(root) {}
-
-  const ScriptTexts& texts() const { return files_.texts(); }
-  void add_missed(const ScriptTexts& known) { missed_ = edits_between(known, files_.texts()); }
-
-  void add_to(FrameInputs& inputs) override {
-    for (ScriptEdit& edit : std::exchange(missed_, {})) inputs.script_edits.push_back(std::move(edit));
-    for (ScriptEdit& edit : files_.poll(steady_clock())) inputs.script_edits.push_back(std::move(edit));
-  }
-
- private:
-  ScriptFiles files_;
-  std::vector<ScriptEdit> missed_;
-};
-
 }  // namespace
 
 int run_companion(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
-  Edits edits(options.scripts);
+  ScriptEdits edits(options.scripts);
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   if (!options.model.empty()) require_writable_file(options.model, "--model");
   std::optional<SavedModel> model = model_to_begin_with(options);
@@ -174,8 +155,8 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
        .kept_parameters = [] { return std::vector<ParameterChange>(); },
        .scripts = options.scripts},
       history_path());
-  Companion companion({socket, known_robots(), drawn_by_lot(), steady_clock,
-                       [&] { return Interruption::signal() != 0 || console.wants_to_quit(); }});
+  const auto is_over = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
+  Companion companion({socket, known_robots(), drawn_by_lot(), steady_clock, is_over});
   err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
 
   bool fresh = options.fresh;
@@ -226,7 +207,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     if (model_keeper) parts.observers.push_back(&*model_keeper);
     parts.observers.push_back(&progress);
     parts.observers.push_back(&console);
-    parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
+    parts.stop = is_over;
     RunLoop(std::move(parts)).run();
     progress.end();
     keeper.finish(*engine, companion);

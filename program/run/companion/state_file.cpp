@@ -5,8 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include <spdlog/spdlog.h>
-
 #include "engine/record/digest.h"
 #include "geometry/bytes.h"
 #include "workbench/files/atomic_file.h"
@@ -29,21 +27,14 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
   return digest.value();
 }
 
-std::string written(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
-  try {
-    write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    return {};
-  } catch (const std::exception& error) {
-    return error.what();
-  }
+void write(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
+  write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace
 
 StateKeeper::StateKeeper(std::filesystem::path file, std::string circumstances)
     : file_(std::move(file)), circumstances_(std::move(circumstances)) {}
-
-StateKeeper::~StateKeeper() { end_writing(); }
 
 /// The digest of all that follows it stands first.
 std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion& companion) const {
@@ -60,25 +51,15 @@ std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion&
 }
 
 void StateKeeper::keep(const FrameLoop& engine, Companion& companion, double now) {
-  using namespace std::chrono_literals;
-  if (file_.empty() || now < next_) return;
-  if (writing_.valid() && writing_.wait_for(0s) != std::future_status::ready) return;  // asked again in the next frame
+  if (file_.empty() || now < next_ || writing_.is_busy()) return;  // it is asked again in the next frame
   next_ = now + kPeriod;
-  end_writing();
-  writing_ = std::async(std::launch::async,
-                        [bytes = bytes_of(engine, companion), file = file_] { return written(file, bytes); });
+  writing_.start([bytes = bytes_of(engine, companion), file = file_] { write(file, bytes); });
 }
 
 void StateKeeper::finish(const FrameLoop& engine, Companion& companion) {
   if (file_.empty()) return;
-  end_writing();
-  if (const std::string mistake = written(file_, bytes_of(engine, companion)); !mistake.empty())
-    spdlog::warn("{}", mistake);
-}
-
-void StateKeeper::end_writing() {
-  if (!writing_.valid()) return;
-  if (const std::string mistake = writing_.get(); !mistake.empty()) spdlog::warn("{}", mistake);
+  writing_.start([bytes = bytes_of(engine, companion), file = file_] { write(file, bytes); });
+  writing_.end();
 }
 
 std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::string& why_not) const {

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/frame.h"
+#include "program/background_writing.h"
 #include "robots/companion/companion.h"
 
 namespace reorient {
@@ -20,9 +20,6 @@ class StateKeeper {
  public:
   /// `circumstances`: of two processes that shall go on from each other they are equal. Empty file: keeps nothing.
   StateKeeper(std::filesystem::path file, std::string circumstances);
-  ~StateKeeper();
-  StateKeeper(const StateKeeper&) = delete;
-  StateKeeper& operator=(const StateKeeper&) = delete;
 
   /// Between two frames; `now`: s, of a clock that only goes on.
   void keep(const FrameLoop& engine, Companion& companion, double now);
@@ -35,12 +32,11 @@ class StateKeeper {
 
  private:
   std::vector<std::byte> bytes_of(const FrameLoop& engine, Companion& companion) const;
-  void end_writing();
 
   std::filesystem::path file_;
   std::string circumstances_;
-  double next_ = 0.0;                 // s
-  std::future<std::string> writing_;  // gives what went wrong, or nothing
+  double next_ = 0.0;  // s
+  BackgroundWriting writing_;
 };
 
 }  // namespace reorient

@@ -64,12 +64,12 @@ TEST(Greeting, OfTheSameRobotMayCalibrateAnew) {
   reorient_hello hello = small_hello(1);
   const Greeting one = read_greeting(bytes_of(hello), nobody_known());
   hello.client = 2;
-  EXPECT_TRUE(is_same_robot(one, read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_EQ(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
   hello.way = REORIENT_OWN_LOCALIZATION;
-  EXPECT_FALSE(is_same_robot(one, read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
   hello = small_hello(1);
   hello.body.yaw_limit = 1.0;
-  EXPECT_FALSE(is_same_robot(one, read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
 }
 
 TEST(Greeting, WithAMistakeIsRefusedWithWhatIsWrong) {
