@@ -11,9 +11,6 @@ namespace {
 
 double half_diagonal(const FieldDimensions& field) { return 0.5 * pinned::hypot(field.length, field.width); }
 
-/// rad that a pixel sees, of images with equally many columns.
-double pixel_angle(const RobotBody& body) { return body.upper_camera.field_of_view_horizontal; }
-
 /// The wall stands as far beyond the field's corners, in proportion, and its tiles at the same angles above the eyes.
 void fit_wall(double distance, double eye, double usual_eye, WallParameters& wall) {
   const auto raised = [&](double height) {
@@ -39,8 +36,9 @@ CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody
 
   // Lines are looked for as far away as they are equally many pixels wide, what stands upright as far away as its place
   // on the ground is equally sure.
-  const double line =
-      std::sqrt(height * (field.line_width / usual_field.line_width) * (pixel_angle(usual_body) / pixel_angle(body)));
+  const auto field_of_view = [](const RobotBody& one) { return one.upper_camera.field_of_view_horizontal; };
+  const double line = std::sqrt(height * (field.line_width / usual_field.line_width) *
+                                (field_of_view(usual_body) / field_of_view(body)));
   FieldFeatureParameters& features = parameters.field_features;
   MeasurementModelParameters& measurement = parameters.pose_filter.measurement;
   features.line_range *= line;

@@ -14,8 +14,6 @@ constexpr double kFastest = 20.0;                       // rad/s
 constexpr double kLeastView = 20.0, kMostView = 150.0;  // degrees
 constexpr std::int64_t kLeastPixels = 64, kMostPixels = 4096;
 
-using Reader = std::function<void(const std::string& key, const toml::node& value)>;
-
 class BodyReader {
  public:
   explicit BodyReader(std::string file) : file_(std::move(file)) {}
@@ -27,26 +25,26 @@ class BodyReader {
     body.gait.reset();
     body.get_up_time.reset();
     const TableReader in(table, file_);
-    TableReader::Readers readers{
-        {"name", [&](auto& key, auto& value) { body.name = short_text(in, key, value); }},
-        {"field", [&](auto& key, auto& value) { body.field = short_text(in, key, value); }},
-        {"torso", [&](auto& key, auto& value) { read_torso(in.table(key, value), body); }},
-        {"neck", [&](auto& key, auto& value) { read_neck(in.table(key, value), body); }},
-        {"upper_camera",
-         [&](auto& key, auto& value) { body.upper_camera = read_camera(in.table(key, value), body.dimensions.upper); }},
-    };
-    // What a body may do without.
-    const TableReader::Readers parts{
-        {"lower_camera",
-         [&](auto& key, auto& value) { body.lower_camera = read_camera(in.table(key, value), body.dimensions.lower); }},
-        {"feet", [&](auto& key, auto& value) { body.standing_load = read_feet(in.table(key, value)); }},
-        {"walk", [&](auto& key, auto& value) { body.gait = read_gait(in.table(key, value)); }},
-        {"get_up", [&](auto& key, auto& value) { body.get_up_time = read_get_up(in.table(key, value)); }},
-    };
-    for (const auto& [key, reader] : parts) {
-      if (table.contains(key)) readers[key] = reader;
-    }
-    in.read_all(readers);
+    in.read_all(
+        {
+            {"name", [&](auto& key, auto& value) { body.name = short_text(in, key, value); }},
+            {"field", [&](auto& key, auto& value) { body.field = short_text(in, key, value); }},
+            {"torso", [&](auto& key, auto& value) { read_torso(in.table(key, value), body); }},
+            {"neck", [&](auto& key, auto& value) { read_neck(in.table(key, value), body); }},
+            {"upper_camera",
+             [&](auto& key, auto& value) {
+               body.upper_camera = read_camera(in.table(key, value), body.dimensions.upper);
+             }},
+        },
+        {
+            {"lower_camera",
+             [&](auto& key, auto& value) {
+               body.lower_camera = read_camera(in.table(key, value), body.dimensions.lower);
+             }},
+            {"feet", [&](auto& key, auto& value) { body.standing_load = read_feet(in.table(key, value)); }},
+            {"walk", [&](auto& key, auto& value) { body.gait = read_gait(in.table(key, value)); }},
+            {"get_up", [&](auto& key, auto& value) { body.get_up_time = read_get_up(in.table(key, value)); }},
+        });
     return body;
   }
 
@@ -58,11 +56,7 @@ class BodyReader {
     return text;
   }
 
-  static Reader into(const TableReader& in, double& number, double least, double most) {
-    return [&in, &number, least, most](auto& key, auto& value) { number = in.number(key, value, least, most); };
-  }
-
-  static Reader into(const TableReader& in, Eigen::Vector3d& place) {
+  static TableReader::Reader place_into(const TableReader& in, Eigen::Vector3d& place) {
     return [&in, &place](auto& key, auto& value) {
       const std::vector<double> metres = in.numbers(key, value, 3, -kTallest, kTallest);
       place = {metres[0], metres[1], metres[2]};
@@ -71,8 +65,8 @@ class BodyReader {
 
   void read_torso(const toml::table& table, RobotBody& body) const {
     const TableReader in(table, file_);
-    in.read_all({{"height", into(in, body.dimensions.torso_height, 0.05, kTallest)},
-                 {"lying_height", into(in, body.lying_height, 0.01, kTallest)}});
+    in.read_all({{"height", in.into(body.dimensions.torso_height, 0.05, kTallest)},
+                 {"lying_height", in.into(body.lying_height, 0.01, kTallest)}});
   }
 
   void read_neck(const toml::table& table, RobotBody& body) const {
@@ -85,11 +79,11 @@ class BodyReader {
              in.refuse(value, R"(order is "yaw, pitch" or "pitch, yaw", from the torso to the head)");
            body.dimensions.neck_order = order == "yaw, pitch" ? NeckOrder::yaw_then_pitch : NeckOrder::pitch_then_yaw;
          }},
-        {"first_axis", into(in, body.dimensions.first_axis)},
-        {"second_axis", into(in, body.dimensions.second_axis)},
-        {"yaw", into(in, body.neck.yaw, 0.0, kPi)},
+        {"first_axis", place_into(in, body.dimensions.first_axis)},
+        {"second_axis", place_into(in, body.dimensions.second_axis)},
+        {"yaw", in.into(body.neck.yaw, 0.0, kPi)},
         {"pitch", [&](auto& key, auto& value) { body.neck.pitch = read_pitch(in, key, value); }},
-        {"speed", into(in, body.head_speed, 0.1, kFastest)},
+        {"speed", in.into(body.head_speed, 0.1, kFastest)},
     });
   }
 
@@ -113,14 +107,14 @@ class BodyReader {
   CameraOptics read_camera(const toml::table& table, CameraMount& mount) const {
     const TableReader in(table, file_);
     CameraOptics camera;
-    const auto pixels = [&](int& count) -> Reader {
+    const auto pixels = [&](int& count) -> TableReader::Reader {
       return [&in, &count](auto& key, auto& value) {
         count = static_cast<int>(in.whole(key, value, kLeastPixels, kMostPixels));
       };
     };
     in.read_all({
-        {"position", into(in, mount.position)},
-        {"tilt", into(in, mount.tilt, -0.5 * kPi, 0.5 * kPi)},
+        {"position", place_into(in, mount.position)},
+        {"tilt", in.into(mount.tilt, -0.5 * kPi, 0.5 * kPi)},
         {"width", pixels(camera.width)},
         {"height", pixels(camera.height)},
         {"field_of_view_degrees",
@@ -135,7 +129,7 @@ class BodyReader {
            camera.k1 = radial[0];
            camera.k2 = radial[1];
          }},
-        {"rate", into(in, camera.rate, 1.0, 120.0)},
+        {"rate", in.into(camera.rate, 1.0, 120.0)},
     });
     return camera;
   }
@@ -143,28 +137,28 @@ class BodyReader {
   double read_feet(const toml::table& table) const {
     const TableReader in(table, file_);
     double load = 0.0;
-    in.read_all({{"standing_load", into(in, load, 0.1, 200.0)}});
+    in.read_all({{"standing_load", in.into(load, 0.1, 200.0)}});
     return load;
   }
 
   Gait read_gait(const toml::table& table) const {
     const TableReader in(table, file_);
     Gait gait;
-    in.read_all({{"forward", into(in, gait.forward, 0.0, 1.0)},
-                 {"left", into(in, gait.left, 0.0, 1.0)},
-                 {"turn", into(in, gait.turn, 0.0, 3.0)},
-                 {"cruise", into(in, gait.cruise, 0.0, 1.0)},
-                 {"step_frequency", into(in, gait.step_frequency, 0.5, 5.0)},
-                 {"sway_roll", into(in, gait.sway_roll, 0.0, 0.3)},
-                 {"sway_pitch", into(in, gait.sway_pitch, 0.0, 0.3)},
-                 {"sway_height", into(in, gait.sway_height, 0.0, 0.05)}});
+    in.read_all({{"forward", in.into(gait.forward, 0.0, 1.0)},
+                 {"left", in.into(gait.left, 0.0, 1.0)},
+                 {"turn", in.into(gait.turn, 0.0, 3.0)},
+                 {"cruise", in.into(gait.cruise, 0.0, 1.0)},
+                 {"step_frequency", in.into(gait.step_frequency, 0.5, 5.0)},
+                 {"sway_roll", in.into(gait.sway_roll, 0.0, 0.3)},
+                 {"sway_pitch", in.into(gait.sway_pitch, 0.0, 0.3)},
+                 {"sway_height", in.into(gait.sway_height, 0.0, 0.05)}});
     return gait;
   }
 
   double read_get_up(const toml::table& table) const {
     const TableReader in(table, file_);
     double time = 0.0;
-    in.read_all({{"time", into(in, time, 0.5, 30.0)}});
+    in.read_all({{"time", in.into(time, 0.5, 30.0)}});
     return time;
   }
 

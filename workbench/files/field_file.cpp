@@ -44,9 +44,7 @@ FieldDimensions parse_field(std::string_view text, const std::string& name) {
        }},
       {"yellow_goals", [&](auto& key, auto& value) { field.yellow_goals = in.yes(key, value); }}};
   describe(field, [&](const char* length, double& metres, double least, double most) {
-    readers[length] = [&in, &metres, least, most](auto& key, auto& value) {
-      metres = in.number(key, value, least, most);
-    };
+    readers[length] = in.into(metres, least, most);
   });
   in.read_all(readers);
   if (outside) to_centers(field);

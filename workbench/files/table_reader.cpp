@@ -54,11 +54,19 @@ void TableReader::read(const Readers& readers) const {
   }
 }
 
-void TableReader::read_all(const Readers& readers) const {
-  read(readers);
+void TableReader::read_all(const Readers& readers, const Readers& optional) const {
+  Readers all = readers;
+  all.insert(optional.begin(), optional.end());
+  read(all);
   for (const auto& [key, reader] : readers) {
     if (!table_.contains(key)) refuse(table_, "the key '" + key + "' is missing");
   }
+}
+
+TableReader::Reader TableReader::into(double& number, double least, double most) const {
+  return [this, &number, least, most](const std::string& key, const toml::node& value) {
+    number = this->number(key, value, least, most);
+  };
 }
 
 std::string TableReader::text(const std::string& key, const toml::node& node) const {

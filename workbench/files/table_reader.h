@@ -28,10 +28,13 @@ class TableReader {
   [[noreturn]] void refuse(const toml::node& node, const std::string& why) const;
 
   /// Each key with what reads it. Whatever else stands in the table is a mistake.
-  using Readers = std::map<std::string, std::function<void(const std::string& key, const toml::node& value)>>;
+  using Reader = std::function<void(const std::string& key, const toml::node& value)>;
+  using Readers = std::map<std::string, Reader>;
   void read(const Readers& readers) const;
-  /// The same, and each of the keys has to be there.
-  void read_all(const Readers& readers) const;
+  /// The same, and each of the keys has to be there; those of `optional` may be.
+  void read_all(const Readers& readers, const Readers& optional = {}) const;
+  /// Reads a number into `number`.
+  Reader into(double& number, double least, double most) const;
 
   // A value of a kind, or a mistake.
   std::string text(const std::string& key, const toml::node& node) const;  ///< not empty
