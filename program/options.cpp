@@ -60,7 +60,9 @@ void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesy
                   "the humanoid, a file or one of assets/robots: " + known_bodies() + " (default: nao-v6)")
       ->check(check_not_empty);
   parser
-      .add_option("--field", field, "its dimensions, a file or the name of one in assets/fields (default: the body's)")
+      .add_option(
+          "--field", field,
+          "its dimensions, a file or the name of one in assets/fields (default: the scenario's, else the body's)")
       ->check(check_not_empty);
 }
 

@@ -251,7 +251,7 @@ Subcommand add_experiment(CLI::App& program) {
       ->check(check_seed)
       ->capture_default_str();
   parser->add_option("--width", options->width, "of the camera image, pixels (default: the file's)")
-      ->check(CLI::IsMember({160, 320, 544, 640}));
+      ->check(CLI::IsMember(kImageWidths));
   const auto add_list = [parser](const char* names, std::vector<std::string>& list, const char* text) {
     parser->add_option(names, list, text)->check(check_not_empty);
   };

@@ -8,6 +8,7 @@
 #include "program/run/companion/run_companion.h"
 #include "program/run/run_scenario.h"
 #include "program/subcommand.h"
+#include "workbench/experiments/condition/condition.h"
 
 namespace reorient {
 namespace {
@@ -50,7 +51,7 @@ void add_options(CLI::App& run, RunOptions& options) {
       ->check(check_seed)
       ->capture_default_str();
   run.add_option("--width", options.width, "of the camera image, pixels")
-      ->check(CLI::IsMember({160, 320, 544, 640}))
+      ->check(CLI::IsMember(kImageWidths))
       ->capture_default_str();
   run.add_option("--cameras", options.cameras, "which of the robot's two cameras give images")
       ->check(CLI::IsMember({"upper", "both"}))

@@ -79,7 +79,8 @@ SimulatorParameters simulator_parameters_of(const RobotBody& body);
 
 class Simulator : public Robot, public Experimenter, public GroundTruthSource {
  public:
-  /// Throws std::runtime_error with one line where both cameras are asked for and the robot has one.
+  /// Throws std::runtime_error with one line where both cameras are asked for and the robot has one, and where the
+  /// field's carpet is larger than the room.
   Simulator(const SimulatorParameters& parameters, const RobotBody& body, const FieldDimensions& field,
             const Room& room, const Pose2& start, std::uint64_t seed);
 

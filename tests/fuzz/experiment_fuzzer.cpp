@@ -1,5 +1,6 @@
 // Arbitrary bytes as an experiment file or a condition file: refused in one line that names the file, or an experiment
 // whose cells and tasks can be counted, and whose conditions are within their limits.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -18,7 +19,8 @@ namespace {
 void require_condition(const Condition& condition) {
   constexpr double kDay = 86'400.0;  // s
   require(!condition.scenario.empty(), "a condition has a scenario");
-  require(condition.width == 160 || condition.width == 320 || condition.width == 640, "a width is one of three");
+  require(std::find(kImageWidths.begin(), kImageWidths.end(), condition.width) != kImageWidths.end(),
+          "a width is one of those that are offered");
   require(condition.cameras == "upper" || condition.cameras == "both", "cameras are upper or both");
   require(condition.seconds >= 1.0 && condition.seconds <= kDay, "a trial ends");
   require(condition.measurement.limit >= 0.0 && condition.measurement.limit <= kDay, "a limit is a time");

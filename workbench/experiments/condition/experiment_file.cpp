@@ -164,7 +164,7 @@ class ExperimentReader {
         {"width",
          [&](auto& key, auto& value) {
            patch.width = static_cast<int>(in.whole(key, value, 160, 640));
-           if (*patch.width != 160 && *patch.width != 320 && *patch.width != 544 && *patch.width != 640)
+           if (std::find(kImageWidths.begin(), kImageWidths.end(), *patch.width) == kImageWidths.end())
              in.refuse(value, "width is 160, 320, 544 or 640 pixels");
          }},
         {"room_awareness", [&](auto& key, auto& value) { patch.room_awareness = in.yes(key, value); }},
