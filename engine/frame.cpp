@@ -63,7 +63,7 @@ const FrameRecord& FrameLoop::step(const FrameInputs& inputs, Topics wanted) {
 void FrameLoop::take_inputs(const FrameInputs& inputs) {
   const StageTimer timer(record_, Stage::inputs);
   record_.inputs.initial_pose.reset();
-  record_.inputs.messages = 0;
+  record_.inputs.messages.clear();
   take_parameters(inputs.parameter_changes);
   record_.reloads.clear();
   if (!inputs.script_edits.empty()) record_.reloads = behaviors_.host().apply(inputs.script_edits);
@@ -89,7 +89,10 @@ void FrameLoop::take_parameters(const std::vector<ParameterChange>& changes) {
 
 void FrameLoop::take_told(const Told& told) {
   if (told.referee) world_.penalized = told.referee->penalized;
-  record_.inputs.messages += static_cast<int>(std::min(told.messages.size(), kMostMessages));
+  std::vector<Message>& messages = record_.inputs.messages;
+  for (const Message& message : told.messages) {
+    if (messages.size() < kMostMessages) messages.push_back({message.sender, message.text.substr(0, kLongestMessage)});
+  }
   if (!told.initial_pose) return;
   record_.inputs.initial_pose = told.initial_pose;
   const InitialPose& initial = *told.initial_pose;
@@ -187,7 +190,7 @@ void FrameLoop::describe_world() {
 
 void FrameLoop::decide() {
   const StageTimer timer(record_, Stage::behaviors);
-  behaviors_.tick(world_);
+  behaviors_.tick(world_, record_.inputs.messages);
   const Arbitration& arbitration = arbiter_.arbitrate(behaviors_.wanted().commands, behaviors_.leases(), world_);
   record_.reorientation.reset();
   record_.pose_particles.before.clear();
@@ -197,6 +200,7 @@ void FrameLoop::decide() {
 void FrameLoop::answer() {
   Answer& answer = record_.answer;
   answer.request = behaviors_.wanted().request;
+  answer.messages = behaviors_.wanted().messages;
   asked_to_get_up_ = answer.request.get_up;
   answer.belief = {world_.pose.pose, world_.pose.covariance, world_.pose_known};
   answer.reorientation.reset();

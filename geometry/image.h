@@ -1,6 +1,7 @@
 // Camera images as a NAO delivers them: YCbCr 4:2:2, in memory Y0 Cb Y1 Cr (V4L2's YUYV), full range, BT.601.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,6 +14,9 @@ struct Ycbcr {
   std::uint8_t cr = 128;
   bool operator==(const Ycbcr&) const = default;
 };
+
+/// Widths that simulated images can be asked for with, pixels: those of the shipped bodies' cameras, and parts of them.
+inline constexpr std::array kImageWidths = {160, 320, 544, 640};
 
 /// Somebody else's image. Valid as long as its owner is.
 struct ImageView {

@@ -1,7 +1,10 @@
 // What the engine answers to the robot, once a frame.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "geometry/angle.h"
 #include "geometry/head.h"
@@ -40,6 +43,9 @@ void fields(Visit&& visit, Request& request) {
   visit(request.head, request.walk, request.get_up);
 }
 
+/// Of a word from one robot to another, bytes.
+inline constexpr std::size_t kLongestMessage = 240;
+
 /// What can be done to a belief (the paper's Section 3.1).
 enum class Reorientation { flip_pose, purge_reflection, reset_orientation };
 constexpr int enum_count(Reorientation) { return 3; }
@@ -75,11 +81,12 @@ struct Answer {
   RoomOpinion room;
   bool training_paused = false;
   bool evaluation_paused = false;
+  std::vector<std::string> messages;  ///< of this frame, to the team mates; each of at most kLongestMessage bytes
 };
 template <typename Visit>
 void fields(Visit&& visit, Answer& answer) {
   visit(answer.request, answer.belief, answer.reorientation, answer.room, answer.training_paused,
-        answer.evaluation_paused);
+        answer.evaluation_paused, answer.messages);
 }
 
 }  // namespace reorient

@@ -79,8 +79,8 @@ template <typename Visit>
 void fields(Visit&& visit, Message& message) {
   visit(message.sender, message.text);
 }
-inline constexpr std::size_t kLongestMessage = 240;  // bytes
-inline constexpr std::size_t kMostMessages = 32;     // taken in one frame
+inline constexpr std::size_t kMostMessages = 32;  // taken in one frame
+inline constexpr int kHighestPlayer = 1000;
 
 /// Somebody says where the robot stands.
 struct InitialPose {

@@ -50,8 +50,8 @@ struct InputRecord {
   bool external_belief = false;
   std::optional<HeadCamera> room_camera;    ///< through which the room was looked at; nothing: through none
   std::optional<InitialPose> initial_pose;  ///< as it was told
-  int messages = 0;
-  bool half_time = false;  ///< the teams changed sides before this frame: all of it is in the new axes
+  std::vector<Message> messages;            ///< of team mates
+  bool half_time = false;                   ///< the teams changed sides before this frame: all of it is in the new axes
 };
 template <typename Visit>
 void fields(Visit&& visit, InputRecord& in) {

@@ -18,8 +18,10 @@ class Behaviors {
   Behaviors(ScriptTexts texts, ParameterRegistry& parameters, const ScriptLimits& limits = kDefaultLimits)
       : host_(std::move(texts), language_, parameters, limits) {}
 
-  /// Each behaviour sees this world, and what the others were when the frame began.
-  void tick(const World& world) {
+  /// Each behaviour sees this world, what the others were when the frame began, and what team mates said since the
+  /// last one.
+  void tick(const World& world, std::span<const Message> heard = {}) {
+    language_.actions().hear(heard);
     values_.clear();
     append_world(world, values_);
     said_ = &host_.tick(world.time, values_);

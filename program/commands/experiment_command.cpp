@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "engine/parameters/utf8.h"
+#include "geometry/image.h"
 #include "program/commands/compare_command.h"
 #include "program/commands/tables_command.h"
 #include "program/experiment/outputs/report_folder.h"

@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry/image.h"
 #include "program/robots.h"
 #include "program/run/companion/run_companion.h"
 #include "program/run/run_scenario.h"
 #include "program/subcommand.h"
-#include "workbench/experiments/condition/condition.h"
 
 namespace reorient {
 namespace {

@@ -109,6 +109,7 @@ void RunLog::observe(const FrameRecord& frame, const StageRecord& stage) {
   log_reloads(frame.reloads);
   log_reloads(stage.scenario.reloads);
   log_scripts(*frame.names, frame.logs, frame.faults);
+  for (const std::string& message : frame.answer.messages) spdlog::info("to the team: {}", message);
   log_scripts(*stage.scenario.names, stage.scenario.logs, stage.scenario.faults);
   log_pose(frame.world, stage.truth);
 }

@@ -53,6 +53,14 @@ void set_covariance(const Eigen::Matrix3d& full, double (&half)[6]) {
   std::copy(std::begin(values), std::end(values), std::begin(half));
 }
 
+/// The oldest make room for the newest.
+void keep_note(std::vector<reorient_note>& notes, std::uint32_t kind, std::string_view text) {
+  if (notes.size() >= kMostNotes) notes.erase(notes.begin());
+  reorient_note& note = notes.emplace_back();
+  note.kind = kind;
+  set_text(note.text, text);
+}
+
 }  // namespace
 
 Companion::Companion(CompanionOptions options)
@@ -117,6 +125,7 @@ void Companion::disconnected() {
   welcomed_ = false;
   has_newest_ = false;
   samples_.clear();
+  words_.clear();  // what is said is said now
   for (auto& images : shared_) images.reset();
   for (auto& [behavior, state] : states_) state.second = false;
 }
@@ -314,6 +323,9 @@ void Companion::answer(const Answer& answer) {
   message.superseded = counts_.superseded;
   message.unusable = counts_.unusable;
   if (greeting_ && !connection_.send(REORIENT_ANSWER, message)) ++counts_.unanswered;
+  if (welcomed_) {
+    for (const std::string& word : answer.messages) keep_note(words_, REORIENT_NOTE_MESSAGE, word);
+  }
   send_waiting();
 }
 
@@ -327,10 +339,7 @@ void Companion::tell_state(std::string_view behavior, std::string_view state) {
 }
 
 void Companion::tell_note(NoteKind kind, std::string_view text) {
-  if (notes_.size() >= kMostNotes) notes_.erase(notes_.begin());
-  reorient_note& note = notes_.emplace_back();
-  note.kind = static_cast<std::uint32_t>(kind);
-  set_text(note.text, text);
+  keep_note(notes_, static_cast<std::uint32_t>(kind), text);
 }
 
 void Companion::send_waiting() {
@@ -343,9 +352,11 @@ void Companion::send_waiting() {
     if (!connection_.send(REORIENT_STATE, message)) return;
     state.second = true;
   }
-  std::size_t sent = 0;
-  while (sent < notes_.size() && connection_.send(REORIENT_NOTE, notes_[sent])) ++sent;
-  notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(sent));
+  for (std::vector<reorient_note>* const notes : {&words_, &notes_}) {
+    std::size_t sent = 0;
+    while (sent < notes->size() && connection_.send(REORIENT_NOTE, (*notes)[sent])) ++sent;
+    notes->erase(notes->begin(), notes->begin() + static_cast<std::ptrdiff_t>(sent));
+  }
 }
 
 }  // namespace reorient

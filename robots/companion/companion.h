@@ -33,7 +33,7 @@ struct CompanionOptions {
 };
 
 /// What the client is told beside answers.
-enum class NoteKind { fault = REORIENT_NOTE_FAULT, log = REORIENT_NOTE_LOG, message = REORIENT_NOTE_MESSAGE };
+enum class NoteKind { fault = REORIENT_NOTE_FAULT, log = REORIENT_NOTE_LOG };
 
 class Companion : public Robot, private Receiver {
  public:
@@ -123,6 +123,7 @@ class Companion : public Robot, private Receiver {
   /// Of each behaviour, and whether the client knows.
   std::map<std::string, std::pair<std::string, bool>, std::less<>> states_;
   std::vector<reorient_note> notes_;  ///< to be sent
+  std::vector<reorient_note> words_;  ///< of behaviours to the team mates: no flood of notes takes their place
 };
 
 }  // namespace reorient

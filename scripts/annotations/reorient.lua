@@ -159,6 +159,26 @@ motion = {}
 ---Gets up after a fall. Holds for one frame.
 function motion.get_up() end
 
+team = {}
+
+---How many messages of team mates came with this frame.
+---@return integer
+function team.heard() end
+
+---Who sent this one of them, the first being 1: the number of a player.
+---@param which integer
+---@return integer
+function team.sender(which) end
+
+---What it says: bytes as they came, at most 240.
+---@param which integer
+---@return string
+function team.text(which) end
+
+---Sends a message of at most 240 bytes to the team mates. The team's own program carries it.
+---@param text string
+function team.send(text) end
+
 log = {}
 
 ---Writes a line into the run's log, with the time and the state.
@@ -199,6 +219,11 @@ function experimenter.change_light() end
 ---@param y number
 ---@param rotation number
 function experimenter.set_initial_pose(x, y, rotation) end
+
+---Tells the robot what a team mate says, at most 240 bytes.
+---@param sender integer
+---@param text string
+function experimenter.tell_message(sender, text) end
 
 ---Tells the robot that the teams change sides; it stays where it is, and from here on all poses are in the axes of the new half.
 function experimenter.half_time() end
@@ -394,7 +419,7 @@ function print(...) end
 ---@alias reorient.CommandName "flip_pose"|"purge_reflection"|"reset_orientation"|"pause_training"|"pause_evaluation"
 ---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
 ---@alias reorient.PauseName "pause_training"|"pause_evaluation"
----@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"|"tell_message"
 ---@alias reorient.MachineName string
 ---@alias reorient.StatePath string
 ---@alias reorient.BehaviorScript string
@@ -438,6 +463,11 @@ function set_world(world) end
 ---@param value string
 function set_param(name, value) end
 
+---A message of a team mate that comes with the next frame.
+---@param sender integer
+---@param text string
+function hear(sender, text) end
+
 ---Lets this many seconds pass, 30 frames each; at least one frame.
 ---@param seconds number
 function advance(seconds) end
@@ -446,7 +476,7 @@ function advance(seconds) end
 ---@param edit { from: string, to: string, file: string? }
 function reload(edit) end
 
----Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped unless `reorient test --simulator`.
+---Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, 320, 544, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped unless `reorient test --simulator`.
 ---@param run { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, any>? }
 ---@return boolean is_correct
 function simulate(run) end
@@ -496,6 +526,10 @@ function expect.get_up(wanted) end
 ---A log line of the last `advance` contains this.
 ---@param text string
 function expect.log(text) end
+
+---A message to the team mates of the last `advance` contains this.
+---@param text string
+function expect.message(text) end
 
 ---The scenario did this during the last `advance`.
 ---@param name reorient.ActionName

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/image.h"
 #include "tests/fuzz/promises.h"
 #include "workbench/experiments/condition/experiment_file.h"
 #include "workbench/experiments/plan/plan.h"

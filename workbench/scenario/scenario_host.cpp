@@ -89,6 +89,9 @@ void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Tol
     case Kind::set_initial_pose:
       told.initial_pose = InitialPose{action.pose};
       return;
+    case Kind::tell_message:
+      told.messages.push_back(action.message);
+      return;
     case Kind::half_time:
       sides_changed = !sides_changed;
       told.half_time = !told.half_time;

@@ -45,6 +45,8 @@ std::string_view to_string(ExperimenterAction::Kind kind) {
       return "set_initial_pose";
     case ExperimenterAction::Kind::half_time:
       return "half_time";
+    case ExperimenterAction::Kind::tell_message:
+      return "tell_message";
   }
   return "";
 }
@@ -83,6 +85,8 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
                                         "Another light begins, as the parameters `light` say."),
       script_function<&A::set_initial_pose>("experimenter.set_initial_pose", {"x", "y", "rotation"},
                                             "Tells the robot where it stands (m, m, rad)."),
+      script_function<&A::tell_message>("experimenter.tell_message", {"sender", "text"},
+                                        "Tells the robot what a team mate says, at most 240 bytes."),
       script_function<&A::half_time>(
           "experimenter.half_time", {},
           "Tells the robot that the teams change sides; it stays where it is, and from here on "
@@ -116,6 +120,15 @@ void ScenarioActions::put_down(double x, double y, double rotation) {
 
 void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
   act({ExperimenterAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
+}
+
+void ScenarioActions::tell_message(std::int64_t sender, std::string_view text) {
+  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("a sender is the number of a player");
+  if (text.size() > kLongestMessage)
+    throw std::runtime_error("a message has at most 240 bytes, this one has " + std::to_string(text.size()));
+  ExperimenterAction action{ExperimenterAction::Kind::tell_message, {}, 0.0, false};
+  action.message = {static_cast<int>(sender), std::string(text)};
+  act(action);
 }
 
 double ScenarioActions::draw(double low, double high) {

@@ -1,6 +1,7 @@
 // What scenarios can see and do: everything that behaviours see, the truth, and what a person beside the field can do.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,18 +26,20 @@ struct ExperimenterAction {
     set_exposure_compensation,
     set_initial_pose,
     half_time,
-    change_light
+    change_light,
+    tell_message
   };
-  friend constexpr int enum_count(Kind) { return 8; }
+  friend constexpr int enum_count(Kind) { return 9; }
 
   Kind kind = Kind::pick_up;
   Pose2 pose;              ///< of put_down, set_initial_pose
   double stops = 0.0;      ///< of set_exposure_compensation
   bool penalized = false;  ///< of penalize
+  Message message{};       ///< of tell_message
 };
 template <typename Visit>
 void fields(Visit&& visit, ExperimenterAction& action) {
-  visit(action.kind, action.pose, action.stops, action.penalized);
+  visit(action.kind, action.pose, action.stops, action.penalized, action.message);
 }
 
 /// As scripts call it.
@@ -70,6 +73,7 @@ class ScenarioActions : public ScriptActions {
   }
   void change_light() { act({ExperimenterAction::Kind::change_light, {}, 0.0, false}); }
   void set_initial_pose(double x, double y, double rotation);
+  void tell_message(std::int64_t sender, std::string_view text);
   void half_time() { act({ExperimenterAction::Kind::half_time, {}, 0.0, false}); }
   /// In [low, high): the same ones for the same seed, as long as the scenario asks for the same.
   double draw(double low, double high);

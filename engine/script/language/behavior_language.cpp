@@ -31,6 +31,13 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
                                      "Walks with this velocity (m/s, m/s, rad/s to the left). Holds for one frame."),
       script_function<&A::stand>("walk.stand", {}, "Stands still: a walk request like any other. Holds for one frame."),
       script_function<&A::get_up>("motion.get_up", {}, "Gets up after a fall. Holds for one frame."),
+      script_function<&A::heard>("team.heard", {}, "How many messages of team mates came with this frame."),
+      script_function<&A::sender_of>("team.sender", {"which"},
+                                     "Who sent this one of them, the first being 1: the number of a player."),
+      script_function<&A::text_of>("team.text", {"which"}, "What it says: bytes as they came, at most 240."),
+      script_function<&A::send>(
+          "team.send", {"text"},
+          "Sends a message of at most 240 bytes to the team mates. The team's own program carries it."),
       script_function<&A::inform>("log.info", {"text"},
                                   "Writes a line into the run's log, with the time and the state."),
       script_function<&A::time_in_state>("time_in_state", {},
@@ -43,6 +50,8 @@ void BehaviorActions::begin_frame(ScriptOutput& output, double time) {
   ScriptActions::begin_frame(output, time);
   output_.commands.clear();
   output_.request = {};
+  output_.messages.clear();
+  sender_ = nullptr;
   head_priority_ = -std::numeric_limits<double>::infinity();
   walk_priority_ = -std::numeric_limits<double>::infinity();
 }
@@ -81,6 +90,24 @@ void BehaviorActions::walk_with(double forward, double left, double turn) {
 void BehaviorActions::get_up() {
   require_acting();
   output_.request.get_up = true;
+}
+
+const Message& BehaviorActions::message(std::int64_t which) const {
+  if (which >= 1 && which <= static_cast<std::int64_t>(heard_.size()))
+    return heard_[static_cast<std::size_t>(which - 1)];
+  throw std::runtime_error("there is no such message: " + std::to_string(heard_.size()) + " came with this frame");
+}
+
+void BehaviorActions::send(std::string_view text) {
+  constexpr std::size_t kMost = 8;  // of one machine in a frame: one that is out of its mind silences no other
+  require_acting();
+  if (text.size() > kLongestMessage)
+    throw std::runtime_error("a message has at most 240 bytes, this one has " + std::to_string(text.size()));
+  if (text.find('\0') != std::string_view::npos) throw std::runtime_error("a message has no byte 0 in it");
+  if (sender_ != &machine()) sent_ = 0;
+  sender_ = &machine();
+  if (sent_++ >= kMost) throw std::runtime_error("too many messages in one frame: at most 8");
+  output_.messages.emplace_back(text);
 }
 
 }  // namespace reorient

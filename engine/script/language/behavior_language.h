@@ -1,25 +1,33 @@
-// What behaviours can do: the functions behind command, head, walk and motion. What they can see: world_fields.h.
+// What behaviours can do: the functions behind command, head, walk, motion and team. What they can see: world_fields.h.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/script/language/script_language.h"
 #include "engine/world/commands.h"
+#include "robots/robot.h"
 
 namespace reorient {
 
 /// What the behaviours want in one frame. The greatest priority has each channel; the first one at a tie.
 struct BehaviorOutput {
   std::vector<ReorientationRequest> commands;
-  Request request;  ///< to the robot
+  Request request;                    ///< to the robot
+  std::vector<std::string> messages;  ///< to the team mates
 };
 
 class BehaviorActions : public ScriptActions {
  public:
   void begin_frame(ScriptOutput& output, double time) override;
   const BehaviorOutput& output() const { return output_; }
+  /// What comes with the next frame; must outlive it.
+  void hear(std::span<const Message> messages) { heard_ = messages; }
 
   // command
   void flip_pose() { reorient_by(Reorientation::flip_pose); }
@@ -34,11 +42,21 @@ class BehaviorActions : public ScriptActions {
   void stand() { walk_with(0.0, 0.0, 0.0); }
   void get_up();
 
+  // team
+  std::int64_t heard() { return static_cast<std::int64_t>(heard_.size()); }
+  std::int64_t sender_of(std::int64_t which) { return message(which).sender; }
+  std::string_view text_of(std::int64_t which) { return message(which).text; }
+  void send(std::string_view text);
+
  private:
   void reorient_by(Reorientation reorientation);
   void pause(Pause pause);
+  const Message& message(std::int64_t which) const;
 
   BehaviorOutput output_;
+  std::span<const Message> heard_;
+  const Machine* sender_ = nullptr;  ///< that sent the latest message of the frame
+  std::size_t sent_ = 0;             ///< by it
   double head_priority_ = -std::numeric_limits<double>::infinity();
   double walk_priority_ = -std::numeric_limits<double>::infinity();
 };

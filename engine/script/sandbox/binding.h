@@ -32,6 +32,13 @@ struct Value<double> {
 };
 
 template <>
+struct Value<std::int64_t> {
+  static constexpr std::string_view name = "integer";
+  static std::int64_t read(lua_State* L, int index) { return luaL_checkinteger(L, index); }
+  static void push(lua_State* L, std::int64_t number) { lua_pushinteger(L, number); }
+};
+
+template <>
 struct Value<bool> {
   static constexpr std::string_view name = "boolean";
   static bool read(lua_State* L, int index) {

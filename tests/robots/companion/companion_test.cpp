@@ -304,6 +304,31 @@ TEST_F(CompanionTest, TellsStatesAtFirstAndWheneverTheyChange) {
   EXPECT_EQ(states().size(), 1u) << "a new client knows nothing";
 }
 
+TEST_F(CompanionTest, CarriesWordsToTheTeamOnceAndOnlyWhileSomebodyIsThere) {
+  RawClient client = greeted();
+  const auto words = [&] {
+    std::vector<std::string> told;
+    for (const RawClient::Heard& one : client.hear()) {
+      if (one.kind == REORIENT_NOTE && one.as<reorient_note>().kind == REORIENT_NOTE_MESSAGE)
+        told.push_back(text_of(one.as<reorient_note>().text));
+    }
+    return told;
+  };
+  Answer answer;
+  answer.messages = {"I turned round", std::string(240, 'x')};
+  for (int i = 0; i < 200; ++i) companion_->tell_note(NoteKind::log, "a flood");
+  companion_->answer(answer);
+  EXPECT_EQ(words(), answer.messages);
+  companion_->answer({});
+  EXPECT_TRUE(words().empty());
+  client.end();
+  static_cast<void>(observed());
+  companion_->answer(answer);
+  client = greeted();
+  companion_->answer({});
+  EXPECT_TRUE(words().empty()) << "it was said before this client came";
+}
+
 TEST_F(CompanionTest, GoesOnWithoutAClientThatDoesNotRead) {
   RawClient client = greeted();
   for (int i = 0; i < 5000; ++i) companion_->answer({});

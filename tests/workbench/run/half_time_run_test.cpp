@@ -54,6 +54,16 @@ TEST_F(HalfTimeOfAScenario, TurnsAPoseThatWasToldJustBefore) {
   EXPECT_TRUE(same(told.initial_pose->pose, reflect(place)));
 }
 
+TEST_F(HalfTimeOfAScenario, LeavesWordsOfTeamMatesAsTheyAre) {
+  ExperimenterAction action{Kind::tell_message, {}, 0.0, false};
+  action.message = {4, "I am at the centre"};
+  carry_out(action, hands, told, sides_changed);
+  act(Kind::half_time);
+  ASSERT_EQ(told.messages.size(), 1u);
+  EXPECT_EQ(told.messages[0].sender, 4);
+  EXPECT_EQ(told.messages[0].text, "I am at the centre");
+}
+
 TEST_F(HalfTimeOfAScenario, TwiceAtOnceIsNone) {
   act(Kind::half_time);
   act(Kind::half_time);

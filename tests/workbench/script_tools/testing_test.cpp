@@ -53,6 +53,32 @@ class ScriptedTests : public ::testing::Test {
   TestSummary summary;
 };
 
+TEST_F(ScriptedTests, HearAndSayWordsOfTheTeam) {
+  folder.write("behaviors/parrot.lua", R"(behavior "parrot" {
+    update = function() for i = 1, team.heard() do team.send(team.sender(i) .. ": " .. team.text(i)) end end
+  })");
+  run(R"(test("repeats what it hears, once", function()
+  load_behavior "parrot"
+  hear(2, "hello")
+  hear(5, "there")
+  advance(0.1)
+  expect.message("2: hello")
+  expect.message("5: there")
+  advance(0.1)
+  expect.message("hello")
+end))");
+  EXPECT_EQ(only_failure(), "expected a message with \"hello\"\n  actual no message");
+}
+
+TEST_F(ScriptedTests, HearNothingThatNobodyCanSay) {
+  for (const char* said : {"0.5, 'x'", "1e9, 'x'", "1, string.rep('x', 241)"}) {
+    run(std::string("test(\"hears\", function() hear(") + said + ") end)");
+    EXPECT_NE(only_failure(), "") << said;
+  }
+  run("test(\"hears\", function() for i = 1, 33 do hear(1, 'x') end end)");
+  EXPECT_NE(only_failure().find("at most 32 messages"), std::string::npos);
+}
+
 TEST_F(ScriptedTests, TellEachFailureWithItsLineAndBothSides) {
   run(R"(test("is wrong twice", function()
   load_behavior "lamp"

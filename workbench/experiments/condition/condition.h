@@ -1,7 +1,6 @@
 // What a trial is, all but its seed: plain data, so that an experiment is a file.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -13,9 +12,6 @@
 #include "workbench/experiments/trial/trial_observer.h"
 
 namespace reorient {
-
-/// That images can be asked for with, pixels. Shares of what the cameras of the shipped bodies have.
-inline constexpr std::array kImageWidths = {160, 320, 544, 640};
 
 struct Condition {
   std::string scenario;

@@ -10,6 +10,7 @@
 #include <toml++/toml.h>
 
 #include "engine/parameters/utf8.h"
+#include "geometry/image.h"
 #include "workbench/experiments/condition/reference_reader.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/files/table_reader.h"

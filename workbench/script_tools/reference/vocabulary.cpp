@@ -73,6 +73,10 @@ constexpr ScriptWord kTest[] = {
      "Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in "
      "the test has is a failure.",
      {}},
+    {"hear(sender: integer, text: string)",
+     "hear(2, \"I am sure of my pose\")",
+     "A message of a team mate that comes with the next frame.",
+     {}},
     {"advance(seconds: number)",
      "advance(1.0)",
      "Lets this many seconds pass, 30 frames each; at least one frame.",
@@ -87,7 +91,8 @@ constexpr ScriptWord kTest[] = {
      "simulate { scenario = \"turned_round\", seed = 1, params = { [\"decision.false_flips\"] = 1 } }",
      "Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected "
      "behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, "
-     "320, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped "
+     "320, 544, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. "
+     "Skipped "
      "unless `reorient test --simulator`.",
      {}},
     {"expect.state(machine: reorient.MachineName, path: reorient.StatePath)",
@@ -125,6 +130,10 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"expect.get_up(wanted: boolean)", "expect.get_up(true)", "The robot is asked, or is not asked, to get up.", {}},
     {"expect.log(text: string)", "expect.log(\"picked up\")", "A log line of the last `advance` contains this.", {}},
+    {"expect.message(text: string)",
+     "expect.message(\"turned\")",
+     "A message to the team mates of the last `advance` contains this.",
+     {}},
     {"expect.action(name: reorient.ActionName)",
      "expect.action(\"put_down\")",
      "The scenario did this during the last `advance`.",

@@ -22,6 +22,11 @@ void SeenFrames::note(const NameTable& names, std::span<const TransitionRecord> 
   forget_the_oldest(faults);
 }
 
+void SeenFrames::note_messages(std::span<const std::string> sent) {
+  messages.insert(messages.end(), sent.begin(), sent.end());
+  forget_the_oldest(messages);
+}
+
 void SeenFrames::note_commands(std::span<const CommandRecord> given, std::span<const Lease> begun) {
   for (const Lease& lease : begun)
     commands.push_back({std::string(to_string(lease.pause)), std::string(to_string(Verdict::granted)), false});
@@ -45,6 +50,7 @@ void SeenFrames::note_machines(const NameTable& names, std::span<const MachineSt
 
 void SeenObserver::observe(const FrameRecord& frame, const StageRecord& stage) {
   seen.note(*frame.names, frame.transitions, frame.logs, frame.faults);
+  seen.note_messages(frame.answer.messages);
   seen.note_commands(frame.commands, frame.begun);
   seen.note_scenario(stage.scenario);
 }

@@ -50,12 +50,14 @@ struct SeenFrames {
   std::vector<SeenCommand> commands;
   std::vector<SeenTransition> transitions;
   std::vector<std::string> logs;
+  std::vector<std::string> messages;  ///< to the team mates
   std::vector<ScriptFault> faults;
   std::vector<std::string> actions;  ///< of the scenario's experimenter
   std::optional<ScenarioVerdict> verdict;
 
   void note(const NameTable& names, std::span<const TransitionRecord> taken, std::span<const LogRecord> said,
             std::span<const FaultRecord> failed);
+  void note_messages(std::span<const std::string> sent);
   void note_commands(std::span<const CommandRecord> given, std::span<const Lease> begun);
   void note_scenario(const ScenarioRecord& scenario);
   void note_machines(const NameTable& names, std::span<const MachineStatus> statuses);

@@ -1,10 +1,12 @@
 #include "workbench/script_tools/testing/simulation_request.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/sandbox/safe_library.h"
 #include "engine/script/sandbox/sandbox.h"
+#include "geometry/image.h"
 
 namespace reorient {
 namespace {
@@ -26,8 +28,8 @@ std::string take_text(lua_State* L, int index) {
 }
 
 bool read_width(lua_State* L, SimulationRequest& request) {
-  const std::optional<lua_Integer> width = whole_number(L, 160, 640);
-  if (!width || (*width != 160 && *width != 320 && *width != 640)) return false;
+  const std::optional<lua_Integer> width = whole_number(L, kImageWidths.front(), kImageWidths.back());
+  if (!width || std::find(kImageWidths.begin(), kImageWidths.end(), *width) == kImageWidths.end()) return false;
   request.width = static_cast<int>(*width);
   return true;
 }

@@ -81,6 +81,7 @@ void TestBench::add_to(lua_State* L) {
   add_function<&TestBench::load_scenario>(L, "load_scenario");
   add_function<&TestBench::set_world>(L, "set_world");
   add_function<&TestBench::set_param>(L, "set_param");
+  add_function<&TestBench::hear>(L, "hear");
   add_function<&TestBench::advance>(L, "advance");
   add_function<&TestBench::reload>(L, "reload");
   add_function<&TestBench::simulate>(L, "simulate");
@@ -101,6 +102,7 @@ void TestBench::add_expectations(lua_State* L) {
   add_function<&TestBench::expect_walk>(L, "walk");
   add_function<&TestBench::expect_get_up>(L, "get_up");
   add_function<&TestBench::expect_log>(L, "log");
+  add_function<&TestBench::expect_message>(L, "message");
   add_function<&TestBench::expect_action>(L, "action");
   add_function<&TestBench::expect_verdict>(L, "verdict");
   add_function<&TestBench::expect_error>(L, "error");
@@ -236,6 +238,15 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
   parameters_.set_early(change);
 }
 
+void TestBench::hear(std::int64_t sender, std::string_view text) {
+  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("hear: the sender is the number of a player");
+  if (text.size() > kLongestMessage)
+    throw std::runtime_error("hear: a message has at most 240 bytes, this one has " + std::to_string(text.size()));
+  if (heard_.size() >= kMostMessages)
+    throw std::runtime_error("hear: at most " + std::to_string(kMostMessages) + " messages come with a frame");
+  heard_.push_back({static_cast<int>(sender), std::string(text)});
+}
+
 /// Runs as many frames as fit into the time, one at least.
 int TestBench::advance(lua_State* L) {
   const double seconds = lua::Value<double>::read(L, 1);
@@ -279,11 +290,13 @@ void TestBench::step() {
   world_.time_step = 1.0 / kFramesPerSecond;
   follow_world();
   Behaviors& scripts = behaviors();
-  scripts.tick(world_);
+  scripts.tick(world_, heard_);
+  heard_.clear();
   const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world_);
   const NameTable& names = *scripts.host().names().table();
   const ScriptOutput& said = scripts.said();
   seen_.note(names, said.transitions, said.logs, said.faults);
+  seen_.note_messages(scripts.wanted().messages);
   seen_.note_commands(arbitration.commands, arbitration.begun);
   trace_.note(scripts.host().definitions(), names, said.transitions);
   leases_.assign(scripts.leases().begin(), scripts.leases().end());

@@ -58,6 +58,7 @@ class TestBench {
   int reload(lua_State* L);
   int simulate(lua_State* L);
   void set_param(std::string_view name, std::string_view value);
+  void hear(std::int64_t sender, std::string_view text);
 
   // What it expects of the frames of the last advance(), or of a simulation: test_expectations.cpp.
   void expect_state(std::string_view machine, std::string_view path);
@@ -70,6 +71,7 @@ class TestBench {
   void expect_walk(double forward, double left, double turn);
   void expect_get_up(bool wanted);
   void expect_log(std::string_view text);
+  void expect_message(std::string_view text);
   void expect_action(std::string_view name);
   void expect_verdict(bool succeeded, std::string_view text);
   void expect_error(std::string_view text);
@@ -90,6 +92,7 @@ class TestBench {
   void fail(const std::string& text);
   TestFailure failure_here(const std::string& text) const;
   std::string file_of(const std::string& script) const;
+  void expect_text(std::string_view text, const std::vector<std::string>& seen, const std::string& what);
   bool has_lease(std::string_view name) const;
   std::string commands_seen() const;
 
@@ -110,6 +113,7 @@ class TestBench {
   ScriptLimits limits_;
   World world_;
   std::set<std::string> told_;  ///< fields that the test has set: they stay so
+  std::vector<Message> heard_;  ///< that comes with the next frame
   Posture last_posture_ = Posture::upright;
   std::optional<GroundTruth> truth_;
   long frame_ = 0;

@@ -127,14 +127,18 @@ void TestBench::expect_get_up(bool wanted) {
   if (request_.get_up != wanted) fail(wanted ? "getting up" : "not getting up", "the contrary");
 }
 
-void TestBench::expect_log(std::string_view text) {
+void TestBench::expect_text(std::string_view text, const std::vector<std::string>& seen, const std::string& what) {
   std::string all;
-  for (const std::string& line : seen_.logs) {
-    if (line.find(text) != std::string::npos) return;
-    all += (all.empty() ? "" : ", ") + in_quotes(line);
+  for (const std::string& one : seen) {
+    if (one.find(text) != std::string::npos) return;
+    all += (all.empty() ? "" : ", ") + in_quotes(one);
   }
-  fail("a log line with " + in_quotes(text), all.empty() ? "no log line" : all);
+  fail("a " + what + " with " + in_quotes(text), all.empty() ? "no " + what : all);
 }
+
+void TestBench::expect_log(std::string_view text) { expect_text(text, seen_.logs, "log line"); }
+
+void TestBench::expect_message(std::string_view text) { expect_text(text, seen_.messages, "message"); }
 
 void TestBench::expect_action(std::string_view name) {
   require_name<ExperimenterAction::Kind>("action", name);
