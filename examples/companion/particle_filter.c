@@ -50,16 +50,17 @@ void filter_move(struct particle_filter* filter, const double odometry[3]) {
   const double turn = turned(odometry[2] - before[2]);
   const double forward = cos(before[2]) * dx + sin(before[2]) * dy, left = -sin(before[2]) * dx + cos(before[2]) * dy;
   const double way = hypot(dx, dy);
+  /* Errors of many small steps add up as their squares do. */
+  const double spread = 0.06 * sqrt(way) + 0.02 * sqrt(fabs(turn)), twist = 0.05 * sqrt(fabs(turn)) + 0.03 * sqrt(way);
   int i;
   memcpy(filter->odometry, odometry, sizeof filter->odometry);
   if (way == 0.0 && turn == 0.0) return;
   for (i = 0; i < PARTICLES; ++i) {
     struct particle* one = &filter->particles[i];
-    const double spread = 0.1 * way + 0.02 * fabs(turn);
     const double ahead = forward + spread * normal(filter), aside = left + spread * normal(filter);
     one->x += cos(one->rotation) * ahead - sin(one->rotation) * aside;
     one->y += sin(one->rotation) * ahead + cos(one->rotation) * aside;
-    one->rotation = turned(one->rotation + turn + (0.1 * fabs(turn) + 0.1 * way) * normal(filter));
+    one->rotation = turned(one->rotation + turn + twist * normal(filter));
   }
 }
 
@@ -70,8 +71,8 @@ static double mismatch(const struct particle_filter* filter, const struct partic
   int post;
   for (post = 0; post < 4; ++post) {
     const double x = post & 1 ? filter->post_x : -filter->post_x, y = post & 2 ? filter->post_y : -filter->post_y;
-    const double aside = turned(atan2(y - one->y, x - one->x) - one->rotation - bearing) / 0.12;
-    const double along = (hypot(x - one->x, y - one->y) / distance - 1.0) / 0.4;
+    const double aside = turned(atan2(y - one->y, x - one->x) - one->rotation - bearing) / 0.09;
+    const double along = (hypot(x - one->x, y - one->y) / distance - 1.0) / 0.25;
     if (aside * aside + along * along < best) best = aside * aside + along * along;
   }
   return best;

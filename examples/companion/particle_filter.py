@@ -25,13 +25,16 @@ class ParticleFilter:
         way = math.hypot(dx, dy)
         if way == 0 and turn == 0:
             return
+        # Errors of many small steps add up as their squares do.
+        spread = 0.06 * math.sqrt(way) + 0.02 * math.sqrt(abs(turn))
+        twist = 0.05 * math.sqrt(abs(turn)) + 0.03 * math.sqrt(way)
         heading = math.atan2(dy, dx) - before[2]
         normal = self.random.gauss
         for one in self.particles:
-            length = way + normal(0, 0.1 * way + 0.02 * abs(turn))
+            length = way + normal(0, spread)
             one[0] += length * math.cos(one[2] + heading)
             one[1] += length * math.sin(one[2] + heading)
-            one[2] += turn + normal(0, 0.1 * abs(turn) + 0.1 * way)
+            one[2] += turn + normal(0, twist)
 
     def see(self, posts):
         """Bearing and distance of each that was seen."""
@@ -41,7 +44,7 @@ class ParticleFilter:
             expected = [(math.atan2(y - one[1], x - one[0]) - one[2], math.hypot(x - one[0], y - one[1]))
                         for x, y in self.posts]
             for bearing, distance in posts:
-                error = min((math.remainder(angle - bearing, 2 * math.pi) / 0.12) ** 2 + ((far / distance - 1) / 0.4) ** 2
+                error = min((math.remainder(angle - bearing, 2 * math.pi) / 0.09) ** 2 + ((far / distance - 1) / 0.25) ** 2
                             for angle, far in expected)
                 one[3] *= 0.02 + math.exp(-0.5 * error)  # frames are not independent: be soft
         total = sum(one[3] for one in self.particles)
