@@ -55,6 +55,7 @@ TEST(Scale, HasRoundTicks) {
   EXPECT_EQ(ticks(0.0, 1.0, 5), (std::vector<double>{0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0}));
   EXPECT_EQ(ticks(3.0, 26.0, 4), (std::vector<double>{10.0, 20.0}));
   EXPECT_EQ(logarithmic_ticks(0.7, 60.0), (std::vector<double>{1.0, 2.0, 5.0, 10.0, 20.0, 50.0}));
+  EXPECT_EQ(logarithmic_ticks(0.3, 3600.0), (std::vector<double>{1.0, 10.0, 100.0, 1000.0}));
   EXPECT_EQ(tick_digits({0.0, 0.5, 1.0}), 1);
   EXPECT_EQ(tick_digits({0.0, 10.0}), 0);
   EXPECT_EQ(round_up_to_tick(73.0, 4), 80.0);

@@ -36,9 +36,12 @@ std::vector<double> ticks(double low, double high, int wanted) {
 }
 
 std::vector<double> logarithmic_ticks(double low, double high) {
+  // Over more than three decades numbers between the powers of ten would run into each other.
+  const bool is_long = high > 1000.0 * low;
   std::vector<double> all;
   for (double power = pinned::pow(10.0, std::floor(pinned::log10(low))); power <= high; power *= 10.0) {
     for (const double step : {1.0, 2.0, 5.0}) {
+      if (is_long && step > 1.0) break;
       const double tick = step * power;
       if (tick >= low * (1.0 - kSlack) && tick <= high * (1.0 + kSlack)) all.push_back(tick);
     }

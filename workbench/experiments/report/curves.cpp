@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "workbench/experiments/charts/numbers.h"
 #include "workbench/experiments/charts/plot.h"
@@ -12,13 +13,14 @@
 namespace reorient {
 namespace {
 
-/// From below the first event to the limit.
+/// From below the first event to the greatest limit.
 PlotAxis time_axis(const Report& report) {
   constexpr double kLeast = 0.1;  // s
   PlotAxis axis{"time, s", 1.0, 2.0, 5, false, true};
   for (std::size_t cell = 0; cell < report.cells.size(); ++cell) {
-    axis.high = std::max(axis.high, limit_of(report, cell));
-    for (const CensoredTime& time : times_until_right(report.cells[cell].trials)) {
+    const std::vector<CensoredTime> times = times_until_right(report.cells[cell].trials);
+    if (!times.empty()) axis.high = std::max(axis.high, limit_of(report, cell));
+    for (const CensoredTime& time : times) {
       if (time.happened) axis.low = std::min(axis.low, std::max(kLeast, 0.8 * time.seconds));
     }
   }
@@ -88,7 +90,12 @@ void draw_time_to_right(Markup& out, const Report& report) {
   out.leaf("h2", "How soon a belief is right again");
   const Element figure(out, "figure", {{"id", "times"}});
   const std::vector<Series> series = series_of(report);
-  draw_legend(out, series);
+  std::vector<Series> drawn;
+  std::copy_if(series.begin(), series.end(), std::back_inserter(drawn), [&](const Series& one) {
+    return std::any_of(one.cells.begin(), one.cells.end(),
+                       [&](std::size_t cell) { return report.cells[cell].row.disturbed > 0; });
+  });
+  draw_legend(out, drawn);
   const PlotAxis axis = time_axis(report);
   {
     const Element panels(out, "div", {{"class", "panels"}});

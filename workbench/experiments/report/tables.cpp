@@ -163,8 +163,25 @@ void draw_references(Markup& out, const Report& report) {
 }
 
 void draw_comparisons(Markup& out, const Report& report) {
+  struct Against {
+    std::vector<std::string> names;  ///< of the case, where it is the case's first, and of both choices
+    PairedComparison pairs;
+  };
   const std::vector<Series> series = series_of(report);
-  if (series.size() < 2) return;
+  std::vector<Against> comparisons;
+  for (const CellGroup& group : groups_of(report)) {
+    const std::size_t first = group.cells.front();
+    std::string name = group.name;
+    for (std::size_t i = 1; i < group.cells.size(); ++i) {
+      const std::size_t second = group.cells[i];
+      const PairedComparison pairs =
+          compare_pairs(outcomes_of(report.cells[first].trials), outcomes_of(report.cells[second].trials));
+      if (pairs.disturbed == 0) continue;  // nothing that could fail or take its time
+      comparisons.push_back(
+          {{std::exchange(name, ""), series_of_cell(series, first).name, series_of_cell(series, second).name}, pairs});
+    }
+  }
+  if (comparisons.empty()) return;
   out.leaf("h2", "Choice against choice");
   NumberTable table(
       out,
@@ -175,17 +192,8 @@ void draw_comparisons(Markup& out, const Report& report) {
       {"case", "A", "B"},
       {"pairs", "A failed", "B failed", "A alone", "B alone", "p of failures", "timed pairs", "B later by [95 %]",
        "p of times"});
-  for (const CellGroup& group : groups_of(report)) {
-    const std::size_t first = group.cells.front();
-    std::string name = group.name;
-    for (std::size_t i = 1; i < group.cells.size(); ++i) {
-      const std::size_t second = group.cells[i];
-      table.add(
-          {std::exchange(name, ""), series_of_cell(series, first).name, series_of_cell(series, second).name},
-          numbers_of(compare_pairs(outcomes_of(report.cells[first].trials), outcomes_of(report.cells[second].trials))),
-          i == 1 ? "group" : "");
-    }
-  }
+  for (const Against& one : comparisons)
+    table.add(one.names, numbers_of(one.pairs), one.names.front().empty() ? "" : "group");
 }
 
 }  // namespace reorient

@@ -12,7 +12,7 @@ void draw_rows(Markup& out, const Report& report);
 /// What others measured, with one's own rows of the same choices; nothing where nobody measured anything.
 void draw_references(Markup& out, const Report& report);
 
-/// Each series against the first, in pairs of equal seeds; nothing where there is but one.
+/// Each series against the first, in pairs of equal seeds; nothing where no pair can be compared.
 void draw_comparisons(Markup& out, const Report& report);
 
 }  // namespace reorient
