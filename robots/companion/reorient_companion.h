@@ -31,7 +31,7 @@ enum {
 struct reorient_header {
   uint32_t size;    /* bytes of the message behind this header */
   uint16_t kind;    /* one of those below */
-  uint16_t version; /* REORIENT_VERSION_1 */
+  uint16_t version; /* REORIENT_VERSION_1: 1 */
 };
 
 enum {
@@ -112,7 +112,7 @@ enum { REORIENT_OWN_LOCALIZATION = 1, REORIENT_OUR_LOCALIZATION = 2 };
 enum { REORIENT_WANT_HEAD = 1, REORIENT_WANT_WALK = 2, REORIENT_WANT_GET_UP = 4 };
 
 struct reorient_hello {
-  uint64_t client; /* drawn by lot when the client's process begins; the same when it connects again */
+  uint64_t client; /* drawn by lot when your process begins; another one: clock and odometry begin anew */
   uint32_t way;    /* whose localization counts: REORIENT_OWN_LOCALIZATION, REORIENT_OUR_LOCALIZATION */
   uint32_t wants;  /* which requests of behaviours the robot carries out: REORIENT_WANT_... */
   double delay;    /* s that an image is old when its frame arrives; counts where frames bring no time */
@@ -181,12 +181,13 @@ struct reorient_frame {
 };
 
 struct reorient_particle {
-  float x, y, rotation, weight;
+  float x, y, rotation; /* in the field's frame */
+  float weight;         /* 0 or more; their sum is of no account */
 };
 
 struct reorient_message {
-  int32_t sender;
-  uint32_t length; /* bytes of the text */
+  int32_t sender;  /* the player's number */
+  uint32_t length; /* bytes of the text, 0 to 240; it needs no zero at its end */
   char text[REORIENT_LONGEST_TEXT];
 };
 
@@ -234,11 +235,11 @@ struct reorient_answer {
   uint32_t command_kind;    /* REORIENT_FLIP, _PURGE, _RESET: to be carried out on the team's belief, once */
   double current, opposite; /* confidences in the believed pose and in its reflection, 0 to 1 */
   double evidence;          /* log-odds of the reflection against the believed pose */
-  double pose[3];           /* with our localization: the believed pose */
+  double pose[3];           /* the believed pose: ours, or yours as it was understood */
   double covariance[6];
   double head[3];      /* wanted yaw, pitch, and speed in rad/s */
   double walk[3];      /* wanted m/s forward, m/s to the left, rad/s to the left; all 0: stand */
-  uint64_t frames;     /* that arrived */
+  uint64_t frames;     /* that arrived, of all clients since the server began */
   uint64_t superseded; /* of those were not looked at, since a newer one had come */
   uint64_t unusable;   /* of those: numbers that make no sense, a time before the last, an image written over */
 };
@@ -252,7 +253,7 @@ struct reorient_state {
 enum { REORIENT_NOTE_FAULT = 1, REORIENT_NOTE_LOG = 2, REORIENT_NOTE_MESSAGE = 3 /* to the other robots */ };
 
 struct reorient_note {
-  uint32_t kind;  /* REORIENT_NOTE_... */
+  uint32_t kind;  /* REORIENT_NOTE_...: 1 fault, 2 line of the log, 3 message to the other robots */
   char text[252]; /* ends with a zero */
 };
 
