@@ -1,5 +1,6 @@
 // The page and the table of trials, from results made up.
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -150,6 +151,32 @@ TEST(TrialsCsv, QuotesWhatPeopleSay) {
   const std::string csv = trials_as_csv(report_with(kHostile, 1));
   EXPECT_TRUE(csv.starts_with("\"<script>alert('x')</script> \"\"&\\x01\\xFF\\xC0, =1\",mode,"));
   EXPECT_TRUE(is_utf8(csv));
+}
+
+TEST(ReportPictures, ShowSoManySeriesAsCanBeToldApartEachBesideTheFirst) {
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < 21; ++i)
+    series.push_back({"series " + std::to_string(i), "s" + std::to_string(i % 7), {i}});
+  const std::vector<std::vector<Series>> pictures = pictures_of(series);
+  ASSERT_EQ(pictures.size(), 4u);
+  std::set<std::string> shown;
+  for (const std::vector<Series>& picture : pictures) {
+    EXPECT_EQ(picture.front().name, "series 0");
+    std::set<std::string> styles;
+    for (const Series& one : picture) {
+      EXPECT_TRUE(styles.insert(one.style).second) << one.name << " looks like another one";
+      shown.insert(one.name);
+    }
+  }
+  EXPECT_EQ(shown.size(), series.size());
+}
+
+TEST(ReportPictures, OfFewSeriesIsOneWithTheStylesThatTheyHaveElsewhere) {
+  const std::vector<Series> series{{"default", "s0", {0}}, {"paper", "s1", {1}}, {"none", "s2", {2}}};
+  ASSERT_EQ(pictures_of(series).size(), 1u);
+  EXPECT_EQ(pictures_of(series)[0][2].style, "s2");
+  EXPECT_EQ(pictures_of({series[0]}).size(), 1u);
+  EXPECT_TRUE(pictures_of({})[0].empty());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "workbench/experiments/charts/numbers.h"
 #include "workbench/experiments/charts/plot.h"
@@ -51,15 +52,26 @@ void draw_curve(Plot& plot, const std::vector<CensoredTime>& times, const PlotAx
   if (is_censored) plot.end_mark({until, share.back().y}, style);
 }
 
+/// The cells of both.
+std::vector<std::size_t> cells_in_both(const Series& series, const CellGroup& group) {
+  std::vector<std::size_t> cells;
+  std::copy_if(group.cells.begin(), group.cells.end(), std::back_inserter(cells), [&](std::size_t cell) {
+    return std::find(series.cells.begin(), series.cells.end(), cell) != series.cells.end();
+  });
+  return cells;
+}
+
 /// How many came right, of how many: "default 8 of 8, none 0 of 8".
-std::string count_text(const Report& report, const std::vector<Series>& series, const CellGroup& group) {
+std::string count_text(const Report& report, const std::vector<Series>& picture, const CellGroup& group) {
   std::string text;
-  for (const std::size_t cell : group.cells) {
-    const std::vector<CensoredTime> times = times_until_right(report.cells[cell].trials);
-    if (times.empty()) continue;
-    const auto right = std::count_if(times.begin(), times.end(), [](const auto& time) { return time.happened; });
-    text += (text.empty() ? "" : ", ") + series_of_cell(series, cell).name + " " + std::to_string(right) + " of " +
-            std::to_string(times.size());
+  for (const Series& one : picture) {
+    for (const std::size_t cell : cells_in_both(one, group)) {
+      const std::vector<CensoredTime> times = times_until_right(report.cells[cell].trials);
+      if (times.empty()) continue;
+      const auto right = std::count_if(times.begin(), times.end(), [](const auto& time) { return time.happened; });
+      text +=
+          (text.empty() ? "" : ", ") + one.name + " " + std::to_string(right) + " of " + std::to_string(times.size());
+    }
   }
   return text;
 }
@@ -95,22 +107,30 @@ void draw_time_to_right(Markup& out, const Report& report) {
     return std::any_of(one.cells.begin(), one.cells.end(),
                        [&](std::size_t cell) { return report.cells[cell].row.disturbed > 0; });
   });
-  draw_legend(out, drawn);
+  const std::vector<std::vector<Series>> pictures = pictures_of(drawn);
+  if (pictures.size() == 1) draw_legend(out, pictures.front());
   const PlotAxis axis = time_axis(report);
   {
     const Element panels(out, "div", {{"class", "panels"}});
     for (const CellGroup& group : groups_of(report)) {
-      const std::string counts = count_text(report, series, group);
-      const Element panel(out, "div", {{"class", "panel"}});
-      if (!group.name.empty()) out.leaf("p", group.name, {{"class", "panel-name"}});
-      {
-        Plot plot(out, "share of right beliefs over time: " + counts, axis, {"belief is right, %", 0.0, 1.0, 5, true});
-        for (const std::size_t cell : group.cells) {
-          const std::vector<CensoredTime> times = times_until_right(report.cells[cell].trials);
-          if (!times.empty()) draw_curve(plot, times, axis, series_of_cell(series, cell).style);
+      for (const std::vector<Series>& picture : pictures) {
+        const std::string counts = count_text(report, picture, group);
+        if (counts.empty()) continue;
+        const Element panel(out, "div", {{"class", "panel"}});
+        if (!group.name.empty()) out.leaf("p", group.name, {{"class", "panel-name"}});
+        if (pictures.size() > 1) draw_legend(out, picture);
+        {
+          Plot plot(out, "share of right beliefs over time: " + counts, axis,
+                    {"belief is right, %", 0.0, 1.0, 5, true});
+          for (const Series& one : picture) {
+            for (const std::size_t cell : cells_in_both(one, group)) {
+              const std::vector<CensoredTime> times = times_until_right(report.cells[cell].trials);
+              if (!times.empty()) draw_curve(plot, times, axis, one.style);
+            }
+          }
         }
+        out.leaf("p", "right: " + counts, {{"class", "reading"}});
       }
-      out.leaf("p", "right: " + counts, {{"class", "reading"}});
     }
   }
   draw_caption(
@@ -127,40 +147,43 @@ void draw_reliability(Markup& out, const Report& report) {
   if (!has_any) return;
   out.leaf("h2", "What the evidence is worth");
   const Element figure(out, "figure", {{"id", "reliability"}});
-  const std::vector<Series> series = series_of(report);
-  draw_legend(out, series);
-  std::string reading;
+  const std::vector<std::vector<Series>> pictures = pictures_of(series_of(report));
+  if (pictures.size() == 1) draw_legend(out, pictures.front());
   {
     const Element panels(out, "div", {{"class", "panels"}});
-    const Element panel(out, "div", {{"class", "panel"}});
-    std::vector<std::pair<const Series*, std::vector<PlotPoint>>> lines;
-    for (const Series& one : series) {
-      std::vector<TrialResult> trials;
-      for (const std::size_t cell : one.cells)
-        trials.insert(trials.end(), report.cells[cell].trials.begin(), report.cells[cell].trials.end());
-      const std::vector<CalibrationBin> bins = calibration_of(trials);
-      if (bins.empty()) continue;
-      std::vector<PlotPoint> points;
-      int samples = 0;
-      for (const CalibrationBin& bin : bins) {
-        constexpr int kFewest = 20;  // samples; fewer jump about
-        samples += bin.samples;
-        if (bin.samples >= kFewest) points.push_back({bin.certainty(), bin.accuracy()});
+    for (const std::vector<Series>& picture : pictures) {
+      const Element panel(out, "div", {{"class", "panel"}});
+      if (pictures.size() > 1) draw_legend(out, picture);
+      std::vector<std::pair<std::string, std::vector<PlotPoint>>> lines;
+      std::string reading;
+      for (const Series& one : picture) {
+        std::vector<TrialResult> trials;
+        for (const std::size_t cell : one.cells)
+          trials.insert(trials.end(), report.cells[cell].trials.begin(), report.cells[cell].trials.end());
+        const std::vector<CalibrationBin> bins = calibration_of(trials);
+        if (bins.empty()) continue;
+        std::vector<PlotPoint> points;
+        int samples = 0;
+        for (const CalibrationBin& bin : bins) {
+          constexpr int kFewest = 20;  // samples; fewer jump about
+          samples += bin.samples;
+          if (bin.samples >= kFewest) points.push_back({bin.certainty(), bin.accuracy()});
+        }
+        reading.append(reading.empty() ? "" : "; ").append(one.name).append(": expected calibration error ");
+        reading.append(fixed(calibration_error(bins), 4))
+            .append(" (")
+            .append(std::to_string(samples))
+            .append(" samples)");
+        lines.emplace_back(one.style, std::move(points));
       }
-      reading.append(reading.empty() ? "" : "; ").append(one.name).append(": expected calibration error ");
-      reading.append(fixed(calibration_error(bins), 4))
-          .append(" (")
-          .append(std::to_string(samples))
-          .append(" samples)");
-      lines.emplace_back(&one, std::move(points));
+      {
+        Plot plot(out, "reliability: " + reading, {"the evidence says, %", 0.5, 1.0, 5, true},
+                  {"it is right, %", 0.5, 1.0, 5, true}, true);
+        plot.line({{0.5, 0.5}, {1.0, 1.0}}, "chance");
+        for (const auto& [style, points] : lines) plot.line(points, style);
+      }
+      out.leaf("p", reading, {{"class", "reading"}});
     }
-    {
-      Plot plot(out, "reliability: " + reading, {"the evidence says, %", 0.5, 1.0, 5, true},
-                {"it is right, %", 0.5, 1.0, 5, true}, true);
-      plot.line({{0.5, 0.5}, {1.0, 1.0}}, "chance");
-      for (const auto& [one, points] : lines) plot.line(points, one->style);
-    }
-    out.leaf("p", reading, {{"class", "reading"}});
   }
   draw_caption(out, report,
                "How often the pose that the evidence calls the likelier one of the two is the right one, against how "
@@ -169,32 +192,44 @@ void draw_reliability(Markup& out, const Report& report) {
 }
 
 void draw_roc(Markup& out, const Report& report) {
+  struct Curve {
+    std::string reading;
+    std::vector<RocPoint> points;  ///< none where all beliefs were right, or all wrong
+  };
   const std::vector<Series> series = series_of(report);
-  std::vector<std::pair<const Series*, std::vector<RocPoint>>> curves;
-  std::string reading;
+  std::map<std::string, Curve> curves;  // by the series' name
   for (const Series& one : series) {
     ScoredSamples samples = samples_of(report, one);
     const std::string wrong = std::to_string(samples.wrong.size()), right = std::to_string(samples.right.size());
-    std::vector<RocPoint> curve = roc_curve(std::move(samples.wrong), std::move(samples.right));
-    reading.append(reading.empty() ? "" : "; ").append(one.name);
-    reading += curve.empty() ? ": no curve (" : ": area " + fixed(area_below(curve), 3) + " (";
-    reading.append(wrong).append(" wrong, ").append(right).append(" right)");
-    if (!curve.empty()) curves.emplace_back(&one, std::move(curve));
+    Curve& curve = curves[one.name];
+    curve.points = roc_curve(std::move(samples.wrong), std::move(samples.right));
+    curve.reading =
+        one.name + (curve.points.empty() ? ": no curve (" : ": area " + fixed(area_below(curve.points), 3) + " (");
+    curve.reading.append(wrong).append(" wrong, ").append(right).append(" right)");
   }
-  if (curves.empty()) return;
+  if (std::all_of(curves.begin(), curves.end(), [](const auto& one) { return one.second.points.empty(); })) return;
   out.leaf("h2", "What the confidences know");
   const Element figure(out, "figure", {{"id", "roc"}});
-  draw_legend(out, series);
+  const std::vector<std::vector<Series>> pictures = pictures_of(series);
+  if (pictures.size() == 1) draw_legend(out, pictures.front());
   {
     const Element panels(out, "div", {{"class", "panels"}});
-    const Element panel(out, "div", {{"class", "panel"}});
-    {
-      Plot plot(out, "ROC curves: " + reading, {"false alarms, % of right beliefs", 0.0, 1.0, 5, true},
-                {"detected, % of wrong beliefs", 0.0, 1.0, 5, true}, true);
-      plot.line({{0.0, 0.0}, {1.0, 1.0}}, "chance");
-      for (const auto& [one, curve] : curves) plot.line(as_points(curve), one->style);
+    for (const std::vector<Series>& picture : pictures) {
+      const Element panel(out, "div", {{"class", "panel"}});
+      if (pictures.size() > 1) draw_legend(out, picture);
+      std::string reading;
+      for (const Series& one : picture) reading += (reading.empty() ? "" : "; ") + curves[one.name].reading;
+      {
+        Plot plot(out, "ROC curves: " + reading, {"false alarms, % of right beliefs", 0.0, 1.0, 5, true},
+                  {"detected, % of wrong beliefs", 0.0, 1.0, 5, true}, true);
+        plot.line({{0.0, 0.0}, {1.0, 1.0}}, "chance");
+        for (const Series& one : picture) {
+          const std::vector<RocPoint>& points = curves[one.name].points;
+          if (!points.empty()) plot.line(as_points(points), one.style);
+        }
+      }
+      out.leaf("p", reading, {{"class", "reading"}});
     }
-    out.leaf("p", reading, {{"class", "reading"}});
   }
   draw_caption(
       out, report,

@@ -61,6 +61,24 @@ std::vector<Series> series_of(const Report& report) {
   return all;
 }
 
+std::vector<std::vector<Series>> pictures_of(const std::vector<Series>& series) {
+  if (series.size() <= 1) return {series};
+  std::vector<std::vector<Series>> pictures;
+  for (std::size_t i = 1; i < series.size(); ++i) {
+    if (pictures.empty() || pictures.back().size() == kStyles) pictures.push_back({series.front()});
+    pictures.back().push_back(series[i]);
+  }
+  for (std::vector<Series>& picture : pictures) {
+    const auto has_twin = [&](const Series& one) {
+      return std::count_if(picture.begin(), picture.end(),
+                           [&](const Series& other) { return other.style == one.style; }) > 1;
+    };
+    if (std::none_of(picture.begin(), picture.end(), has_twin)) continue;
+    for (std::size_t i = 0; i < picture.size(); ++i) picture[i].style = "s" + std::to_string(i);
+  }
+  return pictures;
+}
+
 std::vector<CellGroup> groups_of(const Report& report) {
   const std::optional<std::size_t> axis = series_axis(report.experiment);
   std::vector<CellGroup> groups;

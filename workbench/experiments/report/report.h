@@ -43,6 +43,10 @@ struct Series {
 };
 std::vector<Series> series_of(const Report& report);
 
+/// So many at a time as a picture can tell apart, each with a style of its own there: all of them, or the first, beside
+/// which the others are to be seen, with some of the others in each.
+std::vector<std::vector<Series>> pictures_of(const std::vector<Series>& series);
+
 /// Cells that differ in nothing but their series.
 struct CellGroup {
   std::string name;                ///< "room hall, test moving"; empty: there is but one
