@@ -83,8 +83,7 @@ const Greeting* Companion::wait_for_greeting() {
 }
 
 void Companion::begin(const Greeting& greeting, bool goes_on, int behaviors) {
-  engine_for_ = identity_of(greeting);
-  has_own_localization_ = greeting.own_localization;
+  engine_for_ = greeting;
   goes_on_ = goes_on;
   behaviors_ = behaviors;
   states_.clear();
@@ -93,8 +92,8 @@ void Companion::begin(const Greeting& greeting, bool goes_on, int behaviors) {
 
 /// Welcomes a client that the engine was made for.
 void Companion::meet() {
-  if (!greeting_ || engine_for_.empty()) return;
-  has_other_robot_ = identity_of(*greeting_) != engine_for_;
+  if (!greeting_ || !engine_for_) return;
+  has_other_robot_ = identity_of(*greeting_) != identity_of(*engine_for_);
   if (has_other_robot_ || welcomed_) return;
   welcomed_ = connection_.send(
       REORIENT_WELCOME, reorient_welcome{options_.server, goes_on_ ? 1u : 0u, static_cast<std::uint32_t>(behaviors_)});
@@ -283,7 +282,7 @@ bool Companion::take_images(const FrameMessage& message, double time, Observatio
 
 void Companion::answer(const Answer& answer) {
   const auto flag = [](bool set, std::uint32_t bit) { return set ? bit : 0u; };
-  if (answer.reorientation && has_own_localization_) command_.grant(*answer.reorientation);
+  if (answer.reorientation && engine_for_ && engine_for_->own_localization) command_.grant(*answer.reorientation);
   reorient_answer message{};
   message.number = answered_;
   message.time = answered_time_;

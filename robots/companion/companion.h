@@ -97,10 +97,9 @@ class Companion : public Robot, private Receiver {
   PendingCommand command_;
   ClientClock clock_;
 
-  std::optional<Greeting> greeting_;   ///< of the client that is connected
-  std::vector<std::byte> engine_for_;  ///< identity; empty: there is no engine yet
-  bool has_own_localization_ = false;  ///< the robot that the engine was made for
-  bool has_other_robot_ = false;
+  std::optional<Greeting> greeting_;    ///< of the client that is connected
+  std::optional<Greeting> engine_for_;  ///< nothing: there is no engine yet
+  bool has_other_robot_ = false;        ///< they differ in their identity
   bool goes_on_ = false;
   int behaviors_ = 0;
   bool welcomed_ = false;

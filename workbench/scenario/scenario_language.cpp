@@ -27,6 +27,13 @@ constexpr std::array<WorldField, 5> kTruthFields{{
 
 }  // namespace
 
+Message message_of(std::int64_t sender, std::string_view text) {
+  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("a sender is the number of a player");
+  if (text.size() > kLongestMessage)
+    throw std::runtime_error("a message has at most 240 bytes, this one has " + std::to_string(text.size()));
+  return {static_cast<int>(sender), std::string(text)};
+}
+
 std::string_view to_string(ExperimenterAction::Kind kind) {
   switch (kind) {
     case ExperimenterAction::Kind::pick_up:
@@ -123,11 +130,8 @@ void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
 }
 
 void ScenarioActions::tell_message(std::int64_t sender, std::string_view text) {
-  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("a sender is the number of a player");
-  if (text.size() > kLongestMessage)
-    throw std::runtime_error("a message has at most 240 bytes, this one has " + std::to_string(text.size()));
   ExperimenterAction action{ExperimenterAction::Kind::tell_message, {}, 0.0, false};
-  action.message = {static_cast<int>(sender), std::string(text)};
+  action.message = message_of(sender, text);
   act(action);
 }
 

@@ -42,6 +42,9 @@ void fields(Visit&& visit, ExperimenterAction& action) {
   visit(action.kind, action.pose, action.stops, action.penalized, action.message);
 }
 
+/// What a script lets a team mate say. Throws std::runtime_error with one line where no team mate can.
+Message message_of(std::int64_t sender, std::string_view text);
+
 /// As scripts call it.
 std::string_view to_string(ExperimenterAction::Kind kind);
 

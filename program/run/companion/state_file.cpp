@@ -27,10 +27,6 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
   return digest.value();
 }
 
-void write(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
-  write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
 }  // namespace
 
 StateKeeper::StateKeeper(std::filesystem::path file, std::string circumstances)
@@ -53,13 +49,19 @@ std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion&
 void StateKeeper::keep(const FrameLoop& engine, Companion& companion, double now) {
   if (file_.empty() || now < next_ || writing_.is_busy()) return;  // it is asked again in the next frame
   next_ = now + kPeriod;
-  writing_.start([bytes = bytes_of(engine, companion), file = file_] { write(file, bytes); });
+  begin_writing(engine, companion);
 }
 
 void StateKeeper::finish(const FrameLoop& engine, Companion& companion) {
   if (file_.empty()) return;
-  writing_.start([bytes = bytes_of(engine, companion), file = file_] { write(file, bytes); });
+  begin_writing(engine, companion);
   writing_.end();
+}
+
+void StateKeeper::begin_writing(const FrameLoop& engine, Companion& companion) {
+  writing_.start([bytes = bytes_of(engine, companion), file = file_] {
+    write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  });
 }
 
 std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::string& why_not) const {

@@ -32,6 +32,7 @@ class StateKeeper {
 
  private:
   std::vector<std::byte> bytes_of(const FrameLoop& engine, Companion& companion) const;
+  void begin_writing(const FrameLoop& engine, Companion& companion);
 
   std::filesystem::path file_;
   std::string circumstances_;

@@ -239,12 +239,9 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
 }
 
 void TestBench::hear(std::int64_t sender, std::string_view text) {
-  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("hear: the sender is the number of a player");
-  if (text.size() > kLongestMessage)
-    throw std::runtime_error("hear: a message has at most 240 bytes, this one has " + std::to_string(text.size()));
   if (heard_.size() >= kMostMessages)
     throw std::runtime_error("hear: at most " + std::to_string(kMostMessages) + " messages come with a frame");
-  heard_.push_back({static_cast<int>(sender), std::string(text)});
+  heard_.push_back(message_of(sender, text));
 }
 
 /// Runs as many frames as fit into the time, one at least.
