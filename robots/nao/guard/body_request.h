@@ -1,0 +1,63 @@
+// What the engine asks of the guard, and what the guard tells it. Plain values in shared memory: either side takes from
+// the other only what makes sense.
+#pragma once
+
+#include <cstdint>
+
+#include "robots/nao/lola/command.h"
+#include "robots/nao/lola/measurement.h"
+
+namespace reorient::nao {
+
+enum class WantedPosture : std::uint32_t { soft, sit, stand };
+
+struct BodyRequest {
+  double time = 0.0;  ///< s on the monotonic clock, when it was asked
+  WantedPosture posture = WantedPosture::soft;
+  std::uint32_t moves_head = 0;              ///< else the head stays where it is
+  float head_yaw = 0.0f, head_pitch = 0.0f;  ///< rad
+  float head_speed = 0.0f;                   ///< rad/s, at most the motors' own
+  std::uint32_t moves_joints = 0;            ///< a walk: while standing, all joints but the head follow `joints`
+  JointValues joints{};                      ///< rad
+  JointValues stiffness{};                   ///< 0 to 1
+  Lights lights;
+};
+
+/// What the guard does with the body.
+enum class GuardState : std::uint32_t {
+  waiting,  ///< for LoLA
+  soft,     ///< no stiffness
+  standing_up,
+  standing,
+  sitting_down,
+  sitting,
+  fallen,  ///< soft, until somebody asks for something else than to stand
+};
+inline constexpr int kGuardStates = 7;
+
+/// Why it does not do what it is asked; a bit each.
+enum GuardWorry : std::uint32_t {
+  kNoRequest = 1u << 0,  ///< none came for 100 ms
+  kTilted = 1u << 1,     ///< too far to stand up or sit down
+  kHot = 1u << 2,        ///< a motor
+  kTooHot = 1u << 3,     ///< a motor, so that it sits down
+  kBatteryLow = 1u << 4,
+  kBatteryEmpty = 1u << 5,  ///< so that it sits down
+  kJointStuck = 1u << 6,    ///< a joint does not go where it should
+  kJointGivenUp = 1u << 7,  ///< for so long that it sits down
+  kBlind = 1u << 8,         ///< positions or angles are missing from what LoLA says
+  kForeignBody = 1u << 9,   ///< not of version 6: limits and postures are those of another robot
+};
+
+struct GuardReport {
+  double time = 0.0;  ///< s on the monotonic clock
+  GuardState state = GuardState::waiting;
+  std::uint32_t worries = 0;
+  std::uint32_t joint = 0;  ///< of kHot, kTooHot, kJointStuck and kJointGivenUp
+  std::uint32_t connections = 0;
+  std::uint64_t cycles = 0;    ///< packets that came
+  std::uint64_t late = 0;      ///< cycles whose answer was not written within 12 ms
+  std::uint64_t unusable = 0;  ///< packets without positions or angles
+};
+
+}  // namespace reorient::nao

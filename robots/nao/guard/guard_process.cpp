@@ -1,0 +1,242 @@
+#include "robots/nao/guard/guard_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+
+#include <poll.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "robots/nao/guard/session.h"
+
+namespace reorient::nao {
+namespace {
+
+constexpr double kSilent = 1.0;           // s without a packet, after which the connection is begun anew
+constexpr double kAgain = 0.5;            // s between two attempts to connect
+constexpr double kLongestFarewell = 8.0;  // s for sitting down at the end
+
+volatile std::sig_atomic_t signals = 0;
+void count_signal(int) { signals = signals + 1; }
+
+double now() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+class Socket {
+ public:
+  Socket() = default;
+  ~Socket() { hang_up(); }
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+
+  bool is_open() const { return socket_ >= 0; }
+  int get() const { return socket_; }
+  void hang_up() {
+    if (socket_ >= 0) close(socket_);
+    socket_ = -1;
+  }
+  /// False: nobody listens there.
+  bool connect(const sockaddr_un& address) {
+    hang_up();
+    socket_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (socket_ < 0) return false;
+    if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0) return true;
+    hang_up();
+    return false;
+  }
+
+ private:
+  int socket_ = -1;
+};
+
+sockaddr_un address_of(const std::filesystem::path& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string text = path.string();
+  if (text.empty() || text.size() >= sizeof(address.sun_path))
+    throw std::runtime_error("--lola " + text + ": a socket's path has 1 to " +
+                             std::to_string(sizeof(address.sun_path) - 1) + " letters");
+  std::copy(text.begin(), text.end(), address.sun_path);
+  return address;
+}
+
+constexpr std::array<const char*, kGuardStates> kStates{
+    "waits for LoLA", "soft", "stands up", "stands", "sits down", "sits", "fallen: soft until asked to sit"};
+
+struct WorryText {
+  std::uint32_t worry;
+  const char* text;
+};
+constexpr std::array<WorryText, 10> kWorries{{
+    {kNoRequest, "nobody asks for anything"},
+    {kTilted, "tilted too far to stand up or sit down"},
+    {kHot, "a motor is hot"},
+    {kTooHot, "a motor is too hot"},
+    {kBatteryLow, "the battery is low"},
+    {kBatteryEmpty, "the battery is empty"},
+    {kJointStuck, "a joint does not go where it should"},
+    {kJointGivenUp, "a leg's joint has not gone where it should for 3 s"},
+    {kBlind, "LoLA's packets hold no positions or angles"},
+    {kForeignBody, "the body is not of version 6: it is not moved"},
+}};
+
+/// Tells what is new. Nobody who reads it may keep the guard waiting: a line that cannot be written at once is left
+/// out.
+class Narrator {
+ public:
+  explicit Narrator(int out) : out_(out) {}
+
+  void line(std::string_view text) {
+    std::array<char, 200> bytes{};
+    const int size = std::snprintf(bytes.data(), bytes.size(), "reorient-nao-guard: %.*s\n",
+                                   static_cast<int>(text.size()), text.data());
+    pollfd room{out_, POLLOUT, 0};
+    if (poll(&room, 1, 0) != 1 || (room.revents & POLLOUT) == 0) return;
+    const auto length = std::min(static_cast<std::size_t>(std::max(size, 0)), bytes.size() - 1);
+    static_cast<void>(!write(out_, bytes.data(), length));
+  }
+
+  void tell(const GuardReport& report) {
+    if (report.state != state_) line(kStates[static_cast<std::size_t>(report.state)]);
+    state_ = report.state;
+    constexpr double kPause = 0.5;  // s: what comes and goes in each cycle is no news
+    if (report.worries == worries_ || report.time < next_) return;
+    next_ = report.time + kPause;
+    for (const WorryText& worry : kWorries) {
+      const bool is = (report.worries & worry.worry) != 0, was = (worries_ & worry.worry) != 0;
+      if (is == was) continue;
+      const bool has_joint = is && (worry.worry & (kHot | kTooHot | kJointStuck | kJointGivenUp)) != 0;
+      std::array<char, 120> text{};
+      std::snprintf(text.data(), text.size(), has_joint ? "%s%s (joint %u)" : "%s%s",
+                    is ? "" : "no longer: ", worry.text, report.joint);
+      line(text.data());
+    }
+    worries_ = report.worries;
+  }
+
+ private:
+  int out_;
+  GuardState state_ = GuardState::waiting;
+  std::uint32_t worries_ = 0;
+  double next_ = 0.0;  // s
+};
+
+void ask_for_real_time(int priority, Narrator& narrator) {
+  if (priority <= 0) return;
+  sched_param parameter{};
+  parameter.sched_priority = priority;
+  if (sched_setscheduler(0, SCHED_FIFO, &parameter) != 0)
+    narrator.line("no real-time priority is allowed; answers may be late (LimitRTPRIO=, or CAP_SYS_NICE)");
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+    narrator.line("memory cannot be locked; answers may be late (LimitMEMLOCK=)");
+}
+
+}  // namespace
+
+void run_guard(const GuardOptions& options, int out) {
+  const sockaddr_un address = address_of(options.lola);
+  const MappedBody body(options.body, MappedBody::Side::guard);
+  struct sigaction action {};
+  action.sa_handler = count_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  struct sigaction ignored {};
+  ignored.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &ignored, nullptr);
+
+  Narrator narrator(out);
+  ask_for_real_time(options.priority, narrator);
+  Session session(*body);
+  Socket socket;
+  double heard = 0.0;  // the last time
+  double next_attempt = 0.0;
+  double farewell = 0.0;  // when it must be over
+
+  const auto hang_up = [&](const char* why) {
+    socket.hang_up();
+    session.disconnected();
+    narrator.line(why);
+  };
+  const auto send_answer = [&] {
+    while (!session.to_send().empty()) {
+      const std::span<const std::byte> bytes = session.to_send();
+      const ssize_t size = send(socket.get(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+      if (size > 0) {
+        session.sent(static_cast<std::size_t>(size), now());
+      } else if (size == 0 || errno != EINTR) {
+        return size == 0 || errno == EAGAIN || errno == EWOULDBLOCK;
+      }
+    }
+    return true;
+  };
+  /// False: nothing more can come.
+  const auto read_packets = [&] {
+    while (true) {
+      const std::span<std::byte> space = session.space();
+      const ssize_t size = recv(socket.get(), space.data(), space.size(), MSG_DONTWAIT);
+      if (size < 0 && errno == EINTR) continue;
+      if (size < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
+      if (size == 0) return false;
+      heard = now();
+      if (!session.received(static_cast<std::size_t>(size), heard)) return false;
+      if (static_cast<std::size_t>(size) < space.size()) return true;
+    }
+  };
+
+  narrator.line("waits for LoLA");
+  while (true) {
+    const double time = now();
+    if (signals > 0) {
+      session.finish();
+      if (farewell <= 0.0) farewell = time + kLongestFarewell;
+      if (signals > 1 || time > farewell || session.is_at_rest()) return;
+    }
+    if (!socket.is_open()) {
+      if (time >= next_attempt) {
+        next_attempt = time + kAgain;
+        if (socket.connect(address)) {
+          heard = time;
+          session.connected();
+          narrator.line("connected to LoLA");
+        }
+      }
+      if (!socket.is_open()) {
+        constexpr int kPause = 100;  // ms
+        poll(nullptr, 0, kPause);
+        continue;
+      }
+    }
+    pollfd wait{socket.get(), POLLIN, 0};
+    if (!session.to_send().empty()) wait.events |= POLLOUT;
+    constexpr int kPatience = 100;  // ms
+    const int ready = poll(&wait, 1, kPatience);
+    if (ready > 0 && (wait.revents & (POLLIN | POLLHUP | POLLERR)) != 0 && !read_packets()) {
+      hang_up("the connection to LoLA is lost; it is begun anew");
+      continue;
+    }
+    if (!send_answer()) {
+      hang_up("LoLA takes no answers; the connection is begun anew");
+      continue;
+    }
+    if (now() - heard > kSilent) {
+      hang_up("LoLA has said nothing for 1 s; the connection is begun anew");
+      continue;
+    }
+    narrator.tell(session.report(heard));
+  }
+}
+
+}  // namespace reorient::nao

@@ -1,0 +1,90 @@
+#include "robots/nao/guard/session.h"
+
+namespace reorient::nao {
+
+void Session::connected() {
+  guard_.connected();
+  stream_.clear();
+  reader_ = {};
+  measurement_ = {};
+  answer_size_ = sent_ = 0;
+  has_next_ = false;
+  ++counts_.connections;
+}
+
+void Session::disconnected() {
+  guard_.connected();
+  answer_size_ = sent_ = 0;
+  has_next_ = false;
+}
+
+bool Session::received(std::size_t size, double time) {
+  stream_.written(size);
+  std::span<const std::byte> packet;
+  bool any = false;
+  while (true) {
+    const PacketStream::State state = stream_.next(packet);
+    if (state == PacketStream::State::nonsense) return false;
+    if (state == PacketStream::State::waiting) break;
+    measurement_.time = time;
+    if (!reader_.read(packet, measurement_)) return false;
+    ++counts_.cycles;
+    if (!measurement_.has(SensorKey::position) || !measurement_.has(SensorKey::angles)) ++counts_.unusable;
+    body_.add(measurement_);
+    if (any) ++counts_.late;  // the packet before this one will not be answered
+    any = true;
+  }
+  if (any) answer();
+  return true;
+}
+
+void Session::answer() {
+  BodyRequest request;
+  if (body_.request.read(request)) request_ = request;  // else the last one, which grows old
+  const bool none_is_waiting = answer_size_ == 0 || (sent_ > 0 && !has_next_);
+  if (none_is_waiting) {
+    before_ = guard_;
+  } else {
+    guard_ = before_;  // what was not sent was never told: the body is still where it was
+  }
+  const std::optional<Command> command = guard_.step(measurement_, reader_.robot(), request_);
+  body_.report.write(report(measurement_.time));
+  if (!command) return;
+  if (sent_ > 0) {
+    next_ = command_packet(*command);
+    next_time_ = measurement_.time;
+    has_next_ = true;
+    return;
+  }
+  answer_ = command_packet(*command);
+  answered_time_ = measurement_.time;
+  answer_size_ = answer_.size();
+}
+
+void Session::sent(std::size_t size, double time) {
+  sent_ += size;
+  if (sent_ < answer_size_) return;
+  if (time - answered_time_ > kCycle) ++counts_.late;
+  sent_ = answer_size_ = 0;
+  if (!has_next_) return;
+  answer_ = next_;
+  answered_time_ = next_time_;
+  answer_size_ = answer_.size();
+  has_next_ = false;
+}
+
+void Session::finish() {
+  guard_.finish();
+  before_.finish();
+}
+
+GuardReport Session::report(double time) const {
+  GuardReport report = counts_;
+  report.time = time;
+  report.state = guard_.state();
+  report.worries = guard_.worries();
+  report.joint = guard_.worrying_joint();
+  return report;
+}
+
+}  // namespace reorient::nao

@@ -1,0 +1,83 @@
+#include "robots/nao/guard/shared_body.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace reorient::nao {
+
+void SharedBody::add(const Measurement& measurement) {
+  const std::uint64_t number = measured.load(std::memory_order_relaxed);
+  measurements[number % kMeasurements].write(measurement);
+  measured.store(number + 1, std::memory_order_release);
+}
+
+bool SharedBody::newest(Measurement& measurement) const {
+  const std::uint64_t count = measured.load(std::memory_order_acquire);
+  return count > 0 && measurements[(count - 1) % kMeasurements].read(measurement);
+}
+
+std::uint64_t SharedBody::news(std::uint64_t seen, std::vector<Measurement>& later) const {
+  const std::uint64_t count = measured.load(std::memory_order_acquire);
+  if (seen > count) seen = 0;  // another guard has begun
+  const std::uint64_t oldest = count < kMeasurements ? 0 : count - kMeasurements;
+  for (std::uint64_t i = std::max(seen, oldest); i < count; ++i) {
+    Measurement measurement;
+    if (!measurements[i % kMeasurements].read(measurement)) continue;
+    // The guard may have been round meanwhile: then this is a later one, and comes again in its place.
+    if (!later.empty() && measurement.time <= later.back().time) continue;
+    later.push_back(measurement);
+  }
+  return count;
+}
+
+std::filesystem::path default_body_file() { return "/dev/shm/reorient-nao-" + std::to_string(geteuid()); }
+
+MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
+  const int making = side == Side::guard ? O_CREAT : 0;
+  file_ = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | making, 0600);
+  if (file_ < 0 && side == Side::engine && errno == ENOENT) return;
+  const auto give_up = [&](const std::string& why) {
+    close_all();
+    throw std::runtime_error(file.string() + ": " + why);
+  };
+  if (file_ < 0) give_up(std::strerror(errno));
+  struct stat status {};
+  if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != geteuid())
+    give_up("not a file of this user; remove it");
+  constexpr auto kSize = static_cast<off_t>(sizeof(SharedBody));
+  if (side == Side::guard) {
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0) give_up("another guard holds the body; end it first");
+    if (status.st_size != kSize && ftruncate(file_, kSize) != 0) give_up(std::strerror(errno));
+  } else if (status.st_size != kSize) {
+    give_up("of another version of the guard; start the one that belongs to this program");
+  }
+  void* const memory = mmap(nullptr, sizeof(SharedBody), PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0);
+  if (memory == MAP_FAILED) give_up(std::strerror(errno));
+  body_ = side == Side::guard ? new (memory) SharedBody : static_cast<SharedBody*>(memory);
+  if (side == Side::guard) {
+    body_->layout.store(SharedBody::kLayout, std::memory_order_release);
+  } else if (body_->layout.load(std::memory_order_acquire) != SharedBody::kLayout) {
+    close_all();  // it is being made
+  }
+}
+
+MappedBody::~MappedBody() { close_all(); }
+
+void MappedBody::close_all() {
+  if (body_ != nullptr) munmap(body_, sizeof(SharedBody));
+  if (file_ >= 0) close(file_);
+  body_ = nullptr;
+  file_ = -1;
+}
+
+}  // namespace reorient::nao

@@ -1,0 +1,62 @@
+// The memory that guard and engine share: the last 64 measurements on the one hand, the newest request on the other.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "robots/nao/guard/body_request.h"
+#include "robots/nao/guard/shared_value.h"
+
+namespace reorient::nao {
+
+inline constexpr std::size_t kMeasurements = 64;
+
+struct SharedBody {
+  static constexpr std::uint64_t kLayout = 0x5265'6f72'6965'6e01u;  // the last byte counts its versions
+
+  std::atomic<std::uint64_t> layout = 0;    ///< kLayout, once all else has begun
+  std::atomic<std::uint64_t> measured = 0;  ///< how many measurements there ever were
+  std::array<SharedValue<Measurement>, kMeasurements> measurements;
+  SharedValue<GuardReport> report;
+  SharedValue<BodyRequest> request;
+
+  /// The guard's.
+  void add(const Measurement& measurement);
+  /// The newest measurement. False: there is none, or it is being written.
+  bool newest(Measurement& measurement) const;
+  /// Appends those that came after the first `seen` ones, the oldest first; how many there ever were. What was
+  /// overwritten meanwhile is left out.
+  std::uint64_t news(std::uint64_t seen, std::vector<Measurement>& later) const;
+};
+
+/// A file in memory that both map. Its mode is 0600, and its name holds the user's number.
+std::filesystem::path default_body_file();
+
+/// A mapping of the file.
+class MappedBody {
+ public:
+  enum class Side { guard, engine };
+  /// The guard makes the file where there is none, and holds it alone. The engine takes what a guard has made; nothing
+  /// is mapped where there is none yet. Throws std::runtime_error with one line: another guard holds it, or it is none
+  /// of ours.
+  MappedBody(const std::filesystem::path& file, Side side);
+
+  ~MappedBody();
+  MappedBody(const MappedBody&) = delete;
+  MappedBody& operator=(const MappedBody&) = delete;
+
+  explicit operator bool() const { return body_ != nullptr; }
+  SharedBody& operator*() const { return *body_; }
+  SharedBody* operator->() const { return body_; }
+
+ private:
+  void close_all();
+
+  int file_ = -1;  // stays open as long as the mapping: the guard's lock lies on it
+  SharedBody* body_ = nullptr;
+};
+
+}  // namespace reorient::nao

@@ -1,0 +1,53 @@
+// A value in memory that two processes share: one writes, the other reads the newest whole one, and neither ever waits
+// for the other, nor trusts it to be alive.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace reorient::nao {
+
+template <typename Value>
+class SharedValue {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+ public:
+  /// By one writer alone. One that died in the middle of a value leaves it unreadable until the next one is written.
+  void write(const Value& value) {
+    std::array<std::uint64_t, kWords> words{};
+    std::memcpy(words.data(), &value, sizeof(Value));
+    const std::uint64_t odd = sequence_.load(std::memory_order_relaxed) | 1u;
+    sequence_.store(odd, std::memory_order_relaxed);
+    // Released, so that whoever sees one of the new words sees the odd number, too.
+    for (std::size_t i = 0; i < kWords; ++i) words_[i].store(words[i], std::memory_order_release);
+    sequence_.store(odd + 1, std::memory_order_release);
+  }
+
+  /// False: there is none yet, or it is being written at this very moment; then `value` is left as it was.
+  bool read(Value& value) const {
+    constexpr int kAttempts = 4;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      const std::uint64_t before = sequence_.load(std::memory_order_acquire);
+      if (before == 0) return false;
+      if ((before & 1u) != 0) continue;
+      std::array<std::uint64_t, kWords> words{};
+      for (std::size_t i = 0; i < kWords; ++i) words[i] = words_[i].load(std::memory_order_acquire);
+      if (sequence_.load(std::memory_order_relaxed) != before) continue;
+      std::memcpy(static_cast<void*>(&value), words.data(), sizeof(Value));
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kWords = (sizeof(Value) + 7) / 8;
+  std::atomic<std::uint64_t> sequence_ = 0;
+  std::array<std::atomic<std::uint64_t>, kWords> words_{};
+};
+
+}  // namespace reorient::nao

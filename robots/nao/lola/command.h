@@ -1,0 +1,31 @@
+// What a NAO is told in one cycle of LoLA.
+#pragma once
+
+#include <array>
+
+#include "robots/nao/lola/joints.h"
+
+namespace reorient::nao {
+
+/// Brightness from 0 to 1.
+struct Lights {
+  struct Color {
+    float red = 0.0f, green = 0.0f, blue = 0.0f;
+    bool operator==(const Color&) const = default;
+  };
+  static constexpr std::size_t kEye = 8;  ///< in a ring
+  std::array<Color, kEye> left_eye{};     ///< from 45 degrees on, falling: 45, 0, 315, 270, 225, 180, 135, 90
+  std::array<Color, kEye> right_eye{};    ///< from 0 on, rising
+  std::array<float, 10> left_ear{};       ///< from 0 degrees on, rising by 36
+  std::array<float, 10> right_ear{};      ///< from 324 on, falling
+  Color chest, left_foot, right_foot;
+  std::array<float, 12> skull{};
+};
+
+struct Command {
+  JointValues position{};   ///< rad; hands: 0 closed, 1 open
+  JointValues stiffness{};  ///< 0 to 1; -1: off
+  Lights lights;
+};
+
+}  // namespace reorient::nao

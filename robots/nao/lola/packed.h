@@ -1,0 +1,74 @@
+// MessagePack, as much of it as LoLA speaks, without a heap: read in place, written into a buffer. What is read may be
+// anything; nothing here looks beyond the bytes that it was given, and no number is believed before it was compared
+// with them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace reorient::nao {
+
+enum class PackedKind { map, array, text, bytes, positive, negative, single, twice, truth, nothing, never };
+
+/// How much of `bytes` its first value takes.
+struct PackedExtent {
+  enum class State { whole, cut_short, nonsense } state = State::nonsense;
+  std::size_t size = 0;  ///< bytes, of a whole one
+};
+PackedExtent first_packed_value(std::span<const std::byte> bytes);
+
+/// Reads one value after the other. After a mistake every further call gives nothing.
+class PackedReader {
+ public:
+  explicit PackedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+  /// How many pairs of key and value follow. Nothing: this is no map.
+  std::optional<std::uint32_t> map();
+  /// How many values follow. Nothing: this is no array.
+  std::optional<std::uint32_t> array();
+  /// A number of any kind, or a truth value as 0 or 1; NaN where it is one. Nothing: this is none of them.
+  std::optional<float> number();
+  /// Valid as long as the bytes are. Nothing: this is no text.
+  std::optional<std::string_view> text();
+  /// Leaves out one value, whatever it is. False: there is none.
+  bool skip();
+
+  std::span<const std::byte> rest() const { return rest_; }
+
+ private:
+  struct Beginning {
+    PackedKind kind;
+    std::size_t bytes;  // of the number; 0: it was in the first byte
+    std::uint64_t number;
+  };
+  std::optional<Beginning> begin(std::initializer_list<PackedKind> kinds);
+
+  std::span<const std::byte> rest_;
+};
+
+/// Writes into a buffer that is long enough; what does not fit is left out, and `size` is then greater than the buffer.
+class PackedWriter {
+ public:
+  explicit PackedWriter(std::span<std::byte> buffer) : buffer_(buffer) {}
+
+  void map(std::uint32_t pairs);
+  void array(std::uint32_t values);
+  void text(std::string_view text);  ///< of at most 31 bytes: older dialects know no others
+  void number(float value);
+  void small(std::uint8_t value);  ///< at most 127
+  void truth(bool value);
+
+  std::size_t size() const { return size_; }
+
+ private:
+  void put(std::uint64_t value, std::size_t size);
+
+  std::span<std::byte> buffer_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace reorient::nao

@@ -1,0 +1,336 @@
+// What the guard does with the body, in simulated time.
+#include "robots/nao/guard/guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/robots/nao/twin/twin_body.h"
+
+namespace reorient::nao {
+namespace {
+
+class GuardTest : public testing::Test {
+ protected:
+  GuardTest() { guard_.connected(); }
+  ~GuardTest() override { EXPECT_EQ(body_.complaint(), ""); }
+
+  /// For so many seconds; the engine asks every third cycle, as long as it lives.
+  void run(double seconds) {
+    for (double end = time_ + seconds; time_ < end; time_ += kCycle) {
+      if (engine_lives_ && ++cycle_ % 3 == 0) {
+        asked_ = request_;
+        asked_->time = time_;
+      }
+      Measurement measurement = body_.measurement();
+      measurement.time = time_;
+      measurement.fresh &= ~missing_;
+      const std::optional<Command> command = guard_.step(measurement, body_.identity(), asked_);
+      if (command) {
+        body_.take(*command);
+        last_ = *command;
+      }
+      body_.step();
+    }
+  }
+  void stand() {
+    request_.posture = WantedPosture::stand;
+    run(3.5);
+    ASSERT_EQ(guard_.state(), GuardState::standing);
+  }
+
+  Guard guard_;
+  TwinBody body_;
+  BodyRequest request_;
+  std::optional<BodyRequest> asked_;
+  bool engine_lives_ = true;
+  std::uint32_t missing_ = 0;
+  double time_ = 100.0;
+  int cycle_ = 0;
+  Command last_;
+};
+
+TEST_F(GuardTest, BeginsWithJointsWhereTheyAreAndSoft) {
+  const JointValues before = body_.measurement().position;
+  run(1.0);
+  EXPECT_EQ(last_.position, before);
+  EXPECT_TRUE(body_.is_soft());
+}
+
+TEST_F(GuardTest, StandsUpAndSitsDownAgain) {
+  stand();
+  EXPECT_TRUE(body_.stands());
+  request_.posture = WantedPosture::sit;
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+  EXPECT_TRUE(body_.sits());
+  EXPECT_TRUE(body_.is_soft());
+  EXPECT_EQ(body_.falls(), 0);
+}
+
+TEST_F(GuardTest, SitsDownBeforeItLetsGo) {
+  stand();
+  request_.posture = WantedPosture::soft;
+  run(1.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting_down);
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::soft);
+  EXPECT_EQ(body_.falls(), 0);
+}
+
+TEST_F(GuardTest, SitsDownOneSecondAfterTheEngineDied) {
+  stand();
+  engine_lives_ = false;
+  run(0.95);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+  EXPECT_NE(guard_.worries() & kNoRequest, 0u);
+  run(0.15);
+  EXPECT_EQ(guard_.state(), GuardState::sitting_down);
+  run(2.5);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+  EXPECT_TRUE(body_.sits());
+}
+
+TEST_F(GuardTest, StandsUpAgainForAnEngineThatIsBack) {
+  stand();
+  engine_lives_ = false;
+  run(6.0);
+  engine_lives_ = true;
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+}
+
+TEST_F(GuardTest, TheHeadStopsHalfASecondAfterTheEngineDied) {
+  stand();
+  request_.moves_head = 1;
+  request_.head_yaw = 2.0f;
+  request_.head_speed = 1.0f;
+  run(0.2);
+  engine_lives_ = false;
+  run(0.45);
+  const float still_moves = last_.position[kHeadYaw];
+  run(0.1);
+  const float stopped = last_.position[kHeadYaw];
+  EXPECT_GT(stopped, still_moves);
+  run(0.3);
+  EXPECT_EQ(last_.position[kHeadYaw], stopped);
+  EXPECT_LT(stopped, 1.0f);
+}
+
+TEST_F(GuardTest, TurnsTheHeadNoFasterThanAskedAndNeverIntoTheShoulders) {
+  stand();
+  request_.moves_head = 1;
+  request_.head_yaw = 1.5f;
+  request_.head_pitch = 0.5f;
+  request_.head_speed = 0.5f;
+  run(1.0);
+  EXPECT_NEAR(last_.position[kHeadYaw], 0.5f, 0.03f);
+  request_.head_speed = 100.0f;
+  run(1.0);
+  EXPECT_NEAR(last_.position[kHeadYaw], 1.5f, 1e-3f);
+  EXPECT_NEAR(last_.position[kHeadPitch], head_pitch_range(1.5f).most, 1e-3f);
+}
+
+TEST_F(GuardTest, TurnsTheHeadOfARobotThatSits) {
+  stand();
+  request_.posture = WantedPosture::sit;
+  request_.moves_head = 1;
+  request_.head_yaw = -1.0f;
+  request_.head_speed = 2.0f;
+  run(5.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+  EXPECT_NEAR(body_.measurement().position[kHeadYaw], -1.0f, 1e-3f);
+}
+
+TEST_F(GuardTest, NeitherStandsUpNorSitsDownInClearlyTiltedHands) {
+  body_.tilt(0.3f, 0.0f);
+  request_.posture = WantedPosture::stand;
+  run(2.0);
+  EXPECT_EQ(guard_.state(), GuardState::soft);
+  EXPECT_NE(guard_.worries() & kTilted, 0u);
+  body_.tilt(0.0f, 0.0f);
+  stand();
+  body_.tilt(0.0f, 0.4f);
+  engine_lives_ = false;
+  run(3.0);
+  EXPECT_EQ(guard_.state(), GuardState::standing) << "somebody holds it";
+  body_.tilt(0.0f, 0.0f);
+  run(3.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+}
+
+TEST_F(GuardTest, GoesSoftAtOnceWhenItFallsAndStaysSo) {
+  stand();
+  body_.push();
+  run(0.4);
+  EXPECT_EQ(guard_.state(), GuardState::fallen);
+  EXPECT_TRUE(body_.is_soft());
+  run(2.0);
+  body_.pick_up_and_put_down();
+  run(2.0);
+  EXPECT_EQ(guard_.state(), GuardState::fallen) << "to stand was asked for before it fell";
+  request_.posture = WantedPosture::sit;
+  run(0.1);
+  EXPECT_EQ(guard_.state(), GuardState::soft);
+  stand();
+}
+
+TEST_F(GuardTest, SitsDownWhereAMotorIsTooHot) {
+  body_.set_status(1.0f);
+  stand();
+  EXPECT_NE(guard_.worries() & kHot, 0u);
+  EXPECT_EQ(guard_.worrying_joint(), static_cast<std::uint32_t>(kLeftKneePitch));
+  body_.set_status(2.0f);
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+  body_.set_status(1.0f);
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting) << "hardly cooler";
+  body_.set_status(0.0f);
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+}
+
+TEST_F(GuardTest, SitsDownWithAnEmptyBatteryButNotWithoutKnowing) {
+  body_.set_charge(0.0f);
+  stand();
+  body_.set_charge(0.08f);
+  run(1.0);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+  EXPECT_NE(guard_.worries() & kBatteryLow, 0u);
+  body_.set_charge(0.04f);
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+}
+
+TEST_F(GuardTest, SitsDownWhereALegDoesNotFollow) {
+  body_.block(kLeftKneePitch);
+  request_.posture = WantedPosture::stand;
+  run(4.0);
+  EXPECT_NE(guard_.worries() & kJointStuck, 0u);
+  EXPECT_EQ(guard_.worrying_joint(), static_cast<std::uint32_t>(kLeftKneePitch));
+  run(2.0);
+  EXPECT_NE(guard_.worries() & kJointGivenUp, 0u);
+  EXPECT_EQ(guard_.state(), GuardState::sitting_down);
+}
+
+TEST_F(GuardTest, AHeadThatIsHeldGivesWay) {
+  stand();
+  body_.block(kHeadYaw);
+  request_.moves_head = 1;
+  request_.head_yaw = 1.5f;
+  request_.head_speed = 3.0f;
+  run(6.0);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+  EXPECT_LT(last_.position[kHeadYaw], 0.4f);
+}
+
+TEST_F(GuardTest, HoldsStillWhereItCannotSeeItsPosture) {
+  stand();
+  missing_ = 1u << static_cast<unsigned>(SensorKey::angles);
+  request_.posture = WantedPosture::sit;
+  run(2.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting_down) << "it began before that was clear";
+  missing_ = 0;
+  run(3.0);
+  stand();
+  missing_ = 1u << static_cast<unsigned>(SensorKey::position);
+  run(0.2);
+  request_.posture = WantedPosture::sit;
+  run(3.0);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+  EXPECT_NE(guard_.worries() & kBlind, 0u);
+}
+
+TEST_F(GuardTest, DoesNotMoveABodyOfAnotherVersion) {
+  RobotIdentity other = body_.identity();
+  other.body_version[0] = '5';
+  request_.posture = WantedPosture::stand;
+  for (int i = 0; i < 200; ++i) {
+    Measurement measurement = body_.measurement();
+    measurement.time = request_.time = 1.0 + i * kCycle;
+    const std::optional<Command> command = guard_.step(measurement, other, request_);
+    ASSERT_TRUE(command);
+    EXPECT_EQ(*std::max_element(command->stiffness.begin(), command->stiffness.end()), 0.0f);
+  }
+  EXPECT_EQ(guard_.state(), GuardState::soft);
+}
+
+TEST_F(GuardTest, TakesOverABodyThatStands) {
+  stand();
+  guard_.connected();
+  run(0.012);
+  EXPECT_NE(guard_.state(), GuardState::soft);
+  run(3.0);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+  EXPECT_EQ(body_.falls(), 0);
+}
+
+TEST_F(GuardTest, NonsenseThatIsAskedForDoesNotReachAJoint) {
+  stand();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  request_.moves_head = 0x7fff;
+  request_.head_yaw = request_.head_pitch = request_.head_speed = nan;
+  request_.moves_joints = 1;
+  request_.joints.fill(nan);
+  request_.stiffness.fill(1e9f);
+  request_.lights.chest.red = nan;
+  request_.lights.left_ear[3] = 7.0f;
+  run(1.0);
+  EXPECT_EQ(last_.lights.chest.red, 0.0f);
+  EXPECT_EQ(last_.lights.left_ear[3], 1.0f);
+  request_.posture = static_cast<WantedPosture>(77);
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+}
+
+TEST_F(GuardTest, AWalkMovesTheJointsWithinTheirSpeedAndIsHeldWhereItIsSilent) {
+  stand();
+  request_.moves_joints = 1;
+  request_.joints = standing_posture();
+  request_.stiffness.fill(0.9f);
+  request_.joints[kLeftKneePitch] = 0.9f;
+  run(1.0);
+  EXPECT_NEAR(body_.measurement().position[kLeftKneePitch], 0.9f, 1e-3f);
+  engine_lives_ = false;
+  run(0.9);
+  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f);
+  engine_lives_ = true;
+  request_.moves_joints = 0;
+  run(1.5);
+  EXPECT_NEAR(last_.position[kLeftKneePitch], standing_posture()[kLeftKneePitch], 1e-3f);
+}
+
+TEST_F(GuardTest, SitsDownAndLetsGoBeforeItEnds) {
+  stand();
+  guard_.finish();
+  EXPECT_FALSE(guard_.is_at_rest());
+  run(4.0);
+  EXPECT_TRUE(guard_.is_at_rest());
+  EXPECT_TRUE(body_.sits());
+  EXPECT_EQ(body_.falls(), 0);
+}
+
+TEST_F(GuardTest, ShowsThatNobodyAsks) {
+  stand();
+  engine_lives_ = false;
+  run(0.5);
+  EXPECT_EQ(last_.lights.chest, (Lights::Color{1.0f, 0.6f, 0.0f}));
+}
+
+TEST(Postures, AreWithinTheJointsLimitsAndSymmetric) {
+  for (const JointValues* const posture : {&standing_posture(), &crouching_posture(), &sitting_posture()}) {
+    for (std::size_t joint = 0; joint < kJoints; ++joint) {
+      EXPECT_GE((*posture)[joint], kJointLimits[joint].least) << joint;
+      EXPECT_LE((*posture)[joint], kJointLimits[joint].most) << joint;
+    }
+    EXPECT_EQ((*posture)[kLeftKneePitch], (*posture)[kRightKneePitch]);
+    EXPECT_EQ((*posture)[kLeftShoulderRoll], -(*posture)[kRightShoulderRoll]);
+  }
+}
+
+}  // namespace
+}  // namespace reorient::nao

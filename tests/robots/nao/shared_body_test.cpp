@@ -1,0 +1,146 @@
+#include "robots/nao/guard/shared_body.h"
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/temporary_folder.h"
+
+namespace reorient::nao {
+namespace {
+
+using Side = MappedBody::Side;
+
+class SharedBodyTest : public testing::Test {
+ protected:
+  std::string refusal(Side side) const {
+    try {
+      const MappedBody body(file_, side);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_.path() / "body";
+};
+
+Measurement at(double time) {
+  Measurement measurement;
+  measurement.time = time;
+  measurement.position.fill(static_cast<float>(time));
+  return measurement;
+}
+
+TEST_F(SharedBodyTest, CarriesMeasurementsOneWayAndRequestsTheOther) {
+  const MappedBody guard(file_, Side::guard), engine(file_, Side::engine);
+  ASSERT_TRUE(guard);
+  ASSERT_TRUE(engine);
+  Measurement measurement;
+  EXPECT_FALSE(engine->newest(measurement));
+  for (int i = 1; i <= 100; ++i) guard->add(at(i));
+  std::vector<Measurement> news;
+  EXPECT_EQ(engine->news(0, news), 100u);
+  ASSERT_EQ(news.size(), kMeasurements);
+  EXPECT_EQ(news.front().time, 37.0);
+  EXPECT_EQ(news.back().time, 100.0);
+  news.clear();
+  EXPECT_EQ(engine->news(98, news), 100u);
+  EXPECT_EQ(news.size(), 2u);
+
+  BodyRequest request;
+  EXPECT_FALSE(guard->request.read(request));
+  request.head_yaw = 0.5f;
+  engine->request.write(request);
+  request = {};
+  ASSERT_TRUE(guard->request.read(request));
+  EXPECT_EQ(request.head_yaw, 0.5f);
+}
+
+TEST_F(SharedBodyTest, IsForItsUserAlone) {
+  const MappedBody guard(file_, Side::guard);
+  struct stat status {};
+  ASSERT_EQ(stat(file_.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+}
+
+TEST_F(SharedBodyTest, AnEngineWithoutAGuardHasNone) { EXPECT_FALSE(MappedBody(file_, Side::engine)); }
+
+TEST_F(SharedBodyTest, HasOneGuard) {
+  const MappedBody guard(file_, Side::guard);
+  EXPECT_EQ(refusal(Side::guard), file_.string() + ": another guard holds the body; end it first");
+}
+
+TEST_F(SharedBodyTest, OfANewGuardBeginsAnewUnderTheEnginesHands) {
+  auto first = std::make_unique<MappedBody>(file_, Side::guard);
+  const MappedBody engine(file_, Side::engine);
+  BodyRequest request;
+  engine->request.write(request);
+  for (int i = 1; i <= 10; ++i) (*first)->add(at(i));
+  first.reset();
+  const MappedBody second(file_, Side::guard);
+  EXPECT_FALSE(second->request.read(request)) << "what was asked of the one before";
+  second->add(at(50));
+  std::vector<Measurement> news;
+  EXPECT_EQ(engine->news(10, news), 1u);
+  ASSERT_EQ(news.size(), 1u);
+  EXPECT_EQ(news[0].time, 50.0);
+}
+
+TEST_F(SharedBodyTest, OfAnotherVersionIsRefused) {
+  std::ofstream(file_) << "something";
+  EXPECT_EQ(refusal(Side::engine),
+            file_.string() + ": of another version of the guard; start the one that belongs to this program");
+}
+
+TEST_F(SharedBodyTest, IsNoLinkToSomethingElse) {
+  std::ofstream(folder_.path() / "precious") << "keep me";
+  std::filesystem::create_symlink(folder_.path() / "precious", file_);
+  EXPECT_NE(refusal(Side::guard), "");
+  EXPECT_EQ(std::filesystem::file_size(folder_.path() / "precious"), 7u);
+}
+
+TEST(SharedValue, IsReadWholeOrNotAtAll) {
+  struct Wide {
+    std::array<std::uint64_t, 100> numbers{};
+  };
+  SharedValue<Wide> value;
+  std::atomic<bool> ends = false;
+  std::thread writer([&] {
+    Wide wide;
+    for (std::uint64_t i = 1; !ends; ++i) {
+      wide.numbers.fill(i);
+      value.write(wide);
+    }
+  });
+  Wide seen;
+  for (int reads = 0; reads < 2000;) {
+    if (!value.read(seen)) continue;
+    ++reads;
+    for (const std::uint64_t number : seen.numbers) ASSERT_EQ(number, seen.numbers[0]);
+  }
+  ends = true;
+  writer.join();
+}
+
+TEST(SharedValue, ThatNobodyEndedToWriteKeepsNobodyWaiting) {
+  SharedValue<int> value;
+  value.write(1);
+  // As a writer that was stopped in the middle leaves it.
+  reinterpret_cast<std::atomic<std::uint64_t>&>(value).fetch_add(1);
+  int seen = 0;
+  EXPECT_FALSE(value.read(seen));
+  value.write(2);
+  EXPECT_TRUE(value.read(seen));
+  EXPECT_EQ(seen, 2);
+}
+
+}  // namespace
+}  // namespace reorient::nao
