@@ -88,7 +88,10 @@ void FrameLoop::take_parameters(const std::vector<ParameterChange>& changes) {
 }
 
 void FrameLoop::take_told(const Told& told) {
-  if (told.referee) world_.penalized = told.referee->penalized;
+  if (told.referee) {
+    world_.referee = *told.referee;
+    world_.may_walk = may_walk(world_.referee);
+  }
   std::vector<Message>& messages = record_.inputs.messages;
   for (const Message& message : told.messages) {
     if (messages.size() < kMostMessages) messages.push_back({message.sender, message.text.substr(0, kLongestMessage)});
@@ -200,6 +203,8 @@ void FrameLoop::decide() {
 void FrameLoop::answer() {
   Answer& answer = record_.answer;
   answer.request = behaviors_.wanted().request;
+  if (world_.referee.stopped) answer.request = {};  // all motion stops
+  if (!world_.may_walk) answer.request.walk = {};
   answer.messages = behaviors_.wanted().messages;
   asked_to_get_up_ = answer.request.get_up;
   answer.belief = {world_.pose.pose, world_.pose.covariance, world_.pose_known};

@@ -13,6 +13,7 @@
 #include "geometry/image.h"
 #include "geometry/pose2.h"
 #include "robots/answer.h"
+#include "robots/referee.h"
 
 namespace reorient {
 
@@ -60,15 +61,6 @@ struct ExternalBelief {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y, rotation; m^2, m rad, rad^2
   std::span<const Particle> particles;                   ///< may be empty; valid until the next call of observe()
 };
-
-/// What the referee says.
-struct RefereeState {
-  bool penalized = false;
-};
-template <typename Visit>
-void fields(Visit&& visit, RefereeState& referee) {
-  visit(referee.penalized);
-}
 
 /// A word from a team mate.
 struct Message {

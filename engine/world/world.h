@@ -10,6 +10,7 @@
 #include "geometry/pose2.h"
 #include "localization/pose_belief.h"
 #include "perception/room/room_awareness.h"
+#include "robots/referee.h"
 #include "robots/robot_body.h"
 
 namespace reorient {
@@ -38,7 +39,8 @@ struct World {
   Posture posture = Posture::upright;
   Posture posture_before = Posture::upright;  ///< the one before the present one
   double posture_for = 0.0;                   ///< s, how long it has been so
-  bool penalized = false;
+  RefereeState referee;
+  bool may_walk = true;          ///< as far as the referee says
   bool sides_changed = false;    ///< the team plays towards the end that was its own at first
   double undisturbed_for = 0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
   HeadAngles head;
@@ -62,12 +64,12 @@ struct World {
 
   bool upright() const { return posture == Posture::upright; }
   /// Anything else than upright and in the game: the belief may not hold any more.
-  bool disturbed() const { return !upright() || penalized; }
+  bool disturbed() const { return !upright() || referee.penalized; }
 };
 template <typename Visit>
 void fields(Visit&& visit, World& world) {
-  visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for,
-        world.penalized, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.cruise,
+  visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, world.referee,
+        world.may_walk, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.cruise,
         world.pose, world.recovery_probability, world.pose_known, world.room_awareness, world.confidence, world.views,
         world.room_status, world.trained_seconds, world.training, world.evaluating, world.goal_posts, world.line_points,
         world.field);

@@ -139,6 +139,8 @@ void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, Own
       return take_frame(body);
     case REORIENT_SAMPLE:
       return take_sample(body);
+    case REORIENT_GAME:
+      return take_game(body);
     default:
       throw BadMessage("there is no message of kind " + std::to_string(kind));
   }
@@ -194,7 +196,10 @@ void Companion::keep_told(const FrameMessage& message) {
     told_.initial_pose = InitialPose{pose_of(frame.told_pose), frame.told_deviation[0], frame.told_deviation[1]};
     command_.withdraw();
   }
-  if (message.has(REORIENT_HAS_REFEREE)) told_.referee = RefereeState{frame.penalized != 0};
+  if (message.has(REORIENT_HAS_REFEREE)) {
+    referee_.penalized = frame.penalized != 0;
+    told_.referee = referee_;
+  }
   for (const Message& word : message.messages) {
     if (told_.messages.size() < kMostMessages) told_.messages.push_back(word);
   }
@@ -205,6 +210,20 @@ void Companion::take_sample(std::span<const std::byte> body) {
   if (!is_sound(sample)) return;
   if (samples_.size() >= kMostSamples) samples_.erase(samples_.begin());
   samples_.push_back(sample);
+}
+
+void Companion::take_game(std::span<const std::byte> body) {
+  const auto game = take_message<reorient_game>(body, "a game");
+  if (!body.empty()) throw BadMessage("a game is longer than it should be");
+  if (game.size > REORIENT_LONGEST_DATAGRAM) throw BadMessage("a game's datagram of more than 256 bytes");
+  constexpr std::uint32_t kMost = 255;  // teams, players
+  if (game.team > kMost || game.player > kMost) return;
+  const int team = static_cast<int>(game.team), player = static_cast<int>(game.player);
+  if (game_.team() != team || game_.player() != player) game_ = GameController(team, player);
+  Told heard;
+  game_.hear(std::as_bytes(std::span(game.datagram).first(game.size)), heard);
+  if (heard.referee) told_.referee = referee_ = *heard.referee;
+  if (heard.half_time) told_.half_time = !told_.half_time;
 }
 
 /// False: there is none, or it is of no use.

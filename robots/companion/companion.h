@@ -19,6 +19,7 @@
 #include "robots/companion/frame_message.h"
 #include "robots/companion/greeting.h"
 #include "robots/companion/shared_images.h"
+#include "robots/game_controller.h"
 #include "robots/robot.h"
 
 namespace reorient {
@@ -67,7 +68,7 @@ class Companion : public Robot, private Receiver {
   /// What a process that takes this one's place has to know, but for the engine.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(clock_);
+    archive(clock_, referee_, game_);
     if constexpr (Archive::kReads) last_arrival_ = options_.now();
   }
 
@@ -84,6 +85,7 @@ class Companion : public Robot, private Receiver {
   void take_hello(std::span<const std::byte> body);
   void take_memory(std::span<const std::byte> body, OwnedDescriptor& memory);
   void take_frame(std::span<const std::byte> body);
+  void take_game(std::span<const std::byte> body);
   void take_sample(std::span<const std::byte> body);
   void keep_told(const FrameMessage& message);
   bool use_newest(Observation& observation);
@@ -96,6 +98,9 @@ class Companion : public Robot, private Receiver {
   Counts counts_;
   PendingCommand command_;
   ClientClock clock_;
+
+  RefereeState referee_;  ///< what was said last
+  GameController game_;
 
   std::optional<Greeting> greeting_;    ///< of the client that is connected
   std::optional<Greeting> engine_for_;  ///< nothing: there is no engine yet

@@ -24,7 +24,8 @@ enum {
   REORIENT_SLOTS = 3,               /* images of one camera in shared memory */
   REORIENT_SLOT_HEADER = 64,        /* bytes before the pixels of each */
   REORIENT_LARGEST_IMAGE = 1 << 24, /* bytes */
-  REORIENT_LONGEST_TEXT = 240       /* bytes of a message between robots */
+  REORIENT_LONGEST_TEXT = 240,      /* bytes of a message between robots */
+  REORIENT_LONGEST_DATAGRAM = 256   /* bytes of one of the GameController's */
 };
 
 /* Before each message. */
@@ -40,6 +41,7 @@ enum {
   REORIENT_MEMORY = 2,
   REORIENT_FRAME = 3,
   REORIENT_SAMPLE = 4,
+  REORIENT_GAME = 5,
   /* to the client */
   REORIENT_WELCOME = 101,
   REORIENT_REFUSAL = 102,
@@ -200,6 +202,16 @@ struct reorient_sample {
   double head[2], attitude[2], rates[3], acceleration[3], foot_load;
 };
 
+/* ---- game: what the league's GameController sent, as it came ---- */
+
+struct reorient_game {
+  uint32_t team;   /* yours, as the league numbers it */
+  uint32_t player; /* this robot, 1 to 20 */
+  uint32_t size;   /* bytes of the datagram */
+  uint32_t zero;
+  uint8_t datagram[REORIENT_LONGEST_DATAGRAM]; /* RGme, version 18, 19 or 20; others do nothing */
+};
+
 /* ---- to the client ---- */
 
 struct reorient_welcome {
@@ -270,6 +282,7 @@ REORIENT_SIZE(reorient_frame, 512);
 REORIENT_SIZE(reorient_particle, 16);
 REORIENT_SIZE(reorient_message, 248);
 REORIENT_SIZE(reorient_sample, 104);
+REORIENT_SIZE(reorient_game, 272);
 REORIENT_SIZE(reorient_welcome, 16);
 REORIENT_SIZE(reorient_refusal, 256);
 REORIENT_SIZE(reorient_answer, 208);
@@ -523,6 +536,14 @@ static inline int reorient_send_sample(struct reorient_client* client, const str
   if (client->socket < 0 || !reorient_flush(client)) return 0;
   reorient_begin(client, REORIENT_SAMPLE, sizeof *sample);
   reorient_append(client, sample, sizeof *sample);
+  reorient_flush(client);
+  return client->socket >= 0;
+}
+
+static inline int reorient_send_game(struct reorient_client* client, const struct reorient_game* game) {
+  if (client->socket < 0 || !reorient_flush(client)) return 0;
+  reorient_begin(client, REORIENT_GAME, sizeof *game);
+  reorient_append(client, game, sizeof *game);
   reorient_flush(client);
   return client->socket >= 0;
 }

@@ -220,7 +220,6 @@ void Simulator::look(Observation& observation) {
   observation.time = static_cast<double>(frame_) / parameters_.frame_rate;
   light_up();
   place_people(observation.time);
-  observation.told.referee = std::exchange(whistle_, std::nullopt);
   observation.body = body_samples_.back();
   observation.body_samples = body_samples_;
   observation.odometry = body_.odometry();
@@ -269,11 +268,6 @@ void Simulator::change_light() {
 void Simulator::set_exposure_compensation(double stops) {
   upper_.sensor.set_stops(stops);
   if (lower_) lower_->sensor.set_stops(stops);
-}
-
-void Simulator::penalize(bool penalized) {
-  body_.penalize(penalized);
-  whistle_ = RefereeState{penalized};
 }
 
 std::span<const Label> Simulator::labels() const { return upper_.renderer.frame().labels; }

@@ -94,7 +94,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   void pick_up() override { body_.pick_up(); }
   void put_down(const Pose2& where) override { body_.put_down(where); }
   void push_over() override { body_.push_over(); }
-  void penalize(bool penalized) override;
+  void penalize(bool penalized) override { body_.penalize(penalized); }
   void set_exposure_compensation(double stops) override;
   void change_light() override;
 
@@ -168,7 +168,6 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   Isometry3 field_from_camera_ = Isometry3::Identity();
   std::vector<BodySample> body_samples_;  // since the frame before
   std::uint64_t frame_ = 0;
-  std::optional<RefereeState> whistle_;  // what the referee has said since the frame before
 };
 
 }  // namespace reorient

@@ -27,6 +27,9 @@ clock = {}
 ---What the referee says of the game.
 ---@class reorient.game
 ---@field sides_changed boolean the team plays towards the end that was its own at first; where this changes, so have the field's axes
+---@field state string as the rules call it; unknown: nobody has said anything
+---@field stopped boolean nobody may move: what a behaviour asks of head and legs is not carried out
+---@field kick_off string who kicks off next, or takes the free kick
 game = {}
 
 ---The robot's own body.
@@ -36,6 +39,7 @@ game = {}
 ---@field posture_for number s, for how long it has had its posture
 ---@field undisturbed_for number s, for how long it has been upright and in the game; 0 while it is not, or is penalized
 ---@field penalized boolean the referee has taken it out of the game
+---@field may_walk boolean the referee lets it: it is in the game, which is ready or playing, or of which nobody has said anything; else it stands, whatever a behaviour asks
 ---@field head_yaw number rad, measured angle of the head, to the left
 ---@field head_pitch number rad, measured angle of the head, downwards
 ---@field head_reach number rad, how far the neck turns to either side
@@ -206,6 +210,18 @@ function experimenter.push_over() end
 ---Takes the robot out of the game, or lets it in again.
 ---@param penalized boolean
 function experimenter.penalize(penalized) end
+
+---The referee says: initial, ready, set, playing, finished, standby or unknown.
+---@param state string
+function experimenter.set_game_state(state) end
+
+---Nobody may move any more, or everybody again.
+---@param stopped boolean
+function experimenter.stop_game(stopped) end
+
+---Who kicks off next: ours, theirs or nobody.
+---@param side string
+function experimenter.set_kick_off(side) end
 
 ---Changes the hall's light against the camera's exposure, in powers of two.
 ---@param stops number
@@ -419,7 +435,7 @@ function print(...) end
 ---@alias reorient.CommandName "flip_pose"|"purge_reflection"|"reset_orientation"|"pause_training"|"pause_evaluation"
 ---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
 ---@alias reorient.PauseName "pause_training"|"pause_evaluation"
----@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"|"tell_message"
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"|"tell_message"|"set_game_state"|"stop_game"|"set_kick_off"
 ---@alias reorient.MachineName string
 ---@alias reorient.StatePath string
 ---@alias reorient.BehaviorScript string

@@ -29,13 +29,16 @@ local function is_disturbed() return robot.undisturbed_for == 0.0 end
 
 local function one_turn() return 2 * math.pi / p.turn_speed end   -- s
 
-local function must_wait() return published.pose_is_searched and not is_disturbed() end
+local function may_not_walk() return not robot.may_walk and not is_disturbed() end
+
+local function must_wait() return published.pose_is_searched and robot.may_walk and not is_disturbed() end
 
 behavior "penalty_marks" {
   priority = 20,
   initial = "walking",
   common = {
     { "disturbed", when = is_disturbed, because = "the robot cannot walk now" },
+    { "held", when = may_not_walk, because = "the referee lets nobody walk" },
     { "waiting", when = must_wait, because = "others search for the pose" },
   },
 
@@ -72,5 +75,10 @@ behavior "penalty_marks" {
   state "waiting" {
     update = function() walk.stand() end,
     { "walking", when = function() return not published.pose_is_searched end, because = "the search has ended" },
+  },
+
+  state "held" {
+    update = function() walk.stand() end,
+    { "walking", when = function() return robot.may_walk end, because = "the game goes on" },
   },
 }

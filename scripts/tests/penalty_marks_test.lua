@@ -165,3 +165,16 @@ test("an edit of the library counts without losing the way", function()
   advance(0.1)
   expect.walk(0.3, 0, 0)
 end)
+
+test("stands as long as the referee lets nobody walk", function()
+  load_behavior "penalty_marks"
+  stand_at(-3.2, -3.5, math.rad(90))
+  set_world { robot = { may_walk = false } }
+  advance(0.1)
+  expect.state("penalty_marks", "held")
+  expect.walk(0, 0, 0)
+  set_world { robot = { may_walk = true } }
+  advance(0.1)
+  expect.state("penalty_marks", "walking")
+  expect.reason("penalty_marks", "the game goes on")
+end)

@@ -63,10 +63,36 @@ TEST(Frame, BelievesTheRobotsOwnSoftwareAsWell) {
   loop.inputs.observation.told.referee = RefereeState{true};
   loop.step();
   EXPECT_TRUE(loop.world().pose_known);
-  EXPECT_TRUE(loop.world().penalized);
+  EXPECT_TRUE(loop.world().referee.penalized);
   loop.inputs.observation.told = {};
   loop.step();
-  EXPECT_TRUE(loop.world().penalized) << "until the referee says otherwise";
+  EXPECT_TRUE(loop.world().referee.penalized) << "until the referee says otherwise";
+}
+
+constexpr const char* kRestless = R"(behavior "restless" { initial = "on", state "on" {
+  update = function() head.look(0.5, 0.1, 1) walk.velocity(0.1, 0, 0) end } })";
+
+TEST(Frame, NobodyWalksUnlessTheRefereeLetsHim) {
+  HandFedLoop loop(kRestless);
+  const std::pair<RefereeState, bool> cases[] = {
+      {{}, true},
+      {{false, GameState::initial}, false},
+      {{false, GameState::ready}, true},
+      {{false, GameState::set}, false},
+      {{false, GameState::playing}, true},
+      {{true, GameState::playing}, false},
+      {{false, GameState::finished}, false},
+      {{false, GameState::standby}, false},
+      {{false, GameState::playing, true}, false},
+  };
+  for (const auto& [referee, walks] : cases) {
+    loop.inputs.told.referee = referee;
+    loop.step();
+    EXPECT_EQ(loop.world().may_walk, walks);
+    EXPECT_EQ(loop.record().answer.request.walk.forward > 0.0, walks) << to_string(referee.state);
+    EXPECT_EQ(loop.record().answer.request.head.has_value(), !referee.stopped)
+        << "where all motion stops, the head's too";
+  }
 }
 
 TEST(Frame, CarriesTheBeliefAlongWithTheOdometry) {

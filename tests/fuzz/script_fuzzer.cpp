@@ -60,7 +60,7 @@ class Worlds {
     ++world_.frame;
     world_.posture = static_cast<Posture>(draw(kPostures));
     world_.room_status = static_cast<RoomStatus>(draw(kRoomStatuses));
-    world_.penalized = draw(8) == 0;
+    world_.referee.penalized = draw(8) == 0;
     world_.head = {fraction() - 0.5, 0.2 * fraction()};
     world_.pose.pose = Pose2(6.0 * fraction() - 3.0, 4.0 * fraction() - 2.0, 6.0 * fraction() - 3.0);
     world_.pose.reflected_weight = fraction();

@@ -59,7 +59,7 @@ void RunLoop::play_scenario() {
   stage_.scenario = parts_.scenario->tick({record.world, stage_.truth});
   bool sides_changed = record.world.sides_changed;
   for (const ExperimenterAction& action : stage_.scenario.actions)
-    carry_out(action, *parts_.robot.experimenter, inputs_.told, sides_changed);
+    carry_out(action, *parts_.robot.experimenter, inputs_.told, sides_changed, record.world.referee);
 }
 
 RunEnd RunLoop::run() {

@@ -71,7 +71,9 @@ std::optional<ParameterOutcome> ScenarioHost::change(const ParameterChange& chan
   return parameters_.change(change);
 }
 
-void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told, bool& sides_changed) {
+void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told, bool& sides_changed,
+               const RefereeState& referee) {
+  const auto said = [&]() -> RefereeState& { return told.referee ? *told.referee : told.referee.emplace(referee); };
   using Kind = ExperimenterAction::Kind;
   switch (action.kind) {
     case Kind::pick_up:
@@ -81,6 +83,7 @@ void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Tol
     case Kind::push_over:
       return experimenter.push_over();
     case Kind::penalize:
+      said().penalized = action.penalized;
       return experimenter.penalize(action.penalized);
     case Kind::set_exposure_compensation:
       return experimenter.set_exposure_compensation(action.stops);
@@ -91,6 +94,15 @@ void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Tol
       return;
     case Kind::tell_message:
       told.messages.push_back(action.message);
+      return;
+    case Kind::set_game_state:
+      said().state = action.referee.state;
+      return;
+    case Kind::stop_game:
+      said().stopped = action.referee.stopped;
+      return;
+    case Kind::set_kick_off:
+      said().kick_off = action.referee.kick_off;
       return;
     case Kind::half_time:
       sides_changed = !sides_changed;

@@ -100,8 +100,9 @@ class ScenarioHost {
 };
 
 /// Does to the robot what was asked for, and adds to `told` what it is to be told. `sides_changed`: whether the axes of
-/// the action's pose are those of the experimenter turned by half; half-time changes it.
-void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told, bool& sides_changed);
+/// the action's pose are those of the experimenter turned by half; half-time changes it. `referee`: what was said last.
+void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told, bool& sides_changed,
+               const RefereeState& referee);
 
 /// A pose in the axes of the hall, which are the team's of the first half, in those of the team; and back.
 inline Pose2 in_axes_of_team(const Pose2& pose, bool sides_changed) { return sides_changed ? reflect(pose) : pose; }

@@ -25,6 +25,17 @@ constexpr std::array<WorldField, 5> kTruthFields{{
     {"truth", "carried", "", "the robot really hangs in the air", WorldField::Type::boolean, {}},
 }};
 
+/// Throws std::runtime_error with one line where there is no such name.
+template <typename Enum>
+Enum named(std::string_view name, const char* what) {
+  std::vector<std::string> known;
+  for (int i = 0; i < enum_count(Enum{}); ++i) {
+    known.emplace_back(to_string(static_cast<Enum>(i)));
+    if (known.back() == name) return static_cast<Enum>(i);
+  }
+  throw std::runtime_error(std::string(what) + " cannot be '" + std::string(name) + "'" + did_you_mean(name, known));
+}
+
 }  // namespace
 
 Message message_of(std::int64_t sender, std::string_view text) {
@@ -54,6 +65,12 @@ std::string_view to_string(ExperimenterAction::Kind kind) {
       return "half_time";
     case ExperimenterAction::Kind::tell_message:
       return "tell_message";
+    case ExperimenterAction::Kind::set_game_state:
+      return "set_game_state";
+    case ExperimenterAction::Kind::stop_game:
+      return "stop_game";
+    case ExperimenterAction::Kind::set_kick_off:
+      return "set_kick_off";
   }
   return "";
 }
@@ -85,6 +102,13 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
       script_function<&A::push_over>("experimenter.push_over", {}, "Makes the robot fall."),
       script_function<&A::penalize>("experimenter.penalize", {"penalized"},
                                     "Takes the robot out of the game, or lets it in again."),
+      script_function<&A::set_game_state>(
+          "experimenter.set_game_state", {"state"},
+          "The referee says: initial, ready, set, playing, finished, standby or unknown."),
+      script_function<&A::stop_game>("experimenter.stop_game", {"stopped"},
+                                     "Nobody may move any more, or everybody again."),
+      script_function<&A::set_kick_off>("experimenter.set_kick_off", {"side"},
+                                        "Who kicks off next: ours, theirs or nobody."),
       script_function<&A::set_exposure_compensation>(
           "experimenter.set_exposure_compensation", {"stops"},
           "Changes the hall's light against the camera's exposure, in powers of two."),
@@ -127,6 +151,24 @@ void ScenarioActions::put_down(double x, double y, double rotation) {
 
 void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
   act({ExperimenterAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
+}
+
+void ScenarioActions::set_game_state(std::string_view state) {
+  ExperimenterAction action{ExperimenterAction::Kind::set_game_state, {}, 0.0, false};
+  action.referee.state = named<GameState>(state, "a game's state");
+  act(action);
+}
+
+void ScenarioActions::stop_game(bool stopped) {
+  ExperimenterAction action{ExperimenterAction::Kind::stop_game, {}, 0.0, false};
+  action.referee.stopped = stopped;
+  act(action);
+}
+
+void ScenarioActions::set_kick_off(std::string_view side) {
+  ExperimenterAction action{ExperimenterAction::Kind::set_kick_off, {}, 0.0, false};
+  action.referee.kick_off = named<KickOff>(side, "who kicks off");
+  act(action);
 }
 
 void ScenarioActions::tell_message(std::int64_t sender, std::string_view text) {

@@ -27,19 +27,23 @@ struct ExperimenterAction {
     set_initial_pose,
     half_time,
     change_light,
-    tell_message
+    tell_message,
+    set_game_state,
+    stop_game,
+    set_kick_off
   };
-  friend constexpr int enum_count(Kind) { return 9; }
+  friend constexpr int enum_count(Kind) { return 12; }
 
   Kind kind = Kind::pick_up;
   Pose2 pose;              ///< of put_down, set_initial_pose
   double stops = 0.0;      ///< of set_exposure_compensation
   bool penalized = false;  ///< of penalize
   Message message{};       ///< of tell_message
+  RefereeState referee{};  ///< what of it the kind is about
 };
 template <typename Visit>
 void fields(Visit&& visit, ExperimenterAction& action) {
-  visit(action.kind, action.pose, action.stops, action.penalized, action.message);
+  visit(action.kind, action.pose, action.stops, action.penalized, action.message, action.referee);
 }
 
 /// What a script lets a team mate say. Throws std::runtime_error with one line where no team mate can.
@@ -71,6 +75,9 @@ class ScenarioActions : public ScriptActions {
   void put_down(double x, double y, double rotation);
   void push_over() { act({ExperimenterAction::Kind::push_over, {}, 0.0, false}); }
   void penalize(bool penalized) { act({ExperimenterAction::Kind::penalize, {}, 0.0, penalized}); }
+  void set_game_state(std::string_view state);
+  void stop_game(bool stopped);
+  void set_kick_off(std::string_view side);
   void set_exposure_compensation(double stops) {
     act({ExperimenterAction::Kind::set_exposure_compensation, {}, stops, false});
   }

@@ -17,8 +17,9 @@ namespace {
 using Type = WorldField::Type;
 
 /// Where a field lives in a world. Only tests write through it.
-using Access = std::variant<double* (*)(World&), bool* (*)(World&), int* (*)(World&), std::uint64_t* (*)(World&),
-                            Posture* (*)(World&), RoomStatus* (*)(World&)>;
+using Access =
+    std::variant<double* (*)(World&), bool* (*)(World&), int* (*)(World&), std::uint64_t* (*)(World&),
+                 Posture* (*)(World&), RoomStatus* (*)(World&), GameState* (*)(World&), KickOff* (*)(World&)>;
 
 struct BoundField {
   std::string_view table;
@@ -48,13 +49,24 @@ const BoundField kFields[] = {
     {"game", "sides_changed", "",
      "the team plays towards the end that was its own at first; where this changes, so have the field's axes",
      [](World& w) { return &w.sides_changed; }},
+    {"game", "state", "", "as the rules call it; unknown: nobody has said anything",
+     [](World& w) { return &w.referee.state; }},
+    {"game", "stopped", "", "nobody may move: what a behaviour asks of head and legs is not carried out",
+     [](World& w) { return &w.referee.stopped; }},
+    {"game", "kick_off", "", "who kicks off next, or takes the free kick",
+     [](World& w) { return &w.referee.kick_off; }},
     {"robot", "posture", "", "how it stands, lies or hangs in somebody's hands", [](World& w) { return &w.posture; }},
     {"robot", "posture_before", "", "the posture before the present one", [](World& w) { return &w.posture_before; }},
     {"robot", "posture_for", "s", "for how long it has had its posture", [](World& w) { return &w.posture_for; }},
     {"robot", "undisturbed_for", "s",
      "for how long it has been upright and in the game; 0 while it is not, or is penalized",
      [](World& w) { return &w.undisturbed_for; }},
-    {"robot", "penalized", "", "the referee has taken it out of the game", [](World& w) { return &w.penalized; }},
+    {"robot", "penalized", "", "the referee has taken it out of the game",
+     [](World& w) { return &w.referee.penalized; }},
+    {"robot", "may_walk", "",
+     "the referee lets it: it is in the game, which is ready or playing, or of which nobody has said anything; else it "
+     "stands, whatever a behaviour asks",
+     [](World& w) { return &w.may_walk; }},
     {"robot", "head_yaw", "rad", "measured angle of the head, to the left", [](World& w) { return &w.head.yaw; }},
     {"robot", "head_pitch", "rad", "measured angle of the head, downwards", [](World& w) { return &w.head.pitch; }},
     {"robot", "head_reach", "rad", "how far the neck turns to either side", [](World& w) { return &w.head_reach; }},

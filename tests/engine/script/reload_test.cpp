@@ -41,10 +41,10 @@ TEST_F(ScriptReload, CanBeAskedForThoughNothingChanged) {
     state "one" { update = function() if robot.penalized then error("stopped") end log.info("runs") end } })";
   load("b", text);
   load("other", R"(behavior "other" { initial = "one", state "one" {} })");
-  world.penalized = true;
+  world.referee.penalized = true;
   ticks(limits.max_errors);
   EXPECT_TRUE(status("b").stopped);
-  world.penalized = false;
+  world.referee.penalized = false;
   const ScriptText same{text, ""};
   const std::vector<ScriptEdit> saved{{"behaviors/b.lua", same}}, asked{{"behaviors/b.lua", same, true}};
   EXPECT_TRUE(host().apply(saved).empty());

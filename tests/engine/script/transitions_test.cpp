@@ -56,7 +56,7 @@ TEST_F(ScriptConditions, AreToldWithWhatTheySaidAndForHowLong) {
   ticks(30);
   EXPECT_EQ(open(), (Steps{" -> three: no 0.0/0.0 1.0/0.0", "one -> two: no 0.0/2.0 1.0/0.0",
                            "one -> three: timed 0.0/0.0 1.0/3.0"}));
-  world.penalized = true;
+  world.referee.penalized = true;
   ticks(16);
   EXPECT_EQ(open()[1], "one -> two: yes 0.5/2.0 1.5/0.0");
   ticks(45);
@@ -70,7 +70,7 @@ TEST_F(ScriptConditions, OfAFunctionsDwellAreToldAsItSaidLast) {
     state "two" {} })");
   ticks(2);
   EXPECT_EQ(open(), (Steps{"one -> two: no 0.0/nan 0.0/0.0"}));
-  world.penalized = true;
+  world.referee.penalized = true;
   ticks(2);
   EXPECT_EQ(open(), (Steps{"one -> two: yes 0.0/3.0 0.1/0.0"}));
 }
@@ -108,7 +108,7 @@ TEST_F(ScriptTransitions, ACommandCarriesItsIssuerStateReasonAndPriority) {
     state "two" { enter = command.flip_pose } })");
   tick();
   EXPECT_TRUE(commands.empty());
-  world.penalized = true;
+  world.referee.penalized = true;
   tick();
   ASSERT_EQ(commands.size(), 1u);
   EXPECT_EQ(commands[0].reorientation, Reorientation::flip_pose);
@@ -129,11 +129,11 @@ TEST_F(ScriptTransitions, AMachineTakesOneTransitionAFrame) {
 TEST_F(ScriptTransitions, LastingAsksForTheConditionWithoutABreak) {
   load("b", R"(behavior "b" { initial = "one",
     state "one" { { "two", when = function() return robot.penalized end, lasting = 0.5 } }, state "two" {} })");
-  world.penalized = true;
+  world.referee.penalized = true;
   ticks(12);
-  world.penalized = false;
+  world.referee.penalized = false;
   ticks(1);
-  world.penalized = true;
+  world.referee.penalized = true;
   ticks(15);
   EXPECT_EQ(state("b"), "one");
   ticks(1);
@@ -169,7 +169,7 @@ TEST_F(ScriptTransitions, AlwaysIsCheckedFirstAndNotWhileItsTargetIsActive) {
   load("b", R"(behavior "b" { initial = "one", common = { { "down", when = function() return robot.penalized end } },
     state "one" { { "two", when = function() return true end } }, state "two" {}, state "down" { enter = function() log.info("down") end } })");
   tick();
-  world.penalized = true;
+  world.referee.penalized = true;
   ticks(5);
   EXPECT_EQ(steps(), (Steps{" -> one", "one -> down"}));
   EXPECT_EQ(logs, std::vector<std::string>{"down"});
@@ -206,9 +206,9 @@ TEST_F(ScriptTransitions, HistoryResumesTheInnerStateThatWasLast) {
     state "down" { { "outer", when = function() return not robot.penalized end } } })");
   ticks(5);
   EXPECT_EQ(state("b"), "outer/y");
-  world.penalized = true;
+  world.referee.penalized = true;
   tick();
-  world.penalized = false;
+  world.referee.penalized = false;
   tick();
   EXPECT_EQ(state("b"), "outer/y");
 }

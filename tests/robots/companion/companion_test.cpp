@@ -50,6 +50,31 @@ class CompanionTest : public ::testing::Test {
   std::optional<Companion> companion_;
 };
 
+TEST_F(CompanionTest, HearsTheGameFromItsClient) {
+  RawClient client = greeted();
+  reorient_game game{};
+  game.team = 5;
+  game.player = 3;
+  game.size = 158;
+  std::memcpy(game.datagram, "RGme", 4);
+  game.datagram[4] = 20;
+  game.datagram[10] = 2;                 // set
+  game.datagram[13] = 5;                 // we kick off
+  game.datagram[18 + 70] = 5;            // we are the second team
+  game.datagram[18 + 70 + 10 + 6] = 12;  // the third player is sent off
+  client.send(REORIENT_GAME, game);
+  client.send(REORIENT_FRAME, standing_frame(1, 33.0, client.paint(90)));
+  auto observation = observed();
+  ASSERT_TRUE(observation && observation->told.referee);
+  EXPECT_EQ(*observation->told.referee, (RefereeState{true, GameState::set, false, KickOff::ours}));
+  game.datagram[1] = 'x';
+  client.send(REORIENT_GAME, game);
+  client.send(REORIENT_FRAME, standing_frame(2, 33.1, client.paint(90)));
+  observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->told.referee);
+}
+
 TEST_F(CompanionTest, TurnsAFrameIntoAnObservationAndAnswersIt) {
   RawClient client = greeted();
   reorient_frame frame = standing_frame(5, 33.0, client.paint(90));

@@ -236,21 +236,6 @@ TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
   EXPECT_NEAR(std::asin(-axis.z()), from_degrees(39.7), from_degrees(2.0));
 }
 
-TEST(Simulator, TellsOnceWhatTheRefereeSaid) {
-  Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
-  Observation observation;
-  simulator.observe(observation);
-  EXPECT_FALSE(observation.told.referee);
-  for (const bool penalized : {true, false}) {
-    simulator.penalize(penalized);
-    simulator.observe(observation);
-    ASSERT_TRUE(observation.told.referee);
-    EXPECT_EQ(observation.told.referee->penalized, penalized);
-    simulator.observe(observation);
-    EXPECT_FALSE(observation.told.referee);
-  }
-}
-
 TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
   Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;

@@ -24,7 +24,9 @@ struct Hands : Experimenter {
 
 class HalfTimeOfAScenario : public ::testing::Test {
  protected:
-  void act(Kind kind, const Pose2& pose = {}) { carry_out({kind, pose, 0.0, false}, hands, told, sides_changed); }
+  void act(Kind kind, const Pose2& pose = {}) {
+    carry_out({kind, pose, 0.0, false}, hands, told, sides_changed, referee);
+  }
 
   static bool same(const Pose2& a, const Pose2& b) {
     return (a.position - b.position).norm() < 1e-9 && std::abs(angle_difference(a.rotation, b.rotation)) < 1e-9;
@@ -34,6 +36,7 @@ class HalfTimeOfAScenario : public ::testing::Test {
   Hands hands;
   Told told;
   bool sides_changed = false;
+  RefereeState referee;
 };
 
 TEST_F(HalfTimeOfAScenario, IsToldAndTurnsThePosesBehindIt) {
@@ -57,11 +60,22 @@ TEST_F(HalfTimeOfAScenario, TurnsAPoseThatWasToldJustBefore) {
 TEST_F(HalfTimeOfAScenario, LeavesWordsOfTeamMatesAsTheyAre) {
   ExperimenterAction action{Kind::tell_message, {}, 0.0, false};
   action.message = {4, "I am at the centre"};
-  carry_out(action, hands, told, sides_changed);
+  carry_out(action, hands, told, sides_changed, referee);
   act(Kind::half_time);
   ASSERT_EQ(told.messages.size(), 1u);
   EXPECT_EQ(told.messages[0].sender, 4);
   EXPECT_EQ(told.messages[0].text, "I am at the centre");
+}
+
+TEST_F(HalfTimeOfAScenario, LeavesWhatTheRefereeSaidBesidesAsItIs) {
+  referee = {false, GameState::playing, false, KickOff::theirs};
+  ExperimenterAction action{Kind::stop_game, {}, 0.0, false};
+  action.referee.stopped = true;
+  carry_out(action, hands, told, sides_changed, referee);
+  action = {Kind::penalize, {}, 0.0, true};
+  carry_out(action, hands, told, sides_changed, referee);
+  ASSERT_TRUE(told.referee);
+  EXPECT_EQ(*told.referee, (RefereeState{true, GameState::playing, true, KickOff::theirs}));
 }
 
 TEST_F(HalfTimeOfAScenario, TwiceAtOnceIsNone) {

@@ -34,7 +34,7 @@ std::string errors_of(Behaviors& behaviors) {
     world.time = frame / 30.0;
     world.frame = static_cast<std::uint64_t>(frame);
     world.posture = frame / 10 % 2 == 0 ? Posture::upright : Posture::lying;
-    world.penalized = frame / 15 % 2 == 1;
+    world.referee.penalized = frame / 15 % 2 == 1;
     world.confidence.current = frame % 7 / 7.0;
     behaviors.tick(world);
     for (const FaultRecord& fault : behaviors.said().faults) errors += fault.fault.text() + "\n";
