@@ -1,0 +1,261 @@
+#include "robots/nao/camera/video_camera.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+#include <linux/usb/video.h>
+#include <linux/uvcvideo.h>
+#include <linux/videodev2.h>
+
+namespace reorient::nao {
+namespace {
+
+constexpr double kPeriod = 1.0 / 30.0;  // s
+constexpr double kFirstImage = 1.0;     // s after the start, within which one has to come
+constexpr double kNextImage = 0.5;      // s, between two
+constexpr double kPause = 1.0;          // s before it is opened again
+constexpr std::uint8_t kExtensionUnit = 3;
+
+// The sensor's own, by which white balance is done: gains of red, green and blue, 12 bits each in two bytes.
+constexpr std::uint16_t kGains = 0x3400;
+constexpr std::uint8_t kRegister = 0x0e;  // selector of the extension unit
+constexpr double kRegisterPause = 0.1;    // s
+
+}  // namespace
+
+VideoCamera::VideoCamera(VideoDevice& device, VideoSettings settings)
+    : device_(device), settings_(std::move(settings)) {}
+
+VideoCamera::~VideoCamera() { end(); }
+
+std::optional<VideoCamera::Image> VideoCamera::look(double now) {
+  if (state_ == VideoState::closed) {
+    if (now < next_attempt_) return std::nullopt;
+    if (!begin(now)) {
+      end();
+      next_attempt_ = now + kPause;
+      return std::nullopt;
+    }
+  }
+  if (held_ && !queue(*std::exchange(held_, std::nullopt))) last_image_ = now - 10.0 * kNextImage;
+
+  std::optional<Image> newest;
+  for (std::size_t taken = 0; taken < kBuffers; ++taken) {
+    v4l2_buffer buffer{};
+    buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    buffer.memory = V4L2_MEMORY_MMAP;
+    const int error = device_.control(VIDIOC_DQBUF, &buffer);
+    if (error == EAGAIN) break;
+    if (error != 0 || buffer.index >= kBuffers) {  // unplugged, or its driver is at its end
+      last_image_ = now - 10.0 * kNextImage;
+      break;
+    }
+    const std::size_t wanted =
+        2u * static_cast<std::size_t>(settings_.width) * static_cast<std::size_t>(settings_.height);
+    if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || buffer.bytesused < wanted ||
+        buffers_[buffer.index].length < wanted) {
+      ++counts_.damaged;
+      if (!queue(buffer.index)) break;
+      continue;
+    }
+    if (held_) {
+      ++counts_.passed_over;
+      if (!queue(*held_)) break;
+    }
+    held_ = buffer.index;
+    ++counts_.images;
+    Image image;
+    image.time = static_cast<double>(buffer.timestamp.tv_sec) + 1e-6 * static_cast<double>(buffer.timestamp.tv_usec);
+    // The first ones have none; and nothing was exposed long ago, or will be.
+    constexpr double kOldest = 1.0;
+    image.is_time_guessed = image.time <= 0.0 || image.time > now || image.time < now - kOldest;
+    if (image.is_time_guessed) image.time = now - kPeriod;
+    image.yuyv = {static_cast<const std::uint8_t*>(buffers_[buffer.index].address), wanted};
+    newest = image;
+    last_image_ = now;
+  }
+
+  if (now - last_image_ > (counts_.images == 0 || last_image_ <= begun_ ? kFirstImage : kNextImage)) {
+    end();
+    ++counts_.begun_anew;
+    next_attempt_ = now + kPause;
+    return std::nullopt;
+  }
+  if (state_ == VideoState::settling && now - begun_ > settings_.settling) lock_colors(now);
+  return newest;
+}
+
+bool VideoCamera::begin(double now) {
+  if (!device_.open(settings_.path) || !set_format() || !map_buffers()) return false;
+  for (std::uint32_t i = 0; i < kBuffers; ++i) {
+    if (!queue(i)) return false;
+  }
+  set_controls();
+  flip();
+  int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (device_.control(VIDIOC_STREAMON, &type) != 0) return false;
+  streams_ = true;
+  set_controls();  // some only count while it streams
+  held_.reset();
+  gains_ = {};
+  locked_ = 0;
+  asked_ = false;
+  begun_ = last_image_ = now;
+  state_ = VideoState::settling;
+  return true;
+}
+
+bool VideoCamera::set_format() {
+  v4l2_format format{};
+  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  format.fmt.pix.width = static_cast<std::uint32_t>(settings_.width);
+  format.fmt.pix.height = static_cast<std::uint32_t>(settings_.height);
+  format.fmt.pix.pixelformat = V4L2_PIX_FMT_YUYV;
+  format.fmt.pix.field = V4L2_FIELD_NONE;
+  format.fmt.pix.sizeimage = 2 * format.fmt.pix.width * format.fmt.pix.height;
+  if (device_.control(VIDIOC_S_FMT, &format) != 0) return false;
+  if (format.fmt.pix.width != static_cast<std::uint32_t>(settings_.width) ||
+      format.fmt.pix.height != static_cast<std::uint32_t>(settings_.height) ||
+      format.fmt.pix.pixelformat != V4L2_PIX_FMT_YUYV)
+    return false;
+  v4l2_streamparm rate{};
+  rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (device_.control(VIDIOC_G_PARM, &rate) != 0) return false;
+  rate.parm.capture.timeperframe = {1, 30};
+  return device_.control(VIDIOC_S_PARM, &rate) == 0;
+}
+
+bool VideoCamera::map_buffers() {
+  v4l2_requestbuffers request{};
+  request.count = kBuffers;
+  request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  request.memory = V4L2_MEMORY_MMAP;
+  if (device_.control(VIDIOC_REQBUFS, &request) != 0 || request.count != kBuffers) return false;
+  for (std::uint32_t i = 0; i < kBuffers; ++i) {
+    v4l2_buffer buffer{};
+    buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    buffer.memory = V4L2_MEMORY_MMAP;
+    buffer.index = i;
+    if (device_.control(VIDIOC_QUERYBUF, &buffer) != 0) return false;
+    void* const address = device_.map(buffer.length, buffer.m.offset);
+    if (address == nullptr) return false;
+    buffers_[i] = {address, buffer.length};
+  }
+  return true;
+}
+
+void VideoCamera::end() {
+  int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (streams_) static_cast<void>(device_.control(VIDIOC_STREAMOFF, &type));
+  streams_ = false;
+  for (Buffer& buffer : buffers_) {
+    if (buffer.address != nullptr) device_.unmap(buffer.address, buffer.length);
+    buffer = {};
+  }
+  held_.reset();
+  device_.close();
+  state_ = VideoState::closed;
+}
+
+bool VideoCamera::queue(std::uint32_t index) {
+  v4l2_buffer buffer{};
+  buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  buffer.memory = V4L2_MEMORY_MMAP;
+  buffer.index = index;
+  return device_.control(VIDIOC_QBUF, &buffer) == 0;
+}
+
+void VideoCamera::set_controls() {
+  constexpr std::pair<std::uint32_t, int> kControls[] = {
+      {V4L2_CID_FOCUS_AUTO, 0},         {V4L2_CID_FOCUS_ABSOLUTE, 0}, {V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_AUTO},
+      {V4L2_CID_AUTO_WHITE_BALANCE, 1}, {V4L2_CID_HUE_AUTO, 0},       {V4L2_CID_HUE, 0},
+      {V4L2_CID_BRIGHTNESS, 0},         {V4L2_CID_CONTRAST, 32},      {V4L2_CID_SATURATION, 64},
+      {V4L2_CID_SHARPNESS, 4},
+  };
+  for (const auto& [control, value] : kControls) set_control(control, value);
+}
+
+/// Some only take a value that is another one than before.
+void VideoCamera::set_control(std::uint32_t control, int value) {
+  v4l2_queryctrl range{};
+  range.id = control;
+  if (device_.control(VIDIOC_QUERYCTRL, &range) != 0) return;  // this camera has none
+  v4l2_control wanted{control, std::clamp(value, range.minimum, range.maximum)};
+  if (this->control(control) == wanted.value) return;
+  if (device_.control(VIDIOC_S_CTRL, &wanted) != 0 ||
+      this->control(control) != std::clamp(value, range.minimum, range.maximum))
+    ++counts_.refused_controls;
+}
+
+std::optional<int> VideoCamera::control(std::uint32_t control) {
+  v4l2_control asked{control, 0};
+  if (device_.control(VIDIOC_G_CTRL, &asked) != 0) return std::nullopt;
+  return asked.value;
+}
+
+bool VideoCamera::extension(std::uint8_t query, std::uint8_t selector, std::span<std::uint8_t> data) {
+  uvc_xu_control_query request{};
+  request.unit = kExtensionUnit;
+  request.selector = selector;
+  request.query = query;
+  request.size = static_cast<std::uint16_t>(data.size());
+  request.data = data.data();
+  return device_.control(UVCIOC_CTRL_QUERY, &request) == 0;
+}
+
+/// Both axes at once: half a turn.
+void VideoCamera::flip() {
+  constexpr std::uint8_t kHorizontal = 0x0c, kVertical = 0x0d;
+  for (const std::uint8_t selector : {kHorizontal, kVertical}) {
+    std::array<std::uint8_t, 2> data{static_cast<std::uint8_t>(settings_.upside_down ? 1 : 0), 0};
+    if (!extension(UVC_SET_CUR, selector, data)) ++counts_.refused_controls;
+  }
+}
+
+/// The room's colours are known by their histograms: from here on a colour stays what it is. Of each of the sensor's
+/// registers first the address is told, and some time later the value is there.
+void VideoCamera::lock_colors(double now) {
+  if (now < next_step_) return;
+  next_step_ = now + kRegisterPause;
+  std::array<std::uint8_t, 5> data{};  // 0: read, 1: write; address, value, the higher byte first
+  const auto address = [&data](std::size_t i) {
+    data[1] = static_cast<std::uint8_t>(kGains >> 8);
+    data[2] = static_cast<std::uint8_t>((kGains & 0xff) + i);
+  };
+  if (asked_) {
+    if (extension(UVC_GET_CUR, kRegister, data)) gains_[locked_] = static_cast<std::uint16_t>(data[3] << 8 | data[4]);
+    asked_ = false;
+    ++locked_;
+  }
+  if (locked_ < gains_.size()) {
+    address(locked_);
+    asked_ = extension(UVC_SET_CUR, kRegister, data);
+    if (asked_) return;
+    locked_ = gains_.size();  // another camera, without such registers
+  }
+  set_control(V4L2_CID_AUTO_WHITE_BALANCE, 0);
+  for (std::size_t i = 0; i < gains_.size(); ++i) {
+    if (!gains_[i]) continue;
+    address(i);
+    data[0] = 1;
+    data[3] = static_cast<std::uint8_t>(*gains_[i] >> 8);
+    data[4] = static_cast<std::uint8_t>(*gains_[i] & 0xff);
+    if (!extension(UVC_SET_CUR, kRegister, data)) ++counts_.refused_controls;
+  }
+  bound_exposure();
+  state_ = VideoState::running;
+}
+
+/// Where the light asks for a longer exposure than a moving head allows, that is fixed, and the gain makes up for it.
+void VideoCamera::bound_exposure() {
+  const std::optional<int> exposure = control(V4L2_CID_EXPOSURE_ABSOLUTE), gain = control(V4L2_CID_GAIN);
+  if (!exposure || !gain || *exposure <= settings_.longest_exposure) return;
+  set_control(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL);
+  set_control(V4L2_CID_EXPOSURE_ABSOLUTE, settings_.longest_exposure);
+  constexpr int kMostGain = 1023;
+  const double wanted = static_cast<double>(std::max(*gain, 1)) * *exposure / settings_.longest_exposure;
+  set_control(V4L2_CID_GAIN, static_cast<int>(std::min<double>(wanted, kMostGain)));
+}
+
+}  // namespace reorient::nao

@@ -1,0 +1,222 @@
+#include "robots/nao/camera/video_camera.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <linux/videodev2.h>
+
+#include "tests/robots/nao/twin/fake_video.h"
+
+namespace reorient::nao {
+namespace {
+
+constexpr double kPeriod = 1.0 / 30.0;
+
+class VideoCameraTest : public testing::Test {
+ protected:
+  VideoCameraTest() {
+    settings_.width = 32;
+    settings_.height = 24;
+  }
+  void begin() { camera_.emplace(device_, settings_); }
+
+  std::vector<std::uint8_t> picture(std::uint8_t brightness) const {
+    return std::vector<std::uint8_t>(static_cast<std::size_t>(2 * settings_.width * settings_.height), brightness);
+  }
+  /// One period later, with an image that was exposed 10 ms ago.
+  std::optional<VideoCamera::Image> look(std::uint8_t brightness) {
+    now_ += kPeriod;
+    device_.expose(picture(brightness), now_ - 0.01);
+    return camera_->look(now_);
+  }
+  int images_in(double seconds) {
+    int images = 0;
+    for (const double end = now_ + seconds; now_ < end;) images += look(50) ? 1 : 0;
+    return images;
+  }
+
+  FakeVideo device_;
+  VideoSettings settings_;
+  std::optional<VideoCamera> camera_;
+  double now_ = 100.0;
+};
+
+TEST_F(VideoCameraTest, ShowsEachImageWithTheTimeOfItsExposure) {
+  begin();
+  EXPECT_FALSE(camera_->look(now_));
+  for (int i = 1; i <= 10; ++i) {
+    const auto image = look(static_cast<std::uint8_t>(10 * i));
+    ASSERT_TRUE(image);
+    EXPECT_NEAR(image->time, now_ - 0.01, 1e-5);
+    EXPECT_FALSE(image->is_time_guessed);
+    EXPECT_EQ(image->yuyv.size(), 2u * 32u * 24u);
+    EXPECT_EQ(image->yuyv[100], 10 * i);
+  }
+  EXPECT_EQ(camera_->counts().images, 10u);
+  EXPECT_EQ(camera_->counts().passed_over, 0u);
+}
+
+TEST_F(VideoCameraTest, PassesOverWhatIsNoLongerTheNewest) {
+  begin();
+  camera_->look(now_);
+  ASSERT_TRUE(look(1));
+  device_.expose(picture(2), now_ + 0.010);
+  device_.expose(picture(3), now_ + 0.043);
+  now_ += 0.05;
+  const auto image = camera_->look(now_);
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->yuyv[0], 3);
+  EXPECT_EQ(camera_->counts().passed_over, 1u);
+  EXPECT_GT(images_in(0.5), 10) << "no buffer was lost";
+}
+
+TEST_F(VideoCameraTest, GuessesATimeThatTheDriverDoesNotSay) {
+  device_.knows_time = false;
+  begin();
+  camera_->look(now_);
+  const auto image = look(9);
+  ASSERT_TRUE(image);
+  EXPECT_TRUE(image->is_time_guessed);
+  EXPECT_NEAR(image->time, now_ - kPeriod, 1e-9);
+}
+
+TEST_F(VideoCameraTest, IsTurnedAroundWhereItIsMountedUpsideDown) {
+  begin();
+  camera_->look(now_);
+  EXPECT_TRUE(device_.is_flipped());
+  camera_.reset();
+  settings_.upside_down = false;
+  begin();
+  camera_->look(now_);
+  EXPECT_FALSE(device_.is_flipped());
+}
+
+TEST_F(VideoCameraTest, LocksTheColorsThatItHasFound) {
+  begin();
+  camera_->look(now_);
+  EXPECT_EQ(device_.value_of(V4L2_CID_AUTO_WHITE_BALANCE), 1);
+  for (int i = 0; i < 6; ++i) device_.set_register(0x3400 + i, 100 + i);
+  images_in(settings_.settling - 0.1);
+  EXPECT_EQ(camera_->state(), VideoState::settling);
+  EXPECT_EQ(device_.value_of(V4L2_CID_AUTO_WHITE_BALANCE), 1);
+  images_in(1.2);
+  EXPECT_EQ(camera_->state(), VideoState::running);
+  EXPECT_EQ(device_.value_of(V4L2_CID_AUTO_WHITE_BALANCE), 0);
+  EXPECT_EQ(device_.value_of(V4L2_CID_HUE_AUTO), 0);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(device_.registers().at(0x3400 + i), 100 + i);
+}
+
+TEST_F(VideoCameraTest, LocksThemWithoutRegistersAsWell) {
+  device_.has_registers = false;
+  begin();
+  images_in(settings_.settling + 0.5);
+  EXPECT_EQ(camera_->state(), VideoState::running);
+  EXPECT_EQ(device_.value_of(V4L2_CID_AUTO_WHITE_BALANCE), 0);
+}
+
+TEST_F(VideoCameraTest, ExposesNoLongerThanAMovingHeadAllows) {
+  begin();
+  camera_->look(now_);
+  device_.drift(V4L2_CID_EXPOSURE_ABSOLUTE, 4000);
+  device_.drift(V4L2_CID_GAIN, 20);
+  images_in(settings_.settling + 1.2);
+  EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_AUTO), static_cast<int>(V4L2_EXPOSURE_MANUAL));
+  EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_ABSOLUTE), settings_.longest_exposure);
+  EXPECT_EQ(device_.value_of(V4L2_CID_GAIN), 80);
+}
+
+TEST_F(VideoCameraTest, LeavesAnExposureThatIsShortEnough) {
+  begin();
+  images_in(settings_.settling + 1.2);
+  EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_AUTO), static_cast<int>(V4L2_EXPOSURE_AUTO));
+}
+
+TEST_F(VideoCameraTest, WaitsForACameraThatIsNotThereYet) {
+  device_.is_plugged = false;
+  begin();
+  EXPECT_EQ(images_in(5.0), 0);
+  EXPECT_EQ(device_.opened(), 0);
+  device_.is_plugged = true;
+  EXPECT_GT(images_in(2.0), 25);
+}
+
+TEST_F(VideoCameraTest, BeginsAnewWhereItWasUnplugged) {
+  begin();
+  EXPECT_GT(images_in(1.0), 25);
+  device_.is_plugged = false;
+  EXPECT_EQ(images_in(1.0), 0);
+  EXPECT_EQ(camera_->state(), VideoState::closed);
+  EXPECT_EQ(device_.mapped(), 0) << "nothing stays behind";
+  device_.is_plugged = true;
+  EXPECT_GT(images_in(3.0), 50);
+  EXPECT_EQ(camera_->counts().begun_anew, 1u);
+}
+
+TEST_F(VideoCameraTest, BeginsAnewWhereNoImageComesAnyMore) {
+  begin();
+  images_in(1.0);
+  for (int i = 0; i < 20; ++i) camera_->look(now_ += kPeriod);
+  EXPECT_EQ(camera_->counts().begun_anew, 1u);
+  EXPECT_GT(images_in(3.0), 50);
+}
+
+TEST_F(VideoCameraTest, LeavesOutImagesThatAreDamaged) {
+  begin();
+  camera_->look(now_);
+  for (int i = 0; i < 12; ++i) {
+    now_ += kPeriod;
+    if (i % 2 == 0) {
+      device_.expose(picture(1), now_, true);
+    } else {
+      device_.expose(std::vector<std::uint8_t>(100, 1), now_);
+    }
+    EXPECT_FALSE(camera_->look(now_));
+  }
+  EXPECT_EQ(camera_->counts().damaged, 12u);
+  EXPECT_TRUE(look(7));
+}
+
+TEST_F(VideoCameraTest, RefusesASizeThatItDidNotAskFor) {
+  device_.other_width = 640;
+  begin();
+  EXPECT_EQ(images_in(2.5), 0);
+  EXPECT_GE(device_.opened(), 2);
+  EXPECT_EQ(device_.mapped(), 0);
+  device_.other_width = 0;
+  EXPECT_GT(images_in(2.0), 20);
+}
+
+TEST_F(VideoCameraTest, OutlivesAFailureOfEachCall) {
+  for (const unsigned long request : {VIDIOC_S_FMT, VIDIOC_G_PARM, VIDIOC_S_PARM, VIDIOC_REQBUFS, VIDIOC_QUERYBUF,
+                                      VIDIOC_QBUF, VIDIOC_DQBUF, VIDIOC_STREAMON}) {
+    FakeVideo device;
+    VideoCamera camera(device, settings_);
+    device.failing_request = static_cast<int>(_IOC_NR(request));
+    double now = 10.0;
+    const auto images = [&](double seconds) {
+      int seen = 0;
+      for (const double end = now + seconds; now < end;) {
+        now += kPeriod;
+        device.expose(picture(1), now);
+        seen += camera.look(now) ? 1 : 0;
+      }
+      return seen;
+    };
+    EXPECT_EQ(images(3.0), 0) << _IOC_NR(request);
+    device.failing_request = 0;
+    EXPECT_GT(images(3.0), 30) << _IOC_NR(request);
+  }
+}
+
+TEST_F(VideoCameraTest, AControlThatDoesNotTakeItsValueIsToldAndLeftAlone) {
+  device_.stubborn = V4L2_CID_CONTRAST;
+  begin();
+  EXPECT_GT(images_in(5.0), 100);
+  EXPECT_GT(camera_->counts().refused_controls, 0u);
+  EXPECT_LT(camera_->counts().refused_controls, 5u);
+}
+
+}  // namespace
+}  // namespace reorient::nao
