@@ -204,7 +204,8 @@ void FrameLoop::answer() {
   Answer& answer = record_.answer;
   answer.request = behaviors_.wanted().request;
   if (world_.referee.stopped) answer.request = {};  // all motion stops
-  if (!world_.may_walk) answer.request.walk = {};
+  if (!world_.may_walk || !world_.can_walk) answer.request.walk = {};
+  if (!world_.can_get_up) answer.request.get_up = false;
   answer.messages = behaviors_.wanted().messages;
   asked_to_get_up_ = answer.request.get_up;
   answer.belief = {world_.pose.pose, world_.pose.covariance, world_.pose_known};

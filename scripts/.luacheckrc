@@ -33,7 +33,7 @@ stds.reorient = { read_globals = {
   log = fields("info"),
   motion = fields("get_up"),
   pose = fields("x", "y", "rotation", "known", "cluster_weight", "reflected_weight", "recovery_probability"),
-  robot = fields("posture", "posture_before", "posture_for", "undisturbed_for", "penalized", "may_walk", "head_yaw", "head_pitch", "head_reach", "cruise"),
+  robot = fields("posture", "posture_before", "posture_for", "undisturbed_for", "penalized", "may_walk", "head_yaw", "head_pitch", "head_reach", "can_walk", "can_get_up", "cruise"),
   seen = fields("goal_posts", "line_points"),
   team = fields("heard", "sender", "text", "send"),
   training = fields("seconds", "active"),

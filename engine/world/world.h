@@ -45,7 +45,9 @@ struct World {
   double undisturbed_for = 0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
   HeadAngles head;
   double head_reach = 0.0;  ///< rad that the neck turns to either side
-  double cruise = 0.0;      ///< m/s at which this body goes far; 0: it does not walk
+  bool can_walk = true;     ///< this body
+  bool can_get_up = true;
+  double cruise = 0.0;  ///< m/s at which this body goes far; 0: it does not walk
 
   PoseBelief pose;
   double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
@@ -69,10 +71,10 @@ struct World {
 template <typename Visit>
 void fields(Visit&& visit, World& world) {
   visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, world.referee,
-        world.may_walk, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.cruise,
-        world.pose, world.recovery_probability, world.pose_known, world.room_awareness, world.confidence, world.views,
-        world.room_status, world.trained_seconds, world.training, world.evaluating, world.goal_posts, world.line_points,
-        world.field);
+        world.may_walk, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.can_walk,
+        world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_known, world.room_awareness,
+        world.confidence, world.views, world.room_status, world.trained_seconds, world.training, world.evaluating,
+        world.goal_posts, world.line_points, world.field);
 }
 
 /// Of a body on a field, before anything was seen.
@@ -80,6 +82,8 @@ inline World world_of(const FieldDimensions& field, const RobotBody& body) {
   World world;
   world.field = field;
   world.head_reach = body.neck.yaw;
+  world.can_walk = body.gait.has_value();
+  world.can_get_up = body.get_up_time.has_value();
   world.cruise = body.gait ? body.gait->cruise : 0.0;
   return world;
 }

@@ -43,6 +43,8 @@ game = {}
 ---@field head_yaw number rad, measured angle of the head, to the left
 ---@field head_pitch number rad, measured angle of the head, downwards
 ---@field head_reach number rad, how far the neck turns to either side
+---@field can_walk boolean this body walks
+---@field can_get_up boolean this body gets up after a fall
 ---@field cruise number m/s, at which speed this body goes far; 0: it does not walk
 robot = {}
 

@@ -17,7 +17,7 @@ behavior "get_up" {
   state "lying" {
     update = function() walk.stand() end,
     { "idle", when = function() return robot.posture ~= "lying" end, because = "the robot was helped up" },
-    { "getting up", after = "rest_time" },
+    { "getting up", when = function() return robot.can_get_up end, after = "rest_time", because = "it lies still" },
   },
 
   state "getting up" {

@@ -38,6 +38,7 @@ behavior "penalty_marks" {
   initial = "walking",
   common = {
     { "disturbed", when = is_disturbed, because = "the robot cannot walk now" },
+    { "held", when = function() return not robot.can_walk end, because = "this body does not walk" },
     { "held", when = may_not_walk, because = "the referee lets nobody walk" },
     { "waiting", when = must_wait, because = "others search for the pose" },
   },
@@ -79,6 +80,6 @@ behavior "penalty_marks" {
 
   state "held" {
     update = function() walk.stand() end,
-    { "walking", when = function() return robot.may_walk end, because = "the game goes on" },
+    { "walking", when = function() return robot.may_walk and robot.can_walk end, because = "the game goes on" },
   },
 }

@@ -1,6 +1,7 @@
 --- The main job: a robot stands beside the field, is told where, and learns the room while it walks and looks about.
 --- Then it is picked up and put down where its belief is the exact reflection of the truth. It should notice, flip its
---- belief, and walk to the right penalty mark.
+--- belief, and walk to the right penalty mark. A robot that cannot walk has done its job as soon as its belief is right and
+--- stays so.
 
 local ground_truth = require "lib.ground_truth"
 
@@ -8,6 +9,7 @@ local p = param {
   learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "how long the robot may learn the room" },
   carry   = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "how long it is in the air" },
   mark_tolerance = { 0.5,   range = { 0.1, 2 },  unit = "m", doc = "how near to the right mark is right" },
+  settle  = { 2.0,   range = { 0, 30 },   unit = "s", doc = "how long the belief of one that cannot walk must stay right" },
   stay    = { 0.5,   range = { 0, 10 },   unit = "s", doc = "how long it must stay near a mark" },
   timeout = { 120.0, range = { 1, 600 },  unit = "s", doc = "how long it may take after being put down" },
 }
@@ -53,6 +55,15 @@ scenario "turned_round" {
         lasting = "stay", because = "the robot stands on the right mark" },
       { "wrong", when = function() return stands_on_mark(1) end,
         lasting = "stay", because = "the robot stands on the wrong mark" },
+      { "right again", when = function() return not robot.can_walk and ground_truth.is_belief_right() end,
+        lasting = "settle", because = "the belief of a robot that cannot walk is right again" },
+    },
+
+    state "right again" {
+      enter = function()
+        ground_truth.note("right again")
+        verdict.succeed("the robot noticed that it was turned round")
+      end,
     },
 
     state "right" {
@@ -73,7 +84,7 @@ scenario "turned_round" {
   state "failed" {
     enter = function()
       ground_truth.note("gave up")
-      verdict.fail("the robot did not reach the right mark in time")
+      verdict.fail("the robot did not mend its belief, or not reach the right mark, in time")
     end,
   },
 }

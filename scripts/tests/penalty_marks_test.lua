@@ -178,3 +178,12 @@ test("stands as long as the referee lets nobody walk", function()
   expect.state("penalty_marks", "walking")
   expect.reason("penalty_marks", "the game goes on")
 end)
+
+test("stands where the body does not walk", function()
+  load_behavior "penalty_marks"
+  stand_at(-3.2, -3.5, math.rad(90))
+  set_world { robot = { can_walk = false } }
+  advance(0.1)
+  expect.state("penalty_marks", "held")
+  expect.walk(0, 0, 0)
+end)

@@ -70,6 +70,8 @@ const BoundField kFields[] = {
     {"robot", "head_yaw", "rad", "measured angle of the head, to the left", [](World& w) { return &w.head.yaw; }},
     {"robot", "head_pitch", "rad", "measured angle of the head, downwards", [](World& w) { return &w.head.pitch; }},
     {"robot", "head_reach", "rad", "how far the neck turns to either side", [](World& w) { return &w.head_reach; }},
+    {"robot", "can_walk", "", "this body walks", [](World& w) { return &w.can_walk; }},
+    {"robot", "can_get_up", "", "this body gets up after a fall", [](World& w) { return &w.can_get_up; }},
     {"robot", "cruise", "m/s", "at which speed this body goes far; 0: it does not walk",
      [](World& w) { return &w.cruise; }},
     {"pose", "x", "m", "towards the opponent goal", [](World& w) { return &w.pose.pose.position.x(); }},
