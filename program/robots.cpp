@@ -54,6 +54,11 @@ constexpr Maker kMakers[] = {
        throw std::runtime_error("the companion plays no scenarios: nobody can carry it about");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
+    {kNao,
+     [](const RobotOptions&) -> RobotInstance {
+       throw std::runtime_error("a NAO plays no scenarios: nobody can carry it about");
+     },
+     [](const RobotOptions&) { return std::vector<Parameter>(); }},
 };
 
 const Maker& maker_of(const std::string& name) {

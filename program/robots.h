@@ -37,10 +37,12 @@ struct RobotOptions {
   RoomCache* rooms = nullptr;  ///< nullptr: each robot's room is made anew
 };
 
-/// "simulator", "companion".
+/// "simulator", "companion", "nao".
 std::vector<std::string> robot_names();
 /// That another program drives: it is not made, but waited for (program/run/companion/).
 inline constexpr const char* kCompanion = "companion";
+/// Nobody can carry it about either (program/run/nao/).
+inline constexpr const char* kNao = "nao";
 
 /// Throws std::runtime_error with one line: a name that is none, a file that cannot be read, a value out of range.
 RobotInstance make_robot(const std::string& name, const RobotOptions& options);

@@ -23,6 +23,10 @@ class CameraPairing {
     lower_ = std::move(frame);
   }
 
+  /// Its pixels are gone.
+  void drop_upper() { upper_.reset(); }
+  void drop_lower() { lower_.reset(); }
+
   /// `now`: s, on the cameras' clock.
   bool is_due(double now) const { return upper_ || (lower_ && now - waiting_since_ >= patience_); }
 

@@ -1,12 +1,12 @@
 #include <memory>
 #include <ostream>
-#include <span>
 #include <stdexcept>
 #include <string>
 
 #include "geometry/image.h"
 #include "program/robots.h"
 #include "program/run/companion/run_companion.h"
+#include "program/run/nao/run_nao.h"
 #include "program/run/run_scenario.h"
 #include "program/subcommand.h"
 
@@ -22,13 +22,20 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--socket", options.socket, "companion: where it listens (default: in $XDG_RUNTIME_DIR, else in /tmp)")
       ->check(check_not_empty);
   run.add_option("--behaviors", options.behaviors,
-                 "companion: which behaviours run, as in A,B (default: all that the robot can carry out)")
+                 "companion, nao: which behaviours run, as in A,B (default: all that the robot can carry out)")
       ->delimiter(',')
       ->check(check_not_empty);
   run.add_option("--state", options.state,
                  "companion: what it knows is kept here for the next one (default: beside the socket)")
       ->check(check_not_empty);
   run.add_flag("--fresh", options.fresh, "companion: go on from nothing");
+  run.add_option("--guard", options.guard, "nao: the memory that reorient-nao-guard shares (default: where it does)")
+      ->check(check_not_empty);
+  run.add_option("--at", options.at, "nao: where it stands, X,Y,DEGREES; told once it stands")->check(check_not_empty);
+  run.add_option("--team", options.team, "nao: the team's number, by which it hears the GameController")
+      ->check(CLI::Range(1, 254));
+  run.add_option("--player", options.player, "nao: its number")->check(CLI::Range(1, 20))->capture_default_str();
+  run.add_flag("--stand", options.stand, "nao: stand up at once, not when the chest's button is pressed");
   run.add_option("--with", options.with, "a behaviour beside those of the scenario; may be given again")
       ->allow_extra_args(false);
   run.add_option("--without", options.without, "leave a behaviour of the scenario out; may be given again")
@@ -73,23 +80,41 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("--every-transition", options.every_transition, "show in the timeline what repeats itself, too");
 }
 
-/// What the one kind of robot would not heed.
-void refuse_in_vain(const CLI::App& run, bool is_companion) {
-  constexpr const char* kOfCompanion[] = {"--socket", "--behaviors", "--state", "--fresh"};
-  constexpr const char* kOfSimulator[] = {"--with", "--without", "--room",    "--hall-seed",  "--field",
-                                          "--body", "--width",   "--cameras", "--realtime",   "--save-params",
-                                          "--out",  "--json",    "--seconds", "--no-pictures"};
-  if (is_companion && run.get_option("scenario")->count() > 0)
+/// Who heeds an option that not every robot does.
+struct Heeding {
+  const char* option;
+  bool simulator, companion, nao;
+};
+constexpr Heeding kHeeding[] = {
+    {"--socket", false, true, false},      {"--behaviors", false, true, true},    {"--state", false, true, false},
+    {"--fresh", false, true, false},       {"--guard", false, false, true},       {"--at", false, false, true},
+    {"--team", false, false, true},        {"--player", false, false, true},      {"--stand", false, false, true},
+    {"--with", true, false, false},        {"--without", true, false, false},     {"--room", true, false, false},
+    {"--hall-seed", true, false, false},   {"--field", true, false, true},        {"--body", true, false, true},
+    {"--width", true, false, true},        {"--cameras", true, false, true},      {"--realtime", true, false, false},
+    {"--save-params", true, false, false}, {"--out", true, false, false},         {"--json", true, false, false},
+    {"--seconds", true, false, false},     {"--no-pictures", true, false, false},
+};
+
+void refuse_in_vain(const CLI::App& run, const std::string& robot) {
+  const bool is_companion = robot == kCompanion, is_nao = robot == kNao;
+  if ((is_companion || is_nao) && run.get_option("scenario")->count() > 0)
     throw std::runtime_error(
-        "--robot companion plays no scenario, since nobody can carry that robot about; leave it out, and choose with "
+        "--robot " + robot +
+        " plays no scenario, since nobody can carry that robot about; leave it out, and choose with "
         "--behaviors");
-  const auto refuse = [&run](std::span<const char* const> names, const char* why) {
-    for (const char* const name : names) {
-      if (run.get_option(name)->count() > 0) throw std::runtime_error(std::string(name) + why);
-    }
-  };
-  if (is_companion) refuse(kOfSimulator, ": the companion would not heed it; its client says what robot it is");
-  if (!is_companion) refuse(kOfCompanion, ": only --robot companion heeds it");
+  for (const Heeding& heeding : kHeeding) {
+    const bool heeds = is_companion ? heeding.companion : is_nao ? heeding.nao : heeding.simulator;
+    if (heeds || run.get_option(heeding.option)->count() == 0) continue;
+    if (is_companion && heeding.simulator)
+      throw std::runtime_error(std::string(heeding.option) +
+                               ": the companion would not heed it; its client says what robot it is");
+    const std::string who = heeding.simulator                  ? "the simulator"
+                            : heeding.companion && heeding.nao ? "--robot companion or nao"
+                            : heeding.companion                ? "--robot companion"
+                                                               : "--robot nao";
+    throw std::runtime_error(std::string(heeding.option) + ": only " + who + " heeds it");
+  }
 }
 
 }  // namespace
@@ -100,9 +125,10 @@ Subcommand add_run(CLI::App& program) {
   add_options(*parser, *options);
   return {parser, [parser, options](std::ostream& out, std::ostream& err) {
             options->scripts = scripts_root(options->scripts);
-            const bool is_companion = options->robot == kCompanion;
-            refuse_in_vain(*parser, is_companion);
-            return is_companion ? run_companion(*options, out, err) : run_scenario(*options, {}, out, err);
+            refuse_in_vain(*parser, options->robot);
+            if (options->robot == kCompanion) return run_companion(*options, out, err);
+            if (options->robot == kNao) return run_nao(*options, out, err);
+            return run_scenario(*options, {}, out, err);
           }};
 }
 

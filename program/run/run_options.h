@@ -41,6 +41,12 @@ struct RunOptions : SimulationOptions {
   std::filesystem::path state;         ///< what it goes on from; empty: beside the socket
   bool fresh = false;                  ///< it goes on from nothing
   std::vector<std::string> behaviors;  ///< empty: all that the robot can carry out
+  // Of the NAO (program/run/nao/).
+  std::filesystem::path guard;  ///< the memory that is shared with it; empty: where it is by itself
+  std::string at;               ///< X,Y,DEGREES, told once it stands; empty: nobody tells it
+  int team = 0;                 ///< as the league numbers it; 0: the referee is not heard
+  int player = 1;
+  bool stand = false;  ///< up at once, not when the chest's button is pressed
   bool realtime = false;
   std::filesystem::path out = "out";
   bool pictures = true;

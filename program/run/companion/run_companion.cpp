@@ -24,6 +24,7 @@
 #include "program/run/console/live_console.h"
 #include "program/run/run_observers.h"
 #include "program/run/script_edits.h"
+#include "program/run/shipped_behaviors.h"
 #include "program/run/simulation.h"
 #include "program/run/timeline_printer.h"
 #include "program/run/venue.h"
@@ -63,28 +64,6 @@ KnownRobots known_robots() {
           [named](const std::string& name) {
             return named(name, [](const std::string& one) { return load_field(field_file(one)); });
           }};
-}
-
-/// What a robot has to carry out for a behaviour to be of use.
-struct ShippedBehavior {
-  const char* name;
-  bool head, walk, get_up;
-};
-constexpr ShippedBehavior kShipped[] = {
-    {"orientation", false, false, false},     {"background_training", false, false, false},
-    {"kidnap_recovery", false, false, false}, {"goal_search", true, true, false},
-    {"wall_gaze", true, false, false},        {"head_scan", true, false, false},
-    {"get_up", false, false, true},           {"penalty_marks", false, true, false},
-};
-
-std::vector<std::string> behaviors_for(const Greeting& greeting) {
-  std::vector<std::string> names;
-  for (const ShippedBehavior& one : kShipped) {
-    const bool possible = (!one.head || greeting.carries_out_head) && (!one.walk || greeting.carries_out_walk) &&
-                          (!one.get_up || greeting.carries_out_get_up);
-    if (possible) names.emplace_back(one.name);
-  }
-  return names;
 }
 
 /// What a process that goes on from another one's state must have in common with it.
@@ -170,7 +149,8 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     setup.scripts = edits.texts();
     setup.parameters = overrides;
     setup.model = model;
-    const std::vector<std::string> wanted = options.behaviors.empty() ? behaviors_for(greeting) : options.behaviors;
+    const Abilities abilities{greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up};
+    const std::vector<std::string> wanted = options.behaviors.empty() ? behaviors_for(abilities) : options.behaviors;
     for (const std::string& name : wanted)
       setup.behaviors.push_back(behavior_file(options.scripts, setup.scripts, name));
     StateKeeper keeper(state, circumstances_of(greeting, setup));

@@ -22,6 +22,11 @@ constexpr std::uint16_t kGains = 0x3400;
 constexpr std::uint8_t kRegister = 0x0e;  // selector of the extension unit
 constexpr double kRegisterPause = 0.1;    // s
 
+/// 0: read, 1: write; then the address and the value, the higher byte first.
+std::array<std::uint8_t, 5> register_address(std::size_t gain) {
+  return {0, static_cast<std::uint8_t>(kGains >> 8), static_cast<std::uint8_t>((kGains & 0xff) + gain), 0, 0};
+}
+
 }  // namespace
 
 VideoCamera::VideoCamera(VideoDevice& device, VideoSettings settings)
@@ -38,17 +43,16 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
       return std::nullopt;
     }
   }
-  if (held_ && !queue(*std::exchange(held_, std::nullopt))) last_image_ = now - 10.0 * kNextImage;
-
   std::optional<Image> newest;
+  bool lost = false;  // unplugged, or its driver is at its end
   for (std::size_t taken = 0; taken < kBuffers; ++taken) {
     v4l2_buffer buffer{};
     buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     buffer.memory = V4L2_MEMORY_MMAP;
     const int error = device_.control(VIDIOC_DQBUF, &buffer);
     if (error == EAGAIN) break;
-    if (error != 0 || buffer.index >= kBuffers) {  // unplugged, or its driver is at its end
-      last_image_ = now - 10.0 * kNextImage;
+    if (error != 0 || buffer.index >= kBuffers) {
+      lost = true;
       break;
     }
     const std::size_t wanted =
@@ -56,12 +60,14 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
     if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || buffer.bytesused < wanted ||
         buffers_[buffer.index].length < wanted) {
       ++counts_.damaged;
-      if (!queue(buffer.index)) break;
-      continue;
+      if (queue(buffer.index)) continue;
+      lost = true;
+      break;
     }
-    if (held_) {
-      ++counts_.passed_over;
-      if (!queue(*held_)) break;
+    if (newest) ++counts_.passed_over;
+    if (held_ && !queue(*held_)) {
+      lost = true;
+      break;
     }
     held_ = buffer.index;
     ++counts_.images;
@@ -76,7 +82,8 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
     last_image_ = now;
   }
 
-  if (now - last_image_ > (counts_.images == 0 || last_image_ <= begun_ ? kFirstImage : kNextImage)) {
+  const double patience = last_image_ <= begun_ ? kFirstImage : kNextImage;
+  if (lost || now - last_image_ > patience) {
     end();
     ++counts_.begun_anew;
     next_attempt_ = now + kPause;
@@ -98,11 +105,16 @@ bool VideoCamera::begin(double now) {
   streams_ = true;
   set_controls();  // some only count while it streams
   held_.reset();
-  gains_ = {};
-  locked_ = 0;
   asked_ = false;
   begun_ = last_image_ = now;
-  state_ = VideoState::settling;
+  if (has_settled_) {
+    write_colors();
+    state_ = VideoState::running;
+  } else {
+    gains_ = {};
+    locked_ = 0;
+    state_ = VideoState::settling;
+  }
   return true;
 }
 
@@ -218,33 +230,36 @@ void VideoCamera::flip() {
 void VideoCamera::lock_colors(double now) {
   if (now < next_step_) return;
   next_step_ = now + kRegisterPause;
-  std::array<std::uint8_t, 5> data{};  // 0: read, 1: write; address, value, the higher byte first
-  const auto address = [&data](std::size_t i) {
-    data[1] = static_cast<std::uint8_t>(kGains >> 8);
-    data[2] = static_cast<std::uint8_t>((kGains & 0xff) + i);
-  };
   if (asked_) {
+    std::array<std::uint8_t, 5> data{};
     if (extension(UVC_GET_CUR, kRegister, data)) gains_[locked_] = static_cast<std::uint16_t>(data[3] << 8 | data[4]);
     asked_ = false;
     ++locked_;
   }
   if (locked_ < gains_.size()) {
-    address(locked_);
+    std::array<std::uint8_t, 5> data = register_address(locked_);
     asked_ = extension(UVC_SET_CUR, kRegister, data);
     if (asked_) return;
     locked_ = gains_.size();  // another camera, without such registers
   }
+  write_colors();
+  bound_exposure();
+  has_settled_ = true;
+  state_ = VideoState::running;
+}
+
+/// As they were found: of a camera that is begun anew as well, since what was learned of the room was learned with
+/// them.
+void VideoCamera::write_colors() {
   set_control(V4L2_CID_AUTO_WHITE_BALANCE, 0);
   for (std::size_t i = 0; i < gains_.size(); ++i) {
     if (!gains_[i]) continue;
-    address(i);
+    std::array<std::uint8_t, 5> data = register_address(i);
     data[0] = 1;
     data[3] = static_cast<std::uint8_t>(*gains_[i] >> 8);
     data[4] = static_cast<std::uint8_t>(*gains_[i] & 0xff);
     if (!extension(UVC_SET_CUR, kRegister, data)) ++counts_.refused_controls;
   }
-  bound_exposure();
-  state_ = VideoState::running;
 }
 
 /// Where the light asks for a longer exposure than a moving head allows, that is fixed, and the gain makes up for it.

@@ -37,7 +37,7 @@ class VideoCamera {
   struct Image {
     double time = 0.0;                   ///< s on the monotonic clock, when the exposure began
     bool is_time_guessed = false;        ///< the driver did not say; it is when the image came, less one period
-    std::span<const std::uint8_t> yuyv;  ///< valid until the next call
+    std::span<const std::uint8_t> yuyv;  ///< valid until a newer one comes, or the camera is begun anew
   };
 
   /// Once a frame, or whenever the descriptor is readable: goes on with what there is to be done at `now` (s,
@@ -73,6 +73,7 @@ class VideoCamera {
   std::optional<int> control(std::uint32_t control);
   void flip();
   void lock_colors(double now);
+  void write_colors();
   void bound_exposure();
   bool extension(std::uint8_t query, std::uint8_t selector, std::span<std::uint8_t> data);
 
@@ -87,6 +88,7 @@ class VideoCamera {
   double next_attempt_ = 0.0;                          // s
   std::array<std::optional<std::uint16_t>, 6> gains_;  // of the sensor's registers, while they are read
   std::size_t locked_ = 0;                             // how many were read
+  bool has_settled_ = false;                           // once
   bool asked_ = false;                                 // for the next one
   double next_step_ = 0.0;                             // s
   Counts counts_;

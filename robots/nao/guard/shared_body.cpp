@@ -53,7 +53,7 @@ MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
   if (file_ < 0) give_up(std::strerror(errno));
   struct stat status {};
   if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != geteuid())
-    give_up("not a file of this user; remove it");
+    give_up("no file of a guard of this user; name another one");
   constexpr auto kSize = static_cast<off_t>(sizeof(SharedBody));
   if (side == Side::guard) {
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) give_up("another guard holds the body; end it first");

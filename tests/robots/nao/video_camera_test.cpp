@@ -154,6 +154,22 @@ TEST_F(VideoCameraTest, BeginsAnewWhereItWasUnplugged) {
   EXPECT_EQ(camera_->counts().begun_anew, 1u);
 }
 
+TEST_F(VideoCameraTest, KeepsTheColorsThatItHasFoundWhereItIsBegunAnew) {
+  begin();
+  images_in(0.1);
+  for (int i = 0; i < 6; ++i) device_.set_register(0x3400 + i, 100 + i);
+  images_in(settings_.settling + 1.0);
+  ASSERT_EQ(camera_->state(), VideoState::running);
+  device_.is_plugged = false;
+  images_in(1.0);
+  for (int i = 0; i < 6; ++i) device_.set_register(0x3400 + i, 999);
+  device_.is_plugged = true;
+  images_in(1.5);
+  EXPECT_EQ(camera_->state(), VideoState::running);
+  EXPECT_EQ(device_.value_of(V4L2_CID_AUTO_WHITE_BALANCE), 0);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(device_.registers().at(0x3400 + i), 100 + i);
+}
+
 TEST_F(VideoCameraTest, BeginsAnewWhereNoImageComesAnyMore) {
   begin();
   images_in(1.0);

@@ -40,6 +40,7 @@ bool FakeVideo::expose(std::span<const std::uint8_t> yuyv, double time, bool dam
   queued_.pop_front();
   const std::size_t size = std::min(yuyv.size(), buffers_[index].size());
   std::copy_n(yuyv.begin(), size, buffers_[index].begin());
+  ++shown_;
   done_.push_back({index, static_cast<std::uint32_t>(size), time, damaged});
   return true;
 }

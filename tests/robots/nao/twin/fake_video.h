@@ -27,6 +27,7 @@ class FakeVideo : public VideoDevice {
   bool expose(std::span<const std::uint8_t> yuyv, double time, bool damaged = false);
 
   bool streams() const { return streams_; }
+  std::uint64_t shown() const { return shown_; }
   int opened() const { return opened_; }
   int mapped() const { return mapped_; }
   int value_of(std::uint32_t control) const;
@@ -54,6 +55,7 @@ class FakeVideo : public VideoDevice {
   int extension(void* argument);
 
   bool is_open_ = false, streams_ = false;
+  std::uint64_t shown_ = 0;  // images that were exposed
   int opened_ = 0, mapped_ = 0;
   int width_ = 0, height_ = 0;
   std::vector<std::vector<std::uint8_t>> buffers_;

@@ -7,7 +7,7 @@
 namespace reorient::nao {
 namespace {
 
-constexpr float kCycle = 0.012f;    // s
+constexpr float kTick = 0.012f;     // s
 constexpr float kWeight = 5.3f;     // kg
 constexpr float kFallSpeed = 2.5f;  // rad/s
 constexpr float kOnItsFace = 1.5f;  // rad
@@ -52,8 +52,8 @@ void TwinBody::take(const Command& command) {
     constexpr float kRounding = 1e-4f;
     const bool goes_on = goes_on_ && command_.stiffness[joint] > 0.0f;
     const float from = goes_on ? command_.position[joint] : position_[joint];
-    const float most = limits.speed * kCycle + kRounding;
-    if (std::fabs(to - from) > most) complain("told to go faster than it can", joint, (to - from) / kCycle);
+    const float most = limits.speed * kTick + kRounding;
+    if (std::fabs(to - from) > most) complain("told to go faster than it can", joint, (to - from) / kTick);
     const float outside = std::max(limits.least - to, to - limits.most);
     if (outside > kRounding && outside > std::max(limits.least - from, from - limits.most) + kRounding)
       complain("told to go out of its range", joint, to);
@@ -75,7 +75,7 @@ void TwinBody::step() {
   if (was_told_) {
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
       if (command_.stiffness[joint] < 0.05f || joint == blocked_) continue;
-      const float most = kJointLimits[joint].speed * kCycle;
+      const float most = kJointLimits[joint].speed * kTick;
       position_[joint] += std::clamp(command_.position[joint] - position_[joint], -most, most);
     }
   }
@@ -86,7 +86,7 @@ void TwinBody::step() {
   if (!holds && !lies()) falling_ = true;
   if (falling_) {
     if (pitch_ <= 0.0f) ++falls_;
-    pitch_ = std::min(pitch_ + kFallSpeed * kCycle, kOnItsFace);
+    pitch_ = std::min(pitch_ + kFallSpeed * kTick, kOnItsFace);
     if (pitch_ >= kOnItsFace) falling_ = false;
   }
 }

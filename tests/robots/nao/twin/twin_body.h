@@ -26,6 +26,12 @@ class TwinBody {
   Measurement measurement() const;
   const RobotIdentity& identity() const { return identity_; }
 
+  /// Where its head is, where somebody else knows better.
+  void set_head(float yaw, float pitch) {
+    position_[kHeadYaw] = yaw;
+    position_[kHeadPitch] = pitch;
+  }
+
   /// What happens to it.
   void push() { falling_ = true; }  ///< it falls on its face
   void pick_up_and_put_down();      ///< one that lies, on its feet, as soft as it is

@@ -1,0 +1,13 @@
+// `reorient run --robot nao`: the engine alone on a NAO, for as long as nobody ends it.
+#pragma once
+
+#include <iosfwd>
+
+#include "program/run/run_options.h"
+
+namespace reorient {
+
+/// The exit code. Throws std::runtime_error (of a script: ScriptError) with one line on bad input.
+int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err);
+
+}  // namespace reorient

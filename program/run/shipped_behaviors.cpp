@@ -1,0 +1,30 @@
+#include "program/run/shipped_behaviors.h"
+
+namespace reorient {
+namespace {
+
+/// What a robot has to carry out for a behaviour to be of use.
+struct ShippedBehavior {
+  const char* name;
+  Abilities needs;
+};
+constexpr ShippedBehavior kShipped[] = {
+    {"orientation", {false, false, false}},     {"background_training", {false, false, false}},
+    {"kidnap_recovery", {false, false, false}}, {"goal_search", {true, false, false}},
+    {"wall_gaze", {true, false, false}},        {"head_scan", {true, false, false}},
+    {"get_up", {false, false, true}},           {"penalty_marks", {false, true, false}},
+};
+
+}  // namespace
+
+std::vector<std::string> behaviors_for(const Abilities& abilities) {
+  std::vector<std::string> names;
+  for (const ShippedBehavior& one : kShipped) {
+    const bool possible = (!one.needs.head || abilities.head) && (!one.needs.walk || abilities.walk) &&
+                          (!one.needs.get_up || abilities.get_up);
+    if (possible) names.emplace_back(one.name);
+  }
+  return names;
+}
+
+}  // namespace reorient

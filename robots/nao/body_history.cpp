@@ -1,0 +1,84 @@
+#include "robots/nao/body_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/angle.h"
+#include "geometry/pinned_math.h"
+
+namespace reorient::nao {
+namespace {
+
+BodySample sample_of(const Measurement& measurement) {
+  BodySample body;
+  body.time = measurement.time;
+  body.head = {measurement.position[kHeadYaw], measurement.position[kHeadPitch]};
+  body.torso = {measurement.angles[0], measurement.angles[1]};
+  // To the right, over the toes, to the left: about x, y and z.
+  body.angular_velocity = {measurement.gyroscope[0], measurement.gyroscope[1], measurement.gyroscope[2]};
+  // Against free fall it is +9.81 upwards; LoLA says it the other way round.
+  body.acceleration = {-measurement.accelerometer[0], -measurement.accelerometer[1], -measurement.accelerometer[2]};
+  body.foot_load = std::accumulate(measurement.fsr.begin(), measurement.fsr.end(), 0.0);
+  return body;
+}
+
+double between(double from, double to, double share) { return from + share * (to - from); }
+
+}  // namespace
+
+void BodyHistory::add(const Measurement& measurement) {
+  const BodySample body = sample_of(measurement);
+  if (count_ > 0) {
+    const double step = body.time - from_end(0).body.time;
+    if (step <= 0.0) return;
+    if (step < kGap) turn(body, step);
+  }
+  moments_[count_ % kKept] = {body, Pose2(0.0, 0.0, normalize_angle(yaw_))};
+  ++count_;
+}
+
+/// By what the gyroscope says about the vertical, less what it says of a robot that stands still.
+void BodyHistory::turn(const BodySample& body, double step) {
+  const double pitch = body.torso.pitch, roll = body.torso.roll;
+  const Eigen::Vector3d up(-pinned::sin(pitch), pinned::cos(pitch) * pinned::sin(roll),
+                           pinned::cos(pitch) * pinned::cos(roll));
+  const double rate = up.dot(body.angular_velocity);
+  constexpr double kStill = 0.05;     // rad/s about any axis
+  constexpr double kStillTime = 1.0;  // s
+  constexpr double kBiasTime = 5.0;   // s
+  constexpr double kLoaded = 1.0;     // kg: it stands on its own feet
+  const bool is_still = body.angular_velocity.norm() < kStill && body.foot_load > kLoaded;
+  still_for_ = is_still ? still_for_ + step : 0.0;
+  if (still_for_ > kStillTime) bias_ += step / kBiasTime * (rate - bias_);
+  yaw_ += step * (rate - bias_);
+}
+
+std::optional<BodyHistory::Moment> BodyHistory::newest() const {
+  return count_ > 0 ? std::optional(from_end(0)) : std::nullopt;
+}
+
+std::optional<BodyHistory::Moment> BodyHistory::at(double time) const {
+  const std::size_t kept = std::min(count_, kKept);
+  if (kept == 0 || time > from_end(0).body.time + kGap) return std::nullopt;
+  if (time >= from_end(0).body.time) return from_end(0);
+  for (std::size_t back = 1; back < kept; ++back) {
+    const Moment &before = from_end(back), &after = from_end(back - 1);
+    if (before.body.time > time) continue;
+    const double gap = after.body.time - before.body.time;
+    if (gap > kGap) return std::nullopt;
+    const double share = (time - before.body.time) / gap;
+    Moment moment = share < 0.5 ? before : after;
+    moment.body.time = time;
+    moment.body.head = {between(before.body.head.yaw, after.body.head.yaw, share),
+                        between(before.body.head.pitch, after.body.head.pitch, share)};
+    moment.body.torso = {between(before.body.torso.roll, after.body.torso.roll, share),
+                         between(before.body.torso.pitch, after.body.torso.pitch, share)};
+    const double turned = angle_difference(after.odometry.rotation, before.odometry.rotation);
+    moment.odometry.rotation = normalize_angle(before.odometry.rotation + share * turned);
+    return moment;
+  }
+  return std::nullopt;
+}
+
+}  // namespace reorient::nao

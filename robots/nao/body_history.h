@@ -1,0 +1,45 @@
+// What a NAO's body felt lately, as the engine takes it: between two measurements it is interpolated.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "geometry/pose2.h"
+#include "robots/nao/lola/measurement.h"
+#include "robots/robot.h"
+
+namespace reorient::nao {
+
+class BodyHistory {
+ public:
+  struct Moment {
+    BodySample body;
+    Pose2 odometry;  ///< a robot that cannot walk only turns, as somebody turns it: rad, from the inertial unit
+  };
+
+  /// In the order of their times; one that is not later than the last is left out. Times on any clock, s. What is not
+  /// fresh is as it was.
+  void add(const Measurement& measurement);
+
+  /// Nothing: the body was not felt at that time or less than kGap before it.
+  std::optional<Moment> at(double time) const;
+  /// Nothing: there is none.
+  std::optional<Moment> newest() const;
+
+  static constexpr double kGap = 0.1;  // s
+
+ private:
+  void turn(const BodySample& body, double step);
+
+  static constexpr std::size_t kKept = 64;  // three quarters of a second
+  const Moment& from_end(std::size_t back) const { return moments_[(count_ - 1 - back) % kKept]; }
+
+  std::array<Moment, kKept> moments_;
+  std::size_t count_ = 0;
+  double yaw_ = 0.0;        // rad
+  double bias_ = 0.0;       // rad/s, of the gyroscope about the vertical
+  double still_for_ = 0.0;  // s
+};
+
+}  // namespace reorient::nao

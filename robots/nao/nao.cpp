@@ -1,0 +1,237 @@
+#include "robots/nao/nao.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robots/nao/lights.h"
+
+namespace reorient::nao {
+namespace {
+
+VideoSettings video_settings(const NaoOptions& options, HeadCamera which) {
+  VideoSettings settings;
+  settings.path = which == HeadCamera::upper ? "/dev/video-top" : "/dev/video-bottom";
+  settings.width = options.width;
+  settings.height = options.height;
+  settings.upside_down = which == HeadCamera::upper;
+  return settings;
+}
+
+CameraModel camera_model(const CameraOptics& optics, int width, int height) {
+  CameraModel model =
+      CameraModel::from_fields_of_view(width, height, optics.field_of_view_horizontal, optics.field_of_view_vertical);
+  model.k1 = optics.k1;
+  model.k2 = optics.k2;
+  return model;
+}
+
+/// Turned about the camera's own axes: down about the one to the left, left about the one upwards.
+Isometry3 turned(const Isometry3& robot_from_camera, const CameraOffset& offset) {
+  return robot_from_camera * Eigen::AngleAxisd(offset.pan, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(offset.tilt, Eigen::Vector3d::UnitY());
+}
+
+/// The guard says what its body does; what it does on its own feet the engine feels by itself.
+ReportedPosture reported(GuardState state) {
+  switch (state) {
+    case GuardState::standing:
+      return ReportedPosture::unknown;
+    case GuardState::fallen:
+      return ReportedPosture::fallen;
+    case GuardState::waiting:
+    case GuardState::soft:
+    case GuardState::standing_up:
+    case GuardState::sitting_down:
+    case GuardState::sitting:
+      return ReportedPosture::getting_up;  // it is no time to look at the room: the camera is lower than it is believed
+                                           // to be
+  }
+  return ReportedPosture::unknown;
+}
+
+}  // namespace
+
+Nao::Nao(NaoOptions options, NaoSurroundings surroundings)
+    : options_(std::move(options)),
+      around_(std::move(surroundings)),
+      start_(around_.now()),
+      game_(options_.team, options_.player),
+      posture_(options_.stands_at_once ? WantedPosture::stand : WantedPosture::sit) {
+  const RobotBody& body = options_.body;
+  upper_.emplace(*around_.upper, video_settings(options_, HeadCamera::upper));
+  upper_->model = camera_model(body.upper_camera, options_.width, options_.height);
+  if (around_.lower != nullptr && body.lower_camera) {
+    lower_.emplace(*around_.lower, video_settings(options_, HeadCamera::lower));
+    lower_->model = camera_model(*body.lower_camera, options_.width, options_.height);
+  }
+}
+
+Nao::~Nao() {
+  posture_ = WantedPosture::sit;
+  paused_ = true;
+  ask(around_.now());
+}
+
+bool Nao::observe(Observation& observation) {
+  constexpr double kPatience = 0.02;  // s: the guard has to hear from us more often than ten times a second
+  while (true) {
+    const double now = around_.now();
+    const bool feels = feel(now);
+    hear_referee(now);
+    look(HeadCamera::upper, now);
+    if (lower_) look(HeadCamera::lower, now);
+    if (ends_ || (around_.is_over && around_.is_over())) return false;
+    if (feels && pairing_.is_due(engine_time(now))) break;
+    if (feels) note_missing(Missing::images, now);
+    ask(now);
+    const std::array<int, 2> descriptors{upper_->camera.descriptor(), lower_ ? lower_->camera.descriptor() : -1};
+    around_.wait(kPatience, descriptors);
+  }
+  note_missing(Missing::nothing, around_.now());
+  ++counts_.frames;
+  observation = {};
+  pairing_.take(observation);
+  const BodyHistory::Moment moment = *history_.newest();
+  // What was felt after the image waits for the next frame.
+  const auto later = std::find_if(body_samples_.begin(), body_samples_.end(),
+                                  [&](const BodySample& sample) { return sample.time > observation.time; });
+  given_.assign(body_samples_.begin(), later);
+  body_samples_.erase(body_samples_.begin(), later);
+  observation.body_samples = given_;
+  observation.body = given_.empty() ? moment.body : given_.back();
+  observation.odometry = observation.upper ? observation.upper->odometry : observation.lower->odometry;
+  observation.reported_posture = reported(guard_.state);
+  observation.told = std::exchange(told_, {});
+  return true;
+}
+
+/// What the body has measured since the last time. False: nothing for a while.
+bool Nao::feel(double now) {
+  SharedBody* const body = around_.body();
+  if (body == nullptr) {
+    note_missing(Missing::guard, now);
+    return false;
+  }
+  body->report.read(guard_);
+  news_.clear();
+  seen_ = body->news(seen_, news_);
+  for (const Measurement& measurement : news_) {
+    if (!measurement.has(SensorKey::position) || !measurement.has(SensorKey::angles)) continue;
+    Measurement moved = measurement;
+    moved.time = engine_time(measurement.time);
+    history_.add(moved);
+    press_button(moved);
+    constexpr std::size_t kMostSamples = 100;
+    if (body_samples_.size() < kMostSamples) body_samples_.push_back(history_.newest()->body);
+  }
+  if (guard_.state == GuardState::fallen && posture_ == WantedPosture::stand)
+    posture_ = WantedPosture::soft;  // until somebody has put it on its feet, and presses the button
+  const std::optional<BodyHistory::Moment> newest = history_.newest();
+  const bool feels = newest && engine_time(now) - newest->body.time < BodyHistory::kGap;
+  if (!feels) note_missing(Missing::measurements, now);
+  return feels;
+}
+
+void Nao::press_button(const Measurement& measurement) {
+  // A robot that lies on its front presses it by itself.
+  constexpr float kOnItsFront = 1.0f;  // rad
+  const bool is_down =
+      measurement.has(SensorKey::touch) && measurement.touch[kChest] > 0.5f && measurement.angles[1] < kOnItsFront;
+  switch (chest_.feel(is_down, measurement.time)) {
+    case ChestButton::Press::none:
+      return;
+    case ChestButton::Press::brief:
+      paused_ = posture_ == WantedPosture::stand && !paused_;
+      posture_ = WantedPosture::stand;
+      return;
+    case ChestButton::Press::lasting:
+      ends_ = true;
+      return;
+  }
+}
+
+void Nao::hear_referee(double now) {
+  if (around_.referee == nullptr) return;
+  constexpr int kAtOnce = 20;
+  constexpr double kReturnPeriod = 1.0;  // s
+  for (int i = 0; i < kAtOnce; ++i) {
+    const std::span<const std::byte> datagram = around_.referee->receive();
+    if (datagram.empty()) return;
+    if (!game_.hear(datagram, told_) || now < next_return_) continue;
+    next_return_ = now + kReturnPeriod;
+    around_.referee->answer(
+        return_datagram({game_.team(), game_.player(), guard_.state == GuardState::fallen, answer_.belief.pose}));
+  }
+}
+
+/// The newest image of a camera, and how the head was turned when it was exposed.
+void Nao::look(HeadCamera which, double now) {
+  Eye& eye = which == HeadCamera::upper ? *upper_ : *lower_;
+  const std::optional<VideoCamera::Image> image = eye.camera.look(now);
+  const bool is_upper = which == HeadCamera::upper;
+  if (image || eye.camera.state() == VideoState::closed) is_upper ? pairing_.drop_upper() : pairing_.drop_lower();
+  if (!image || eye.camera.state() != VideoState::running) return;  // colours that drift teach nothing
+  const double time = engine_time(image->time) + options_.image_delay;
+  const std::optional<BodyHistory::Moment> moment = history_.at(time);
+  if (!moment) {
+    ++counts_.unplaced;
+    return;
+  }
+  CameraFrame frame;
+  frame.time = time;
+  frame.image = {image->yuyv.data(), options_.width, options_.height, 2 * options_.width};
+  frame.camera = eye.model;
+  frame.odometry = moment->odometry;
+  const RobotDimensions& dimensions = options_.body.dimensions;
+  frame.robot_from_camera =
+      turned(robot_from_camera(dimensions, moment->body.head, moment->body.torso, dimensions.torso_height, which),
+             options_.offsets[is_upper ? 0 : 1]);
+  if (is_upper) {
+    pairing_.put_upper(frame);
+  } else {
+    pairing_.put_lower(frame);
+  }
+}
+
+void Nao::answer(const Answer& answer) {
+  answer_ = answer;
+  ask(around_.now());
+}
+
+void Nao::ask(double now) {
+  SharedBody* const body = around_.body();
+  if (body == nullptr) return;
+  BodyRequest request;
+  request.time = now;
+  request.posture = posture_;
+  const std::optional<HeadRequest>& head = answer_.request.head;
+  if (head && !paused_) {
+    const HeadAngles angles = options_.body.neck.clamp(head->angles);
+    request.moves_head = 1;
+    request.head_yaw = static_cast<float>(angles.yaw);
+    request.head_pitch = static_cast<float>(angles.pitch);
+    request.head_speed = static_cast<float>(std::min(head->speed, options_.body.head_speed));
+  }
+  request.lights = lights_of(answer_);
+  body->request.write(request);
+}
+
+void Nao::note_missing(Missing what, double now) {
+  if (what != missing_) missing_since_ = now;
+  missing_ = what;
+  missing_for_ = what == Missing::nothing ? 0.0 : now - missing_since_;
+}
+
+Nao::Counts Nao::counts() const {
+  Counts all = counts_;
+  for (const std::optional<Eye>* const eye : {&upper_, &lower_}) {
+    if (!*eye) continue;
+    const VideoCamera::Counts& camera = (*eye)->camera.counts();
+    all.passed_over += camera.passed_over;
+    all.damaged += camera.damaged;
+    all.begun_anew += camera.begun_anew;
+  }
+  return all;
+}
+
+}  // namespace reorient::nao

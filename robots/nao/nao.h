@@ -1,0 +1,130 @@
+// A NAO v6 with nobody else on board: its cameras, its body behind the guard, the referee. It looks about, stands up
+// and sits down; it has no walk and does not get up (a walk is a part of its own: see docs/on-a-robot.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "robots/camera_pairing.h"
+#include "robots/game_controller.h"
+#include "robots/nao/body_history.h"
+#include "robots/nao/camera/video_camera.h"
+#include "robots/nao/chest_button.h"
+#include "robots/nao/guard/shared_body.h"
+#include "robots/robot.h"
+#include "robots/robot_body.h"
+
+namespace reorient::nao {
+
+/// By how much a camera looks elsewhere than its data sheet says, rad: lower, and to the left.
+struct CameraOffset {
+  double tilt = 0.0;
+  double pan = 0.0;
+};
+
+/// Where the referee's datagrams come from.
+class RefereePort {
+ public:
+  virtual ~RefereePort() = default;
+  /// The next one, valid until the next call; empty: there is none. Never waits.
+  virtual std::span<const std::byte> receive() = 0;
+  /// To whom the last one came from.
+  virtual void answer(std::span<const std::byte> datagram) = 0;
+};
+
+struct NaoOptions {
+  RobotBody body;   ///< assets/robots/nao-v6.toml
+  int width = 640;  ///< of the images, pixels
+  int height = 480;
+  std::array<CameraOffset, 2> offsets;  ///< of the upper and the lower camera
+  double image_delay = 0.0;             ///< s from the driver's time of an image to the middle of its exposure
+  int team = 0, player = 0;             ///< 0: the referee is not heard
+  bool stands_at_once = false;          ///< without anybody pressing the chest's button
+};
+
+/// What is around it, so that a test can stand there.
+struct NaoSurroundings {
+  std::function<double()> now;  ///< s, monotonic
+  /// Until something is to be read, or for so many s at most.
+  std::function<void(double seconds, std::span<const int> descriptors)> wait;
+  std::function<bool()> is_over;
+  /// The memory that is shared with the guard; nullptr: no guard is there now.
+  std::function<SharedBody*()> body;
+  VideoDevice* upper = nullptr;
+  VideoDevice* lower = nullptr;    ///< nullptr: only the upper camera is used
+  RefereePort* referee = nullptr;  ///< nullptr: it is not heard
+};
+
+class Nao : public Robot {
+ public:
+  Nao(NaoOptions options, NaoSurroundings surroundings);
+  /// Asks the guard to sit down.
+  ~Nao() override;
+  Nao(const Nao&) = delete;
+  Nao& operator=(const Nao&) = delete;
+
+  /// False: it is over, or the chest's button was pressed for 3 s.
+  bool observe(Observation& observation) override;
+  void answer(const Answer& answer) override;
+
+  enum class Missing { nothing, guard, measurements, images };
+  /// What it waits for at the moment, and for how long (s).
+  Missing missing() const { return missing_; }
+  double missing_for() const { return missing_for_; }
+  /// What the guard does and worries about, as it last said.
+  const GuardReport& guard() const { return guard_; }
+  bool is_paused() const { return paused_; }
+
+  struct Counts {
+    std::uint64_t frames = 0;
+    std::uint64_t passed_over = 0;  ///< images, since a newer one had come
+    std::uint64_t unplaced = 0;     ///< images of which it is not known how the head was turned
+    std::uint64_t damaged = 0;      ///< images
+    std::uint64_t begun_anew = 0;   ///< cameras
+  };
+  Counts counts() const;
+
+ private:
+  struct Eye {
+    Eye(VideoDevice& device, const VideoSettings& settings) : camera(device, settings) {}
+    VideoCamera camera;
+    CameraModel model;
+  };
+
+  bool feel(double now);
+  void press_button(const Measurement& measurement);
+  void hear_referee(double now);
+  void look(HeadCamera which, double now);
+  void ask(double now);
+  void note_missing(Missing what, double now);
+  double engine_time(double monotonic) const { return monotonic - start_; }
+
+  NaoOptions options_;
+  NaoSurroundings around_;
+  double start_;  // s, monotonic: when the engine's clock began
+  std::optional<Eye> upper_, lower_;
+  CameraPairing pairing_;
+  BodyHistory history_;
+  std::uint64_t seen_ = 0;  // measurements
+  std::vector<Measurement> news_;
+  std::vector<BodySample> body_samples_, given_;  // those that wait, and those of the present frame
+  ChestButton chest_;
+  GuardReport guard_;
+  GameController game_;
+  double next_return_ = 0.0;  // s
+  Told told_;
+
+  WantedPosture posture_ = WantedPosture::sit;
+  bool paused_ = false;
+  bool ends_ = false;
+  Answer answer_;
+  Missing missing_ = Missing::nothing;
+  double missing_since_ = 0.0, missing_for_ = 0.0;  // s
+  Counts counts_;
+};
+
+}  // namespace reorient::nao

@@ -1,0 +1,36 @@
+// The GameController's datagrams from the network.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include <netinet/in.h>
+
+#include "robots/nao/nao.h"
+
+namespace reorient::nao {
+
+/// Hears one GameController: the first that is heard, until it has been silent for 10 s. Throws std::runtime_error with
+/// one line where the port cannot be had.
+class UdpReferee : public RefereePort {
+ public:
+  /// `now`: s, monotonic.
+  UdpReferee(std::uint16_t port, std::uint16_t return_port, std::function<double()> now);
+  ~UdpReferee() override;
+  UdpReferee(const UdpReferee&) = delete;
+  UdpReferee& operator=(const UdpReferee&) = delete;
+
+  std::span<const std::byte> receive() override;
+  void answer(std::span<const std::byte> datagram) override;
+
+ private:
+  int socket_ = -1;
+  std::uint16_t return_port_;
+  std::function<double()> now_;
+  sockaddr_in from_{};
+  double heard_ = 0.0;  // s, from there
+  std::array<std::byte, 512> datagram_{};
+};
+
+}  // namespace reorient::nao

@@ -1,0 +1,35 @@
+// Arbitrary datagrams at the port of the GameController, one after the other: what is believed of them makes sense.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "robots/game_controller.h"
+#include "tests/fuzz/promises.h"
+
+namespace reorient {
+namespace {
+
+void hear(std::span<const std::byte> bytes) {
+  GameController game(5, 3);
+  while (!bytes.empty()) {
+    // A length, then so many bytes.
+    const std::size_t size = std::min(bytes.size() - 1, std::to_integer<std::size_t>(bytes[0]));
+    Told told;
+    const bool heard = game.hear(bytes.subspan(1, size), told);
+    require(heard || (!told.referee && !told.half_time), "what was not understood says nothing");
+    if (told.referee) {
+      require(static_cast<int>(told.referee->state) < enum_count(GameState{}), "there is such a state");
+      require(!to_string(told.referee->state).empty(), "and it has a name");
+    }
+    bytes = bytes.subspan(1 + size);
+  }
+}
+
+}  // namespace
+}  // namespace reorient
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  reorient::hear({reinterpret_cast<const std::byte*>(data), size});
+  return 0;
+}

@@ -1,0 +1,83 @@
+// The guard and the program as processes, in real time: what they say when something is missing, and that they end.
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/child_program.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+class NaoProcesses : public ::testing::Test {
+ protected:
+  std::string file(const char* name) const { return (folder_.path() / name).string(); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
+  const std::pair<std::vector<std::string>, const char*> mistakes[] = {
+      {{"run", "turned_round", "--robot", "nao"}, "--robot nao plays no scenario"},
+      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: only the simulator heeds it"},
+      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
+      {{"run", "--robot", "nao", "--width", "160"}, "a NAO's cameras give 320 or 640 pixels"},
+      {{"run", "--robot", "nao", "--at", "1,2"}, "a place is X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "a place is X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "nan,0,0"}, "a place is X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--team", "255"}, "--team"},
+      {{"run", "--robot", "nao", "--guard", folder_.write("other", "x").string()}, "of another version of the guard"},
+      {{"run", "--team", "5"}, "--team: only --robot nao heeds it"},
+      {{"run", "--stand"}, "--stand: only --robot nao heeds it"},
+  };
+  for (const auto& [words, why] : mistakes) {
+    ChildProgram program(folder_.path(), words);
+    EXPECT_EQ(program.wait(), 2) << why;
+    EXPECT_NE(program.err().find(why), std::string::npos) << program.err();
+  }
+}
+
+TEST_F(NaoProcesses, TheProgramSaysThatNoGuardIsThereAndWaitsForOne) {
+  ChildProgram program(folder_.path(), {"run", "--robot", "nao", "--guard", file("body")});
+  EXPECT_TRUE(program.await("no guard is there; start reorient-nao-guard")) << program.err();
+  program.kill(SIGTERM);
+  EXPECT_EQ(program.wait(), 128 + SIGTERM);
+  EXPECT_NE(program.out().find("0 frames"), std::string::npos) << program.out();
+}
+
+TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"--priority 100", "--priority is a number from 0 to 99"},
+      {"--priority", "--priority needs a value"},
+      {"--stand", "--stand is not known"},
+      {"--body /", "reorient-nao-guard: /"},
+      {"--body /dev/null", "no file of a guard of this user"},
+  };
+  for (const auto& [words, why] : mistakes) {
+    const std::string err = file("err");
+    const int status = std::system((std::string(REORIENT_GUARD) + " " + words + " 2>" + err).c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 2) << words;
+    const std::string said = read_text(err);
+    EXPECT_NE(said.find(why), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  }
+}
+
+TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
+  const std::string lola = file("lola"), body = file("body"), said = file("said");
+  const std::string script =
+      std::string(REORIENT_LOLA_TWIN) + " " + lola + " " + file("status") +
+      " 60 </dev/null >/dev/null 2>&1 & twin=$!; " + REORIENT_GUARD + " --lola " + lola + " --body " + body +
+      " --priority 0 2>" + said + " & guard=$!; for i in $(seq 300); do grep -q connected " + said +
+      " && break; sleep 0.1; done; kill -TERM $guard; wait $guard; code=$?; kill $twin; exit $code";
+  EXPECT_EQ(std::system(script.c_str()), 0) << read_text(said);
+  EXPECT_NE(read_text(said).find("connected to LoLA"), std::string::npos) << read_text(said);
+}
+
+}  // namespace
+}  // namespace reorient

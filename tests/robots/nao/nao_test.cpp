@@ -1,0 +1,222 @@
+// A NAO of which everything is a twin, in simulated time.
+#include "robots/nao/nao.h"
+
+#include <cmath>
+#include <cstring>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "geometry/field_dimensions.h"
+#include "tests/robots/nao/twin/nao_world.h"
+
+namespace reorient::nao {
+namespace {
+
+const Room& hall() {
+  static const Room room = procedural_hall(1, room_shape_for(FieldDimensions{}));
+  return room;
+}
+
+SimulatorParameters small() {
+  SimulatorParameters parameters;
+  parameters.width = 160;
+  return parameters;
+}
+
+/// A referee whose datagrams the test writes.
+class WrittenReferee : public RefereePort {
+ public:
+  std::span<const std::byte> receive() override {
+    if (waiting.empty()) return {};
+    now = waiting.front();
+    waiting.pop_front();
+    return now;
+  }
+  void answer(std::span<const std::byte> datagram) override { answers.emplace_back(datagram.begin(), datagram.end()); }
+
+  void say(int state, int penalty) {
+    std::vector<std::byte> bytes(158);
+    std::memcpy(bytes.data(), "RGme", 4);
+    bytes[4] = std::byte{20};
+    bytes[10] = static_cast<std::byte>(state);
+    bytes[12] = std::byte{1};
+    bytes[18] = std::byte{5};
+    bytes[18 + 10 + 3 * 1] = static_cast<std::byte>(penalty);  // the second player
+    waiting.push_back(bytes);
+  }
+
+  std::deque<std::vector<std::byte>> waiting;
+  std::vector<std::byte> now;
+  std::vector<std::vector<std::byte>> answers;
+};
+
+class NaoTest : public testing::Test {
+ protected:
+  NaoTest() : world_(small(), RobotBody(), FieldDimensions{}, hall(), Pose2(-3.2, -3.5, kPi / 2.0), 1) {
+    options_.width = 160;
+    options_.height = 120;
+    options_.stands_at_once = true;
+    options_.team = 5;
+    options_.player = 2;
+  }
+  ~NaoTest() override { EXPECT_EQ(world_.body().complaint(), ""); }
+
+  void begin() {
+    NaoSurroundings around = world_.surroundings([this] { return world_.now() > deadline_; });
+    around.referee = &referee_;
+    nao_.emplace(options_, around);
+  }
+  /// Frames for so long. False: there are none any more.
+  bool run(double seconds) {
+    for (const double end = world_.now() + seconds; world_.now() < end;) {
+      deadline_ = end + 1.0;
+      if (!nao_->observe(observation_)) return false;
+      ++frames_;
+      Answer answer;
+      answer.request.head = head_;
+      nao_->answer(answer);
+    }
+    return true;
+  }
+
+  NaoWorld world_;
+  WrittenReferee referee_;
+  NaoOptions options_;
+  std::optional<Nao> nao_;
+  Observation observation_;
+  std::optional<HeadRequest> head_;
+  double deadline_ = 1e9;
+  int frames_ = 0;
+};
+
+TEST_F(NaoTest, StandsUpAndSeesWhatItsSimulatorShows) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::standing);
+  frames_ = 0;
+  ASSERT_TRUE(run(3.0));
+  EXPECT_NEAR(frames_, 83, 3);
+  ASSERT_TRUE(observation_.upper);
+  EXPECT_EQ(observation_.upper->image.width, 160);
+  EXPECT_EQ(observation_.reported_posture, ReportedPosture::unknown) << "the engine feels it by itself";
+  EXPECT_NEAR(observation_.body.acceleration.z(), 9.81, 0.5);
+  EXPECT_NEAR(observation_.body.foot_load, 5.3, 1.0);
+  EXPECT_EQ(nao_->missing(), Nao::Missing::nothing);
+}
+
+TEST_F(NaoTest, SaysThatItIsNoTimeToLookWhileItDoesNotStand) {
+  options_.stands_at_once = false;
+  begin();
+  ASSERT_TRUE(run(6.0));
+  EXPECT_EQ(observation_.reported_posture, ReportedPosture::getting_up);
+}
+
+TEST_F(NaoTest, KnowsHowTheHeadWasTurnedWhenAnImageWasExposed) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  double worst = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    head_ = HeadRequest{{1.2 * std::sin(0.05 * i), 0.1}, 3.0};
+    ASSERT_TRUE(run(0.03));
+    // The simulator's own truth of the same image, but for its sensors' noise.
+    const Isometry3 truth = world_.simulator().field_from_camera();
+    const Isometry3 robot =
+        Isometry3(Eigen::Translation3d(world_.simulator().ground_truth().pose.position.x(),
+                                       world_.simulator().ground_truth().pose.position.y(), 0.0)) *
+        Eigen::AngleAxisd(world_.simulator().ground_truth().pose.rotation, Eigen::Vector3d::UnitZ());
+    const Isometry3 believed = robot * observation_.upper->robot_from_camera;
+    const double angle = Eigen::AngleAxisd(truth.linear().transpose() * believed.linear()).angle();
+    worst = std::max(worst, angle);
+  }
+  EXPECT_LT(worst, 0.02);
+}
+
+TEST_F(NaoTest, TurnsTheHeadWhereItIsAsked) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  head_ = HeadRequest{{-0.8, 0.2}, 2.0};
+  ASSERT_TRUE(run(2.0));
+  EXPECT_NEAR(observation_.body.head.yaw, -0.8, 0.03);
+  EXPECT_NEAR(observation_.body.head.pitch, 0.2, 0.03);
+}
+
+TEST_F(NaoTest, TheChestsButtonStandsPausesAndEnds) {
+  options_.stands_at_once = false;
+  begin();
+  ASSERT_TRUE(run(5.0));
+  const auto press = [this](double seconds) {
+    world_.body().press_chest(true);
+    const bool goes_on = run(seconds);
+    world_.body().press_chest(false);
+    return goes_on;
+  };
+  ASSERT_TRUE(press(0.3));
+  ASSERT_TRUE(run(4.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::standing);
+  ASSERT_TRUE(press(0.3));
+  ASSERT_TRUE(run(0.2));
+  EXPECT_TRUE(nao_->is_paused());
+  head_ = HeadRequest{{1.0, 0.0}, 2.0};
+  ASSERT_TRUE(run(1.0));
+  EXPECT_LT(observation_.body.head.yaw, 0.1) << "nothing moves while it is paused";
+  ASSERT_TRUE(press(0.3));
+  ASSERT_TRUE(run(1.0));
+  EXPECT_GT(observation_.body.head.yaw, 0.9);
+  EXPECT_FALSE(press(4.0)) << "for 3 s: it is over";
+  nao_.reset();
+  for (int i = 0; i < 400; ++i) world_.step();
+  EXPECT_EQ(world_.report().state, GuardState::sitting);
+}
+
+TEST_F(NaoTest, SitsDownWhenTheEngineIsGone) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  nao_.reset();
+  for (int i = 0; i < 400; ++i) world_.step();
+  EXPECT_EQ(world_.report().state, GuardState::sitting);
+  EXPECT_TRUE(world_.body().sits());
+}
+
+TEST_F(NaoTest, HasNoFramesWithoutAGuardAndSaysSo) {
+  world_.hide_guard(true);
+  begin();
+  EXPECT_FALSE(run(3.0));
+  EXPECT_EQ(nao_->missing(), Nao::Missing::guard);
+  EXPECT_GT(nao_->missing_for(), 2.0);
+  world_.hide_guard(false);
+  EXPECT_TRUE(run(3.0));
+}
+
+TEST_F(NaoTest, HearsTheRefereeAndAnswersOnceASecond) {
+  begin();
+  ASSERT_TRUE(run(5.0));
+  referee_.say(3, 0);
+  deadline_ = 1e9;
+  ASSERT_TRUE(nao_->observe(observation_));
+  ASSERT_TRUE(observation_.told.referee);
+  EXPECT_EQ(observation_.told.referee->state, GameState::playing);
+  for (int i = 0; i < 8; ++i) {
+    referee_.say(3, 4);
+    ASSERT_TRUE(run(0.5));
+  }
+  EXPECT_NEAR(static_cast<double>(referee_.answers.size()), 5.0, 1.0);
+  EXPECT_EQ(referee_.answers.front().size(), 32u);
+}
+
+TEST_F(NaoTest, GoesOnWhereTheCameraWasUnplugged) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  world_.camera().is_plugged = false;
+  for (int i = 0; i < 100; ++i) world_.step();
+  world_.camera().is_plugged = true;
+  frames_ = 0;
+  ASSERT_TRUE(run(4.0));
+  EXPECT_GT(frames_, 60);
+  EXPECT_GE(nao_->counts().begun_anew, 1u);
+}
+
+}  // namespace
+}  // namespace reorient::nao
