@@ -18,6 +18,7 @@ struct Subcommand {
 Subcommand add_run(CLI::App& program);
 Subcommand add_test(CLI::App& program);
 Subcommand add_experiment(CLI::App& program);
+Subcommand add_calibrate(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_graph(CLI::App& program);
 Subcommand add_params(CLI::App& program);

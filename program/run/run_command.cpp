@@ -32,6 +32,11 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--guard", options.guard, "nao: the memory that reorient-nao-guard shares (default: where it does)")
       ->check(check_not_empty);
   run.add_option("--at", options.at, "nao: where it stands, X,Y,DEGREES; told once it stands")->check(check_not_empty);
+  run.add_option("--places", options.places,
+                 "nao: file that says where each player stands; told when the referee says that the game is in initial")
+      ->check(check_not_empty);
+  run.add_option("--calibration", options.calibration, "nao: file that says how its cameras are mounted")
+      ->check(check_not_empty);
   run.add_option("--team", options.team, "nao: the team's number, by which it hears the GameController")
       ->check(CLI::Range(1, 254));
   run.add_option("--player", options.player, "nao: its number")->check(CLI::Range(1, 20))->capture_default_str();
@@ -88,12 +93,13 @@ struct Heeding {
 constexpr Heeding kHeeding[] = {
     {"--socket", false, true, false},      {"--behaviors", false, true, true},    {"--state", false, true, false},
     {"--fresh", false, true, false},       {"--guard", false, false, true},       {"--at", false, false, true},
-    {"--team", false, false, true},        {"--player", false, false, true},      {"--stand", false, false, true},
-    {"--with", true, false, false},        {"--without", true, false, false},     {"--room", true, false, false},
-    {"--hall-seed", true, false, false},   {"--field", true, false, true},        {"--body", true, false, true},
-    {"--width", true, false, true},        {"--cameras", true, false, true},      {"--realtime", true, false, false},
-    {"--save-params", true, false, false}, {"--out", true, false, false},         {"--json", true, false, false},
-    {"--seconds", true, false, false},     {"--no-pictures", true, false, false},
+    {"--places", false, false, true},      {"--calibration", false, false, true}, {"--team", false, false, true},
+    {"--player", false, false, true},      {"--stand", false, false, true},       {"--with", true, false, false},
+    {"--without", true, false, false},     {"--room", true, false, false},        {"--hall-seed", true, false, false},
+    {"--field", true, false, true},        {"--body", true, false, true},         {"--width", true, false, true},
+    {"--cameras", true, false, true},      {"--realtime", true, false, false},    {"--save-params", true, false, false},
+    {"--out", true, false, false},         {"--json", true, false, false},        {"--seconds", true, false, false},
+    {"--no-pictures", true, false, false},
 };
 
 void refuse_in_vain(const CLI::App& run, const std::string& robot) {

@@ -42,9 +42,11 @@ struct RunOptions : SimulationOptions {
   bool fresh = false;                  ///< it goes on from nothing
   std::vector<std::string> behaviors;  ///< empty: all that the robot can carry out
   // Of the NAO (program/run/nao/).
-  std::filesystem::path guard;  ///< the memory that is shared with it; empty: where it is by itself
-  std::string at;               ///< X,Y,DEGREES, told once it stands; empty: nobody tells it
-  int team = 0;                 ///< as the league numbers it; 0: the referee is not heard
+  std::filesystem::path guard;        ///< the memory that is shared with it; empty: where it is by itself
+  std::string at;                     ///< X,Y,DEGREES, told once it stands; empty: nobody tells it
+  std::filesystem::path places;       ///< TOML file: where players stand before the game begins; empty: none
+  std::filesystem::path calibration;  ///< TOML file: how its cameras are mounted; empty: as the data sheet says
+  int team = 0;                       ///< as the league numbers it; 0: the referee is not heard
   int player = 1;
   bool stand = false;  ///< up at once, not when the chest's button is pressed
   bool realtime = false;

@@ -25,12 +25,6 @@ CameraModel camera_model(const CameraOptics& optics, int width, int height) {
   return model;
 }
 
-/// Turned about the camera's own axes: down about the one to the left, left about the one upwards.
-Isometry3 turned(const Isometry3& robot_from_camera, const CameraOffset& offset) {
-  return robot_from_camera * Eigen::AngleAxisd(offset.pan, Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(offset.tilt, Eigen::Vector3d::UnitY());
-}
-
 /// The guard says what its body does; what it does on its own feet the engine feels by itself.
 ReportedPosture reported(GuardState state) {
   switch (state) {
@@ -122,7 +116,8 @@ bool Nao::feel(double now) {
     history_.add(moved);
     press_button(moved);
     constexpr std::size_t kMostSamples = 100;
-    if (body_samples_.size() < kMostSamples) body_samples_.push_back(history_.newest()->body);
+    if (body_samples_.size() >= kMostSamples) body_samples_.erase(body_samples_.begin());
+    body_samples_.push_back(history_.newest()->body);
   }
   if (guard_.state == GuardState::fallen && posture_ == WantedPosture::stand)
     posture_ = WantedPosture::soft;  // until somebody has put it on its feet, and presses the button

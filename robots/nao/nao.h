@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/camera_offset.h"
 #include "robots/camera_pairing.h"
 #include "robots/game_controller.h"
 #include "robots/nao/body_history.h"
@@ -19,12 +20,6 @@
 #include "robots/robot_body.h"
 
 namespace reorient::nao {
-
-/// By how much a camera looks elsewhere than its data sheet says, rad: lower, and to the left.
-struct CameraOffset {
-  double tilt = 0.0;
-  double pan = 0.0;
-};
 
 /// Where the referee's datagrams come from.
 class RefereePort {

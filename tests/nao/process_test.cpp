@@ -2,14 +2,17 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "geometry/angle.h"
 #include "tests/program/child_program.h"
 #include "tests/temporary_folder.h"
+#include "workbench/files/calibration_file.h"
 
 namespace reorient {
 namespace {
@@ -32,6 +35,15 @@ TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
       {{"run", "--robot", "nao", "--at", "nan,0,0"}, "a place is X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--team", "255"}, "--team"},
       {{"run", "--robot", "nao", "--guard", folder_.write("other", "x").string()}, "of another version of the guard"},
+      {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string()},
+       "--places: the referee is heard with --team alone"},
+      {{"run", "--robot", "nao", "--places", folder_.write("bad.toml", "player_0 = [1, 2, 3]").string(), "--team", "5"},
+       "there is no key 'player_0'"},
+      {{"run", "--robot", "nao", "--calibration", file("nowhere.toml")}, "there is no such calibration"},
+      {{"calibrate"}, "--at is required"},
+      {{"calibrate", "--at", "here"}, "a place is X,Y,DEGREES"},
+      {{"calibrate", "--at", "0,0,0", "--out", "/nowhere/calibration.toml"}, "--out"},
+      {{"calibrate", "--at", "0,0,0", "--width", "160"}, "--width"},
       {{"run", "--team", "5"}, "--team: only --robot nao heeds it"},
       {{"run", "--stand"}, "--stand: only --robot nao heeds it"},
   };
@@ -40,6 +52,21 @@ TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
     EXPECT_EQ(program.wait(), 2) << why;
     EXPECT_NE(program.err().find(why), std::string::npos) << program.err();
   }
+}
+
+TEST_F(NaoProcesses, TheCamerasOfASimulatedRobotAreCalibrated) {
+  ChildProgram program(
+      folder_.path(), {"calibrate", "--robot", "simulator", "--at", "-3.6,-1.2,20", "--width", "320", "--set",
+                       "simulator.tilt_offset=0.03", "--set", "body.attitude_bias=0", "--set", "simulator.tilt_error=0",
+                       "--out", file("calibration.toml"), "--pictures", file("out")});
+  ASSERT_EQ(program.wait(), 0) << program.out() << program.err();
+  const Calibration calibration = load_calibration(file("calibration.toml"));
+  for (const CameraOffset& offset : calibration) {
+    EXPECT_NEAR(to_degrees(offset.tilt), to_degrees(0.03), 0.15);
+    EXPECT_NEAR(offset.pan, 0.0, from_degrees(0.4));
+  }
+  for (const char* const picture : {"calibration_upper_before.png", "calibration_lower_after.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / picture)) << picture;
 }
 
 TEST_F(NaoProcesses, TheProgramSaysThatNoGuardIsThereAndWaitsForOne) {

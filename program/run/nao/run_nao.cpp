@@ -1,7 +1,5 @@
 #include "program/run/nao/run_nao.h"
 
-#include <array>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -10,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include <poll.h>
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
-#include <time.h>
 
 #include "program/interruption.h"
 #include "program/model/model_keeper.h"
 #include "program/program.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
+#include "program/run/nao/nao_hardware.h"
+#include "program/run/places.h"
 #include "program/run/run_observers.h"
 #include "program/run/script_edits.h"
 #include "program/run/shipped_behaviors.h"
@@ -28,94 +26,38 @@
 #include "program/run/venue.h"
 #include "program/script_names.h"
 #include "robots/nao/nao.h"
-#include "robots/nao/udp_referee.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
+#include "workbench/files/calibration_file.h"
 #include "workbench/files/field_file.h"
+#include "workbench/files/places_file.h"
 #include "workbench/run/run_loop.h"
 
 namespace reorient {
 namespace {
 
-using nao::MappedBody;
 using nao::Nao;
 
-/// The clock of LoLA's packets and of V4L2's images.
-double monotonic_clock() {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-void wait_for(double seconds, std::span<const int> descriptors) {
-  std::array<pollfd, 2> waits{};
-  nfds_t count = 0;
-  for (const int descriptor : descriptors) {
-    if (descriptor >= 0 && count < waits.size()) waits[count++] = {descriptor, POLLIN, 0};
-  }
-  poll(waits.data(), count, static_cast<int>(1000.0 * seconds));
-}
-
-/// The memory that the guard has made, as soon as there is one; tried again once a second.
-class GuardsMemory {
- public:
-  explicit GuardsMemory(std::filesystem::path file) : file_(std::move(file)) {}
-
-  nao::SharedBody* operator()(double now) {
-    if (!body_ && now >= next_) {
-      next_ = now + 1.0;
-      body_ = std::make_unique<MappedBody>(file_, MappedBody::Side::engine);
-      if (!*body_) body_.reset();
-    }
-    return body_ ? &**body_ : nullptr;
-  }
-
- private:
-  std::filesystem::path file_;
-  std::unique_ptr<MappedBody> body_;
-  double next_ = 0.0;
-};
-
-/// Tells where the robot stands, once it stands.
+/// Tells where the robot stands: once it stands, and whenever the referee says that everybody is at his place.
 class StartPlace : public InputSource {
  public:
-  StartPlace(std::optional<Pose2> place, const Nao& robot) : place_(std::move(place)), robot_(robot) {}
+  StartPlace(std::optional<Pose2> now, std::optional<Pose2> initially, const Nao& robot, const FrameLoop& engine)
+      : now_(std::move(now)), initially_(std::move(initially)), robot_(robot), engine_(engine) {}
 
   void add_to(FrameInputs& inputs) override {
-    if (!place_ || robot_.guard().state != nao::GuardState::standing) return;
-    inputs.told.initial_pose = InitialPose{*std::exchange(place_, std::nullopt)};
+    const bool is_initial = engine_.record().world.referee.state == GameState::initial;
+    if (is_initial && !was_initial_ && initially_) now_ = initially_;
+    was_initial_ = is_initial;
+    if (!now_ || robot_.guard().state != nao::GuardState::standing) return;
+    inputs.told.initial_pose = InitialPose{*std::exchange(now_, std::nullopt)};
   }
 
  private:
-  std::optional<Pose2> place_;
+  std::optional<Pose2> now_, initially_;
   const Nao& robot_;
+  const FrameLoop& engine_;
+  bool was_initial_ = false;
 };
-
-/// X,Y,DEGREES in the field's frame. Throws std::runtime_error with one line.
-std::optional<Pose2> place_of(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  double x = 0.0, y = 0.0, degrees = 0.0;
-  char rest = 0;
-  constexpr double kFarthest = 30.0;  // m
-  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &x, &y, &degrees, &rest) != 3 || !(std::abs(x) <= kFarthest) ||
-      !(std::abs(y) <= kFarthest) || !(std::abs(degrees) <= 360.0))
-    throw std::runtime_error("--at " + text + ": a place is X,Y,DEGREES in m, m and degrees, as in --at -3.2,-3.5,90");
-  return Pose2(x, y, from_degrees(degrees));
-}
-
-std::string told_of(const Nao& robot) {
-  switch (robot.missing()) {
-    case Nao::Missing::guard:
-      return "no guard is there; start reorient-nao-guard";
-    case Nao::Missing::measurements:
-      return "the guard hears nothing of the body; is LoLA running?";
-    case Nao::Missing::images:
-      return "no image comes from /dev/video-top, or its colours are still settling";
-    case Nao::Missing::nothing:
-      break;
-  }
-  return "";
-}
 
 }  // namespace
 
@@ -128,7 +70,13 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   if (options.width != 320 && options.width != 640)
     throw std::runtime_error("--width " + std::to_string(options.width) + ": a NAO's cameras give 320 or 640 pixels");
 
+  const Places places = options.places.empty() ? Places() : load_places(options.places);
+  if (!options.places.empty() && options.team == 0)
+    throw std::runtime_error(
+        "--places: the referee is heard with --team alone; give the team's number, or leave it out");
+
   nao::NaoOptions robot_options;
+  if (!options.calibration.empty()) robot_options.offsets = load_calibration(options.calibration);
   robot_options.body = load_body(body_file(options.body));
   // LoLA has neither, and we do not bring them.
   robot_options.body.gait.reset();
@@ -159,34 +107,23 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                        .scripts = options.scripts},
                       history_path());
   const auto is_over = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
-  GuardsMemory memory(options.guard.empty() ? nao::default_body_file() : options.guard);
-  nao::SystemVideoDevice upper, lower;
-  std::unique_ptr<nao::UdpReferee> referee;
-  if (options.team > 0)
-    referee = std::make_unique<nao::UdpReferee>(kGameControllerPort, kGameControllerReturnPort, monotonic_clock);
-  nao::NaoSurroundings around;
-  around.now = monotonic_clock;
-  around.wait = wait_for;
-  around.body = [&memory] { return memory(monotonic_clock()); };
-  around.upper = &upper;
-  around.lower = options.cameras == "both" ? &lower : nullptr;
-  around.referee = referee.get();
+  NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
   // What is missing is told when it has been missing for a while, and once.
   const Nao* robot_now = nullptr;
   Nao::Missing told = Nao::Missing::nothing;
-  around.is_over = [&] {
+  const auto look_after = [&] {
     constexpr double kWhile = 2.0;  // s
     if (robot_now != nullptr && robot_now->missing() != told && robot_now->missing_for() > kWhile) {
       told = robot_now->missing();
       console.make_room();
-      err << "reorient: " << told_of(*robot_now) << '\n' << std::flush;
+      err << "reorient: " << told_of(told) << '\n' << std::flush;
     }
     return is_over();
   };
 
-  auto robot = std::make_unique<Nao>(robot_options, around);
+  auto robot = std::make_unique<Nao>(robot_options, hardware.surroundings(look_after));
   robot_now = robot.get();
-  StartPlace start(place, *robot);
+  StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], *robot, engine);
   err << fmt::format("reorient: {} behaviours on a NAO; {}\n", wanted.size(),
                      options.stand ? "it stands up" : "press its chest's button, and it stands up")
       << std::flush;

@@ -1,0 +1,186 @@
+// `reorient calibrate`: how one robot's cameras are mounted, from the lines that they see at a known place.
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "localization/measurement/field_map.h"
+#include "program/calibrate/look_about.h"
+#include "program/interruption.h"
+#include "program/options.h"
+#include "program/program.h"
+#include "program/robots.h"
+#include "program/run/nao/nao_hardware.h"
+#include "program/run/places.h"
+#include "program/run/venue.h"
+#include "program/subcommand.h"
+#include "workbench/files/atomic_file.h"
+#include "workbench/files/body_file.h"
+#include "workbench/files/calibration_file.h"
+#include "workbench/files/field_file.h"
+#include "workbench/views/pictures/camera_view.h"
+#include "workbench/views/pictures/canvas/png_file.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::array<const char*, 2> kCameras{"upper", "lower"};
+
+struct CalibrateOptions {
+  std::string robot = kNao;
+  std::string at;
+  std::filesystem::path body, field, guard;
+  std::string cameras = "both";
+  int width = 640;
+  std::uint64_t seed = 1;
+  ParameterOptions parameters;
+  std::filesystem::path out = "calibration.toml";
+  std::filesystem::path pictures = "out";
+};
+
+std::array<CalibrationShots, 2> look(const CalibrateOptions& options, const RobotBody& body,
+                                     const FieldDimensions& field, const Pose2& place, std::ostream& err) {
+  if (options.robot != kNao) {
+    const RobotOptions robot_options{
+        body,   field, "", 1, options.seed, options.width, options.cameras == "both", overrides_of(options.parameters),
+        nullptr};
+    const RobotInstance robot = make_robot(options.robot, robot_options);
+    robot.experimenter->put_down(place);
+    return look_about(*robot.robot, robot.body, field);
+  }
+  NaoHardware hardware({options.guard, options.cameras == "both", false});
+  nao::NaoOptions robot_options;
+  robot_options.body = body;
+  robot_options.width = options.width;
+  robot_options.height = options.width * 3 / 4;
+  robot_options.stands_at_once = true;
+  const nao::Nao* robot_now = nullptr;
+  nao::Nao::Missing told = nao::Nao::Missing::nothing;
+  nao::Nao robot(robot_options, hardware.surroundings([&] {
+    constexpr double kWhile = 2.0;  // s
+    if (robot_now != nullptr && robot_now->missing() != told && robot_now->missing_for() > kWhile) {
+      told = robot_now->missing();
+      err << "reorient: " << told_of(told) << '\n' << std::flush;
+    }
+    return Interruption::signal() != 0;
+  }));
+  robot_now = &robot;
+  return look_about(robot, body, field);
+}
+
+/// The field's lines as this camera should see them, in pieces that the lens may bend.
+std::vector<std::vector<Eigen::Vector2d>> expected_lines(const CameraModel& camera, const Isometry3& robot_from_camera,
+                                                         const Pose2& robot, const FieldDimensions& field) {
+  std::vector<std::vector<Eigen::Vector2d>> pieces;
+  const Isometry3 camera_from_robot = robot_from_camera.inverse();
+  const auto draw = [&](auto place_at, int steps) {
+    std::vector<Eigen::Vector2d> piece;
+    for (int i = 0; i <= steps; ++i) {
+      const Eigen::Vector2d on_ground = robot.inverse() * place_at(static_cast<double>(i) / steps);
+      const auto pixel = camera.project(camera_from_robot * Eigen::Vector3d(on_ground.x(), on_ground.y(), 0.0));
+      if (pixel && camera.contains(*pixel)) {
+        piece.push_back(*pixel);
+      } else if (!piece.empty()) {
+        pieces.push_back(std::move(piece));
+        piece.clear();
+      }
+    }
+    if (!piece.empty()) pieces.push_back(std::move(piece));
+  };
+  constexpr int kPieces = 200;
+  for (const FieldLine& line : field_lines(field))
+    draw([&](double share) -> Eigen::Vector2d { return line.from + share * (line.to - line.from); }, kPieces);
+  draw([&](double share) -> Eigen::Vector2d { return field.center_circle_radius * unit_vector(2.0 * kPi * share); },
+       kPieces);
+  return pieces;
+}
+
+void draw_picture(const CalibrationShots& shots, const CameraOffset& offset, const Pose2& robot,
+                  const FieldDimensions& field, const std::filesystem::path& file) {
+  const CalibrationView& view = shots.views[shots.pictured];
+  pictures::CameraView picture;
+  picture.image = shots.picture.view();
+  for (const LinePoint& point : view.line_points)
+    picture.line_points.push_back({point.pixel.cast<double>(), Eigen::Vector2d(0.0, 1.0)});
+  picture.projected_lines = expected_lines(view.camera, turned(view.robot_from_camera, offset), robot, field);
+  pictures::write_png(file, pictures::draw_camera_view(picture));
+}
+
+int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
+  const std::optional<Pose2> place = place_of(options.at);
+  require_writable_file(options.out, "--out");
+  const RobotBody body = load_body(body_file(options.body));
+  const FieldDimensions field = load_field(field_file(options.field.empty() ? body.field : options.field.string()));
+  const std::array<CalibrationShots, 2> shots = look(options, body, field, *place, err);
+  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+
+  Calibration calibration;
+  bool any = false;
+  std::filesystem::create_directories(options.pictures);
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    if (shots[i].views.empty()) continue;
+    const std::optional<CameraCorrection> found = calibrate(shots[i].views, *place, field);
+    if (!found) {
+      out << kCameras[i]
+          << ": too few lines were seen at their places, or lines of one direction only; is the robot where --at "
+          << "says, and does it see lines along and across the field?\n";
+      continue;
+    }
+    any = true;
+    calibration[i] = found->offset;
+    out << fmt::format(
+        "{}: {:+.2f} degrees down, {:+.2f} to the left; lines are off by {:.2f} degrees instead of {:.2f} ({} "
+        "points of {} images)\n",
+        kCameras[i], to_degrees(found->offset.tilt), to_degrees(found->offset.pan), to_degrees(found->error_after),
+        to_degrees(found->error_before), found->points, shots[i].views.size());
+    for (const auto& [name, offset] : {std::pair{"before", CameraOffset()}, {"after", found->offset}}) {
+      const std::filesystem::path file = options.pictures / fmt::format("calibration_{}_{}.png", kCameras[i], name);
+      draw_picture(shots[i], offset, *place, field, file);
+      out << "picture: " << file.string() << "\n";
+    }
+  }
+  if (!any) return kWrong;
+  write_whole_file(options.out, to_toml(calibration));
+  out << "written: " << options.out.string() << "; reorient run --robot nao --calibration " << options.out.string()
+      << "\n";
+  return kSuccess;
+}
+
+}  // namespace
+
+Subcommand add_calibrate(CLI::App& program) {
+  const auto options = std::make_shared<CalibrateOptions>();
+  CLI::App* const parser =
+      program.add_subcommand("calibrate", "how a robot's cameras are mounted, from field lines at a known place");
+  parser->fallthrough();
+  parser->add_option("--at", options->at, "where the robot stands, X,Y,DEGREES in the field's frame: m, m, degrees")
+      ->check(check_not_empty)
+      ->required();
+  parser->add_option("--robot", options->robot, "whose cameras; the simulator is for trying it")
+      ->check(CLI::IsMember({kNao, "simulator"}))
+      ->capture_default_str();
+  add_body_options(*parser, options->body, options->field);
+  parser->add_option("--guard", options->guard, "nao: the memory that reorient-nao-guard shares")
+      ->check(check_not_empty);
+  parser->add_option("--cameras", options->cameras, "which of the two")
+      ->check(CLI::IsMember({"upper", "both"}))
+      ->capture_default_str();
+  parser->add_option("--width", options->width, "of the images, pixels")
+      ->check(CLI::IsMember({320, 640}))
+      ->capture_default_str();
+  parser->add_option("--seed", options->seed, "simulator: of all noise")->check(check_seed)->capture_default_str();
+  add_parameter_options(*parser, options->parameters);
+  parser->add_option("--out", options->out, "the file to write")->check(check_not_empty)->capture_default_str();
+  parser->add_option("--pictures", options->pictures, "folder for pictures of before and after")
+      ->check(check_not_empty)
+      ->capture_default_str();
+  return {parser, [options](std::ostream& out, std::ostream& err) { return calibrate_cameras(*options, out, err); }};
+}
+
+}  // namespace reorient

@@ -1,0 +1,77 @@
+#include "program/run/nao/nao_hardware.h"
+
+#include <array>
+#include <utility>
+
+#include <poll.h>
+#include <time.h>
+
+namespace reorient {
+namespace {
+
+void wait_for(double seconds, std::span<const int> descriptors) {
+  std::array<pollfd, 2> waits{};
+  nfds_t count = 0;
+  for (const int descriptor : descriptors) {
+    if (descriptor >= 0 && count < waits.size()) waits[count++] = {descriptor, POLLIN, 0};
+  }
+  poll(waits.data(), count, static_cast<int>(1000.0 * seconds));
+}
+
+}  // namespace
+
+double monotonic_clock() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+NaoHardware::NaoHardware(const Options& options)
+    : guard_(options.guard.empty() ? nao::default_body_file() : options.guard), both_cameras_(options.both_cameras) {
+  if (options.hears_referee)
+    referee_ = std::make_unique<nao::UdpReferee>(kGameControllerPort, kGameControllerReturnPort, monotonic_clock);
+}
+
+nao::NaoSurroundings NaoHardware::surroundings(std::function<bool()> is_over) {
+  nao::NaoSurroundings around;
+  around.now = monotonic_clock;
+  around.wait = wait_for;
+  around.is_over = std::move(is_over);
+  around.body = [this] { return guards_memory(monotonic_clock()); };
+  around.upper = &upper_;
+  around.lower = both_cameras_ ? &lower_ : nullptr;
+  around.referee = referee_.get();
+  return around;
+}
+
+/// Where nothing new is in it for a second, it is looked for again: the file may be another one by now.
+nao::SharedBody* NaoHardware::guards_memory(double now) {
+  constexpr double kPause = 1.0;  // s
+  if (body_ != nullptr && body_->measured != measured_) {
+    measured_ = body_->measured;
+    next_look_ = now + kPause;
+  }
+  if (now >= next_look_) {
+    next_look_ = now + kPause;
+    mapped_.emplace(guard_, nao::MappedBody::Side::engine);
+    body_ = *mapped_ ? &**mapped_ : nullptr;
+  }
+  return body_;
+}
+
+std::string told_of(nao::Nao::Missing missing) {
+  using Missing = nao::Nao::Missing;
+  switch (missing) {
+    case Missing::guard:
+      return "no guard is there; start reorient-nao-guard";
+    case Missing::measurements:
+      return "the guard hears nothing of the body; is LoLA running?";
+    case Missing::images:
+      return "no image comes from /dev/video-top, or its colours are still settling";
+    case Missing::nothing:
+      break;
+  }
+  return "";
+}
+
+}  // namespace reorient

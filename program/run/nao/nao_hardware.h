@@ -1,0 +1,48 @@
+// What a NAO is in this process: the guard's memory, two cameras, the referee's port, the clock that they share.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "robots/nao/nao.h"
+#include "robots/nao/udp_referee.h"
+
+namespace reorient {
+
+/// s; the clock of LoLA's packets and of V4L2's images.
+double monotonic_clock();
+
+class NaoHardware {
+ public:
+  struct Options {
+    std::filesystem::path guard;  ///< the memory that it shares; empty: where it does by itself
+    bool both_cameras = false;
+    bool hears_referee = false;
+  };
+  /// Throws std::runtime_error with one line where the referee's port cannot be had.
+  explicit NaoHardware(const Options& options);
+
+  /// Valid as long as this.
+  nao::NaoSurroundings surroundings(std::function<bool()> is_over);
+
+ private:
+  nao::SharedBody* guards_memory(double now);
+
+  std::filesystem::path guard_;
+  std::optional<nao::MappedBody> mapped_;
+  nao::SharedBody* body_ = nullptr;  // nullptr: there is none now
+  std::uint64_t measured_ = 0;
+  double next_look_ = 0.0;  // s
+  nao::SystemVideoDevice upper_, lower_;
+  bool both_cameras_;
+  std::unique_ptr<nao::UdpReferee> referee_;
+};
+
+/// What it waits for, and how to mend that; empty: nothing is missing.
+std::string told_of(nao::Nao::Missing missing);
+
+}  // namespace reorient

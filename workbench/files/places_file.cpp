@@ -1,0 +1,29 @@
+#include "workbench/files/places_file.h"
+
+#include <vector>
+
+#include "workbench/files/table_reader.h"
+
+namespace reorient {
+
+Places parse_places(std::string_view text, const std::string& name) {
+  constexpr double kFarthest = 360.0;  // degrees; and no field is as many metres long
+  const toml::table table = parse_table(text, name);
+  const TableReader in(table, name);
+  Places places;
+  TableReader::Readers readers;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    readers["player_" + std::to_string(i + 1)] = [&in, &place = places[i]](auto& key, auto& value) {
+      const std::vector<double> numbers = in.numbers(key, value, 3, -kFarthest, kFarthest);
+      place = Pose2(numbers[0], numbers[1], from_degrees(numbers[2]));
+    };
+  }
+  in.read(readers);
+  return places;
+}
+
+Places load_places(const std::filesystem::path& file) {
+  return parse_places(read_data_file(file, "file of places", "docs/on-a-robot.md"), file.string());
+}
+
+}  // namespace reorient
