@@ -4,7 +4,9 @@
 --- longer where it hardly seems to: a room that was called symmetric by mistake would not be learned any further. Until
 --- then somebody's word is all that speaks against the reflected pose, so reflected beliefs are purged on it. From then
 --- on the model is trained only while the room speaks for the believed pose: training on a reflected belief would paint the
---- room the wrong way round. While the robot is disturbed its camera is not where the pose says: both rest.
+--- room the wrong way round. Where a room that could tell seems symmetric from some moment on, though nothing happened to
+--- the robot, it is learned further all the same: more of it may show what half of it did not. While the robot is
+--- disturbed its camera is not where the pose says: both rest.
 
 local p = param {
   undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long to stand before the eyes count" },
@@ -34,6 +36,10 @@ local function is_vouched_for() return pose.known and not memory.was_lifted end
 
 local function wins()
   return confidence.status == "usable" and confidence.evidence < -p.proof
+end
+
+local function still_wins()
+  return wins() or confidence.status == "symmetric" and confidence.evidence < -p.proof
 end
 
 behavior "background_training" {
@@ -98,7 +104,7 @@ behavior "background_training" {
     },
 
     state "refining" {
-      { "watching", when = function() return not wins() end, because = "the room does not speak clearly for the believed pose" },
+      { "watching", when = function() return not still_wins() end, because = "the room does not speak clearly for the believed pose" },
     },
   },
 }

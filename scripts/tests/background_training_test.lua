@@ -94,6 +94,22 @@ test("a learned room is evaluated and no longer trained", function()
   expect.no_lease("pause_evaluation")
 end)
 
+test("it trains on where a room that could tell seems symmetric, as long as nothing else speaks against it", function()
+  learned()
+  set_world { confidence = { evidence = -7 } }
+  advance(1.2)
+  expect.state("background_training", "trusting/refining")
+  set_world { confidence = { status = "symmetric" } }
+  advance(1)
+  expect.no_lease("pause_training")
+  set_world { confidence = { evidence = -3 } }
+  advance(0.1)
+  expect.lease("pause_training")
+  set_world { confidence = { evidence = -7 } }
+  advance(2)
+  expect.lease("pause_training")   -- from here on it would have to be told apart first
+end)
+
 test("it trains on only while the current pose clearly wins", function()
   learned()
   set_world { confidence = { evidence = -7 } }
