@@ -9,7 +9,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "localization/measurement/field_map.h"
 #include "program/calibrate/look_about.h"
 #include "program/interruption.h"
 #include "program/options.h"
@@ -23,8 +22,8 @@
 #include "workbench/files/body_file.h"
 #include "workbench/files/calibration_file.h"
 #include "workbench/files/field_file.h"
-#include "workbench/views/pictures/camera_view.h"
 #include "workbench/views/pictures/canvas/png_file.h"
+#include "workbench/views/pictures/record_views.h"
 
 namespace reorient {
 namespace {
@@ -57,47 +56,12 @@ std::array<CalibrationShots, 2> look(const CalibrateOptions& options, const Robo
   nao::NaoOptions robot_options;
   robot_options.body = body;
   robot_options.width = options.width;
-  robot_options.height = options.width * 3 / 4;
   robot_options.stands_at_once = true;
-  const nao::Nao* robot_now = nullptr;
-  nao::Nao::Missing told = nao::Nao::Missing::nothing;
-  nao::Nao robot(robot_options, hardware.surroundings([&] {
-    constexpr double kWhile = 2.0;  // s
-    if (robot_now != nullptr && robot_now->missing() != told && robot_now->missing_for() > kWhile) {
-      told = robot_now->missing();
-      err << "reorient: " << told_of(told) << '\n' << std::flush;
-    }
-    return Interruption::signal() != 0;
-  }));
-  robot_now = &robot;
+  nao::Nao robot(robot_options, hardware.surroundings([] { return Interruption::signal() != 0; },
+                                                      [&err](const std::string& missing) {
+                                                        err << "reorient: " << missing << '\n' << std::flush;
+                                                      }));
   return look_about(robot, body, field);
-}
-
-/// The field's lines as this camera should see them, in pieces that the lens may bend.
-std::vector<std::vector<Eigen::Vector2d>> expected_lines(const CameraModel& camera, const Isometry3& robot_from_camera,
-                                                         const Pose2& robot, const FieldDimensions& field) {
-  std::vector<std::vector<Eigen::Vector2d>> pieces;
-  const Isometry3 camera_from_robot = robot_from_camera.inverse();
-  const auto draw = [&](auto place_at, int steps) {
-    std::vector<Eigen::Vector2d> piece;
-    for (int i = 0; i <= steps; ++i) {
-      const Eigen::Vector2d on_ground = robot.inverse() * place_at(static_cast<double>(i) / steps);
-      const auto pixel = camera.project(camera_from_robot * Eigen::Vector3d(on_ground.x(), on_ground.y(), 0.0));
-      if (pixel && camera.contains(*pixel)) {
-        piece.push_back(*pixel);
-      } else if (!piece.empty()) {
-        pieces.push_back(std::move(piece));
-        piece.clear();
-      }
-    }
-    if (!piece.empty()) pieces.push_back(std::move(piece));
-  };
-  constexpr int kPieces = 200;
-  for (const FieldLine& line : field_lines(field))
-    draw([&](double share) -> Eigen::Vector2d { return line.from + share * (line.to - line.from); }, kPieces);
-  draw([&](double share) -> Eigen::Vector2d { return field.center_circle_radius * unit_vector(2.0 * kPi * share); },
-       kPieces);
-  return pieces;
 }
 
 void draw_picture(const CalibrationShots& shots, const CameraOffset& offset, const Pose2& robot,
@@ -105,9 +69,8 @@ void draw_picture(const CalibrationShots& shots, const CameraOffset& offset, con
   const CalibrationView& view = shots.views[shots.pictured];
   pictures::CameraView picture;
   picture.image = shots.picture.view();
-  for (const LinePoint& point : view.line_points)
-    picture.line_points.push_back({point.pixel.cast<double>(), Eigen::Vector2d(0.0, 1.0)});
-  picture.projected_lines = expected_lines(view.camera, turned(view.robot_from_camera, offset), robot, field);
+  pictures::add_line_points(view.line_points, view.camera, view.robot_from_camera, picture);
+  pictures::add_field_lines(field, view.camera, to_isometry(robot) * turned(view.robot_from_camera, offset), picture);
   pictures::write_png(file, pictures::draw_camera_view(picture));
 }
 
@@ -116,7 +79,7 @@ int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::o
   const std::optional<Pose2> place = place_of(options.at);
   require_writable_file(options.out, "--out");
   const RobotBody body = load_body(body_file(options.body));
-  const FieldDimensions field = load_field(field_file(options.field.empty() ? body.field : options.field.string()));
+  const FieldDimensions field = load_field(field_file(options.field, body));
   const std::array<CalibrationShots, 2> shots = look(options, body, field, *place, err);
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
 

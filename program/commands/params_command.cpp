@@ -49,7 +49,7 @@ std::vector<Parameter> all_parameters(const ScriptTexts& texts, const ParamsOpti
                                       const std::vector<ParameterChange>& overrides) {
   FrameSetup setup;
   setup.body = load_body(body_file(options.body));
-  setup.field = load_field(field_file(options.field.empty() ? std::filesystem::path(setup.body.field) : options.field));
+  setup.field = load_field(field_file(options.field, setup.body));
   setup.scripts = texts;
   setup.behaviors = texts.in_folder("behaviors");
   setup.parameters = overrides;

@@ -15,11 +15,11 @@
 #include "program/program.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
+#include "program/run/narration.h"
 #include "program/run/report.h"
 #include "program/run/run_observers.h"
 #include "program/run/script_edits.h"
 #include "program/run/simulation.h"
-#include "program/run/timeline_printer.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/run/digest_observer.h"
@@ -53,28 +53,22 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   FrameTimes frame_times;
   DigestObserver digest;
   RunPictures pictures;
-  RunLog log;
   LiveConsole console(STDIN_FILENO, out,
                       {.scenario = &simulation.scenario(),
                        .parameters = [&] { return simulation.parameters(); },
                        .kept_parameters = [&] { return simulation.kept_parameters(); },
                        .scripts = options.scripts},
                       history_path());
-  const RoomForLog room_for_log([&] { console.make_room(); });
-  Progress progress(err, [&] { return console.is_open(); });
-  TimelinePrinter timeline(out, options.every_transition, [&] {
-    progress.make_room();
-    console.begin_line();
-  });
+  Narration narration(console, options.every_transition, out, err);
 
   RunParts parts = simulation.parts();
-  parts.observers = {&summary, &commands, &frame_times, &digest, &log, &timeline};
+  parts.observers = {&summary, &commands, &frame_times, &digest, &narration.log, &narration.timeline};
   if (options.pictures) parts.observers.push_back(&pictures);
   std::optional<ModelKeeper> model;
   if (!options.model.empty())
     parts.observers.push_back(&model.emplace(options.model, simulation.model(), options.sides_changed));
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
-  parts.observers.push_back(&progress);
+  parts.observers.push_back(&narration.progress);
   parts.in_real_time = options.realtime;
   parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit() || (guests.stop && guests.stop()); };
   if (options.realtime) {
@@ -85,7 +79,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   }
   const auto start = std::chrono::steady_clock::now();
   const RunEnd end = RunLoop(std::move(parts)).run();
-  progress.end();
+  narration.progress.end();
 
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const RunCircumstances circumstances{.scenario = options.scenario,
@@ -96,8 +90,8 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                                        .digest = digest.hex(),
                                        .frame_time = frame_times.whole(),
                                        .frame_time_without_rendering = frame_times.without_observing(),
-                                       .reloads_accepted = log.reloads_accepted(),
-                                       .reloads_rejected = log.reloads_rejected()};
+                                       .reloads_accepted = narration.log.reloads_accepted(),
+                                       .reloads_rejected = narration.log.reloads_rejected()};
   RunSummary result = summary.summary(end);
   if (guests.verdict && Interruption::signal() == 0) guests.verdict(result);
   std::vector<std::string> failures;

@@ -66,6 +66,10 @@ std::filesystem::path field_file(const std::filesystem::path& named) {
   return existing_file("field", "fields", named, kTomlFiles);
 }
 
+std::filesystem::path field_file(const std::filesystem::path& named, const RobotBody& body) {
+  return field_file(named.empty() ? std::filesystem::path(body.field) : named);
+}
+
 std::string known_bodies() try {
   std::string all;
   for (const std::string& name : asset_names("robots", kTomlFiles)) all.append(all.empty() ? "" : ", ").append(name);
@@ -82,7 +86,7 @@ Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting,
   venue.hall_seed = (room_is_told ? options.hall_seed : setting.hall_seed).value_or(1);
   const std::string field =
       options.field.empty() ? file_named_by_script(options.scripts, setting.field) : options.field.string();
-  venue.field = field_file(field.empty() ? body.field : field);
+  venue.field = field_file(field, body);
   return venue;
 }
 

@@ -27,8 +27,9 @@ Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting,
 /// A file, or a shipped one by its name; the NAO's where nothing is named. Throws std::runtime_error with one line
 /// where it is none.
 std::filesystem::path body_file(const std::filesystem::path& named);
-/// The same of a field.
+/// The same of a field; where none is named the body's, if it is told.
 std::filesystem::path field_file(const std::filesystem::path& named);
+std::filesystem::path field_file(const std::filesystem::path& named, const RobotBody& body);
 /// Those that are shipped, for people: "booster-k1, nao-v6".
 std::string known_bodies();
 

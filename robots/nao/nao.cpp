@@ -8,16 +8,17 @@
 namespace reorient::nao {
 namespace {
 
-VideoSettings video_settings(const NaoOptions& options, HeadCamera which) {
+VideoSettings video_settings(const CameraModel& camera, HeadCamera which) {
   VideoSettings settings;
   settings.path = which == HeadCamera::upper ? "/dev/video-top" : "/dev/video-bottom";
-  settings.width = options.width;
-  settings.height = options.height;
+  settings.width = camera.width;
+  settings.height = camera.height;
   settings.upside_down = which == HeadCamera::upper;
   return settings;
 }
 
-CameraModel camera_model(const CameraOptics& optics, int width, int height) {
+CameraModel camera_model(const CameraOptics& optics, int width) {
+  const int height = width * optics.height / optics.width;
   CameraModel model =
       CameraModel::from_fields_of_view(width, height, optics.field_of_view_horizontal, optics.field_of_view_vertical);
   model.k1 = optics.k1;
@@ -52,13 +53,13 @@ Nao::Nao(NaoOptions options, NaoSurroundings surroundings)
       game_(options_.team, options_.player),
       posture_(options_.stands_at_once ? WantedPosture::stand : WantedPosture::sit) {
   const RobotBody& body = options_.body;
-  upper_.emplace(*around_.upper, video_settings(options_, HeadCamera::upper));
-  upper_->model = camera_model(body.upper_camera, options_.width, options_.height);
-  if (around_.lower != nullptr && body.lower_camera) {
-    lower_.emplace(*around_.lower, video_settings(options_, HeadCamera::lower));
-    lower_->model = camera_model(*body.lower_camera, options_.width, options_.height);
-  }
+  upper_.emplace(*around_.upper, camera_model(body.upper_camera, options_.width), HeadCamera::upper);
+  if (around_.lower != nullptr && body.lower_camera)
+    lower_.emplace(*around_.lower, camera_model(*body.lower_camera, options_.width), HeadCamera::lower);
 }
+
+Nao::Eye::Eye(VideoDevice& device, const CameraModel& optics, HeadCamera which)
+    : model(optics), camera(device, video_settings(optics, which)) {}
 
 Nao::~Nao() {
   posture_ = WantedPosture::sit;
@@ -174,7 +175,7 @@ void Nao::look(HeadCamera which, double now) {
   }
   CameraFrame frame;
   frame.time = time;
-  frame.image = {image->yuyv.data(), options_.width, options_.height, 2 * options_.width};
+  frame.image = {image->yuyv.data(), eye.model.width, eye.model.height, 2 * eye.model.width};
   frame.camera = eye.model;
   frame.odometry = moment->odometry;
   const RobotDimensions& dimensions = options_.body.dimensions;
@@ -215,6 +216,10 @@ void Nao::note_missing(Missing what, double now) {
   if (what != missing_) missing_since_ = now;
   missing_ = what;
   missing_for_ = what == Missing::nothing ? 0.0 : now - missing_since_;
+  constexpr double kWhile = 2.0;  // s
+  if (missing_for_ <= kWhile || what == told_missing_) return;
+  told_missing_ = what;
+  if (around_.tell_missing) around_.tell_missing(what);
 }
 
 Nao::Counts Nao::counts() const {

@@ -21,6 +21,9 @@
 
 namespace reorient::nao {
 
+/// What a robot waits for.
+enum class Missing { nothing, guard, measurements, images };
+
 /// Where the referee's datagrams come from.
 class RefereePort {
  public:
@@ -32,9 +35,8 @@ class RefereePort {
 };
 
 struct NaoOptions {
-  RobotBody body;   ///< assets/robots/nao-v6.toml
-  int width = 640;  ///< of the images, pixels
-  int height = 480;
+  RobotBody body;                       ///< assets/robots/nao-v6.toml
+  int width = 640;                      ///< of the images, pixels; their height follows from the body's cameras
   std::array<CameraOffset, 2> offsets;  ///< of the upper and the lower camera
   double image_delay = 0.0;             ///< s from the driver's time of an image to the middle of its exposure
   int team = 0, player = 0;             ///< 0: the referee is not heard
@@ -49,6 +51,7 @@ struct NaoSurroundings {
   std::function<bool()> is_over;
   /// The memory that is shared with the guard; nullptr: no guard is there now.
   std::function<SharedBody*()> body;
+  std::function<void(Missing what)> tell_missing;  ///< for 2 s, and each in turn once; may be empty
   VideoDevice* upper = nullptr;
   VideoDevice* lower = nullptr;    ///< nullptr: only the upper camera is used
   RefereePort* referee = nullptr;  ///< nullptr: it is not heard
@@ -66,7 +69,6 @@ class Nao : public Robot {
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
 
-  enum class Missing { nothing, guard, measurements, images };
   /// What it waits for at the moment, and for how long (s).
   Missing missing() const { return missing_; }
   double missing_for() const { return missing_for_; }
@@ -85,9 +87,9 @@ class Nao : public Robot {
 
  private:
   struct Eye {
-    Eye(VideoDevice& device, const VideoSettings& settings) : camera(device, settings) {}
-    VideoCamera camera;
+    Eye(VideoDevice& device, const CameraModel& optics, HeadCamera which);
     CameraModel model;
+    VideoCamera camera;
   };
 
   bool feel(double now);
@@ -118,6 +120,7 @@ class Nao : public Robot {
   bool ends_ = false;
   Answer answer_;
   Missing missing_ = Missing::nothing;
+  Missing told_missing_ = Missing::nothing;         // the last one that was told
   double missing_since_ = 0.0, missing_for_ = 0.0;  // s
   Counts counts_;
 };

@@ -73,7 +73,6 @@ TEST_P(MainJob, EndsRightThroughLolaAndV4l2) {
   nao::NaoOptions options;
   options.body = body;
   options.width = 160;
-  options.height = 120;
   options.stands_at_once = true;
   auto nao = std::make_unique<nao::Nao>(options, world.surroundings());
   Observation observation;

@@ -1,7 +1,6 @@
 #include "program/run/companion/run_companion.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -18,15 +17,15 @@
 #include "engine/record/digest.h"
 #include "program/interruption.h"
 #include "program/model/model_keeper.h"
+#include "program/monotonic_clock.h"
 #include "program/program.h"
 #include "program/run/companion/state_file.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
-#include "program/run/run_observers.h"
+#include "program/run/narration.h"
 #include "program/run/script_edits.h"
 #include "program/run/shipped_behaviors.h"
 #include "program/run/simulation.h"
-#include "program/run/timeline_printer.h"
 #include "program/run/venue.h"
 #include "program/script_names.h"
 #include "robots/companion/companion.h"
@@ -37,10 +36,6 @@
 
 namespace reorient {
 namespace {
-
-double steady_clock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::uint64_t drawn_by_lot() {
   std::random_device device;
@@ -83,7 +78,7 @@ class KeptCompanion : public Robot {
   void set_engine(const FrameLoop& engine) { engine_ = &engine; }
 
   bool observe(Observation& observation) override {
-    if (any_frame_) keeper_.keep(*engine_, companion_, steady_clock());
+    if (any_frame_) keeper_.keep(*engine_, companion_, monotonic_clock());
     any_frame_ = companion_.observe(observation);
     return any_frame_;
   }
@@ -135,7 +130,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
        .scripts = options.scripts},
       history_path());
   const auto is_over = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
-  Companion companion({socket, known_robots(), drawn_by_lot(), steady_clock, is_over});
+  Companion companion({socket, known_robots(), drawn_by_lot(), monotonic_clock, is_over});
   err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
 
   bool fresh = options.fresh;
@@ -170,26 +165,22 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
                goes_on ? "going on from before" : "beginning anew")
         << std::flush;
 
-    RunLog log;
-    const RoomForLog room_for_log([&] { console.make_room(); });
-    Progress progress(err, [&] { return console.is_open(); });
-    TimelinePrinter timeline(out, options.every_transition, [&] {
-      progress.make_room();
-      console.begin_line();
-    });
+    Narration narration(console, options.every_transition, out, err);
     CompanionReport report(companion);
     std::optional<ModelKeeper> model_keeper;
     if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed);
     auto robot = std::make_unique<KeptCompanion>(companion, keeper);
     robot->set_engine(*engine);
     RobotInstance instance{std::move(robot), greeting.body, RobotInstance::Clock::real, nullptr, nullptr};
-    RunParts parts{instance, *engine, nullptr, nullptr, {&edits, &console}, {&report, &log, &timeline}, {}, 0.0, false};
+    RunParts parts{
+        instance, *engine, nullptr, nullptr, {&edits, &console}, {&report, &narration.log, &narration.timeline},
+        {},       0.0,     false};
     if (model_keeper) parts.observers.push_back(&*model_keeper);
-    parts.observers.push_back(&progress);
+    parts.observers.push_back(&narration.progress);
     parts.observers.push_back(&console);
     parts.stop = is_over;
     RunLoop(std::move(parts)).run();
-    progress.end();
+    narration.progress.end();
     keeper.finish(*engine, companion);
     if (model_keeper) {
       model_keeper->save();

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include <poll.h>
-#include <time.h>
+
+#include "program/monotonic_clock.h"
 
 namespace reorient {
 namespace {
@@ -18,13 +19,23 @@ void wait_for(double seconds, std::span<const int> descriptors) {
   poll(waits.data(), count, static_cast<int>(1000.0 * seconds));
 }
 
-}  // namespace
-
-double monotonic_clock() {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+/// What it waits for, and how to mend that.
+std::string told_of(nao::Missing missing) {
+  using nao::Missing;
+  switch (missing) {
+    case Missing::guard:
+      return "no guard is there; start reorient-nao-guard";
+    case Missing::measurements:
+      return "the guard hears nothing of the body; is LoLA running?";
+    case Missing::images:
+      return "no image comes from /dev/video-top, or its colours are still settling";
+    case Missing::nothing:
+      break;
+  }
+  return "";
 }
+
+}  // namespace
 
 NaoHardware::NaoHardware(const Options& options)
     : guard_(options.guard.empty() ? nao::default_body_file() : options.guard), both_cameras_(options.both_cameras) {
@@ -32,11 +43,13 @@ NaoHardware::NaoHardware(const Options& options)
     referee_ = std::make_unique<nao::UdpReferee>(kGameControllerPort, kGameControllerReturnPort, monotonic_clock);
 }
 
-nao::NaoSurroundings NaoHardware::surroundings(std::function<bool()> is_over) {
+nao::NaoSurroundings NaoHardware::surroundings(std::function<bool()> is_over,
+                                               std::function<void(const std::string&)> tell) {
   nao::NaoSurroundings around;
   around.now = monotonic_clock;
   around.wait = wait_for;
   around.is_over = std::move(is_over);
+  around.tell_missing = [tell = std::move(tell)](nao::Missing missing) { tell(told_of(missing)); };
   around.body = [this] { return guards_memory(monotonic_clock()); };
   around.upper = &upper_;
   around.lower = both_cameras_ ? &lower_ : nullptr;
@@ -57,21 +70,6 @@ nao::SharedBody* NaoHardware::guards_memory(double now) {
     body_ = *mapped_ ? &**mapped_ : nullptr;
   }
   return body_;
-}
-
-std::string told_of(nao::Nao::Missing missing) {
-  using Missing = nao::Nao::Missing;
-  switch (missing) {
-    case Missing::guard:
-      return "no guard is there; start reorient-nao-guard";
-    case Missing::measurements:
-      return "the guard hears nothing of the body; is LoLA running?";
-    case Missing::images:
-      return "no image comes from /dev/video-top, or its colours are still settling";
-    case Missing::nothing:
-      break;
-  }
-  return "";
 }
 
 }  // namespace reorient

@@ -6,15 +6,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
+#include <string>
 
 #include "robots/nao/nao.h"
 #include "robots/nao/udp_referee.h"
 
 namespace reorient {
-
-/// s; the clock of LoLA's packets and of V4L2's images.
-double monotonic_clock();
 
 class NaoHardware {
  public:
@@ -26,8 +23,8 @@ class NaoHardware {
   /// Throws std::runtime_error with one line where the referee's port cannot be had.
   explicit NaoHardware(const Options& options);
 
-  /// Valid as long as this.
-  nao::NaoSurroundings surroundings(std::function<bool()> is_over);
+  /// Valid as long as this. `tell`: what has been missing for a while, and how to mend that; each once.
+  nao::NaoSurroundings surroundings(std::function<bool()> is_over, std::function<void(const std::string&)> tell);
 
  private:
   nao::SharedBody* guards_memory(double now);
@@ -41,8 +38,5 @@ class NaoHardware {
   bool both_cameras_;
   std::unique_ptr<nao::UdpReferee> referee_;
 };
-
-/// What it waits for, and how to mend that; empty: nothing is missing.
-std::string told_of(nao::Nao::Missing missing);
 
 }  // namespace reorient

@@ -17,12 +17,11 @@
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
 #include "program/run/nao/nao_hardware.h"
+#include "program/run/narration.h"
 #include "program/run/places.h"
-#include "program/run/run_observers.h"
 #include "program/run/script_edits.h"
 #include "program/run/shipped_behaviors.h"
 #include "program/run/simulation.h"
-#include "program/run/timeline_printer.h"
 #include "program/run/venue.h"
 #include "program/script_names.h"
 #include "robots/nao/nao.h"
@@ -82,14 +81,13 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   robot_options.body.gait.reset();
   robot_options.body.get_up_time.reset();
   robot_options.width = options.width;
-  robot_options.height = options.width * 3 / 4;
   robot_options.team = options.team;
   robot_options.player = options.player;
   robot_options.stands_at_once = options.stand;
 
   FrameSetup setup;
   setup.body = robot_options.body;
-  setup.field = load_field(field_file(options.field.empty() ? setup.body.field : options.field.string()));
+  setup.field = load_field(field_file(options.field, setup.body));
   setup.seed = options.seed;
   setup.room_awareness = options.room_awareness;
   setup.scripts = edits.texts();
@@ -108,44 +106,29 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                       history_path());
   const auto is_over = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
-  // What is missing is told when it has been missing for a while, and once.
-  const Nao* robot_now = nullptr;
-  Nao::Missing told = Nao::Missing::nothing;
-  const auto look_after = [&] {
-    constexpr double kWhile = 2.0;  // s
-    if (robot_now != nullptr && robot_now->missing() != told && robot_now->missing_for() > kWhile) {
-      told = robot_now->missing();
-      console.make_room();
-      err << "reorient: " << told_of(told) << '\n' << std::flush;
-    }
-    return is_over();
-  };
-
-  auto robot = std::make_unique<Nao>(robot_options, hardware.surroundings(look_after));
-  robot_now = robot.get();
-  StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], *robot, engine);
+  auto robot = std::make_unique<Nao>(robot_options, hardware.surroundings(is_over, [&](const std::string& missing) {
+    console.make_room();
+    err << "reorient: " << missing << '\n' << std::flush;
+  }));
+  const Nao& itself = *robot;
+  StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], itself, engine);
   err << fmt::format("reorient: {} behaviours on a NAO; {}\n", wanted.size(),
                      options.stand ? "it stands up" : "press its chest's button, and it stands up")
       << std::flush;
-  RunLog log;
-  const RoomForLog room_for_log([&] { console.make_room(); });
-  Progress progress(err, [&] { return console.is_open(); });
-  TimelinePrinter timeline(out, options.every_transition, [&] {
-    progress.make_room();
-    console.begin_line();
-  });
+  Narration narration(console, options.every_transition, out, err);
   std::optional<ModelKeeper> model_keeper;
   if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed);
   RobotInstance instance{std::move(robot), robot_options.body, RobotInstance::Clock::real, nullptr, nullptr};
-  RunParts parts{instance, engine, nullptr, nullptr, {&edits, &console, &start}, {&log, &timeline}, {}, 0.0, false};
+  RunParts parts{instance, engine, nullptr, nullptr, {&edits, &console, &start}, {&narration.log, &narration.timeline},
+                 {},       0.0,    false};
   if (model_keeper) parts.observers.push_back(&*model_keeper);
-  parts.observers.push_back(&progress);
+  parts.observers.push_back(&narration.progress);
   parts.observers.push_back(&console);
   parts.stop = is_over;
   RunLoop(std::move(parts)).run();
-  progress.end();
+  narration.progress.end();
   if (model_keeper) model_keeper->save();
-  const Nao::Counts counts = robot_now->counts();
+  const Nao::Counts counts = itself.counts();
   out << fmt::format(
       "{} frames; {} images not looked at since a newer one had come, {} of which nobody knows where the head was, {} "
       "damaged; cameras begun anew {} times\n",

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/head.h"
 #include "robots/nao/lola/command_packet.h"
 #include "robots/nao/lola/packed.h"
 #include "robots/nao/lola/packet_stream.h"
@@ -131,7 +132,7 @@ TEST(CommandPacket, IsReadAsItWasWritten) {
   EXPECT_EQ(read.lights.skull, written.lights.skull);
 }
 
-class Stream : public testing::Test {
+class LolaStream : public testing::Test {
  protected:
   void send(std::span<const std::byte> bytes) {
     const std::span<std::byte> space = stream_.space();
@@ -149,7 +150,7 @@ class Stream : public testing::Test {
   const std::vector<std::byte> one_ = packet_of(TwinBody().measurement());
 };
 
-TEST_F(Stream, PutsAPacketTogetherThatCameInPieces) {
+TEST_F(LolaStream, PutsAPacketTogetherThatCameInPieces) {
   for (std::size_t i = 0; i + 1 < one_.size(); ++i) {
     send(std::span(one_).subspan(i, 1));
     ASSERT_EQ(packets(), 0);
@@ -158,7 +159,7 @@ TEST_F(Stream, PutsAPacketTogetherThatCameInPieces) {
   EXPECT_EQ(packets(), 1);
 }
 
-TEST_F(Stream, TakesSeveralPacketsApart) {
+TEST_F(LolaStream, TakesSeveralPacketsApart) {
   std::vector<std::byte> three;
   for (int i = 0; i < 3; ++i) three.insert(three.end(), one_.begin(), one_.end());
   send(std::span(three).first(three.size() - 10));
@@ -167,12 +168,21 @@ TEST_F(Stream, TakesSeveralPacketsApart) {
   EXPECT_EQ(packets(), 1);
 }
 
-TEST_F(Stream, GivesUpWhereAPacketHasNoEnd) {
+TEST_F(LolaStream, GivesUpWhereAPacketHasNoEnd) {
   std::span<const std::byte> packet;
   send(std::array{std::byte{0xdb}, std::byte{0x7f}, std::byte{0xff}, std::byte{0xff}, std::byte{0xff}});
   EXPECT_EQ(stream_.next(packet), PacketStream::State::waiting);
   send(std::vector<std::byte>(PacketStream::kLongest));
   EXPECT_EQ(stream_.next(packet), PacketStream::State::nonsense);
+}
+
+TEST(HeadPitchRange, IsThatOfTheBodyThatTheEngineKnows) {
+  const NeckReach neck;
+  for (double yaw = -2.08; yaw < 2.08; yaw += 0.05) {
+    const PitchRange range = head_pitch_range(static_cast<float>(yaw));
+    EXPECT_NEAR(range.least, neck.pitch_at(yaw).min, 1e-5) << yaw;
+    EXPECT_NEAR(range.most, neck.pitch_at(yaw).max, 1e-5) << yaw;
+  }
 }
 
 TEST(HeadPitchRange, IsTheTablesBetweenItsRows) {

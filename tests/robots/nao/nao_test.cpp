@@ -57,7 +57,6 @@ class NaoTest : public testing::Test {
  protected:
   NaoTest() : world_(small(), RobotBody(), FieldDimensions{}, hall(), Pose2(-3.2, -3.5, kPi / 2.0), 1) {
     options_.width = 160;
-    options_.height = 120;
     options_.stands_at_once = true;
     options_.team = 5;
     options_.player = 2;
@@ -104,7 +103,7 @@ TEST_F(NaoTest, StandsUpAndSeesWhatItsSimulatorShows) {
   EXPECT_EQ(observation_.reported_posture, ReportedPosture::unknown) << "the engine feels it by itself";
   EXPECT_NEAR(observation_.body.acceleration.z(), 9.81, 0.5);
   EXPECT_NEAR(observation_.body.foot_load, 5.3, 1.0);
-  EXPECT_EQ(nao_->missing(), Nao::Missing::nothing);
+  EXPECT_EQ(nao_->missing(), Missing::nothing);
 }
 
 TEST_F(NaoTest, SaysThatItIsNoTimeToLookWhileItDoesNotStand) {
@@ -184,7 +183,7 @@ TEST_F(NaoTest, HasNoFramesWithoutAGuardAndSaysSo) {
   world_.hide_guard(true);
   begin();
   EXPECT_FALSE(run(3.0));
-  EXPECT_EQ(nao_->missing(), Nao::Missing::guard);
+  EXPECT_EQ(nao_->missing(), Missing::guard);
   EXPECT_GT(nao_->missing_for(), 2.0);
   world_.hide_guard(false);
   EXPECT_TRUE(run(3.0));

@@ -62,10 +62,8 @@ const Pose2& belief_when_looking(const FrameRecord& frame) {
 /// Points of the field seen through the camera; pieces behind it or far outside of the image are left out.
 class Projection {
  public:
-  Projection(const CameraRecord& camera, const Pose2& belief)
-      : camera_(camera.camera),
-        field_from_camera_(to_isometry(belief) * camera.robot_from_camera),
-        camera_from_field_(field_from_camera_.inverse()) {}
+  Projection(const CameraModel& camera, const Isometry3& field_from_camera)
+      : camera_(camera), field_from_camera_(field_from_camera), camera_from_field_(field_from_camera.inverse()) {}
 
   std::optional<Eigen::Vector2d> pixel(const Eigen::Vector3d& point) const {
     auto projected = camera_.project(camera_from_field_ * point);
@@ -158,15 +156,7 @@ void add_room(const RoomRecord& room, const Projection& projection, CameraView& 
 }
 
 void add_percept(const FieldPercept& percept, const CameraRecord& camera, CameraView& view) {
-  const Isometry3 camera_from_robot = camera.robot_from_camera.inverse();
-  for (const LinePoint& point : percept.line_points) {
-    constexpr double kStep = 0.05;  // m across the line
-    const Eigen::Vector2d beside =
-        point.position + kStep * Eigen::Vector2d(std::cos(point.normal), std::sin(point.normal));
-    const auto pixel = camera.camera.project(camera_from_robot * Eigen::Vector3d(beside.x(), beside.y(), 0.0));
-    const Eigen::Vector2d place = point.pixel.cast<double>();
-    view.line_points.push_back({place, pixel ? Eigen::Vector2d(*pixel - place) : Eigen::Vector2d::Zero()});
-  }
+  add_line_points(percept.line_points, camera.camera, camera.robot_from_camera, view);
   for (const GoalPost& post : percept.goal_posts)
     view.goal_posts.push_back({post.base.cast<double>(), post.top.cast<double>()});
   for (const Obstacle& obstacle : percept.obstacles) {
@@ -202,6 +192,26 @@ WorldView world_view_of(const RoomRecord& room, const FieldDimensions& field) {
   return view;
 }
 
+void add_line_points(std::span<const LinePoint> points, const CameraModel& camera, const Isometry3& robot_from_camera,
+                     CameraView& view) {
+  const Isometry3 camera_from_robot = robot_from_camera.inverse();
+  for (const LinePoint& point : points) {
+    constexpr double kStep = 0.05;  // m across the line
+    const Eigen::Vector2d beside =
+        point.position + kStep * Eigen::Vector2d(std::cos(point.normal), std::sin(point.normal));
+    const auto pixel = camera.project(camera_from_robot * Eigen::Vector3d(beside.x(), beside.y(), 0.0));
+    const Eigen::Vector2d place = point.pixel.cast<double>();
+    view.line_points.push_back({place, pixel ? Eigen::Vector2d(*pixel - place) : Eigen::Vector2d::Zero()});
+  }
+}
+
+void add_field_lines(const FieldDimensions& field, const CameraModel& camera, const Isometry3& field_from_camera,
+                     CameraView& view) {
+  const Projection projection(camera, field_from_camera);
+  for (const FieldLine& line : field_lines(field)) projection.add_polyline(sampled(line), view.projected_lines);
+  add_circles(field, projection, view);
+}
+
 CameraView camera_view_of(const FrameRecord& frame) {
   const bool is_upper = frame.inputs.upper.has_value();
   const std::optional<CameraRecord>& camera = is_upper ? frame.inputs.upper : frame.inputs.lower;
@@ -209,12 +219,10 @@ CameraView camera_view_of(const FrameRecord& frame) {
   view.time = frame.world.time;
   if (!camera) return view;
   view.image = is_upper ? frame.images.upper : frame.images.lower;
-  const Projection projection(*camera, belief_when_looking(frame));
-  for (const FieldLine& line : field_lines(frame.world.field))
-    projection.add_polyline(sampled(line), view.projected_lines);
-  add_circles(frame.world.field, projection, view);
+  const Isometry3 field_from_camera = to_isometry(belief_when_looking(frame)) * camera->robot_from_camera;
+  add_field_lines(frame.world.field, camera->camera, field_from_camera, view);
   add_percept(frame.percepts[is_upper ? 0 : 1], *camera, view);
-  add_room(frame.room, projection, view);
+  add_room(frame.room, Projection(camera->camera, field_from_camera), view);
   return view;
 }
 
