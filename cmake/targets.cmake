@@ -110,9 +110,13 @@ function(reorient_add_tests name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
-# reorient_add_benchmark(NAME LINKS target...): benchmarks/NAME_benchmark.cpp as the program NAME_benchmark.
+# reorient_add_benchmark(NAME LINKS target...): benchmarks/NAME_benchmark.cpp as the program NAME_benchmark. ./test looks only
+# whether it still runs.
 function(reorient_add_benchmark name)
   cmake_parse_arguments(BENCHMARK "" "" "LINKS" ${ARGN})
   reorient_add_program(${name}_benchmark
     SOURCES ${name}_benchmark.cpp LINKS ${BENCHMARK_LINKS} benchmark::benchmark benchmark::benchmark_main)
+  if(REORIENT_TESTS)
+    add_test(NAME benchmarks.${name}_runs COMMAND ${name}_benchmark --benchmark_min_time=0)
+  endif()
 endfunction()
