@@ -2,42 +2,29 @@
 // wanted before the next one.
 //   lola_twin SOCKET STATUS [SECONDS]
 // STATUS: a file that says once a second, and in the end, how the body does. Commands on its standard input, a line
-// each: push, lift, close (the connection), silent (for 3 s), split, hot, cool, chest.
-#include <algorithm>
+// each: push, lift, close (the connection), silent (for 3 s), split, hot, cool.
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
-#include <iostream>
+#include <span>
 #include <string>
-#include <vector>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sched.h>
 #include <sys/mman.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <time.h>
 #include <unistd.h>
 
-#include "robots/nao/lola/command_packet.h"
-#include "robots/nao/lola/packet_stream.h"
 #include "robots/nao/lola/sensor_packet.h"
+#include "tests/robots/nao/twin/lola_server.h"
 #include "tests/robots/nao/twin/twin_body.h"
 
 namespace reorient::nao {
 namespace {
 
-constexpr long kCycle = 12'000'000;  // ns
-
-long now() {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return 1'000'000'000L * time.tv_sec + time.tv_nsec;
-}
+constexpr long kCycleNanoseconds = 12'000'000;
 
 /// Of all processors, since the machine was started: what others took of them, ticks of 10 ms.
 long stolen() {
@@ -51,35 +38,24 @@ long stolen() {
 
 volatile std::sig_atomic_t ended = 0;
 
-class Server {
+class Twin {
  public:
-  explicit Server(const char* path) {
-    listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::snprintf(address.sun_path, sizeof(address.sun_path), "%s", path);
-    unlink(path);
-    if (bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
-        listen(listener_, 1) != 0) {
-      std::perror("lola_twin");
-      std::exit(2);
-    }
-  }
+  explicit Twin(const char* path) : server_(path) {}
 
   void serve(const char* status, double seconds) {
-    const long begin = now();
+    const long begin = monotonic_nanoseconds();
     const long steal_before = stolen();
     long next = begin, next_status = begin;
-    while (ended == 0 && (seconds <= 0.0 || now() - begin < static_cast<long>(1e9 * seconds))) {
-      next += kCycle;
-      listen_until(next);
-      if (now() - next > kCycle) {  // we ourselves were kept from running
+    while (ended == 0 && (seconds <= 0.0 || monotonic_nanoseconds() - begin < static_cast<long>(1e9 * seconds))) {
+      next += kCycleNanoseconds;
+      server_.hear(next, [this](const Command& command) { body_.take(command); });
+      if (monotonic_nanoseconds() - next > kCycleNanoseconds) {  // we ourselves were kept from running
         ++own_delays_;
-        next = now();
+        next = monotonic_nanoseconds();
       }
       obey();
       cycle();
-      if (now() >= next_status) {
+      if (monotonic_nanoseconds() >= next_status) {
         next_status += 1'000'000'000;
         tell(status, stolen() - steal_before);
       }
@@ -90,74 +66,18 @@ class Server {
  private:
   void cycle() {
     body_.step();
-    if (client_ < 0) {
-      client_ = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-      if (client_ < 0) return;
-      ++connections_;
-      body_.meet();
-      stream_.clear();
-      awaits_ = false;
-    }
-    if (awaits_) {
-      ++missed_;
-      awaits_ = false;
-    }
+    if (server_.welcome()) body_.meet();
+    if (!server_.has_client()) return;
+    server_.begin_cycle();
     if (silent_ > 0) {
       --silent_;
       return;
     }
     std::array<std::byte, 2048> packet{};
     const std::size_t size = write_sensor_packet(body_.measurement(), body_.identity(), packet);
-    std::size_t first = size;
-    if (split_ > 0 && --split_ % 2 == 0) first = size / 3;
-    if (!put(packet.data(), first) || (first < size && !put(packet.data() + first, size - first))) return hang_up();
-    sent_at_ = now();
-    awaits_ = true;
+    const bool is_split = split_ > 0 && --split_ % 2 == 0;
+    server_.send(std::span(packet).first(size), is_split ? size / 3 : size);
     ++cycles_;
-  }
-
-  bool put(const std::byte* bytes, std::size_t size) {
-    return send(client_, bytes, size, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(size) || errno == EAGAIN;
-  }
-
-  void hang_up() {
-    if (client_ >= 0) close(client_);
-    client_ = -1;
-  }
-
-  void listen_until(long time) {
-    while (true) {
-      const long left = time - now();
-      if (left <= 0) return;
-      pollfd wait{client_, POLLIN, 0};
-      const timespec patience{0, left};
-      if (ppoll(&wait, client_ >= 0 ? 1 : 0, &patience, nullptr) <= 0) continue;
-      const std::span<std::byte> space = stream_.space();
-      const ssize_t size = recv(client_, space.data(), space.size(), MSG_DONTWAIT);
-      if (size <= 0 && !(size < 0 && (errno == EAGAIN || errno == EINTR))) {
-        hang_up();
-        continue;
-      }
-      if (size <= 0) continue;
-      stream_.written(static_cast<std::size_t>(size));
-      std::span<const std::byte> packet;
-      PacketStream::State state{};
-      while ((state = stream_.next(packet)) == PacketStream::State::packet) {
-        Command command;
-        if (!read_command_packet(packet, command)) ++nonsense_;
-        body_.take(command);
-        const long took = now() - sent_at_;
-        if (awaits_ && took < kCycle) {
-          awaits_ = false;
-          slowest_ = std::max(slowest_, took);
-          ++answers_;
-        }
-      }
-      if (state == PacketStream::State::nonsense) {
-        ++nonsense_;
-        hang_up();
-      }
-    }
   }
 
   void obey() {
@@ -171,7 +91,7 @@ class Server {
       ++pushes_;
     }
     if (has("lift")) body_.pick_up_and_put_down();
-    if (has("close")) hang_up();
+    if (has("close")) server_.hang_up();
     if (has("silent")) silent_ = 250;
     if (has("split")) split_ = 250;
     if (has("hot")) body_.set_status(2.0f);
@@ -181,9 +101,11 @@ class Server {
   void tell(const char* status, long steal) const {
     const std::string beside = std::string(status) + ".new";
     std::ofstream file(beside);
-    file << "cycles " << cycles_ << "\nanswers " << answers_ << "\nmissed " << missed_ << "\nown_delays " << own_delays_
-         << "\nslowest_us " << slowest_ / 1000 << "\nsteal_ms " << 10 * steal << "\nconnections " << connections_
-         << "\nnonsense " << nonsense_ << "\nfalls " << body_.falls() << "\npushes " << pushes_ << "\nposture "
+    const LolaServer::Counts& counts = server_.counts();
+    file << "cycles " << cycles_ << "\nanswers " << counts.answers << "\nmissed " << counts.missed << "\nown_delays "
+         << own_delays_ << "\nslowest_us " << counts.slowest / 1000 << "\nsteal_ms " << 10 * steal << "\nconnections "
+         << counts.connections << "\nnonsense " << counts.nonsense << "\nfalls " << body_.falls() << "\npushes "
+         << pushes_ << "\nposture "
          << (body_.lies()     ? "lies"
              : body_.stands() ? "stands"
              : body_.sits()   ? "sits"
@@ -195,11 +117,8 @@ class Server {
   }
 
   TwinBody body_;
-  int listener_ = -1, client_ = -1;
-  PacketStream stream_;
-  bool awaits_ = false;
-  long sent_at_ = 0, slowest_ = 0;
-  long cycles_ = 0, answers_ = 0, missed_ = 0, own_delays_ = 0, connections_ = 0, nonsense_ = 0, pushes_ = 0;
+  LolaServer server_;
+  long cycles_ = 0, own_delays_ = 0, pushes_ = 0;
   int silent_ = 0, split_ = 0;
 };
 
@@ -219,6 +138,11 @@ int main(int count, char** words) {
   parameter.sched_priority = 30;
   static_cast<void>(sched_setscheduler(0, SCHED_FIFO, &parameter));
   static_cast<void>(mlockall(MCL_CURRENT | MCL_FUTURE));
-  reorient::nao::Server(words[1]).serve(words[2], count > 3 ? std::atof(words[3]) : 0.0);
-  return 0;
+  try {
+    reorient::nao::Twin(words[1]).serve(words[2], count > 3 ? std::atof(words[3]) : 0.0);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "lola_twin: %s\n", error.what());
+    return 2;
+  }
 }

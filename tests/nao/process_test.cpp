@@ -106,5 +106,12 @@ TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
   EXPECT_NE(read_text(said).find("connected to LoLA"), std::string::npos) << read_text(said);
 }
 
+/// The whole job takes a robot's time: nao_real_time_job GUARD. Here it stands up.
+TEST_F(NaoProcesses, AndTheTwinsOfLolaAndV4l2WorkTogetherInRealTime) {
+  const std::string command =
+      std::string(REORIENT_REAL_TIME_JOB) + " " + REORIENT_GUARD + " 1 320 30 >" + file("out") + " 2>" + file("err");
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_text(file("out")) << read_text(file("err"));
+}
+
 }  // namespace
 }  // namespace reorient

@@ -3,16 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <functional>
 #include <memory>
-#include <span>
-#include <vector>
 
 #include "robots/nao/guard/session.h"
 #include "robots/nao/nao.h"
-#include "robots/simulator/simulator.h"
-#include "tests/robots/nao/twin/fake_video.h"
-#include "tests/robots/nao/twin/twin_body.h"
+#include "tests/robots/nao/twin/twin_nao.h"
 
 namespace reorient::nao {
 
@@ -23,13 +19,11 @@ class NaoWorld {
 
   /// What a Nao is given.
   NaoSurroundings surroundings(std::function<bool()> is_over = nullptr);
-  /// Three frames of a camera take ten cycles of LoLA, as near as whole cycles come to 30 images a second.
-  static SimulatorParameters in_step(SimulatorParameters parameters);
 
   double now() const { return now_; }
-  Simulator& simulator() { return simulator_; }
-  TwinBody& body() { return body_; }
-  FakeVideo& camera() { return camera_; }
+  Simulator& simulator() { return nao_.simulator(); }
+  TwinBody& body() { return nao_.body(); }
+  FakeVideo& camera() { return nao_.camera(); }
   SharedBody& shared() { return *shared_; }
   GuardReport report() const { return session_.report(now_); }
 
@@ -39,21 +33,11 @@ class NaoWorld {
   void step();
 
  private:
-  void look();
-
-  Simulator simulator_;
-  TwinBody body_;
-  FakeVideo camera_;
+  TwinNao nao_;
   std::unique_ptr<SharedBody> shared_;
   Session session_;
-  Command command_;
-  std::deque<BodySample> samples_;
-  std::vector<std::uint8_t> picture_;
-  double picture_time_ = 0.0;
-  double now_ = kStart;
+  double now_ = 1000.0;  // s, of the monotonic clock
   bool guard_is_hidden_ = false;
-
-  static constexpr double kStart = 1000.0;  // s, of the monotonic clock
 };
 
 }  // namespace reorient::nao
