@@ -41,6 +41,7 @@ void add_options(CLI::App& run, RunOptions& options) {
       ->check(CLI::Range(1, 254));
   run.add_option("--player", options.player, "nao: its number")->check(CLI::Range(1, 20))->capture_default_str();
   run.add_flag("--stand", options.stand, "nao: stand up at once, not when the chest's button is pressed");
+  run.add_flag("--walk", options.walk, "nao: a program of yours walks, beside the guard (docs/on-a-robot.md)");
   run.add_option("--with", options.with, "a behaviour beside those of the scenario; may be given again")
       ->allow_extra_args(false);
   run.add_option("--without", options.without, "leave a behaviour of the scenario out; may be given again")
@@ -94,12 +95,12 @@ constexpr Heeding kHeeding[] = {
     {"--socket", false, true, false},      {"--behaviors", false, true, true},    {"--state", false, true, false},
     {"--fresh", false, true, false},       {"--guard", false, false, true},       {"--at", false, false, true},
     {"--places", false, false, true},      {"--calibration", false, false, true}, {"--team", false, false, true},
-    {"--player", false, false, true},      {"--stand", false, false, true},       {"--with", true, false, false},
-    {"--without", true, false, false},     {"--room", true, false, false},        {"--hall-seed", true, false, false},
-    {"--field", true, false, true},        {"--body", true, false, true},         {"--width", true, false, true},
-    {"--cameras", true, false, true},      {"--realtime", true, false, false},    {"--save-params", true, false, false},
-    {"--out", true, false, false},         {"--json", true, false, false},        {"--seconds", true, false, false},
-    {"--no-pictures", true, false, false},
+    {"--player", false, false, true},      {"--stand", false, false, true},       {"--walk", false, false, true},
+    {"--with", true, false, false},        {"--without", true, false, false},     {"--room", true, false, false},
+    {"--hall-seed", true, false, false},   {"--field", true, false, true},        {"--body", true, false, true},
+    {"--width", true, false, true},        {"--cameras", true, false, true},      {"--realtime", true, false, false},
+    {"--save-params", true, false, false}, {"--out", true, false, false},         {"--json", true, false, false},
+    {"--seconds", true, false, false},     {"--no-pictures", true, false, false},
 };
 
 void refuse_in_vain(const CLI::App& run, const std::string& robot) {

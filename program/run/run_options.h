@@ -49,6 +49,7 @@ struct RunOptions : SimulationOptions {
   int team = 0;                       ///< as the league numbers it; 0: the referee is not heard
   int player = 1;
   bool stand = false;  ///< up at once, not when the chest's button is pressed
+  bool walk = false;   ///< somebody else's program walks, beside the guard
   bool realtime = false;
   std::filesystem::path out = "out";
   bool pictures = true;

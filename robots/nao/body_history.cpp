@@ -34,7 +34,8 @@ void BodyHistory::add(const Measurement& measurement) {
     if (step <= 0.0) return;
     if (step < kGap) turn(body, step);
   }
-  moments_[count_ % kKept] = {body, Pose2(0.0, 0.0, normalize_angle(yaw_))};
+  walk(measurement);
+  moments_[count_ % kKept] = {body, Pose2(position_, yaw_)};
   ++count_;
 }
 
@@ -52,6 +53,22 @@ void BodyHistory::turn(const BodySample& body, double step) {
   still_for_ = is_still ? still_for_ + step : 0.0;
   if (still_for_ > kStillTime) bias_ += step / kBiasTime * (rate - bias_);
   yaw_ += step * (rate - bias_);
+}
+
+/// By the step since the last cycle, turned as the inertial unit says. One that no legs take is another beginning.
+void BodyHistory::walk(const Measurement& measurement) {
+  const auto& [forward, left, turned] = measurement.walked;
+  if (measurement.is_walked == 0 || !std::isfinite(forward) || !std::isfinite(left) || !std::isfinite(turned)) {
+    walked_.reset();
+    return;
+  }
+  const Pose2 now(forward, left, turned);
+  constexpr double kLongestStep = 0.1;  // m in a cycle or the few that are missing
+  if (walked_) {
+    const Eigen::Vector2d step = (walked_->inverse() * now).position;
+    if (step.norm() <= kLongestStep) position_ += rotated(step, normalize_angle(yaw_));
+  }
+  walked_ = now;
 }
 
 std::optional<BodyHistory::Moment> BodyHistory::newest() const {
@@ -74,6 +91,7 @@ std::optional<BodyHistory::Moment> BodyHistory::at(double time) const {
                         between(before.body.head.pitch, after.body.head.pitch, share)};
     moment.body.torso = {between(before.body.torso.roll, after.body.torso.roll, share),
                          between(before.body.torso.pitch, after.body.torso.pitch, share)};
+    moment.odometry.position = before.odometry.position + share * (after.odometry.position - before.odometry.position);
     const double turned = angle_difference(after.odometry.rotation, before.odometry.rotation);
     moment.odometry.rotation = normalize_angle(before.odometry.rotation + share * turned);
     return moment;

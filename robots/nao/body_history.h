@@ -15,7 +15,7 @@ class BodyHistory {
  public:
   struct Moment {
     BodySample body;
-    Pose2 odometry;  ///< a robot that cannot walk only turns, as somebody turns it: rad, from the inertial unit
+    Pose2 odometry;  ///< steps as a walk says, if there is one; turns from the inertial unit
   };
 
   /// In the order of their times; one that is not later than the last is left out. Times on any clock, s. What is not
@@ -31,15 +31,18 @@ class BodyHistory {
 
  private:
   void turn(const BodySample& body, double step);
+  void walk(const Measurement& measurement);
 
   static constexpr std::size_t kKept = 64;  // three quarters of a second
   const Moment& from_end(std::size_t back) const { return moments_[(count_ - 1 - back) % kKept]; }
 
   std::array<Moment, kKept> moments_;
   std::size_t count_ = 0;
-  double yaw_ = 0.0;        // rad
-  double bias_ = 0.0;       // rad/s, of the gyroscope about the vertical
-  double still_for_ = 0.0;  // s
+  Eigen::Vector2d position_ = Eigen::Vector2d::Zero();  // m
+  std::optional<Pose2> walked_;                         // what the walk said last
+  double yaw_ = 0.0;                                    // rad
+  double bias_ = 0.0;                                   // rad/s, of the gyroscope about the vertical
+  double still_for_ = 0.0;                              // s
 };
 
 }  // namespace reorient::nao

@@ -208,6 +208,12 @@ void Nao::ask(double now) {
     request.head_pitch = static_cast<float>(angles.pitch);
     request.head_speed = static_cast<float>(std::min(head->speed, options_.body.head_speed));
   }
+  if (!paused_ && options_.body.gait) {
+    const WalkVelocity& walk = answer_.request.walk;
+    request.walk_forward = static_cast<float>(walk.forward);
+    request.walk_left = static_cast<float>(walk.left);
+    request.walk_turn = static_cast<float>(walk.turn);
+  }
   request.lights = lights_of(answer_);
   body->request.write(request);
 }

@@ -78,7 +78,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   if (!options.calibration.empty()) robot_options.offsets = load_calibration(options.calibration);
   robot_options.body = load_body(body_file(options.body));
   // LoLA has neither, and we do not bring them.
-  robot_options.body.gait.reset();
+  if (!options.walk) robot_options.body.gait.reset();
   robot_options.body.get_up_time.reset();
   robot_options.width = options.width;
   robot_options.team = options.team;
@@ -94,7 +94,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   setup.parameters = overrides_of(options.parameters);
   setup.model = model;
   const std::vector<std::string> wanted =
-      options.behaviors.empty() ? behaviors_for({true, false, false}) : options.behaviors;
+      options.behaviors.empty() ? behaviors_for({true, options.walk, false}) : options.behaviors;
   for (const std::string& name : wanted) setup.behaviors.push_back(behavior_file(options.scripts, setup.scripts, name));
   FrameLoop engine(std::move(setup));
 

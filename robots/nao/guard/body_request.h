@@ -1,7 +1,8 @@
-// What the engine asks of the guard, and what the guard tells it. Plain values in shared memory: either side takes from
-// the other only what makes sense.
+// What the engine and a walk ask of the guard, and what the guard tells them. Plain values in shared memory: each side
+// takes from the others only what makes sense.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "robots/nao/lola/command.h"
@@ -14,13 +15,23 @@ enum class WantedPosture : std::uint32_t { soft, sit, stand };
 struct BodyRequest {
   double time = 0.0;  ///< s on the monotonic clock, when it was asked
   WantedPosture posture = WantedPosture::soft;
-  std::uint32_t moves_head = 0;              ///< else the head stays where it is
-  float head_yaw = 0.0f, head_pitch = 0.0f;  ///< rad
-  float head_speed = 0.0f;                   ///< rad/s, at most the motors' own
-  std::uint32_t moves_joints = 0;            ///< a walk: while standing, all joints but the head follow `joints`
-  JointValues joints{};                      ///< rad
-  JointValues stiffness{};                   ///< 0 to 1
+  std::uint32_t moves_head = 0;                 ///< else the head stays where it is
+  float head_yaw = 0.0f, head_pitch = 0.0f;     ///< rad
+  float head_speed = 0.0f;                      ///< rad/s, at most the motors' own
+  float walk_forward = 0.0f, walk_left = 0.0f;  ///< m/s; for a walk, where there is one
+  float walk_turn = 0.0f;                       ///< rad/s, to the left
   Lights lights;
+};
+
+/// What a walk says in each cycle: a process of its own, which reads measurements and the engine's request.
+struct WalkTargets {
+  double time = 0.0;               ///< s on the monotonic clock, when it was said
+  std::uint32_t moves_joints = 0;  ///< while the guard stands, all joints but the head follow `joints`
+  JointValues joints{};            ///< rad
+  JointValues stiffness{};         ///< 0 to 1
+  /// Where it has carried the robot since it began: m forward and to the left of where it stood, rad. Its steps from
+  /// cycle to cycle count, so it may begin anew; turns are taken from the inertial unit.
+  std::array<float, 3> odometry{};
 };
 
 /// What the guard does with the body.

@@ -79,14 +79,19 @@ bool Guard::is_at_rest() const {
 }
 
 std::optional<Command> Guard::step(const Measurement& measurement, const std::optional<RobotIdentity>& robot,
-                                   const std::optional<BodyRequest>& request) {
+                                   const std::optional<BodyRequest>& request, const std::optional<WalkTargets>& walk) {
   look_after(measurement, robot);
   if (!is_known_) return std::nullopt;
   if (state_ == GuardState::waiting) take_over(measurement);
-  const double age = request ? std::fabs(measurement.time - request->time) : std::numeric_limits<double>::infinity();
+  const auto age_of = [&](const auto& said) {
+    return said ? std::fabs(measurement.time - said->time) : std::numeric_limits<double>::infinity();
+  };
+  const double age = age_of(request);
   worries_ = age <= kHolds ? worries_ & ~kNoRequest : worries_ | kNoRequest;
   decide(wanted(request, std::isfinite(age) ? age : kSitsDown + 1.0));
-  move(request, age);
+  if (!glide_.is_over()) goal_ = glide_.step();
+  if (state_ == GuardState::standing && age <= kHolds) follow(walk, age_of(walk));  // else it is held
+  hold_head(request, age);
   limit();
   return Command{position_, stiffness_, lights(request)};
 }
@@ -240,23 +245,24 @@ void Guard::begin(GuardState state) {
   }
 }
 
-/// Where the joints are to be in this cycle, limits aside.
-void Guard::move(const std::optional<BodyRequest>& request, double age) {
-  if (!glide_.is_over()) goal_ = glide_.step();
-  if (state_ == GuardState::standing) {
-    const bool asked = request && request->moves_joints != 0;
-    if (asked && age <= kHolds) {
-      walks_ = true;
-      for (std::size_t joint = kHeadPitch + 1; joint < kJoints; ++joint) {
-        goal_[joint] = in_range(request->joints[joint], -4.0f, 4.0f, goal_[joint]);
-        stiff_[joint] = in_range(request->stiffness[joint], 0.0f, 1.0f, stiff_[joint]);
-      }
-    } else if (walks_ && !asked) {
-      begin(GuardState::standing);
-      for (std::size_t joint = 0; joint < kJoints; ++joint) stiff_[joint] = stiffness_of(joint);
-      glide_ = Glide(position_, standing_posture(), kBackToStand);
+/// A walk's joints. Where it says nothing for a while it is held, and then the robot goes back to standing.
+void Guard::follow(const std::optional<WalkTargets>& walk, double age) {
+  const bool asks = walk && walk->moves_joints != 0;
+  if (asks && age <= kHolds) {
+    walks_ = true;
+    for (std::size_t joint = kHeadPitch + 1; joint < kJoints; ++joint) {
+      goal_[joint] = in_range(walk->joints[joint], -4.0f, 4.0f, goal_[joint]);
+      stiff_[joint] = in_range(walk->stiffness[joint], 0.0f, 1.0f, stiff_[joint]);
     }
+  } else if (walks_ && (!asks || !(age <= kHeadStops))) {
+    begin(GuardState::standing);
+    for (std::size_t joint = 0; joint < kJoints; ++joint) stiff_[joint] = stiffness_of(joint);
+    glide_ = Glide(position_, standing_posture(), kBackToStand);
   }
+}
+
+/// Where the head is to be in this cycle, limits aside.
+void Guard::hold_head(const std::optional<BodyRequest>& request, double age) {
   const bool has_head = state_ == GuardState::standing || state_ == GuardState::sitting;
   if (has_head && request && request->moves_head != 0 && age <= kHeadStops) {
     move_head(*request);

@@ -16,10 +16,10 @@ class Guard {
   /// A robot answers, perhaps another one than before: nothing is known of where its joints are.
   void connected();
 
-  /// One cycle. `request`: the newest that there is, however old; nothing where there was none. The first command holds
-  /// the joints where they were measured, without stiffness. Nothing: they were not measured yet.
+  /// One cycle. `request`, `walk`: the newest that there are, however old; nothing where there was none. The first
+  /// command holds the joints where they were measured, without stiffness. Nothing: they were not measured yet.
   std::optional<Command> step(const Measurement& measurement, const std::optional<RobotIdentity>& robot,
-                              const std::optional<BodyRequest>& request);
+                              const std::optional<BodyRequest>& request, const std::optional<WalkTargets>& walk = {});
 
   /// From now on it sits down, and then lets go, whatever is asked.
   void finish() { finishing_ = true; }
@@ -37,7 +37,8 @@ class Guard {
   WantedPosture wanted(const std::optional<BodyRequest>& request, double age) const;
   void decide(WantedPosture wanted);
   void begin(GuardState state);
-  void move(const std::optional<BodyRequest>& request, double age);
+  void hold_head(const std::optional<BodyRequest>& request, double age);
+  void follow(const std::optional<WalkTargets>& walk, double age);
   void move_head(const BodyRequest& request);
   void limit();
   Lights lights(const std::optional<BodyRequest>& request) const;

@@ -1,5 +1,7 @@
 #include "robots/nao/guard/session.h"
 
+#include <cmath>
+
 namespace reorient::nao {
 
 void Session::connected() {
@@ -30,12 +32,22 @@ bool Session::received(std::size_t size, double time) {
     if (!reader_.read(packet, measurement_)) return false;
     ++counts_.cycles;
     if (!measurement_.has(SensorKey::position) || !measurement_.has(SensorKey::angles)) ++counts_.unusable;
+    hear_walk();
     body_.add(measurement_);
     if (any) ++counts_.late;  // the packet before this one will not be answered
     any = true;
   }
   if (any) answer();
   return true;
+}
+
+/// The walk's odometry belongs to the measurement in whose cycle it is heard.
+void Session::hear_walk() {
+  WalkTargets walk;
+  if (body_.walk.read(walk)) walk_ = walk;  // else the last one, which grows old
+  constexpr double kFresh = 0.1;            // s
+  measurement_.is_walked = walk_ && std::fabs(measurement_.time - walk_->time) <= kFresh ? 1 : 0;
+  if (measurement_.is_walked != 0) measurement_.walked = walk_->odometry;
 }
 
 void Session::answer() {
@@ -47,7 +59,7 @@ void Session::answer() {
   } else {
     guard_ = before_;  // what was not sent was never told: the body is still where it was
   }
-  const std::optional<Command> command = guard_.step(measurement_, reader_.robot(), request_);
+  const std::optional<Command> command = guard_.step(measurement_, reader_.robot(), request_, walk_);
   body_.report.write(report(measurement_.time));
   if (!command) return;
   if (sent_ > 0) {

@@ -40,6 +40,7 @@ class Session {
 
  private:
   void answer();
+  void hear_walk();
 
   SharedBody& body_;
   Guard guard_;
@@ -48,6 +49,7 @@ class Session {
   SensorReader reader_;
   Measurement measurement_;
   std::optional<BodyRequest> request_;
+  std::optional<WalkTargets> walk_;
   GuardReport counts_;
   std::array<std::byte, kCommandBytes> answer_{}, next_{};
   std::size_t answer_size_ = 0, sent_ = 0;

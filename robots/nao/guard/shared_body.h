@@ -1,4 +1,5 @@
-// The memory that guard and engine share: the last 64 measurements on the one hand, the newest request on the other.
+// The memory that guard, engine and perhaps a walk share: the last 64 measurements on the one hand, the newest request
+// and the walk's joints on the other. Each value has one writer.
 #pragma once
 
 #include <array>
@@ -15,13 +16,14 @@ namespace reorient::nao {
 inline constexpr std::size_t kMeasurements = 64;
 
 struct SharedBody {
-  static constexpr std::uint64_t kLayout = 0x5265'6f72'6965'6e01u;  // the last byte counts its versions
+  static constexpr std::uint64_t kLayout = 0x5265'6f72'6965'6e02u;  // the last byte counts its versions
 
   std::atomic<std::uint64_t> layout = 0;    ///< kLayout, once all else has begun
   std::atomic<std::uint64_t> measured = 0;  ///< how many measurements there ever were
   std::array<SharedValue<Measurement>, kMeasurements> measurements;
   SharedValue<GuardReport> report;
   SharedValue<BodyRequest> request;
+  SharedValue<WalkTargets> walk;  ///< never written where nobody walks
 
   /// The guard's.
   void add(const Measurement& measurement);

@@ -44,6 +44,9 @@ struct Measurement {
   std::array<float, 14> touch{};         ///< 0 or 1: see Touch
   std::array<float, 4> battery{};        ///< charge from 0 to 1, status, current (A), temperature
 
+  std::uint32_t is_walked = 0;    ///< not LoLA's: a walk says where it is
+  std::array<float, 3> walked{};  ///< m, m, rad since it began
+
   bool has(SensorKey key) const { return (fresh >> static_cast<unsigned>(key) & 1u) != 0; }
 };
 

@@ -1,6 +1,8 @@
 #include "robots/nao/body_history.h"
 
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -18,11 +20,16 @@ class BodyHistoryTest : public testing::Test {
       measurement.time = time_;
       measurement.position[kHeadYaw] = static_cast<float>(time_);
       measurement.gyroscope[2] = turning + bias;
+      measurement.is_walked = walks_ ? 1 : 0;
+      measurement.walked = walked_;
+      walked_[0] += 0.0024f;  // 0.2 m/s
       history_.add(measurement);
     }
   }
   TwinBody body_;
   BodyHistory history_;
+  bool walks_ = false;
+  std::array<float, 3> walked_{};
   double time_ = 0.012;
 };
 
@@ -48,6 +55,32 @@ TEST_F(BodyHistoryTest, KnowsNothingWithinAGap) {
   feel(0.2);
   EXPECT_FALSE(history_.at(0.35));
   EXPECT_TRUE(history_.at(0.6));
+}
+
+TEST_F(BodyHistoryTest, GoesWhereAWalkSaysAndTurnsAsTheInertialUnitSays) {
+  walks_ = true;
+  feel(1.0);
+  EXPECT_NEAR(history_.newest()->odometry.position.x(), 0.2, 0.01);
+  feel(1.0, static_cast<float>(kPi / 2.0));
+  const Pose2 before = history_.newest()->odometry;
+  EXPECT_NEAR(before.rotation, kPi / 2.0, 0.03);
+  feel(1.0);
+  EXPECT_NEAR((history_.newest()->odometry.position - before.position - Eigen::Vector2d(0.0, 0.2)).norm(), 0.0, 0.01);
+  const auto moment = history_.at(time_ - 0.1);
+  ASSERT_TRUE(moment);
+  EXPECT_LT(moment->odometry.position.y(), history_.newest()->odometry.position.y());
+}
+
+TEST_F(BodyHistoryTest, DoesNotJumpWhereAWalkBeginsAnewOrSaysNonsense) {
+  walks_ = true;
+  feel(1.0);
+  walked_ = {5.0f, -3.0f, 2.0f};
+  feel(0.1);
+  walked_[1] = std::numeric_limits<float>::quiet_NaN();
+  feel(0.1);
+  walked_ = {};
+  feel(0.1);
+  EXPECT_NEAR(history_.newest()->odometry.position.norm(), 0.2, 0.1);
 }
 
 TEST_F(BodyHistoryTest, FeelsGravityUpwardsAndTheWeightOnTheFeet) {

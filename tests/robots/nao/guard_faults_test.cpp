@@ -292,12 +292,15 @@ class Trouble {
       --mad_;
       request.head_yaw = odd_number();
       request.head_speed = odd_number();
-      request.moves_joints = 1;
+      WalkTargets walk;  // a mad one, too
+      walk.time = random_.uniform() < 0.1 ? odd_number() : time_;
+      walk.moves_joints = 1;
       for (std::size_t joint = 0; joint < kJoints; ++joint) {
-        request.joints[joint] = standing_posture()[joint] + static_cast<float>(0.3 * (random_.uniform() - 0.5));
-        request.stiffness[joint] = static_cast<float>(0.6 + random_.uniform());
+        walk.joints[joint] = standing_posture()[joint] + static_cast<float>(0.3 * (random_.uniform() - 0.5));
+        walk.stiffness[joint] = static_cast<float>(0.6 + random_.uniform());
       }
-      request.joints[below(kJoints)] = odd_number();
+      walk.joints[below(kJoints)] = odd_number();
+      shared_->walk.write(walk);
       if (random_.uniform() < 0.1) request.posture = static_cast<WantedPosture>(9);
       if (random_.uniform() < 0.1) request.time = odd_number();
     }

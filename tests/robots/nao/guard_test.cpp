@@ -25,10 +25,11 @@ class GuardTest : public testing::Test {
         asked_ = request_;
         asked_->time = time_;
       }
+      if (walk_lives_) walk_.time = time_;
       Measurement measurement = body_.measurement();
       measurement.time = time_;
       measurement.fresh &= ~missing_;
-      const std::optional<Command> command = guard_.step(measurement, body_.identity(), asked_);
+      const std::optional<Command> command = guard_.step(measurement, body_.identity(), asked_, walk_);
       if (command) {
         body_.take(*command);
         last_ = *command;
@@ -42,11 +43,21 @@ class GuardTest : public testing::Test {
     ASSERT_EQ(guard_.state(), GuardState::standing);
   }
 
+  void walk() {
+    walk_lives_ = true;
+    walk_.moves_joints = 1;
+    walk_.joints = standing_posture();
+    walk_.stiffness.fill(0.9f);
+    walk_.joints[kLeftKneePitch] = 0.9f;
+  }
+
   Guard guard_;
   TwinBody body_;
   BodyRequest request_;
   std::optional<BodyRequest> asked_;
   bool engine_lives_ = true;
+  WalkTargets walk_;
+  bool walk_lives_ = false;
   std::uint32_t missing_ = 0;
   double time_ = 100.0;
   int cycle_ = 0;
@@ -274,9 +285,10 @@ TEST_F(GuardTest, NonsenseThatIsAskedForDoesNotReachAJoint) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   request_.moves_head = 0x7fff;
   request_.head_yaw = request_.head_pitch = request_.head_speed = nan;
-  request_.moves_joints = 1;
-  request_.joints.fill(nan);
-  request_.stiffness.fill(1e9f);
+  walk_lives_ = true;
+  walk_.moves_joints = 1;
+  walk_.joints.fill(nan);
+  walk_.stiffness.fill(1e9f);
   request_.lights.chest.red = nan;
   request_.lights.left_ear[3] = 7.0f;
   run(1.0);
@@ -289,19 +301,37 @@ TEST_F(GuardTest, NonsenseThatIsAskedForDoesNotReachAJoint) {
 
 TEST_F(GuardTest, AWalkMovesTheJointsWithinTheirSpeedAndIsHeldWhereItIsSilent) {
   stand();
-  request_.moves_joints = 1;
-  request_.joints = standing_posture();
-  request_.stiffness.fill(0.9f);
-  request_.joints[kLeftKneePitch] = 0.9f;
+  walk();
   run(1.0);
   EXPECT_NEAR(body_.measurement().position[kLeftKneePitch], 0.9f, 1e-3f);
   engine_lives_ = false;
-  run(0.9);
-  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f);
+  run(0.3);
+  walk_.joints[kLeftKneePitch] = 0.8f;
+  run(0.6);
+  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f) << "it may not go on without the engine";
   engine_lives_ = true;
-  request_.moves_joints = 0;
+  walk_.moves_joints = 0;
   run(1.5);
   EXPECT_NEAR(last_.position[kLeftKneePitch], standing_posture()[kLeftKneePitch], 1e-3f);
+}
+
+TEST_F(GuardTest, StandsAgainWhereAWalkHasDied) {
+  stand();
+  walk();
+  run(1.0);
+  walk_lives_ = false;
+  run(0.4);
+  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f) << "it is held";
+  run(2.0);
+  EXPECT_NEAR(last_.position[kLeftKneePitch], standing_posture()[kLeftKneePitch], 1e-3f);
+  EXPECT_EQ(guard_.state(), GuardState::standing);
+}
+
+TEST_F(GuardTest, AWalkMovesNothingOfARobotThatSits) {
+  walk();
+  run(2.0);
+  EXPECT_TRUE(body_.is_soft());
+  EXPECT_EQ(guard_.state(), GuardState::soft);
 }
 
 TEST_F(GuardTest, SitsDownAndLetsGoBeforeItEnds) {
