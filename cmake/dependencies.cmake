@@ -1,7 +1,7 @@
 # Every library that is not ours is found here or in libraries.cmake, nowhere else.
 include(libraries)
 reorient_find(missing
-  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG tomlplusplus::tomlplusplus opencv::core opencv::imgproc)
+  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG zlib::zlib zstd::zstd tomlplusplus::tomlplusplus opencv::core opencv::imgproc)
 if(missing)
   message(FATAL_ERROR "reorient: ${missing}")
 endif()

@@ -29,6 +29,8 @@ constexpr const char* kExamples = R"(Examples:
   reorient run --no-room-awareness     the same robot without it stays wrong (exit code 1)
   reorient run --body booster-k1            another humanoid, on its own field
   reorient run --model hall.model           what was learned of the room is there the next time
+  reorient run --record run.mcap            all of a run in a file
+  reorient replay run.mcap                  the same frames again; with --set or --scripts: what if
   reorient run --set decision.false_flips=1  any parameter for this run; reorient params lists them
   reorient new behavior ball_search         a small script with its test, to start from
   reorient check                            mistakes in scripts, with line and column
@@ -85,7 +87,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   app.set_version_flag("--version", "reorient " REORIENT_VERSION);
   const std::array subcommands{add_run(app),       add_test(app),      add_experiment(app), add_model(app),
                                add_check(app),     add_new(app),       add_params(app),     add_graph(app),
-                               add_reference(app), add_calibrate(app), add_version(app)};
+                               add_reference(app), add_calibrate(app), add_replay(app),     add_recording(app),
+                               add_version(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -22,9 +22,11 @@ Subcommand add_calibrate(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_graph(CLI::App& program);
 Subcommand add_params(CLI::App& program);
+Subcommand add_recording(CLI::App& program);
 Subcommand add_reference(CLI::App& program);
 Subcommand add_model(CLI::App& program);
 Subcommand add_new(CLI::App& program);
+Subcommand add_replay(CLI::App& program);
 Subcommand add_version(CLI::App& program);
 
 }  // namespace reorient

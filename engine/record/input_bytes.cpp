@@ -1,6 +1,7 @@
 #include "engine/record/input_bytes.h"
 
 #include <string_view>
+#include <utility>
 
 #include "engine/record/image_bytes.h"
 #include "geometry/bytes.h"
@@ -30,13 +31,14 @@ void archive_view(Archive& archive, std::span<const T>& view, std::vector<T>& me
 }
 
 template <typename Archive>
-void archive_camera(Archive& archive, std::optional<CameraFrame>& frame, std::vector<std::uint8_t>& own) {
+void archive_camera(Archive& archive, std::optional<CameraFrame>& frame, std::vector<std::uint8_t>& own, bool pixels) {
   bool is_there = frame.has_value();
   archive(is_there);
   if (!is_there) return;
   if (!frame) frame.emplace();
   archive(frame->time, frame->camera, frame->odometry, frame->robot_from_camera);
-  archive_image(archive, frame->image, own);
+  ImageView none;
+  archive_image(archive, pixels ? frame->image : none, own);
 }
 
 template <typename Archive>
@@ -51,11 +53,11 @@ void archive_belief(Archive& archive, std::optional<ExternalBelief>& belief,
 }
 
 template <typename Archive>
-void archive_inputs(Archive& archive, FrameInputs& inputs, const Memory& memory) {
+void archive_inputs(Archive& archive, FrameInputs& inputs, const Memory& memory, bool pixels = true) {
   Observation& seen = inputs.observation;
   archive(seen.time);
-  archive_camera(archive, seen.upper, memory.images[0]);
-  archive_camera(archive, seen.lower, memory.images[1]);
+  archive_camera(archive, seen.upper, memory.images[0], pixels);
+  archive_camera(archive, seen.lower, memory.images[1], pixels);
   archive(seen.body);
   archive_view(archive, seen.body_samples, memory.body_samples);
   archive(seen.odometry, seen.reported_posture);
@@ -63,15 +65,22 @@ void archive_inputs(Archive& archive, FrameInputs& inputs, const Memory& memory)
   archive(seen.told, inputs.parameter_changes, inputs.script_edits, inputs.told);
 }
 
-}  // namespace
-
-void write_inputs(const FrameInputs& inputs, std::vector<std::byte>& bytes) {
+void write(const FrameInputs& inputs, bool pixels, std::vector<std::byte>& bytes) {
   ByteWriter out(bytes);
   out(kInputMagic);
   std::array<std::vector<std::uint8_t>, 2> no_images;
   std::vector<BodySample> no_samples;
   std::vector<ExternalBelief::Particle> no_particles;
-  archive_inputs(out, const_cast<FrameInputs&>(inputs), {no_images, no_samples, no_particles});  // a writer only looks
+  archive_inputs(out, const_cast<FrameInputs&>(inputs), {no_images, no_samples, no_particles},
+                 pixels);  // a writer only looks
+}
+
+}  // namespace
+
+void write_inputs(const FrameInputs& inputs, std::vector<std::byte>& bytes) { write(inputs, true, bytes); }
+
+void write_inputs_without_pixels(const FrameInputs& inputs, std::vector<std::byte>& bytes) {
+  write(inputs, false, bytes);
 }
 
 StoredInputs::StoredInputs(std::span<const std::byte> bytes) {
@@ -81,6 +90,12 @@ StoredInputs::StoredInputs(std::span<const std::byte> bytes) {
   check_bytes(magic == kInputMagic, "these are no inputs of this version of the program");
   archive_inputs(in, inputs_, {images_, body_samples_, particles_});
   in.finish();
+}
+
+void StoredInputs::put_pixels(std::size_t camera, std::vector<std::uint8_t> yuyv, int width, int height) {
+  std::optional<CameraFrame>& frame = camera == 0 ? inputs_.observation.upper : inputs_.observation.lower;
+  images_.at(camera) = std::move(yuyv);
+  frame.value().image = {images_[camera].data(), width, height, 2 * width};
 }
 
 }  // namespace reorient

@@ -13,6 +13,8 @@ namespace reorient {
 
 /// Appends all of it, pixels included.
 void write_inputs(const FrameInputs& inputs, std::vector<std::byte>& bytes);
+/// The same, for whoever keeps the pixels elsewhere.
+void write_inputs_without_pixels(const FrameInputs& inputs, std::vector<std::byte>& bytes);
 
 /// Inputs with memory of their own.
 class StoredInputs {
@@ -23,6 +25,10 @@ class StoredInputs {
   StoredInputs& operator=(const StoredInputs&) = delete;
 
   const FrameInputs& inputs() const { return inputs_; }
+
+  /// Of the upper (0) or lower (1) camera, where the bytes were written without; there has to be a frame of it. `yuyv`:
+  /// 2 * width * height bytes.
+  void put_pixels(std::size_t camera, std::vector<std::uint8_t> yuyv, int width, int height);
 
  private:
   FrameInputs inputs_;

@@ -47,11 +47,12 @@ void write_topic(const FrameRecord& record, Topic topic, std::vector<std::byte>&
   visit_topic(writer, topic, const_cast<FrameRecord&>(record));  // a writer only looks
 }
 
-void write_record(const FrameRecord& record, std::vector<std::byte>& bytes) {
+void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted) {
   ByteWriter writer(bytes);
-  writer(kRecordMagic, record.filled, *record.names);
+  const Topics written = record.filled & wanted;
+  writer(kRecordMagic, written, *record.names);
   for (const TopicInfo& row : kTopics) {
-    if (record.filled.has(row.topic)) write_topic(record, row.topic, bytes);
+    if (written.has(row.topic)) write_topic(record, row.topic, bytes);
   }
 }
 

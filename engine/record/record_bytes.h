@@ -10,8 +10,8 @@
 
 namespace reorient {
 
-/// Appends the whole record: all topics that are filled, with the names that they use.
-void write_record(const FrameRecord& record, std::vector<std::byte>& bytes);
+/// Appends the record: of the topics that are filled those that are wanted, with the names that they use.
+void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted = Topics::all());
 
 /// A record with memory of its own. Throws BadBytes where the bytes are none, or of another version.
 FrameRecord read_record(std::span<const std::byte> bytes);

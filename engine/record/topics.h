@@ -78,6 +78,11 @@ class Topics {
     both.bits_ = bits_ | other.bits_;
     return both;
   }
+  constexpr Topics operator&(Topics other) const {
+    Topics common;
+    common.bits_ = bits_ & other.bits_;
+    return common;
+  }
   constexpr bool operator==(const Topics&) const = default;
 
   template <typename Archive>

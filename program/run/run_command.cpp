@@ -79,6 +79,10 @@ void add_options(CLI::App& run, RunOptions& options) {
   add_scripts_option(run, options.scripts);
   run.add_option("--out", options.out, "folder for the pictures")->check(check_not_empty)->capture_default_str();
   run.add_flag("!--no-pictures", options.pictures, "write no pictures");
+  run.add_option("--record", options.record, "record the run into this file (.mcap), to be replayed exactly")
+      ->check(check_not_empty);
+  run.add_option("--record-images", options.record_images, "lossless, every:N (each Nth frame) or none")
+      ->capture_default_str();
   run.add_option("--json", options.json, "write the summary into this file, for programs")->check(check_not_empty);
   run.add_option("--seconds", options.seconds, "longest run, in the robot's seconds")
       ->check(check_seconds)

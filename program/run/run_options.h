@@ -51,6 +51,8 @@ struct RunOptions : SimulationOptions {
   bool stand = false;  ///< up at once, not when the chest's button is pressed
   bool walk = false;   ///< somebody else's program walks, beside the guard
   bool realtime = false;
+  std::filesystem::path record;            ///< the recording; empty: none
+  std::string record_images = "lossless";  ///< program/recording/run_recording.h
   std::filesystem::path out = "out";
   bool pictures = true;
   std::filesystem::path json;             ///< empty: no summary for programs

@@ -13,6 +13,7 @@
 #include "program/interruption.h"
 #include "program/model/model_keeper.h"
 #include "program/program.h"
+#include "program/recording/run_recording.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
 #include "program/run/narration.h"
@@ -68,6 +69,11 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   if (!options.model.empty())
     parts.observers.push_back(&model.emplace(options.model, simulation.model(), options.sides_changed));
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
+  RunRecording recording(options, simulation.venue().name(), [&](const std::string& line) {
+    narration.progress.make_room();
+    err << "reorient: " << line << '\n' << std::flush;
+  });
+  if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
   parts.observers.push_back(&narration.progress);
   parts.in_real_time = options.realtime;
   parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit() || (guests.stop && guests.stop()); };
@@ -106,6 +112,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   if (options.pictures) {
     for (std::string& failure : pictures.write(options.out)) failures.push_back(std::move(failure));
   }
+  recording.end(out);
   if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
   if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
   if (model) out << "model: " << options.model.string() << " (" << model->outcome() << ")\n";

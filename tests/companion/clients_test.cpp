@@ -41,11 +41,21 @@ class CompanionClient : public ::testing::TestWithParam<Setting> {
 };
 
 TEST_P(CompanionClient, EndsRightAfterItsRobotWasTurnedRound) {
-  const ChildProgram companion(folder_.path(), server());
-  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
-  EXPECT_EQ(std::system(play(GetParam(), socket(), 15, 10).c_str()), 0) << companion.out() << companion.err();
-  EXPECT_NE(companion.err().find("beginning anew"), std::string::npos) << companion.err();
-  EXPECT_NE(companion.out().find("flip_pose granted"), std::string::npos) << companion.out();
+  const std::string recording = (folder_.path() / "run.mcap").string();
+  {
+    std::vector<std::string> words = server();
+    words.insert(words.end(), {"--record", recording});
+    ChildProgram companion(folder_.path(), words);
+    ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+    EXPECT_EQ(std::system(play(GetParam(), socket(), 15, 10).c_str()), 0) << companion.out() << companion.err();
+    EXPECT_NE(companion.err().find("beginning anew"), std::string::npos) << companion.err();
+    EXPECT_NE(companion.out().find("flip_pose granted"), std::string::npos) << companion.out();
+    companion.kill(SIGTERM);
+    EXPECT_EQ(companion.wait(), 128 + SIGTERM);
+  }
+  ChildProgram replay(folder_.path(), {"replay", recording});
+  EXPECT_EQ(replay.wait(), 0) << replay.out() << replay.err();
+  EXPECT_NE(replay.out().find("all frames are the same as recorded"), std::string::npos) << replay.out();
 }
 
 constexpr const char* kC = REORIENT_C_CLIENT;

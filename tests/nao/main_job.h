@@ -45,7 +45,8 @@ struct Flips : Observer {
 };
 
 /// Plays the scenario; its verdict.
-inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t seed, Flips& flips) {
+inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t seed, Flips& flips,
+                                           Observer* another = nullptr) {
   const ScriptTexts scripts = read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts");
   RecordedBehaviors behaviors;
   ScenarioHost scenario(scripts, "scenarios/turned_round.lua", {}, behaviors, seed);
@@ -56,6 +57,7 @@ inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t s
   for (const std::string& name : scenario.wanted_behaviors()) setup.behaviors.push_back("behaviors/" + name + ".lua");
   FrameLoop engine(std::move(setup));
   RunParts parts{robot, engine, &scenario, &behaviors, {}, {&flips}, {}, 200.0, false};
+  if (another != nullptr) parts.observers.push_back(another);
   RunLoop(std::move(parts)).run();
   return scenario.record().verdict;
 }

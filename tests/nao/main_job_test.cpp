@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/robots/nao/twin/nao_world.h"
+#include "tests/temporary_folder.h"
+#include "tests/workbench/recording/replayed.h"
+#include "workbench/recording/recorder.h"
 
 namespace reorient::main_job {
 namespace {
@@ -25,10 +28,17 @@ TEST_P(MainJob, EndsRightThroughLolaAndV4l2) {
   ASSERT_TRUE(stand_up(*nao));
   RobotInstance robot{std::move(nao), body, RobotInstance::Clock::real, &world.simulator(), &world.simulator()};
   Flips flips;
-  const std::optional<ScenarioVerdict> verdict = play(robot, GetParam(), flips);
+  const TemporaryFolder folder;
+  Recorder recorder({folder.path() / "run.mcap", 1, 60.0, std::size_t{512} << 20, {}},
+                    [](const std::string& trouble) { ADD_FAILURE() << trouble; });
+  const std::optional<ScenarioVerdict> verdict = play(robot, GetParam(), flips, &recorder);
   ASSERT_TRUE(verdict);
   EXPECT_TRUE(verdict->succeeded) << verdict->text;
   EXPECT_GE(flips.count, 1);
+  recorder.end();
+  const Replayed replayed = replay(folder.path() / "run.mcap");
+  EXPECT_EQ(replayed.frames, recorder.counts().frames);
+  EXPECT_EQ(replayed.different, 0u);
   EXPECT_EQ(world.body().complaint(), "") << "a joint was told what it cannot do";
   EXPECT_EQ(world.body().falls(), 0);
 }

@@ -1,5 +1,6 @@
 // The guides are run as they stand: their files are written, their edits made, their commands called, and what they
 // show is what must come.
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -97,7 +98,9 @@ class Guide : public ::testing::TestWithParam<const char*> {
     std::istringstream in(block.lines[0].substr(prompt.size()));
     for (std::string word; in >> word;) words.push_back(word);
     words.insert(words.begin(), {"--log", "off"});
-    const bool reads_scripts = block.lines[0].find(" compare ") == std::string::npos;
+    const bool reads_scripts = std::none_of(words.begin(), words.end(), [](const std::string& word) {
+      return word == "compare" || word == "replay" || word == "recording";
+    });
     if (reads_scripts) words.insert(words.end(), {"--scripts", (folder_.path() / "scripts").string()});
     ChildProgram run(folder_.path(), words, [&] {
       if (chdir(folder_.path().c_str()) != 0) _exit(127);
@@ -150,7 +153,8 @@ TEST_P(Guide, ShowsWhatReallyHappens) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Docs, Guide,
-                         ::testing::Values("docs/first-behavior.md", "docs/prompt.md", "docs/experiments.md"));
+                         ::testing::Values("docs/first-behavior.md", "docs/prompt.md", "docs/experiments.md",
+                                           "docs/recordings.md"));
 
 }  // namespace
 }  // namespace reorient

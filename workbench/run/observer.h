@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/frame.h"
 #include "engine/record/frame_record.h"
 #include "robots/experimenter.h"
 #include "workbench/scenario/scenario_host.h"
@@ -28,6 +29,9 @@ class Observer {
 
   /// What it reads beyond the topics that are always filled; asked before each frame.
   virtual Topics wanted() const { return {}; }
+
+  /// Before a frame: what goes into it, and the engine that it goes to. Valid during the call only.
+  virtual void before(const FrameInputs& /*inputs*/, const FrameLoop& /*engine*/) {}
 
   /// Once a frame. Both are valid during the call only.
   virtual void observe(const FrameRecord& frame, const StageRecord& stage) = 0;

@@ -19,6 +19,7 @@
 #include "program/model/model_keeper.h"
 #include "program/monotonic_clock.h"
 #include "program/program.h"
+#include "program/recording/run_recording.h"
 #include "program/run/companion/state_file.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
@@ -133,6 +134,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   Companion companion({socket, known_robots(), drawn_by_lot(), monotonic_clock, is_over});
   err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
 
+  int sessions = 0;
   bool fresh = options.fresh;
   while (const Greeting* const greeting_now = companion.wait_for_greeting()) {
     const Greeting greeting = *greeting_now;
@@ -176,12 +178,21 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
         instance, *engine, nullptr, nullptr, {&edits, &console}, {&report, &narration.log, &narration.timeline},
         {},       0.0,     false};
     if (model_keeper) parts.observers.push_back(&*model_keeper);
+    RunRecording recording(
+        options, "",
+        [&](const std::string& line) {
+          console.make_room();
+          err << "reorient: " << line << '\n' << std::flush;
+        },
+        ++sessions);
+    if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
     parts.observers.push_back(&narration.progress);
     parts.observers.push_back(&console);
     parts.stop = is_over;
     RunLoop(std::move(parts)).run();
     narration.progress.end();
     keeper.finish(*engine, companion);
+    recording.end(out);
     if (model_keeper) {
       model_keeper->save();
       model = model_to_begin_with(options);

@@ -14,6 +14,7 @@
 #include "program/interruption.h"
 #include "program/model/model_keeper.h"
 #include "program/program.h"
+#include "program/recording/run_recording.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
 #include "program/run/nao/nao_hardware.h"
@@ -122,12 +123,18 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   RunParts parts{instance, engine, nullptr, nullptr, {&edits, &console, &start}, {&narration.log, &narration.timeline},
                  {},       0.0,    false};
   if (model_keeper) parts.observers.push_back(&*model_keeper);
+  RunRecording recording(options, "", [&](const std::string& line) {
+    console.make_room();
+    err << "reorient: " << line << '\n' << std::flush;
+  });
+  if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
   parts.observers.push_back(&narration.progress);
   parts.observers.push_back(&console);
   parts.stop = is_over;
   RunLoop(std::move(parts)).run();
   narration.progress.end();
   if (model_keeper) model_keeper->save();
+  recording.end(out);
   const Nao::Counts counts = itself.counts();
   out << fmt::format(
       "{} frames; {} images not looked at since a newer one had come, {} of which nobody knows where the head was, {} "

@@ -1,0 +1,123 @@
+// `reorient recording`: what is in a recording; a part of it; one that is damaged, made whole.
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "program/options.h"
+#include "program/program.h"
+#include "program/subcommand.h"
+#include "workbench/files/atomic_file.h"
+#include "workbench/recording/recording.h"
+#include "workbench/recording/rewriting.h"
+
+namespace reorient {
+namespace {
+
+struct Tally {
+  std::uint64_t messages = 0, bytes = 0;
+};
+
+int info(const std::filesystem::path& file, std::ostream& out) {
+  Recording recording(file);
+  const mcap::Contents& contents = recording.contents();
+  out << fmt::format("{}: {:.1f} MB, written by {}\n", file.string(),
+                     1e-6 * static_cast<double>(recording.source().size()), contents.library);
+  for (const auto& [name, text] : recording.about()) out << fmt::format("  {}: {}\n", name, text);
+
+  std::map<std::uint16_t, Tally> tallies;
+  for (const mcap::ChunkPlace& chunk : contents.chunks) {
+    try {
+      mcap::ChunkMessages messages(recording.source(), chunk);
+      for (mcap::Message message; messages.next(message);) {
+        Tally& tally = tallies[message.channel];
+        ++tally.messages;
+        tally.bytes += message.data.size();
+      }
+    } catch (const mcap::Damage&) {  // told below, with the frames that it takes
+    }
+  }
+
+  std::uint64_t frames = 0, exact = 0;
+  double first = 0.0, last = 0.0;
+  bool goes_on = false;  // from a state on, without a gap
+  RecordedFrame frame;
+  while (recording.next(frame)) {
+    if (frames++ == 0) first = frame.entry.time;
+    last = frame.entry.time;
+    goes_on = frame.entry.is_exact() && (!frame.state.empty() || (goes_on && frame.follows));
+    exact += goes_on ? 1 : 0;
+  }
+  out << fmt::format("{} frames, {:.2f} to {:.2f} s of the robot; {} can be made again exactly\n", frames, first, last,
+                     exact);
+  const double seconds = std::max(last - first, 1e-9);
+  out << fmt::format("{:<24} {:>9} {:>8} {:>10}\n", "topic", "messages", "Hz", "MB");
+  for (const mcap::Channel& channel : contents.channels) {
+    const Tally& tally = tallies[channel.id];
+    out << fmt::format("{:<24} {:>9} {:>8.1f} {:>10.2f}\n", channel.topic, tally.messages,
+                       static_cast<double>(tally.messages) / seconds, 1e-6 * static_cast<double>(tally.bytes));
+  }
+  if (!contents.is_complete) out << "its end is missing; 'reorient recording recover' makes it whole\n";
+  for (const std::string& damage : recording.damages()) out << "damaged " << damage << '\n';
+  return recording.damages().empty() ? kSuccess : kWrong;
+}
+
+struct RewriteOptions {
+  std::filesystem::path file, out;
+  double from = 0.0, to = std::numeric_limits<double>::infinity();  // s of the robot
+};
+
+/// `rewrite`: makes the new file of the old one.
+template <typename Rewrite>
+int rewrite(const RewriteOptions& options, std::ostream& out, std::ostream& err, Rewrite rewrite) {
+  require_writable_file(options.out, "--out");
+  std::error_code error;
+  if (std::filesystem::equivalent(options.file, options.out, error))
+    throw std::runtime_error("--out " + options.out.string() + ": it is the recording itself; name another file");
+  Recording recording(options.file);
+  const Rewritten done = rewrite(recording);
+  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
+  out << fmt::format("{}: {} frames, {:.2f} to {:.2f} s\n", options.out.string(), done.frames, done.first_time,
+                     done.last_time);
+  return kSuccess;
+}
+
+}  // namespace
+
+Subcommand add_recording(CLI::App& program) {
+  CLI::App* const parser = program.add_subcommand("recording", "what is in a recording");
+  parser->require_subcommand(1);
+  const auto options = std::make_shared<RewriteOptions>();
+  const auto add = [&](const char* name, const char* description) {
+    CLI::App* const word = parser->add_subcommand(name, description);
+    word->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
+    return word;
+  };
+  add("info", "topics, times, sizes, and what can be replayed");
+  CLI::App* const cut = add("cut", "a part of it, which can be replayed as the whole can");
+  cut->add_option("--from", options->from, "s of the robot")->capture_default_str();
+  cut->add_option("--to", options->to, "s of the robot (default: its end)");
+  CLI::App* const recover = add("recover", "all that can be read of one that is damaged or lacks its end, made whole");
+  for (CLI::App* const word : {cut, recover}) word->add_option("--out", options->out, "the new file")->required();
+  return {parser, [options, cut, recover](std::ostream& out, std::ostream& err) {
+            if (cut->parsed()) {
+              return rewrite(*options, out, err, [&](Recording& recording) {
+                return cut_recording(recording, options->from, options->to, options->out);
+              });
+            }
+            if (recover->parsed()) {
+              return rewrite(*options, out, err,
+                             [&](Recording& recording) { return recover_recording(recording, options->out); });
+            }
+            return info(options->file, out);
+          }};
+}
+
+}  // namespace reorient

@@ -1,0 +1,174 @@
+// `reorient replay`: the frames of a recording, made again and compared.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/frame.h"
+#include "program/interruption.h"
+#include "program/options.h"
+#include "program/program.h"
+#include "program/script_names.h"
+#include "program/subcommand.h"
+#include "workbench/files/script_files.h"
+#include "workbench/recording/comparison.h"
+#include "workbench/recording/playback.h"
+#include "workbench/run/digest_observer.h"
+#include "workbench/run/run_loop.h"
+
+namespace reorient {
+namespace {
+
+struct ReplayOptions {
+  std::filesystem::path file, scripts;
+  ParameterOptions parameters;
+  double from = 0.0, to = std::numeric_limits<double>::infinity();  // s of the robot
+  bool events = false;
+
+  bool asks_what_if() const { return !scripts.empty() || !overrides_of(parameters).empty(); }
+};
+
+/// Other scripts and parameters than those of the recording, in its first frame.
+class WhatIf : public InputSource, public Observer {
+ public:
+  WhatIf(std::vector<ScriptEdit> edits, std::vector<ParameterChange> changes)
+      : edits_(std::move(edits)), changes_(std::move(changes)) {
+    // Whatever the recorded run was told, and how.
+    for (ParameterChange& change : changes_) change.origin = ParameterOrigin::live;
+  }
+
+  void add_to(FrameInputs& inputs) override {
+    inputs.script_edits.insert(inputs.script_edits.end(), edits_.begin(), edits_.end());
+    inputs.parameter_changes.insert(inputs.parameter_changes.end(), changes_.begin(), changes_.end());
+    edits_.clear();
+    changes_.clear();
+  }
+
+  /// Throws std::runtime_error with one line: something of it is not to be had.
+  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+    if (std::exchange(is_taken_, true)) return;
+    for (const ParameterOutcome& change : frame.parameter_changes) {
+      if (!change.refusal.empty()) throw std::runtime_error(change.refusal);
+    }
+    for (const ReloadRecord& reload : frame.reloads) {
+      if (!reload.accepted) throw std::runtime_error(reload.script + ": " + reload.fault.message);
+    }
+  }
+
+ private:
+  bool is_taken_ = false;
+  std::vector<ScriptEdit> edits_;
+  std::vector<ParameterChange> changes_;
+};
+
+void print_difference(const char* what, const Difference& difference, std::ostream& out) {
+  out << fmt::format("{} frame {} at {:.2f} s: {}\n  recorded: {}\n  replayed: {}\n", what, difference.frame,
+                     difference.time, difference.what, difference.recorded, difference.replayed);
+}
+
+/// Where the two begin to go different ways, and why.
+void print_first_decision(const ReplayComparison& comparison, std::ostream& out) {
+  const auto& events = comparison.events();
+  const auto first = std::find_if(events.begin(), events.end(), [](const ReplayComparison::Event& event) {
+    return event.recorded != event.replayed;
+  });
+  if (first == events.end()) {
+    out << "no behaviour would have decided otherwise\n";
+  } else {
+    out << fmt::format("the first decision that differs is at {:.2f} s, {}:\n  {}\n", first->time,
+                       first->recorded ? "recorded, and not taken now" : "taken now, and not recorded", first->text);
+  }
+}
+
+void print_events(const ReplayComparison& comparison, bool all, std::ostream& out) {
+  for (const ReplayComparison::Event& event : comparison.events()) {
+    const bool is_both = event.recorded && event.replayed;
+    if (is_both && !all) continue;
+    out << fmt::format("{:9.2f} s  {}  {}\n", event.time,
+                       is_both          ? "both     "
+                       : event.recorded ? "recorded "
+                                        : "replayed ",
+                       event.text);
+  }
+}
+
+int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
+  Recording recording(options.file);
+  auto playback = std::make_unique<Playback>(recording, options.from);
+  Playback& itself = *playback;
+  RobotInstance robot{std::move(playback), {}, RobotInstance::Clock::simulated, nullptr, &itself};
+  ReplayComparison comparison(itself);
+  DigestObserver digest;
+  std::uint64_t stretches = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  double last_time = 0.0;
+  bool is_over = false;
+  while (!is_over && itself.next_stretch()) {
+    FrameLoop engine(itself.state());
+    std::vector<ScriptEdit> edits;
+    if (!options.scripts.empty()) edits = edits_between(engine.scripts(), read_scripts(options.scripts));
+    WhatIf what_if(std::move(edits), overrides_of(options.parameters));
+    RunParts parts{robot, engine, nullptr, nullptr, {&itself, &what_if}, {&digest, &comparison}, {}, 0.0, false};
+    if (options.asks_what_if()) parts.observers.push_back(&what_if);
+    parts.stop = [&] { return Interruption::signal() != 0 || engine.record().world.time >= options.to; };
+    is_over = RunLoop(std::move(parts)).run() == RunEnd::stopped;
+    ++stretches;
+    last_time = engine.record().world.time;
+    if (options.asks_what_if()) break;  // another stretch would begin with what was, not with what would have been
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  for (const std::string& damage : recording.damages())
+    err << "reorient: " << options.file.string() << ": " << damage << '\n';
+  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+  if (comparison.frames() == 0)
+    throw std::runtime_error(options.file.string() +
+                             ": no frame of it can be made again from there on; see 'reorient recording info'");
+
+  out << fmt::format("{} frames, up to {:.2f} s, replayed in {:.2f} s\n", comparison.frames(), last_time, took.count());
+  if (stretches > 1)
+    out << fmt::format("in {} stretches; {} frames between them cannot be made again\n", stretches,
+                       itself.passed_over());
+  out << "digest: " << digest.hex() << '\n';
+  if (comparison.different() == 0) {
+    out << "all frames are the same as recorded\n";
+  } else {
+    out << fmt::format("{} of them {} not the same as recorded\n", comparison.different(),
+                       comparison.different() == 1 ? "is" : "are");
+    if (comparison.first()) print_difference("the first is", *comparison.first(), out);
+    print_first_decision(comparison, out);
+    if (comparison.first_action()) {
+      print_difference("the robot would have acted differently from", *comparison.first_action(), out);
+      out << "  from there on what was recorded is no longer what it would have seen\n";
+    } else {
+      out << "the robot would have acted the same\n";
+    }
+  }
+  if (options.events || comparison.different() > 0) print_events(comparison, options.events, out);
+  return comparison.different() == 0 || options.asks_what_if() ? kSuccess : kWrong;
+}
+
+}  // namespace
+
+Subcommand add_replay(CLI::App& program) {
+  const auto options = std::make_shared<ReplayOptions>();
+  CLI::App* const parser = program.add_subcommand("replay", "make the frames of a recording again, and compare them");
+  parser->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
+  parser->add_option("--scripts", options->scripts, "what if: these scripts instead of the recorded ones")
+      ->check(check_not_empty);
+  add_parameter_options(*parser, options->parameters);
+  parser->add_option("--from", options->from, "s of the robot; or rather from the last saved state before that");
+  parser->add_option("--to", options->to, "s of the robot");
+  parser->add_flag("--events", options->events, "list commands and changes of state, those that are the same, too");
+  return {parser, [options](std::ostream& out, std::ostream& err) { return replay(*options, out, err); }};
+}
+
+}  // namespace reorient

@@ -1,0 +1,155 @@
+// `run --record`, `replay` and `recording` as their user meets them. REORIENT_INTERRUPTIONS=200 kills as many runs.
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "geometry/random.h"
+#include "tests/program/child_program.h"
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+#include "workbench/recording/recording.h"
+
+namespace reorient {
+namespace {
+
+class RunThatIsRecorded : public testing::Test {
+ protected:
+  std::string file(const char* name) const { return (folder_.path() / name).string(); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RunThatIsRecorded, HasTheDigestOfOneThatIsNotAndOfItsReplay) {
+  const ProgramRun plain = run_shortly({});
+  const ProgramRun recorded = run_shortly({"--record", file("run.mcap")});
+  EXPECT_EQ(digest_of(recorded), digest_of(plain));
+  EXPECT_NE(recorded.out.find("recording: " + file("run.mcap") + ", 91 frames, "), std::string::npos) << recorded.out;
+  const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
+  EXPECT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_EQ(digest_of(replayed), digest_of(plain));
+  EXPECT_NE(replayed.out.find("all frames are the same as recorded"), std::string::npos) << replayed.out;
+  const ProgramRun info = run_reorient({"recording", "info", file("run.mcap")});
+  EXPECT_EQ(info.code, 0);
+  EXPECT_NE(info.out.find("91 frames, 0.00 to 3.00 s of the robot; 91 can be made again exactly"), std::string::npos)
+      << info.out;
+}
+
+TEST_F(RunThatIsRecorded, MayBeCutAnywhere) {
+  run_shortly({"--record", file("run.mcap")});
+  Random random(11);
+  for (int i = 0; i < 20; ++i) {
+    const double from = random.uniform(0.0, 2.9), to = from + random.uniform(0.1, 2.0);
+    SCOPED_TRACE(std::to_string(from) + " to " + std::to_string(to));
+    const ProgramRun cut = run_reorient({"recording", "cut", file("run.mcap"), "--from", std::to_string(from), "--to",
+                                         std::to_string(to), "--out", file("part.mcap")});
+    ASSERT_EQ(cut.code, 0) << cut.err;
+    Recording part(file("part.mcap"));
+    RecordedFrame frame;
+    int frames = 0;
+    for (; part.next(frame); ++frames) {
+      EXPECT_GE(frame.entry.time, from);
+      EXPECT_LE(frame.entry.time, to);
+    }
+    EXPECT_NEAR(frames, 30.0 * (std::min(to, 3.0) - from), 1.5);
+    const ProgramRun replayed = run_reorient({"replay", file("part.mcap")});
+    EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+    EXPECT_NE(replayed.out.find(std::to_string(frames) + " frames"), std::string::npos) << replayed.out;
+  }
+}
+
+TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
+  const ProgramRun recorded = run_reorient(
+      {"run", "--seconds", "60", "--width", "160", "--no-pictures", "--log", "off", "--record", file("run.mcap")});
+  ASSERT_NE(recorded.out.find("flip_pose"), std::string::npos) << recorded.out;
+  const ProgramRun what_if = run_reorient({"replay", file("run.mcap"), "--set", "orientation.hold_time=2"});
+  EXPECT_EQ(what_if.code, 0) << what_if.err;
+  EXPECT_NE(what_if.out.find("the first decision that differs is at "), std::string::npos) << what_if.out;
+  EXPECT_NE(what_if.out.find("recorded, and not taken now:\n  orientation: watching/in doubt > watching/in peace (the "
+                             "believed pose won)"),
+            std::string::npos)
+      << what_if.out;
+  EXPECT_NE(what_if.out.find("the robot would have acted differently from frame "), std::string::npos) << what_if.out;
+
+  const std::filesystem::path scripts = copy_scripts(folder_.path());
+  const ProgramRun same = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
+  EXPECT_NE(same.out.find("all frames are the same as recorded"), std::string::npos) << same.out;
+  std::ofstream(scripts / "behaviors" / "wall_gaze.lua", std::ios::app) << "\n-- edited\n";
+  const ProgramRun edited = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
+  EXPECT_EQ(edited.code, 0) << edited.err;
+  EXPECT_NE(edited.out.find("behaviors/wall_gaze.lua was taken over"), std::string::npos) << edited.out;
+  EXPECT_NE(edited.out.find("no behaviour would have decided otherwise"), std::string::npos) << edited.out;
+  std::filesystem::remove(scripts / "behaviors" / "wall_gaze.lua");
+  const ProgramRun without = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_NE(without.err.find("behaviors/wall_gaze.lua: there is no such script"), std::string::npos) << without.err;
+}
+
+TEST_F(RunThatIsRecorded, LosesAtMostTheLastSecondWhereItIsKilled) {
+  const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
+  const int times = wanted == nullptr ? 3 : std::atoi(wanted);
+  Random random(7);
+  for (int i = 0; i < times; ++i) {
+    ChildProgram run(folder_.path(), {"run", "--realtime", "--width", "160", "--no-pictures", "--every-transition",
+                                      "--record", file("run.mcap")});
+    ASSERT_TRUE(run.await("orientation"));  // the timeline has begun
+    const double alive = random.uniform(0.5, 3.0);
+    std::this_thread::sleep_for(std::chrono::duration<double>(alive));
+    run.kill(SIGKILL);
+    run.wait();
+    Recording recording(file("run.mcap"));
+    RecordedFrame frame;
+    int frames = 0;
+    while (recording.next(frame)) ++frames;
+    EXPECT_GE(frames, static_cast<int>(30.0 * (alive - 1.0))) << alive;
+    if (frames == 0) continue;
+    const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
+    EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+    EXPECT_NE(replayed.err.find("at byte "), std::string::npos) << "its end is missing: " << replayed.err;
+    const ProgramRun recovered = run_reorient({"recording", "recover", file("run.mcap"), "--out", file("whole.mcap")});
+    EXPECT_EQ(recovered.code, 0) << recovered.err;
+    const ProgramRun whole = run_reorient({"replay", file("whole.mcap")});
+    EXPECT_EQ(whole.err, "");
+    EXPECT_NE(whole.out.find(std::to_string(frames) + " frames"), std::string::npos) << whole.out;
+  }
+}
+
+TEST_F(RunThatIsRecorded, IsRefusedWithOneLineWhatMakesNoSense) {
+  const std::string text = folder_.write("text.mcap", "this is none").string();
+  run_shortly({"--record", file("run.mcap")});
+  const std::pair<std::vector<std::string>, const char*> mistakes[] = {
+      {{"run", "--record", "/nowhere/run.mcap"}, "--record"},
+      {{"run", "--record", folder_.path().string()}, "--record"},
+      {{"run", "--record", file("x.mcap"), "--record-images", "some"}, "it is lossless, every:N"},
+      {{"run", "--record", file("x.mcap"), "--record-images", "every:0"}, "it is lossless, every:N"},
+      {{"replay", "/nowhere.mcap"}, "/nowhere.mcap: it cannot be read: No such file"},
+      {{"replay", text}, "at byte 0: it does not begin as an MCAP file does; name a recording"},
+      {{"replay", folder_.path().string()}, "it is no file; name a recording"},
+      {{"replay", file("run.mcap"), "--set", "orientation.hold_tme=2"}, "orientation.hold_tme"},
+      {{"replay", file("run.mcap"), "--scripts", "/nowhere"}, "/nowhere"},
+      {{"recording", "info", text}, "name a recording"},
+      {{"recording", "cut", file("run.mcap"), "--from", "50", "--out", file("part.mcap")},
+       "no frame between these times"},
+      {{"recording", "cut", file("run.mcap")}, "--out is required"},
+      {{"recording", "recover", file("run.mcap"), "--out", file("run.mcap")}, "it is the recording itself"},
+      {{"recording", "look"}, "A subcommand is required"},
+  };
+  for (const auto& [words, why] : mistakes) {
+    const ProgramRun run = run_reorient(words);
+    EXPECT_EQ(run.code, 2) << why;
+    EXPECT_NE(run.err.find(why), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(file("part.mcap")));
+}
+
+}  // namespace
+}  // namespace reorient

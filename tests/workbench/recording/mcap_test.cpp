@@ -1,0 +1,184 @@
+// Files of MCAP: what is written is read, and what is damaged is told with its place.
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "geometry/bytes.h"
+#include "geometry/random.h"
+#include "workbench/recording/mcap/reader.h"
+#include "workbench/recording/mcap/writer.h"
+
+namespace reorient::mcap {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+Bytes bytes_of(std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+struct Written {
+  std::uint16_t channel;
+  std::uint64_t time;
+  Bytes data;
+  bool operator==(const Written&) const = default;
+};
+
+/// Some chunks of some messages, and an attachment between them.
+class McapFile : public testing::Test {
+ protected:
+  McapFile() {
+    Writer writer([this](std::span<const std::byte> bytes) { file_.insert(file_.end(), bytes.begin(), bytes.end()); },
+                  "a test");
+    const std::uint16_t schema = writer.add_schema("Thing", "jsonschema", R"({"type":"object"})");
+    writer.add_channel("/things", "json", schema, {{"who", "we"}});
+    writer.add_channel("/bytes", "own", 0);
+    writer.add_metadata("run", {{"seed", "7"}, {"place", "hall"}});
+    Random random(3);
+    for (int i = 0; i < 60; ++i) {
+      Bytes data = i % 3 == 0 ? bytes_of("{\"i\":" + std::to_string(i) + "}") : Bytes();
+      while (i % 3 != 0 && data.size() < 40u * static_cast<unsigned>(i))
+        data.push_back(static_cast<std::byte>(static_cast<int>(16.0 * random.uniform())));
+      written_.push_back({static_cast<std::uint16_t>(i % 3 == 0 ? 0 : 1), 1000u * static_cast<unsigned>(i), data});
+      writer.add_message(written_.back().channel, written_.back().time, data);
+      if (i % 10 == 9) {
+        writer.close_chunk();
+        chunk_ends_.push_back(file_.size());
+      }
+      if (i == 35) writer.add_attachment("notes.txt", "text/plain", 35000, bytes_of("nothing to note"));
+    }
+    writer.finish();
+  }
+
+  /// All that can be read, chunk by chunk; `damages`: what could not.
+  static std::vector<Written> read(const Source& source, const Contents& contents, int& damages) {
+    std::vector<Written> all;
+    for (const ChunkPlace& place : contents.chunks) {
+      try {
+        ChunkMessages messages(source, place);
+        for (Message message; messages.next(message);)
+          all.push_back({message.channel, message.time, {message.data.begin(), message.data.end()}});
+      } catch (const Damage& damage) {
+        EXPECT_NE(std::string(damage.what()).find("at byte "), std::string::npos);
+        EXPECT_LT(damage.where, source.size());
+        ++damages;
+      }
+    }
+    return all;
+  }
+
+  Bytes file_;
+  std::vector<Written> written_;
+  std::vector<std::size_t> chunk_ends_;
+};
+
+TEST_F(McapFile, IsReadAsItWasWritten) {
+  const MemorySource source(file_);
+  const Contents contents = read_contents(source);
+  EXPECT_TRUE(contents.is_complete);
+  EXPECT_FALSE(contents.damage);
+  EXPECT_EQ(contents.library, "a test");
+  ASSERT_EQ(contents.channels.size(), 2u);
+  EXPECT_EQ(contents.channel("/things")->metadata.at("who"), "we");
+  EXPECT_EQ(contents.schema(contents.channel("/things")->schema)->name, "Thing");
+  ASSERT_EQ(contents.metadata.size(), 1u);
+  EXPECT_EQ(contents.metadata[0].texts.at("place"), "hall");
+  ASSERT_TRUE(contents.statistics);
+  EXPECT_EQ(contents.statistics->messages, 60u);
+  EXPECT_EQ(contents.statistics->messages_of.at(0), 20u);
+  EXPECT_EQ(contents.statistics->last_time, 59000u);
+  ASSERT_EQ(contents.attachments.size(), 1u);
+  EXPECT_EQ(read_attachment(source, contents.attachments[0]), bytes_of("nothing to note"));
+  int damages = 0;
+  EXPECT_EQ(read(source, contents, damages), written_);
+  EXPECT_EQ(damages, 0);
+}
+
+TEST_F(McapFile, ThatWasCutAnywhereGivesAllWholeChunksAndSaysWhereItEnds) {
+  for (std::size_t size = 0; size < file_.size(); size += 1 + size / 97) {
+    const MemorySource source(std::span<const std::byte>(file_).first(size));
+    if (size < 8) {
+      EXPECT_THROW(read_contents(source), Damage);
+      continue;
+    }
+    const Contents contents = read_contents(source);
+    EXPECT_FALSE(contents.is_complete);
+    ASSERT_TRUE(contents.damage) << size;
+    EXPECT_LE(contents.damage->where, size);
+    int damages = 0;
+    const std::vector<Written> all = read(source, contents, damages);
+    const auto whole = static_cast<std::size_t>(
+        std::count_if(chunk_ends_.begin(), chunk_ends_.end(), [&](std::size_t end) { return end <= size; }));
+    EXPECT_GE(all.size(), 10 * whole) << size;
+    EXPECT_TRUE(std::equal(all.begin(), all.end(), written_.begin())) << size;
+    EXPECT_EQ(damages, 0);
+  }
+}
+
+TEST_F(McapFile, WithAChangedByteGivesNoMessageThatWasNotWritten) {
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    Bytes damaged = file_;
+    const auto place = static_cast<std::size_t>(random.uniform() * static_cast<double>(file_.size()));
+    damaged[place] ^= static_cast<std::byte>(1 + static_cast<int>(255.0 * random.uniform()));
+    const MemorySource source(damaged);
+    try {
+      const Contents contents = read_contents(source);
+      int damages = 0;
+      for (const Written& one : read(source, contents, damages))
+        EXPECT_NE(std::find(written_.begin(), written_.end(), one), written_.end()) << "changed at " << place;
+    } catch (const Damage& damage) {
+      EXPECT_LT(place, 8u) << damage.what();
+    }
+  }
+}
+
+TEST_F(McapFile, ThatClaimsMoreThanItHoldsIsRefusedWithoutMemory) {
+  for (const std::uint64_t length : {std::uint64_t{1} << 60, ~std::uint64_t{0}, std::uint64_t{1} << 31}) {
+    Bytes hostile(file_.begin(), file_.begin() + 8);
+    ByteWriter{hostile}(Opcode::header, length);
+    const MemorySource source(hostile);
+    const Contents contents = read_contents(source);
+    ASSERT_TRUE(contents.damage);
+    EXPECT_NE(std::string(contents.damage->what()).find("claims"), std::string::npos) << contents.damage->what();
+  }
+}
+
+TEST_F(McapFile, WithAChunkThatSwellsIsRefused) {
+  Bytes hostile(file_.begin(), file_.begin() + 8);
+  ByteWriter out(hostile);
+  const std::string none;
+  for (const std::uint64_t claimed : {std::uint64_t{1} << 60, std::uint64_t{5}}) {
+    out(Opcode::chunk, std::uint64_t{8 + 8 + 8 + 4 + 4 + 8 + 3}, std::uint64_t{0}, std::uint64_t{0}, claimed,
+        std::uint32_t{0}, none, std::uint64_t{3}, std::uint8_t{5}, std::uint16_t{0});
+  }
+  const MemorySource source(hostile);
+  const Contents contents = read_contents(source);
+  ASSERT_TRUE(contents.damage);
+  EXPECT_NE(std::string(contents.damage->what()).find("too large"), std::string::npos) << contents.damage->what();
+  EXPECT_TRUE(contents.chunks.empty());
+}
+
+TEST(McapWriter, LetsThroughWhatItsSinkThrows) {
+  int calls = 0;
+  Writer writer(
+      [&](std::span<const std::byte>) {
+        if (++calls > 3) throw std::runtime_error("the disk is full");
+      },
+      "a test");
+  writer.add_channel("/bytes", "own", 0);
+  writer.add_message(0, 1, bytes_of("something"));
+  EXPECT_THROW(
+      {
+        writer.close_chunk();
+        writer.finish();
+      },
+      std::runtime_error);
+}
+
+}  // namespace
+}  // namespace reorient::mcap

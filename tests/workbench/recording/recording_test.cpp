@@ -1,0 +1,229 @@
+// A run that is recorded is made again, bit by bit, from its file alone.
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "engine/record/record_bytes.h"
+#include "tests/engine/eventful_run.h"
+#include "tests/temporary_folder.h"
+#include "tests/workbench/recording/replayed.h"
+#include "workbench/recording/packed_image.h"
+#include "workbench/recording/recorder.h"
+
+namespace reorient {
+namespace {
+
+constexpr int kFrames = 600;
+
+const std::vector<Bytes>& run() {
+  static const std::vector<Bytes> all = eventful_run(kFrames);
+  return all;
+}
+
+class RecordedRun : public testing::Test {
+ protected:
+  RecorderOptions options() const {
+    RecorderOptions options;
+    options.file = folder_.path() / "run.mcap";
+    options.state_every = 5.0;
+    options.about = {{"version", "test"}};
+    return options;
+  }
+
+  /// The run's digest; with a recorder where there are options.
+  std::string record(const std::optional<RecorderOptions>& options) {
+    std::optional<Recorder> recorder;
+    if (options) recorder.emplace(*options, [this](const std::string& line) { told_.push_back(line); });
+    FrameLoop engine(eventful_setup());
+    RecordDigest digest;
+    StageRecord stage;
+    for (const Bytes& bytes : run()) {
+      const StoredInputs stored(bytes);
+      const FrameInputs& inputs = stored.inputs();
+      if (recorder) recorder->before(inputs, engine);
+      const FrameRecord& frame = engine.step(inputs, {Topic::images});
+      stage.truth = GroundTruth{Pose2(0.001 * static_cast<double>(frame.world.frame), 0.0, 0.0), false, false};
+      if (recorder) recorder->observe(frame, stage);
+      digest.add(frame);
+    }
+    if (recorder) {
+      recorder->end();
+      counts_ = recorder->counts();
+    }
+    return digest.digest().hex();
+  }
+
+  Replayed replayed(double from = 0.0, InputSource* what_if = nullptr) const { return replay(file(), from, what_if); }
+
+  std::filesystem::path file() const { return folder_.path() / "run.mcap"; }
+
+  TemporaryFolder folder_;
+  std::vector<std::string> told_;
+  Recorder::Counts counts_;
+};
+
+TEST_F(RecordedRun, IsTheSameAsOneThatIsNotAndIsMadeAgainFrameByFrame) {
+  const std::string digest = record(std::nullopt);
+  EXPECT_EQ(record(options()), digest);
+  EXPECT_EQ(counts_.frames, static_cast<std::uint64_t>(kFrames));
+  EXPECT_EQ(counts_.images_left_out, 0u);
+  EXPECT_TRUE(told_.empty());
+  const Replayed again = replayed();
+  EXPECT_EQ(again.frames, static_cast<std::uint64_t>(kFrames));
+  EXPECT_EQ(again.different, 0u);
+  EXPECT_EQ(again.stretches, 1u);
+  EXPECT_EQ(again.digest, digest);
+}
+
+TEST_F(RecordedRun, BeginsAtAnyStateThatIsInIt) {
+  record(options());
+  for (const double from : {0.0, 4.9, 5.1, 9.0, 11.0, 1e9}) {
+    const Replayed again = replayed(from);
+    EXPECT_EQ(again.different, 0u) << from;
+    const int states = std::min(static_cast<int>(from / 5.0), 3);
+    EXPECT_NEAR(static_cast<double>(again.frames), kFrames - 150.0 * states, 3.0) << from;
+  }
+}
+
+TEST_F(RecordedRun, ThatWasCutIsMadeAgainUpToThere) {
+  record(options());
+  const auto size = static_cast<double>(std::filesystem::file_size(file()));
+  std::uint64_t before = 1000;
+  for (const double share : {0.9, 0.5, 0.2}) {
+    std::filesystem::resize_file(file(), static_cast<std::uintmax_t>(share * size));
+    const Replayed again = replayed();
+    EXPECT_EQ(again.different, 0u);
+    EXPECT_EQ(again.damages.size(), 1u);
+    EXPECT_GT(again.frames, 0u);
+    EXPECT_LT(again.frames, before);
+    before = again.frames;
+  }
+}
+
+TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
+  record(options());
+  {
+    std::fstream damaged(file(), std::ios::in | std::ios::out | std::ios::binary);
+    damaged.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file()) / 3));
+    damaged << "this is no chunk";
+  }
+  const Replayed again = replayed();
+  EXPECT_EQ(again.different, 0u);
+  EXPECT_EQ(again.damages.size(), 1u);
+  EXPECT_EQ(again.stretches, 2u);
+  EXPECT_GT(again.passed_over, 0u);
+  EXPECT_LT(again.frames, static_cast<std::uint64_t>(kFrames));
+}
+
+TEST_F(RecordedRun, WithoutImagesCannotBeMadeAgainButRead) {
+  RecorderOptions without = options();
+  without.images_every = 0;
+  record(without);
+  EXPECT_EQ(replayed().frames, 0u);
+  Recording recording(file());
+  RecordedFrame frame;
+  int frames = 0;
+  while (recording.next(frame)) {
+    EXPECT_FALSE(frame.entry.is_exact());
+    EXPECT_EQ(read_record(frame.entry.record).world.frame, frame.entry.frame);
+    ++frames;
+  }
+  EXPECT_EQ(frames, kFrames);
+}
+
+struct OneChange : InputSource {
+  explicit OneChange(ParameterChange what) : change(std::move(what)) {}
+  void add_to(FrameInputs& inputs) override {
+    if (!std::exchange(is_done, true)) inputs.parameter_changes.push_back(change);
+  }
+  ParameterChange change;
+  bool is_done = false;
+};
+
+TEST_F(RecordedRun, SaysWhatWouldHaveBeenOtherwiseFirst) {
+  record(options());
+  OneChange change({"head_scan.speed", "0.5", ParameterOrigin::live, ""});
+  const Replayed again = replayed(0.0, &change);
+  ASSERT_TRUE(again.first_action);
+  EXPECT_EQ(again.first_action->what, "head (yaw, pitch in rad, rad/s)");
+  EXPECT_NE(again.first_action->recorded, again.first_action->replayed);
+  EXPECT_GT(again.different, 0u);
+}
+
+TEST_F(RecordedRun, OnADiskThatTakesNothingGoesOnWithoutARecording) {
+  std::signal(SIGPIPE, SIG_IGN);  // as the program does
+  // A pipe that nobody empties stands for it.
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  const int reader = open(file().c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  RecorderOptions slow = options();
+  slow.most_waiting = 4u << 20;
+  std::optional<Recorder> recorder;
+  recorder.emplace(slow, [this](const std::string& line) { told_.push_back(line); });
+  FrameLoop engine(eventful_setup());
+  std::chrono::duration<double> longest{};
+  for (const Bytes& bytes : run()) {
+    const StoredInputs stored(bytes);
+    const auto begin = std::chrono::steady_clock::now();
+    recorder->before(stored.inputs(), engine);
+    const auto stepped = std::chrono::steady_clock::now();
+    const FrameRecord& frame = engine.step(stored.inputs());
+    const auto end = std::chrono::steady_clock::now();
+    recorder->observe(frame, {});
+    longest =
+        std::max<std::chrono::duration<double>>(longest, (stepped - begin) + (std::chrono::steady_clock::now() - end));
+  }
+  EXPECT_LT(longest.count(), 1.0) << "s for which a frame was kept waiting";
+  ASSERT_EQ(told_.size(), 2u);
+  EXPECT_NE(told_[0].find("images are left out"), std::string::npos) << told_[0];
+  EXPECT_NE(told_[1].find("the recording ends here: the disk is too slow"), std::string::npos) << told_[1];
+  EXPECT_GT(recorder->counts().images_left_out, 0u);
+  close(reader);  // now it fails, and the thread ends
+  recorder.reset();
+}
+
+TEST_F(RecordedRun, OnAFullDiskEndsWithOneLine) {
+  RecorderOptions full = options();
+  full.file = "/dev/full";
+  if (!std::filesystem::exists(full.file)) GTEST_SKIP() << "there is no /dev/full here";
+  EXPECT_THROW(record(full), std::runtime_error) << "its head cannot be written";
+}
+
+TEST(Recording, IsRefusedWhatIsNone) {
+  TemporaryFolder folder;
+  for (const char* const text : {"", "something else", "\x89MCAP0\r\n", "\x89MCAP0\r\n and then nothing of use"})
+    EXPECT_THROW(Recording(folder.write("no.mcap", text)), std::runtime_error) << text;
+  EXPECT_THROW(Recording("/nowhere.mcap"), std::runtime_error);
+  EXPECT_THROW(Recording(folder.path()), std::runtime_error);
+}
+
+RC_GTEST_PROP(PackedImage, HoldsTheSamePixels, ()) {
+  const int width = 2 * *rc::gen::inRange(1, 40), height = *rc::gen::inRange(1, 30), gap = *rc::gen::inRange(0, 9);
+  const auto pixels = *rc::gen::container<std::vector<std::uint8_t>>(
+      static_cast<std::size_t>((2 * width + gap) * height), rc::gen::arbitrary<std::uint8_t>());
+  std::vector<std::byte> bytes;
+  const ImageView image{pixels.data(), width, height, 2 * width + gap};
+  pack_image(image, bytes);
+  const UnpackedImage unpacked = unpack_image(bytes);
+  RC_ASSERT(unpacked.width == width && unpacked.height == height);
+  for (int y = 0; y < height; ++y)
+    RC_ASSERT(std::equal(image.row(y), image.row(y) + 2 * width, unpacked.yuyv.data() + 2 * width * y));
+  const auto cut = *rc::gen::inRange<std::size_t>(0, bytes.size());
+  RC_ASSERT_THROWS_AS(unpack_image(std::span(bytes).first(cut)), BadBytes);
+}
+
+}  // namespace
+}  // namespace reorient

@@ -1,0 +1,59 @@
+#include "workbench/recording/frame_entry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/record/digest.h"
+#include "engine/record/record_bytes.h"
+#include "geometry/bytes.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kDigests =
+    std::count_if(kTopics.begin(), kTopics.end(), [](const TopicInfo& row) { return row.always && row.reproducible; });
+
+constexpr std::uint32_t kFrameMagic = 0x314D4652;  // "RFM1": another layout gets another number
+
+template <typename Archive>
+void archive_message(Archive& archive, FrameEntry& message) {
+  archive(message.frame, message.time, message.sides_changed, message.has_image, message.image_is_exact, message.inputs,
+          message.digests, message.record, message.stage);
+}
+
+}  // namespace
+
+void digest_topics(const FrameRecord& record, TopicDigests& digests, std::vector<std::byte>& memory) {
+  digests.clear();
+  for (const TopicInfo& row : kTopics) {
+    if (!digested_topics().has(row.topic)) continue;
+    memory.clear();
+    write_topic(record, row.topic, memory);
+    Digest digest;
+    digest.add(memory);
+    digests.push_back(digest.value());
+  }
+}
+
+std::uint64_t nanoseconds(double seconds) {
+  constexpr double kMost = 9e9;  // s
+  return seconds > 0.0 && seconds < kMost ? static_cast<std::uint64_t>(std::llround(1e9 * seconds)) : 0;
+}
+
+void write_frame_entry(const FrameEntry& message, std::vector<std::byte>& bytes) {
+  ByteWriter out(bytes);
+  out(kFrameMagic);
+  archive_message(out, const_cast<FrameEntry&>(message));  // a writer only looks
+}
+
+void read_frame_entry(std::span<const std::byte> bytes, FrameEntry& message) {
+  ByteReader in(bytes);
+  std::uint32_t magic = 0;
+  in(magic);
+  check_bytes(magic == kFrameMagic, "a frame was recorded by another version of the program");
+  archive_message(in, message);
+  in.finish();
+  check_bytes(message.digests.size() == kDigests, "a frame was recorded by another version of the program");
+}
+
+}  // namespace reorient

@@ -1,0 +1,344 @@
+#include "workbench/recording/mcap/reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+#include <zstd.h>
+
+#include "geometry/bytes.h"
+
+namespace reorient::mcap {
+namespace {
+
+std::uint32_t crc_of(std::span<const std::byte> bytes) {
+  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
+
+std::string failed(const std::filesystem::path& file) {
+  return file.string() + ": it cannot be read: " + std::strerror(errno);
+}
+
+struct RecordHead {
+  std::uint64_t where = 0;
+  std::uint8_t opcode = 0;
+  std::uint64_t length = 0;
+  std::uint64_t content() const { return where + kRecordHead; }
+  std::uint64_t end() const { return content() + length; }
+};
+
+/// A map or an array, behind its length in bytes.
+template <typename Each>
+void read_sized(ByteReader& in, Each each) {
+  std::uint32_t size = 0;
+  in(size);
+  check_bytes(size <= in.left(), "a list is longer than its record");
+  for (const std::size_t end = in.left() - size; in.left() > end;) each(in);
+}
+
+Texts read_texts(ByteReader& in) {
+  Texts texts;
+  read_sized(in, [&](ByteReader& entries) {
+    std::string key, value;
+    entries(key, value);
+    texts[key] = value;
+  });
+  return texts;
+}
+
+/// Goes from record to record of a source that nobody trusts.
+class Walk {
+ public:
+  explicit Walk(const Source& source) : source_(source) {}
+
+  RecordHead head_at(std::uint64_t where) const {
+    const std::uint64_t left = source_.size() - where;
+    if (left < kRecordHead) throw Damage(where, "it ends within the head of a record");
+    std::array<std::byte, kRecordHead> bytes{};
+    source_.read(where, bytes);
+    RecordHead head;
+    head.where = where;
+    ByteReader{bytes}(head.opcode, head.length);
+    if (head.length > left - kRecordHead) {
+      throw Damage(where, "a record claims " + std::to_string(head.length) + " bytes where " +
+                              std::to_string(left - kRecordHead) + " are left");
+    }
+    return head;
+  }
+
+  /// The first bytes of its content, at most `most`.
+  std::vector<std::byte> content_of(const RecordHead& head, std::uint64_t most = kLargestChunk) const {
+    std::vector<std::byte> content(static_cast<std::size_t>(std::min(head.length, most)));
+    source_.read(head.content(), content);
+    return content;
+  }
+
+ private:
+  const Source& source_;
+};
+
+Schema read_schema(ByteReader in) {
+  Schema schema;
+  in(schema.id, schema.name, schema.encoding, schema.text);
+  return schema;
+}
+
+Channel read_channel(ByteReader in) {
+  Channel channel;
+  in(channel.id, channel.schema, channel.topic, channel.encoding);
+  channel.metadata = read_texts(in);
+  return channel;
+}
+
+Metadata read_metadata(ByteReader in) {
+  Metadata metadata;
+  in(metadata.name);
+  metadata.texts = read_texts(in);
+  return metadata;
+}
+
+Statistics read_statistics(ByteReader in) {
+  Statistics statistics;
+  in(statistics.messages, statistics.schemas, statistics.channels, statistics.attachments, statistics.metadata,
+     statistics.chunks, statistics.first_time, statistics.last_time);
+  read_sized(in, [&](ByteReader& entries) {
+    std::uint16_t channel = 0;
+    std::uint64_t count = 0;
+    entries(channel, count);
+    statistics.messages_of[channel] = count;
+  });
+  return statistics;
+}
+
+/// Of its head alone; the bytes of its messages stay where they are.
+ChunkPlace read_chunk_head(const RecordHead& head, std::span<const std::byte> begin) {
+  ByteReader in(begin);
+  ChunkPlace place;
+  place.where = head.where;
+  in(place.start_time, place.end_time, place.size, place.crc, place.compression, place.data_size);
+  const std::uint64_t before_data = begin.size() - in.left();
+  place.data = head.content() + before_data;
+  check_bytes(place.data_size <= head.length - before_data, "a chunk's messages are longer than its record");
+  check_bytes(place.size <= kLargestChunk, "a chunk is too large to be one of ours");
+  return place;
+}
+
+AttachmentPlace read_attachment_head(const RecordHead& head, std::span<const std::byte> begin) {
+  ByteReader in(begin);
+  AttachmentPlace place;
+  place.where = head.where;
+  std::uint64_t created = 0;
+  in(place.time, created, place.name, place.media_type, place.data_size);
+  const std::uint64_t before_data = begin.size() - in.left();
+  place.data = head.content() + before_data;
+  constexpr std::uint64_t kCrc = 4;
+  check_bytes(head.length >= before_data + kCrc && place.data_size == head.length - before_data - kCrc,
+              "an attachment's length is not that of its record");
+  return place;
+}
+
+constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of a chunk's or an attachment's head, names included
+
+/// False: the data ends here.
+bool read_record(const Walk& walk, const RecordHead& head, Contents& contents) {
+  switch (static_cast<Opcode>(head.opcode)) {
+    case Opcode::header: {
+      const std::vector<std::byte> content = walk.content_of(head);
+      std::string profile;
+      ByteReader in(content);
+      in(profile, contents.library);
+      return true;
+    }
+    case Opcode::schema:
+      contents.schemas.push_back(read_schema(ByteReader(walk.content_of(head))));
+      return true;
+    case Opcode::channel:
+      contents.channels.push_back(read_channel(ByteReader(walk.content_of(head))));
+      return true;
+    case Opcode::metadata:
+      contents.metadata.push_back(read_metadata(ByteReader(walk.content_of(head))));
+      return true;
+    case Opcode::chunk:
+      contents.chunks.push_back(read_chunk_head(head, walk.content_of(head, kMostBeforeData)));
+      return true;
+    case Opcode::attachment:
+      contents.attachments.push_back(read_attachment_head(head, walk.content_of(head, kMostBeforeData)));
+      return true;
+    case Opcode::data_end:
+      return false;
+    default:  // an index, or something newer
+      return true;
+  }
+}
+
+/// What is only told behind the data.
+void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Contents& contents) {
+  for (std::uint64_t where = from; where < source.size();) {
+    const RecordHead head = walk.head_at(where);
+    if (static_cast<Opcode>(head.opcode) == Opcode::statistics)
+      contents.statistics = read_statistics(ByteReader(walk.content_of(head)));
+    if (static_cast<Opcode>(head.opcode) == Opcode::footer) {
+      std::array<std::byte, kMagic.size()> magic{};
+      if (source.size() - head.end() < magic.size()) throw Damage(head.where, "it ends within its last record");
+      source.read(head.end(), magic);
+      if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
+        throw Damage(head.end(), "what comes last is not what ends an MCAP file");
+      contents.is_complete = true;
+      return;
+    }
+    where = head.end();
+  }
+  throw Damage(source.size(), "its end is missing");
+}
+
+}  // namespace
+
+Damage::Damage(std::uint64_t place, const std::string& what)
+    : std::runtime_error("at byte " + std::to_string(place) + ": " + what), where(place) {}
+
+FileSource::FileSource(const std::filesystem::path& file)
+    : file_(file), descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+  struct stat status {};
+  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw std::runtime_error(failed(file));
+  if (!S_ISREG(status.st_mode)) {
+    close(descriptor_);
+    throw std::runtime_error(file.string() + ": it is no file; name a recording");
+  }
+  size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+FileSource::~FileSource() { close(descriptor_); }
+
+void FileSource::read(std::uint64_t from, std::span<std::byte> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t got = pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(from));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw std::runtime_error(failed(file_));
+    if (got == 0) throw std::runtime_error(file_.string() + ": it became shorter while it was read");
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    from += static_cast<std::uint64_t>(got);
+  }
+}
+
+void MemorySource::read(std::uint64_t from, std::span<std::byte> bytes) const {
+  if (!bytes.empty()) std::memcpy(bytes.data(), bytes_.data() + from, bytes.size());
+}
+
+const Schema* Contents::schema(std::uint16_t id) const {
+  const auto it = std::find_if(schemas.begin(), schemas.end(), [&](const Schema& one) { return one.id == id; });
+  return it == schemas.end() ? nullptr : &*it;
+}
+
+const Channel* Contents::channel(std::uint16_t id) const {
+  const auto it = std::find_if(channels.begin(), channels.end(), [&](const Channel& one) { return one.id == id; });
+  return it == channels.end() ? nullptr : &*it;
+}
+
+const Channel* Contents::channel(std::string_view topic) const {
+  const auto it =
+      std::find_if(channels.begin(), channels.end(), [&](const Channel& one) { return one.topic == topic; });
+  return it == channels.end() ? nullptr : &*it;
+}
+
+Contents read_contents(const Source& source) {
+  std::array<std::byte, kMagic.size()> magic{};
+  if (source.size() < magic.size()) throw Damage(0, "it is too short to be an MCAP file");
+  source.read(0, magic);
+  if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
+    throw Damage(0, "it does not begin as an MCAP file does");
+  Contents contents;
+  const Walk walk(source);
+  std::uint64_t where = magic.size();
+  try {
+    while (where < source.size()) {
+      const RecordHead head = walk.head_at(where);
+      const bool goes_on = read_record(walk, head, contents);
+      where = head.end();
+      if (goes_on) continue;
+      read_summary(walk, source, where, contents);
+      return contents;
+    }
+    contents.damage.emplace(where, "its end is missing");
+  } catch (const Damage& damage) {
+    contents.damage = damage;
+  } catch (const BadBytes& bad) {
+    contents.damage.emplace(where, bad.what());
+  }
+  return contents;
+}
+
+ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : where_(place.where) {
+  std::vector<std::byte> stored(static_cast<std::size_t>(place.data_size));
+  source.read(place.data, stored);
+  if (place.compression.empty()) {
+    records_ = std::move(stored);
+  } else if (place.compression == "zstd") {
+    // Not all at once: how long it is claimed to be, anybody can write.
+    const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+    if (!context) throw std::runtime_error("zstd gives no memory to read with");
+    ZSTD_inBuffer in{stored.data(), stored.size(), 0};
+    constexpr std::size_t kStep = 1u << 20;
+    while (in.pos < in.size && records_.size() <= place.size) {
+      const std::size_t before = records_.size();
+      records_.resize(before + kStep);
+      ZSTD_outBuffer out{records_.data() + before, kStep, 0};
+      const std::size_t result = ZSTD_decompressStream(context.get(), &out, &in);
+      if (ZSTD_isError(result) != 0)
+        throw Damage(where_, std::string("a chunk is damaged: ") + ZSTD_getErrorName(result));
+      records_.resize(before + out.pos);
+      if (result == 0) break;  // the frame is whole
+      if (out.pos == 0 && in.pos == in.size) break;
+    }
+  } else {
+    throw Damage(where_, "a chunk is compressed by '" + place.compression + "', which is not read here");
+  }
+  if (records_.size() != place.size) {
+    throw Damage(
+        where_, "a chunk holds " + std::to_string(records_.size()) + " bytes instead of " + std::to_string(place.size));
+  }
+  if (place.crc != 0 && crc_of(records_) != place.crc) throw Damage(where_, "a chunk's checksum is another one");
+}
+
+bool ChunkMessages::next(Message& message) {
+  while (at_ < records_.size()) {
+    const std::span<const std::byte> rest = std::span(records_).subspan(at_);
+    try {
+      ByteReader in(rest);
+      std::uint8_t opcode = 0;
+      std::uint64_t length = 0;
+      in(opcode, length);
+      check_bytes(length <= in.left(), "a message is longer than its chunk");
+      at_ += kRecordHead + static_cast<std::size_t>(length);
+      if (static_cast<Opcode>(opcode) != Opcode::message) continue;
+      ByteReader content(rest.subspan(kRecordHead, static_cast<std::size_t>(length)));
+      std::uint64_t published = 0;
+      content(message.channel, message.sequence, message.time, published);
+      message.data = rest.subspan(kRecordHead + static_cast<std::size_t>(length) - content.left(), content.left());
+      return true;
+    } catch (const BadBytes& bad) {
+      at_ = records_.size();
+      throw Damage(where_, bad.what());
+    }
+  }
+  return false;
+}
+
+std::vector<std::byte> read_attachment(const Source& source, const AttachmentPlace& place) {
+  constexpr std::uint64_t kCrc = 4;
+  const std::uint64_t begin = place.where + kRecordHead;
+  std::vector<std::byte> content(static_cast<std::size_t>(place.data + place.data_size + kCrc - begin));
+  source.read(begin, content);
+  std::uint32_t crc = 0;
+  ByteReader{std::span(content).last(kCrc)}(crc);
+  content.resize(content.size() - kCrc);
+  if (crc != 0 && crc != crc_of(content)) throw Damage(place.where, "an attachment's checksum is another one");
+  content.erase(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(place.data - begin));
+  return content;
+}
+
+}  // namespace reorient::mcap

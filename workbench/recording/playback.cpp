@@ -1,0 +1,61 @@
+#include "workbench/recording/playback.h"
+
+#include <utility>
+
+namespace reorient {
+
+Playback::Playback(Recording& recording, double from) : recording_(recording) { is_over_ = !recording_.go_to(from); }
+
+bool Playback::next_stretch() {
+  while (!is_over_) {
+    if (!std::exchange(is_waiting_, false) && !recording_.next(frame_)) {
+      is_over_ = true;
+      break;
+    }
+    if (!frame_.state.empty() && frame_.entry.is_exact()) {
+      begins_ = true;
+      return true;
+    }
+    ++passed_over_;
+  }
+  return false;
+}
+
+bool Playback::observe(Observation& observation) {
+  if (is_over_ || is_waiting_) return false;
+  if (!std::exchange(begins_, false)) {
+    if (!recording_.next(frame_)) {
+      is_over_ = true;
+      return false;
+    }
+    if (!frame_.follows || !frame_.entry.is_exact()) {
+      is_waiting_ = true;
+      return false;
+    }
+  }
+  inputs_.emplace(frame_.entry.inputs);
+  const Observation& seen = inputs_->inputs().observation;
+  const bool has_frame[] = {seen.upper.has_value(), seen.lower.has_value()};
+  for (std::size_t camera = 0; camera < frame_.images.size(); ++camera) {
+    if (!frame_.entry.image_is_exact[camera]) continue;
+    check_bytes(has_frame[camera], "a frame and its images do not fit together");
+    UnpackedImage& image = frame_.images[camera];
+    inputs_->put_pixels(camera, std::move(image.yuyv), image.width, image.height);
+  }
+  observation = seen;
+  return true;
+}
+
+void Playback::add_to(FrameInputs& inputs) {
+  inputs.parameter_changes = inputs_->inputs().parameter_changes;
+  inputs.script_edits = inputs_->inputs().script_edits;
+  inputs.told = inputs_->inputs().told;
+}
+
+GroundTruth Playback::ground_truth() const {
+  GroundTruth truth = frame_.entry.stage.truth.value_or(GroundTruth{});
+  truth.pose = in_axes_of_team(truth.pose, frame_.entry.sides_changed);
+  return truth;
+}
+
+}  // namespace reorient

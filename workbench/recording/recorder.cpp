@@ -1,0 +1,254 @@
+#include "workbench/recording/recorder.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstring>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "engine/record/input_bytes.h"
+#include "engine/record/record_bytes.h"
+#include "workbench/recording/packed_image.h"
+#include "workbench/recording/recording_file.h"
+
+namespace reorient {
+namespace {
+
+void copy_pixels(const ImageView& image, std::vector<std::uint8_t>& yuyv) {
+  const std::size_t row = 2 * static_cast<std::size_t>(image.width);
+  yuyv.resize(row * static_cast<std::size_t>(image.height));
+  for (int y = 0; y < image.height; ++y)
+    std::memcpy(yuyv.data() + row * static_cast<std::size_t>(y), image.row(y), row);
+}
+
+}  // namespace
+
+struct Recorder::Item {
+  struct Pixels {
+    std::vector<std::uint8_t> yuyv;
+    int width = 0, height = 0;
+  };
+
+  FrameEntry entry;
+  std::vector<std::byte> state;  // of the engine before it; empty: none
+  std::array<Pixels, 2> images;  // where image_is_exact
+
+  std::size_t bytes() const {
+    return entry.inputs.size() + entry.record.size() + state.size() + images[0].yuyv.size() + images[1].yuyv.size();
+  }
+};
+
+struct Recorder::Shared {
+  explicit Shared(const RecorderOptions& options) : file(options.file, options.about) {}
+
+  RecordingFile file;  // the thread's
+
+  std::mutex mutex;  // of all below
+  std::condition_variable wake, over;
+  std::deque<std::unique_ptr<Item>> queue;
+  std::vector<std::unique_ptr<Item>> free;
+  std::size_t waiting = 0;  // bytes in the queue
+  bool ends = false;
+  bool is_over = false;  // the thread has ended
+  std::string trouble;   // why nothing is recorded any more
+  Counts counts;
+};
+
+Recorder::Recorder(RecorderOptions options, std::function<void(const std::string&)> tell)
+    : options_(std::move(options)),
+      tell_(std::move(tell)),
+      shared_(std::make_shared<Shared>(options_)),
+      thread_([shared = shared_] { write_items(*shared); }) {}
+
+Recorder::~Recorder() { end(); }
+
+std::unique_ptr<Recorder::Item> Recorder::free_item() {
+  const std::lock_guard lock(shared_->mutex);
+  if (!shared_->trouble.empty() || shared_->ends) return nullptr;
+  if (shared_->free.empty()) return std::make_unique<Item>();
+  std::unique_ptr<Item> item = std::move(shared_->free.back());
+  shared_->free.pop_back();
+  return item;
+}
+
+void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
+  item_ = free_item();
+  if (!item_) return tell_trouble();
+  Item& item = *item_;
+  const double now = engine.record().world.time;
+  std::size_t waiting = 0;
+  {
+    const std::lock_guard lock(shared_->mutex);
+    waiting = shared_->waiting;
+  }
+  // A slow disk gets no images before it gets nothing at all.
+  const bool is_slow = waiting > options_.most_waiting / 2;
+  const std::uint64_t frame = engine.record().world.frame;
+  const bool wanted = options_.images_every > 0 && frame % static_cast<std::uint64_t>(options_.images_every) == 0;
+  const std::optional<CameraFrame>* const cameras[] = {&inputs.observation.upper, &inputs.observation.lower};
+  for (std::size_t camera = 0; camera < item.images.size(); ++camera) {
+    Item::Pixels& pixels = item.images[camera];
+    const std::optional<CameraFrame>& seen = *cameras[camera];
+    item.entry.has_image[camera] = seen && !seen->image.empty();
+    item.entry.image_is_exact[camera] = item.entry.has_image[camera] && wanted && !is_slow;
+    if (item.entry.image_is_exact[camera]) {
+      copy_pixels(seen->image, pixels.yuyv);
+      pixels.width = seen->image.width;
+      pixels.height = seen->image.height;
+    } else {
+      pixels.yuyv.clear();
+    }
+  }
+  item.entry.inputs.clear();
+  write_inputs_without_pixels(inputs, item.entry.inputs);
+  item.state.clear();
+  const bool begins_again = is_broken_ && options_.images_every == 1 && waiting < options_.most_waiting / 4;
+  if (!any_frame_ || now >= next_state_ || begins_again) {
+    engine.save(item.state);
+    next_state_ = now + options_.state_every;
+    is_broken_ = false;
+  }
+  is_broken_ = is_broken_ || !item.entry.is_exact();
+  any_frame_ = true;
+
+  if (!wanted || !is_slow || item.entry.is_exact()) return;
+  const std::lock_guard lock(shared_->mutex);
+  ++shared_->counts.images_left_out;
+  if (shared_->counts.exact_until < 0.0) shared_->counts.exact_until = now;
+}
+
+void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
+  if (!item_) return;
+  FrameEntry& entry = item_->entry;
+  entry.frame = frame.world.frame;
+  entry.time = frame.world.time;
+  entry.sides_changed = frame.world.sides_changed;
+  digest_topics(frame, entry.digests, memory_);
+  entry.record.clear();
+  write_record(frame, entry.record, digested_topics());
+  entry.stage = stage;
+  const std::size_t bytes = item_->bytes();
+  bool is_slow = false;
+  {
+    const std::lock_guard lock(shared_->mutex);
+    if (shared_->waiting + bytes > options_.most_waiting) {
+      shared_->trouble = "the recording ends here: the disk is too slow for it";
+      shared_->wake.notify_one();
+      return;
+    }
+    is_slow = shared_->counts.images_left_out > 0;
+    shared_->waiting += bytes;
+    shared_->queue.push_back(std::move(item_));
+    ++shared_->counts.frames;
+  }
+  shared_->wake.notify_one();
+  if (is_slow && !std::exchange(told_slow_, true))
+    tell_("the disk is slow: images are left out of the recording, and what follows cannot be replayed exactly");
+}
+
+void Recorder::tell_trouble() {
+  if (told_) return;
+  std::string trouble;
+  {
+    const std::lock_guard lock(shared_->mutex);
+    trouble = shared_->trouble;
+  }
+  if (trouble.empty()) return;
+  told_ = true;
+  tell_(trouble);
+}
+
+void Recorder::end() {
+  if (!thread_.joinable()) return;
+  constexpr std::chrono::seconds kPatience{10};
+  bool is_over = false;
+  {
+    std::unique_lock lock(shared_->mutex);
+    shared_->ends = true;
+    shared_->wake.notify_one();
+    is_over = shared_->over.wait_for(lock, kPatience, [this] { return shared_->is_over; });
+    if (!is_over && shared_->trouble.empty())
+      shared_->trouble = "the recording lacks its end: the disk does not take it";
+  }
+  if (is_over) {
+    thread_.join();
+  } else {
+    thread_.detach();
+  }
+  tell_trouble();
+}
+
+Recorder::Counts Recorder::counts() const {
+  const std::lock_guard lock(shared_->mutex);
+  return shared_->counts;
+}
+
+/// The thread. What was queued is written, whatever happens to the frames.
+void Recorder::write_items(Shared& shared) {
+  RecordingFile& file = shared.file;
+  std::vector<std::byte> bytes;
+  const auto write = [&](const Item& item) {
+    const std::uint64_t time = nanoseconds(item.entry.time);
+    if (!item.state.empty()) file.add(file.states(), time, item.state);
+    for (std::size_t camera = 0; camera < item.images.size(); ++camera) {
+      if (!item.entry.image_is_exact[camera]) continue;
+      const Item::Pixels& pixels = item.images[camera];
+      bytes.clear();
+      pack_image({pixels.yuyv.data(), pixels.width, pixels.height, 2 * pixels.width}, bytes);
+      file.add(file.images(camera), time, bytes);
+    }
+    bytes.clear();
+    write_frame_entry(item.entry, bytes);
+    file.add(file.frames(), time, bytes);
+  };
+
+  std::unique_lock lock(shared.mutex);
+  while (true) {
+    shared.wake.wait_for(lock, RecordingFile::kFlushEvery,
+                         [&] { return !shared.queue.empty() || shared.ends || !shared.trouble.empty(); });
+    std::unique_ptr<Item> item;
+    if (!shared.queue.empty()) {
+      item = std::move(shared.queue.front());
+      shared.queue.pop_front();
+    } else if (shared.ends || !shared.trouble.empty()) {
+      break;
+    }
+    lock.unlock();
+    std::string trouble;
+    try {
+      if (item) write(*item);
+      file.keep_up();
+    } catch (const std::exception& error) {
+      trouble = error.what();
+    }
+    lock.lock();
+    shared.counts.bytes = file.size();
+    if (item) {
+      shared.waiting -= item->bytes();
+      shared.free.push_back(std::move(item));
+    }
+    if (trouble.empty()) continue;
+    shared.trouble = "the recording ends here: " + trouble;
+    shared.queue.clear();
+    shared.waiting = 0;
+  }
+  lock.unlock();
+  std::string trouble;
+  try {
+    file.finish();
+  } catch (const std::exception& error) {  // what is there can be read all the same
+    trouble = error.what();
+  }
+  lock.lock();
+  shared.counts.bytes = file.size();
+  if (!trouble.empty() && shared.trouble.empty()) shared.trouble = "the recording lacks its end: " + trouble;
+  shared.is_over = true;
+  shared.over.notify_one();
+}
+
+}  // namespace reorient

@@ -1,0 +1,74 @@
+// Records a run: whatever decides its frames, so that they can be made again, and what came of them. The frame waits
+// for nothing: it fills a place in a bounded queue, and a thread of the recorder's own packs, writes and flushes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "workbench/recording/frame_entry.h"
+#include "workbench/recording/mcap/format.h"
+#include "workbench/run/observer.h"
+
+namespace reorient {
+
+struct RecorderOptions {
+  std::filesystem::path file;
+  /// Every how many frames the cameras' images are recorded: 1: all, so that frames can be made again; 0: none.
+  int images_every = 1;
+  double state_every = 60.0;                         ///< s between two states of the engine
+  std::size_t most_waiting = std::size_t{96} << 20;  ///< bytes in the queue; beyond them the recording ends
+  mcap::Texts about;                                 ///< the run, for people: scenario, seed, version
+};
+
+class Recorder : public Observer {
+ public:
+  struct Counts {
+    std::uint64_t frames = 0;
+    std::uint64_t images_left_out = 0;  ///< as the disk was slow
+    std::uint64_t bytes = 0;            ///< of the file, so far
+    double exact_until = -1.0;          ///< s of the robot; frames from there on cannot be made again; -1: all can
+  };
+
+  /// Makes the file. `tell`: one line to the person who records, on the thread of the frames. Throws std::runtime_error
+  /// with one line.
+  Recorder(RecorderOptions options, std::function<void(const std::string&)> tell);
+  ~Recorder() override;
+
+  void before(const FrameInputs& inputs, const FrameLoop& engine) override;
+  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+
+  /// Ends the file. Nothing is recorded afterwards. A disk that does not take the rest within 10 s is left to itself.
+  void end();
+
+  Counts counts() const;
+
+ private:
+  struct Item;
+  /// What both threads use. It outlives a recorder whose thread waits for a disk that never answers.
+  struct Shared;
+
+  void tell_trouble();
+  std::unique_ptr<Item> free_item();
+  static void write_items(Shared& shared);
+
+  const RecorderOptions options_;
+  const std::function<void(const std::string&)> tell_;
+  std::shared_ptr<Shared> shared_;
+
+  std::unique_ptr<Item> item_;  // that is being filled
+  std::vector<std::byte> memory_;
+  double next_state_ = 0.0;  // s of the robot
+  bool any_frame_ = false;
+  bool is_broken_ = false;  // an image is missing since the last state
+  bool told_ = false, told_slow_ = false;
+
+  std::thread thread_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,130 @@
+#include "workbench/recording/recording.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "geometry/bytes.h"
+
+namespace reorient {
+namespace {
+
+std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic) {
+  const mcap::Channel* const channel = contents.channel(topic);
+  if (channel == nullptr || channel->encoding != kOwnEncoding)
+    throw std::runtime_error("no frames of ours are in it; name a file that 'reorient run --record FILE' has written");
+  return channel->id;
+}
+
+}  // namespace
+
+Recording::Recording(const std::filesystem::path& file) try : Recording(std::make_unique<mcap::FileSource>(file)) {
+} catch (const mcap::Damage& damage) {
+  throw std::runtime_error(file.string() + ": " + damage.what() + "; name a recording");
+}
+
+Recording::Recording(std::unique_ptr<mcap::Source> source)
+    : source_(std::move(source)), contents_(mcap::read_contents(*source_)) {
+  if (contents_.damage) damages_.emplace_back(contents_.damage->what());
+  for (const mcap::Metadata& metadata : contents_.metadata) {
+    if (metadata.name == "reorient") about_ = metadata.texts;
+  }
+  frames_ = channel_of(contents_, kFrameTopic);
+  states_ = channel_of(contents_, kStateTopic);
+  for (std::size_t camera = 0; camera < images_.size(); ++camera)
+    images_[camera] = channel_of(contents_, kImageTopics[camera]);
+}
+
+bool Recording::go_to_chunk(std::size_t chunk) {
+  chunk_ = chunk;
+  messages_.reset();
+  pending_ = {};
+  has_pending_ = {};
+  last_frame_.reset();
+  return chunk_ < contents_.chunks.size();
+}
+
+bool Recording::next_message(mcap::Message& message) {
+  while (true) {
+    try {
+      if (messages_ && messages_->next(message)) return true;
+      if (chunk_ >= contents_.chunks.size()) return false;
+      messages_.reset();
+      messages_.emplace(*source_, contents_.chunks[chunk_++]);
+    } catch (
+        const mcap::Damage& damage) {  // the rest of the chunk is lost, and with it what belonged to its last frame
+      damages_.emplace_back(damage.what());
+      messages_.reset();
+      pending_ = {};
+      has_pending_ = {};
+      last_frame_.reset();
+    }
+  }
+}
+
+bool Recording::next(RecordedFrame& frame) {
+  mcap::Message message;
+  while (next_message(message)) {
+    if (message.channel == states_) {
+      pending_.state.assign(message.data.begin(), message.data.end());
+      continue;
+    }
+    const auto camera = std::find(images_.begin(), images_.end(), message.channel);
+    if (camera != images_.end()) {
+      const auto index = static_cast<std::size_t>(camera - images_.begin());
+      pending_.images[index] = unpack_image(message.data);
+      has_pending_[index] = true;
+      continue;
+    }
+    if (message.channel != frames_) continue;
+    read_frame_entry(message.data, pending_.entry);
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      check_bytes(pending_.entry.image_is_exact[i] == has_pending_[i], "a frame and its images do not fit together");
+    pending_.follows = last_frame_ && *last_frame_ + 1 == pending_.entry.frame;
+    last_frame_ = pending_.entry.frame;
+    std::swap(frame, pending_);
+    pending_.state.clear();
+    has_pending_ = {};
+    return true;
+  }
+  return false;
+}
+
+/// Backwards from the first chunk that reaches so far, since states are rare.
+bool Recording::go_to(double time) {
+  const auto& chunks = contents_.chunks;
+  const auto nanoseconds = static_cast<std::uint64_t>(std::clamp(1e9 * time, 0.0, 9e18));
+  std::size_t begin = 0;
+  while (begin < chunks.size() && chunks[begin].start_time <= nanoseconds) ++begin;
+  std::optional<std::size_t> found;  // the chunk
+  std::uint64_t found_time = 0;
+  const auto look = [&](std::size_t chunk) {
+    go_to_chunk(chunk);
+    try {
+      mcap::ChunkMessages messages(*source_, chunks[chunk]);
+      for (mcap::Message message; messages.next(message);) {
+        if (message.channel != states_ || (found && message.time > nanoseconds)) continue;
+        found = chunk;
+        found_time = message.time;
+      }
+    } catch (const mcap::Damage&) {  // told when it is read
+    }
+    return found.has_value();
+  };
+  for (std::size_t i = begin; i-- > 0;) {
+    if (look(i) && found_time <= nanoseconds) break;
+  }
+  for (std::size_t i = begin; !found && i < chunks.size(); ++i) look(i);
+  if (!found) return false;
+  go_to_chunk(*found);
+  // Up to that state: what its chunk holds before it belongs to earlier frames.
+  for (mcap::Message message; next_message(message);) {
+    if (message.channel == states_ && message.time == found_time) {
+      pending_.state.assign(message.data.begin(), message.data.end());
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace reorient

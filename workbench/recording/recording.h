@@ -1,0 +1,64 @@
+// A recording, to be read: its frames in order, from any time on. What is damaged is left out, and told.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workbench/recording/frame_entry.h"
+#include "workbench/recording/mcap/reader.h"
+#include "workbench/recording/packed_image.h"
+
+namespace reorient {
+
+struct RecordedFrame {
+  FrameEntry entry;
+  std::array<UnpackedImage, 2> images;  ///< where entry.image_is_exact
+  std::vector<std::byte> state;         ///< of the engine before it; empty: none was recorded here
+  bool follows = false;                 ///< the frame read before is the one before it
+};
+
+class Recording {
+ public:
+  /// Throws std::runtime_error with one line: it cannot be read, or is no recording of ours.
+  explicit Recording(const std::filesystem::path& file);
+  explicit Recording(std::unique_ptr<mcap::Source> source);
+
+  const mcap::Contents& contents() const { return contents_; }
+  const mcap::Source& source() const { return *source_; }
+  /// What was said of the run: "scenario", "seed", "version".
+  const mcap::Texts& about() const { return about_; }
+
+  /// The next frame in its order. False: there is none any more. Throws BadBytes: of another version.
+  bool next(RecordedFrame& frame);
+  /// The next frame is the latest with a state of the engine that is not after `time` (s of the robot), or else the
+  /// first that has one. False: there is none.
+  bool go_to(double time);
+
+  /// What could not be read so far, in words.
+  const std::vector<std::string>& damages() const { return damages_; }
+
+ private:
+  bool next_message(mcap::Message& message);
+  bool go_to_chunk(std::size_t chunk);
+
+  std::unique_ptr<mcap::Source> source_;
+  mcap::Contents contents_;
+  mcap::Texts about_;
+  std::uint16_t frames_ = 0, states_ = 0;  // channels
+  std::array<std::uint16_t, 2> images_{};
+
+  std::size_t chunk_ = 0;  // the next
+  std::optional<mcap::ChunkMessages> messages_;
+  RecordedFrame pending_;  // what came before its frame
+  std::array<bool, 2> has_pending_{};
+  std::optional<std::uint64_t> last_frame_;
+  std::vector<std::string> damages_;
+};
+
+}  // namespace reorient
