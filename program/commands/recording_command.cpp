@@ -1,22 +1,27 @@
-// `reorient recording`: what is in a recording; a part of it; one that is damaged, made whole.
+// `reorient recording`: what is in a recording, as a table, in pictures; a part of it; one that is damaged, made whole.
 #include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <spdlog/fmt/fmt.h>
 
+#include "program/interruption.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/recording/csv.h"
 #include "workbench/recording/recording.h"
+#include "workbench/recording/replay.h"
 #include "workbench/recording/rewriting.h"
+#include "workbench/views/pictures/run_pictures.h"
 
 namespace reorient {
 namespace {
@@ -89,12 +94,55 @@ int rewrite(const RewriteOptions& options, std::ostream& out, std::ostream& err,
   return kSuccess;
 }
 
+struct ExportOptions {
+  std::filesystem::path file, out = "out";
+  std::string csv;
+  double at = 0.0;  // s of the robot
+};
+
+int export_csv(const ExportOptions& options, std::ostream& out, std::ostream& err) {
+  Recording recording(options.file);
+  if (options.out.empty()) {
+    write_csv(recording, options.csv, out);
+  } else {
+    require_writable_file(options.out, "--out");
+    std::ostringstream text;
+    write_csv(recording, options.csv, text);
+    write_whole_file(options.out, text.str());
+  }
+  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
+  return kSuccess;
+}
+
+/// All frames up to that moment are made again, since the record does not hold all that is drawn.
+int draw_pictures(const ExportOptions& options, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
+  Recording recording(options.file);
+  require_writable_folder(options.out, "--out");
+  Replay replay(recording, 0.0, options.at);
+  RunPictures pictures(PicturedMoment::last_frame);
+  double time = 0.0;
+  while (const FrameLoop* const engine = replay.next_stretch()) {
+    replay.run({}, {&pictures}, [] { return Interruption::signal() != 0; });
+    time = engine->record().world.time;
+  }
+  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+  if (replay.stretches() == 0)
+    throw std::runtime_error(options.file.string() +
+                             ": no frame of it can be made again; see 'reorient recording info'");
+  const std::vector<std::string> failures = pictures.write(options.out);
+  for (const std::string& failure : failures) err << "reorient: " << failure << '\n';
+  out << fmt::format("pictures of {:.2f} s: {}/\n", time, options.out.string());
+  return failures.empty() ? kSuccess : kBadInput;
+}
+
 }  // namespace
 
 Subcommand add_recording(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand("recording", "what is in a recording");
   parser->require_subcommand(1);
   const auto options = std::make_shared<RewriteOptions>();
+  const auto exports = std::make_shared<ExportOptions>();
   const auto add = [&](const char* name, const char* description) {
     CLI::App* const word = parser->add_subcommand(name, description);
     word->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
@@ -105,8 +153,23 @@ Subcommand add_recording(CLI::App& program) {
   cut->add_option("--from", options->from, "s of the robot")->capture_default_str();
   cut->add_option("--to", options->to, "s of the robot (default: its end)");
   CLI::App* const recover = add("recover", "all that can be read of one that is damaged or lacks its end, made whole");
+  CLI::App* const csv = add("export", "its values as a table");
+  csv->add_option("--csv", exports->csv,
+                  "world: all that behaviours see, a line a frame; events: commands and changes of state")
+      ->check(CLI::IsMember(csv_topics()))
+      ->required();
+  csv->add_option("--out", exports->out, "the table (default: the standard output)")->default_str("");
+  CLI::App* const pictures = add("pictures", "the four pictures of a run, at any moment of it");
+  pictures->add_option("--at", exports->at, "s of the robot")->required();
+  pictures->add_option("--out", exports->out, "folder for the pictures")->capture_default_str();
   for (CLI::App* const word : {cut, recover}) word->add_option("--out", options->out, "the new file")->required();
-  return {parser, [options, cut, recover](std::ostream& out, std::ostream& err) {
+  return {parser, [options, exports, cut, recover, csv, pictures](std::ostream& out, std::ostream& err) {
+            exports->file = options->file;
+            if (csv->parsed()) {
+              if (csv->get_option("--out")->count() == 0) exports->out.clear();
+              return export_csv(*exports, out, err);
+            }
+            if (pictures->parsed()) return draw_pictures(*exports, out, err);
             if (cut->parsed()) {
               return rewrite(*options, out, err, [&](Recording& recording) {
                 return cut_recording(recording, options->from, options->to, options->out);

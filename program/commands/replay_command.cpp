@@ -20,9 +20,8 @@
 #include "program/subcommand.h"
 #include "workbench/files/script_files.h"
 #include "workbench/recording/comparison.h"
-#include "workbench/recording/playback.h"
+#include "workbench/recording/replay.h"
 #include "workbench/run/digest_observer.h"
-#include "workbench/run/run_loop.h"
 
 namespace reorient {
 namespace {
@@ -103,26 +102,19 @@ void print_events(const ReplayComparison& comparison, bool all, std::ostream& ou
 int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   Recording recording(options.file);
-  auto playback = std::make_unique<Playback>(recording, options.from);
-  Playback& itself = *playback;
-  RobotInstance robot{std::move(playback), {}, RobotInstance::Clock::simulated, nullptr, &itself};
-  ReplayComparison comparison(itself);
+  Replay again(recording, options.from, options.to);
+  ReplayComparison comparison(again.playback());
   DigestObserver digest;
-  std::uint64_t stretches = 0;
-  const auto begin = std::chrono::steady_clock::now();
   double last_time = 0.0;
-  bool is_over = false;
-  while (!is_over && itself.next_stretch()) {
-    FrameLoop engine(itself.state());
+  const auto begin = std::chrono::steady_clock::now();
+  while (const FrameLoop* const engine = again.next_stretch()) {
     std::vector<ScriptEdit> edits;
-    if (!options.scripts.empty()) edits = edits_between(engine.scripts(), read_scripts(options.scripts));
+    if (!options.scripts.empty()) edits = edits_between(engine->scripts(), read_scripts(options.scripts));
     WhatIf what_if(std::move(edits), overrides_of(options.parameters));
-    RunParts parts{robot, engine, nullptr, nullptr, {&itself, &what_if}, {&digest, &comparison}, {}, 0.0, false};
-    if (options.asks_what_if()) parts.observers.push_back(&what_if);
-    parts.stop = [&] { return Interruption::signal() != 0 || engine.record().world.time >= options.to; };
-    is_over = RunLoop(std::move(parts)).run() == RunEnd::stopped;
-    ++stretches;
-    last_time = engine.record().world.time;
+    std::vector<Observer*> observers{&digest, &comparison};
+    if (options.asks_what_if()) observers.push_back(&what_if);
+    again.run({&what_if}, observers, [] { return Interruption::signal() != 0; });
+    last_time = engine->record().world.time;
     if (options.asks_what_if()) break;  // another stretch would begin with what was, not with what would have been
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -134,9 +126,9 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
                              ": no frame of it can be made again from there on; see 'reorient recording info'");
 
   out << fmt::format("{} frames, up to {:.2f} s, replayed in {:.2f} s\n", comparison.frames(), last_time, took.count());
-  if (stretches > 1)
-    out << fmt::format("in {} stretches; {} frames between them cannot be made again\n", stretches,
-                       itself.passed_over());
+  if (again.stretches() > 1)
+    out << fmt::format("in {} stretches; {} frames between them cannot be made again\n", again.stretches(),
+                       again.playback().passed_over());
   out << "digest: " << digest.hex() << '\n';
   if (comparison.different() == 0) {
     out << "all frames are the same as recorded\n";

@@ -26,6 +26,26 @@ int images_every(const std::string& option) {
   throw std::runtime_error("--record-images " + option + ": it is lossless, every:N (each Nth frame) or none");
 }
 
+namespace {
+
+/// "500MB", "2GB", "90s", "10min".
+void read_rotation(const std::string& option, RecorderOptions& recorder) {
+  const char* const end = option.data() + option.size();
+  double number = 0.0;
+  const auto [stop, error] = std::from_chars(option.data(), end, number);
+  const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
+  const bool is_sound = error == std::errc() && number >= 1.0 && number <= 1e6;
+  if (is_sound && (unit == "MB" || unit == "GB")) {
+    recorder.rotate_bytes = static_cast<std::uint64_t>(number * (unit == "MB" ? 1e6 : 1e9));
+  } else if (is_sound && (unit == "s" || unit == "min")) {
+    recorder.rotate_seconds = number * (unit == "s" ? 1.0 : 60.0);
+  } else {
+    throw std::runtime_error("--record-rotate " + option + ": it is a size or a time, as in 500MB, 2GB, 90s or 10min");
+  }
+}
+
+}  // namespace
+
 RunRecording::RunRecording(const RunOptions& options, const std::string& venue,
                            std::function<void(const std::string&)> tell, int part)
     : file_(options.record) {
@@ -36,6 +56,7 @@ RunRecording::RunRecording(const RunOptions& options, const std::string& venue,
   RecorderOptions recorder;
   recorder.file = file_;
   recorder.images_every = every;
+  if (!options.record_rotate.empty()) read_rotation(options.record_rotate, recorder);
   recorder.about = {{"version", REORIENT_VERSION},
                     {"robot", options.robot},
                     {"venue", venue},
@@ -50,7 +71,8 @@ void RunRecording::end(std::ostream& out) {
   if (!recorder_) return;
   recorder_->end();
   const Recorder::Counts counts = recorder_->counts();
-  out << fmt::format("recording: {}, {} frames, {:.1f} MB\n", file_.string(), counts.frames,
+  out << fmt::format("recording: {}{}, {} frames, {:.1f} MB\n", file_.string(),
+                     counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "", counts.frames,
                      1e-6 * static_cast<double>(counts.bytes));
   if (counts.images_left_out > 0) {
     out << fmt::format("  {} frames lack images, since the disk was slow; from {:.1f} s on not all can be replayed\n",

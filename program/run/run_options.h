@@ -52,6 +52,7 @@ struct RunOptions : SimulationOptions {
   bool walk = false;   ///< somebody else's program walks, beside the guard
   bool realtime = false;
   std::filesystem::path record;            ///< the recording; empty: none
+  std::string record_rotate;               ///< "100MB", "10min"; empty: one file
   std::string record_images = "lossless";  ///< program/recording/run_recording.h
   std::filesystem::path out = "out";
   bool pictures = true;

@@ -29,8 +29,10 @@ TEST_P(MainJob, EndsRightThroughLolaAndV4l2) {
   RobotInstance robot{std::move(nao), body, RobotInstance::Clock::real, &world.simulator(), &world.simulator()};
   Flips flips;
   const TemporaryFolder folder;
-  Recorder recorder({folder.path() / "run.mcap", 1, 60.0, std::size_t{512} << 20, {}},
-                    [](const std::string& trouble) { ADD_FAILURE() << trouble; });
+  RecorderOptions recording;
+  recording.file = folder.path() / "run.mcap";
+  recording.most_waiting = std::size_t{512} << 20;  // ten times real time, on whatever disk
+  Recorder recorder(recording, [](const std::string& trouble) { ADD_FAILURE() << trouble; });
   const std::optional<ScenarioVerdict> verdict = play(robot, GetParam(), flips, &recorder);
   ASSERT_TRUE(verdict);
   EXPECT_TRUE(verdict->succeeded) << verdict->text;

@@ -93,6 +93,27 @@ TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
   EXPECT_NE(without.err.find("behaviors/wall_gaze.lua: there is no such script"), std::string::npos) << without.err;
 }
 
+TEST_F(RunThatIsRecorded, BecomesTablesAndPicturesOfAnyMoment) {
+  run_shortly({"--record", file("run.mcap")});
+  const ProgramRun world = run_reorient({"recording", "export", file("run.mcap"), "--csv", "world"});
+  EXPECT_EQ(world.code, 0) << world.err;
+  EXPECT_EQ(std::count(world.out.begin(), world.out.end(), '\n'), 92);
+  EXPECT_TRUE(world.out.starts_with("frame,clock.")) << world.out.substr(0, 100);
+  EXPECT_NE(world.out.find(",upright,"), std::string::npos);
+  const ProgramRun events =
+      run_reorient({"recording", "export", file("run.mcap"), "--csv", "events", "--out", file("events.csv")});
+  EXPECT_EQ(events.code, 0) << events.err;
+  EXPECT_TRUE(read_text(file("events.csv")).starts_with("time,machine,state,command,verdict,reason\n"));
+  EXPECT_NE(read_text(file("events.csv")).find(",orientation,"), std::string::npos);
+
+  const ProgramRun pictures =
+      run_reorient({"recording", "pictures", file("run.mcap"), "--at", "1.5", "--out", file("pictures")});
+  EXPECT_EQ(pictures.code, 0) << pictures.err;
+  EXPECT_NE(pictures.out.find("pictures of 1.50 s"), std::string::npos) << pictures.out;
+  for (const char* const name : {"world_view.png", "camera_view.png", "confidences.png", "reorientations.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "pictures" / name)) << name;
+}
+
 TEST_F(RunThatIsRecorded, LosesAtMostTheLastSecondWhereItIsKilled) {
   const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
   const int times = wanted == nullptr ? 3 : std::atoi(wanted);
@@ -140,6 +161,11 @@ TEST_F(RunThatIsRecorded, IsRefusedWithOneLineWhatMakesNoSense) {
        "no frame between these times"},
       {{"recording", "cut", file("run.mcap")}, "--out is required"},
       {{"recording", "recover", file("run.mcap"), "--out", file("run.mcap")}, "it is the recording itself"},
+      {{"run", "--record", file("x.mcap"), "--record-rotate", "often"}, "it is a size or a time"},
+      {{"run", "--record", file("x.mcap"), "--record-rotate", "-5min"}, "it is a size or a time"},
+      {{"recording", "export", file("run.mcap"), "--csv", "everything"}, "--csv"},
+      {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", "/nowhere/x.csv"}, "--out"},
+      {{"recording", "pictures", file("run.mcap")}, "--at is required"},
       {{"recording", "look"}, "A subcommand is required"},
   };
   for (const auto& [words, why] : mistakes) {

@@ -1,42 +1,26 @@
 #include "workbench/recording/comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
 #include "engine/record/record_bytes.h"
-#include "engine/script/language/world_fields.h"
+#include "workbench/recording/value_text.h"
 #include "workbench/run/timeline.h"
 
 namespace reorient {
 namespace {
 
-/// As short as it can be without being another number.
-std::string text_of(double number) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
-  return {text.data(), end};
-}
-
-std::string text_of(const WorldField& field, double value) {
-  if (field.type == WorldField::Type::boolean) return value != 0.0 ? "true" : "false";
-  const auto index = static_cast<std::size_t>(value);
-  if (field.type == WorldField::Type::name && index < field.names.size()) return std::string(field.names[index]);
-  return text_of(value);
-}
-
 bool are_same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 std::string text_of(const WalkVelocity& walk) {
-  return text_of(walk.forward) + ", " + text_of(walk.left) + ", " + text_of(walk.turn);
+  return number_text(walk.forward) + ", " + number_text(walk.left) + ", " + number_text(walk.turn);
 }
 
 std::string text_of(const std::optional<HeadRequest>& head) {
   if (!head) return "nothing";
-  return text_of(head->angles.yaw) + ", " + text_of(head->angles.pitch) + " at " + text_of(head->speed);
+  return number_text(head->angles.yaw) + ", " + number_text(head->angles.pitch) + " at " + number_text(head->speed);
 }
 
 std::string text_of(const TimelineEvent& event) {
@@ -86,7 +70,7 @@ Values values_before_world(const FrameRecord& frame) {
     values.emplace_back(name + "obstacles", std::to_string(percept.obstacles.size()));
     for (const LinePoint& point : percept.line_points) {
       values.emplace_back(name + "a line point's place (m)",
-                          text_of(point.position.x()) + ", " + text_of(point.position.y()));
+                          number_text(point.position.x()) + ", " + number_text(point.position.y()));
     }
   }
   return values;
@@ -133,7 +117,7 @@ std::optional<Difference> first_in_world(const World& recorded, const World& rep
   for (std::size_t i = 0; i < then.size(); ++i) {
     const WorldField& field = world_fields()[i];
     if (!are_same(then[i], now[i]))
-      return Difference{0, 0.0, field.full_name(), text_of(field, then[i]), text_of(field, now[i])};
+      return Difference{0, 0.0, field.full_name(), value_text(field, then[i]), value_text(field, now[i])};
   }
   return std::nullopt;
 }

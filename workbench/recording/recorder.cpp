@@ -7,8 +7,10 @@
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "engine/record/input_bytes.h"
@@ -35,6 +37,7 @@ struct Recorder::Item {
   };
 
   FrameEntry entry;
+  bool begins_file = false;
   std::vector<std::byte> state;  // of the engine before it; empty: none
   std::array<Pixels, 2> images;  // where image_is_exact
 
@@ -44,9 +47,16 @@ struct Recorder::Item {
 };
 
 struct Recorder::Shared {
-  explicit Shared(const RecorderOptions& options) : file(options.file, options.about) {}
+  explicit Shared(const RecorderOptions& options)
+      : first_file(options.file),
+        about(options.about),
+        file(std::make_unique<RecordingFile>(options.file, options.about)) {}
 
-  RecordingFile file;  // the thread's
+  // The thread's.
+  const std::filesystem::path first_file;
+  const mcap::Texts about;
+  std::unique_ptr<RecordingFile> file;
+  std::uint64_t earlier_bytes = 0;  // of the files before
 
   std::mutex mutex;  // of all below
   std::condition_variable wake, over;
@@ -54,8 +64,9 @@ struct Recorder::Shared {
   std::vector<std::unique_ptr<Item>> free;
   std::size_t waiting = 0;  // bytes in the queue
   bool ends = false;
-  bool is_over = false;  // the thread has ended
-  std::string trouble;   // why nothing is recorded any more
+  bool is_over = false;          // the thread has ended
+  std::uint64_t file_bytes = 0;  // of the file numbered counts.files, so far
+  std::string trouble;           // why nothing is recorded any more
   Counts counts;
 };
 
@@ -82,9 +93,11 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
   Item& item = *item_;
   const double now = engine.record().world.time;
   std::size_t waiting = 0;
+  std::uint64_t file_bytes = 0;
   {
     const std::lock_guard lock(shared_->mutex);
     waiting = shared_->waiting;
+    if (shared_->counts.files == files_begun_) file_bytes = shared_->file_bytes;
   }
   // A slow disk gets no images before it gets nothing at all.
   const bool is_slow = waiting > options_.most_waiting / 2;
@@ -108,7 +121,11 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
   write_inputs_without_pixels(inputs, item.entry.inputs);
   item.state.clear();
   const bool begins_again = is_broken_ && options_.images_every == 1 && waiting < options_.most_waiting / 4;
-  if (!any_frame_ || now >= next_state_ || begins_again) {
+  item.begins_file = any_frame_ && ((options_.rotate_bytes > 0 && file_bytes >= options_.rotate_bytes) ||
+                                    (options_.rotate_seconds > 0.0 && now - file_began_ >= options_.rotate_seconds));
+  if (!any_frame_ || item.begins_file) file_began_ = now;
+  files_begun_ += item.begins_file ? 1 : 0;
+  if (!any_frame_ || item.begins_file || now >= next_state_ || begins_again) {
     engine.save(item.state);
     next_state_ = now + options_.state_every;
     is_broken_ = false;
@@ -190,9 +207,19 @@ Recorder::Counts Recorder::counts() const {
 
 /// The thread. What was queued is written, whatever happens to the frames.
 void Recorder::write_items(Shared& shared) {
-  RecordingFile& file = shared.file;
   std::vector<std::byte> bytes;
+  int files = 1;
   const auto write = [&](const Item& item) {
+    if (item.begins_file) {
+      std::filesystem::path name = shared.first_file;
+      name.replace_extension("." + std::to_string(files + 1) + shared.first_file.extension().string());
+      auto next = std::make_unique<RecordingFile>(name, shared.about);
+      shared.file->finish();
+      shared.earlier_bytes += shared.file->size();
+      shared.file = std::move(next);
+      ++files;
+    }
+    RecordingFile& file = *shared.file;
     const std::uint64_t time = nanoseconds(item.entry.time);
     if (!item.state.empty()) file.add(file.states(), time, item.state);
     for (std::size_t camera = 0; camera < item.images.size(); ++camera) {
@@ -222,12 +249,14 @@ void Recorder::write_items(Shared& shared) {
     std::string trouble;
     try {
       if (item) write(*item);
-      file.keep_up();
+      shared.file->keep_up();
     } catch (const std::exception& error) {
       trouble = error.what();
     }
     lock.lock();
-    shared.counts.bytes = file.size();
+    shared.file_bytes = shared.file->size();
+    shared.counts.bytes = shared.earlier_bytes + shared.file_bytes;
+    shared.counts.files = files;
     if (item) {
       shared.waiting -= item->bytes();
       shared.free.push_back(std::move(item));
@@ -240,12 +269,12 @@ void Recorder::write_items(Shared& shared) {
   lock.unlock();
   std::string trouble;
   try {
-    file.finish();
+    shared.file->finish();
   } catch (const std::exception& error) {  // what is there can be read all the same
     trouble = error.what();
   }
   lock.lock();
-  shared.counts.bytes = file.size();
+  shared.counts.bytes = shared.earlier_bytes + shared.file->size();
   if (!trouble.empty() && shared.trouble.empty()) shared.trouble = "the recording lacks its end: " + trouble;
   shared.is_over = true;
   shared.over.notify_one();

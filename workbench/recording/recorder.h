@@ -21,7 +21,10 @@ struct RecorderOptions {
   std::filesystem::path file;
   /// Every how many frames the cameras' images are recorded: 1: all, so that frames can be made again; 0: none.
   int images_every = 1;
-  double state_every = 60.0;                         ///< s between two states of the engine
+  double state_every = 60.0;  ///< s between two states of the engine
+  /// A new file begins after so many bytes or s of the robot: run.mcap, run.2.mcap, run.3.mcap. 0: never.
+  std::uint64_t rotate_bytes = 0;
+  double rotate_seconds = 0.0;
   std::size_t most_waiting = std::size_t{96} << 20;  ///< bytes in the queue; beyond them the recording ends
   mcap::Texts about;                                 ///< the run, for people: scenario, seed, version
 };
@@ -31,8 +34,9 @@ class Recorder : public Observer {
   struct Counts {
     std::uint64_t frames = 0;
     std::uint64_t images_left_out = 0;  ///< as the disk was slow
-    std::uint64_t bytes = 0;            ///< of the file, so far
-    double exact_until = -1.0;          ///< s of the robot; frames from there on cannot be made again; -1: all can
+    std::uint64_t bytes = 0;            ///< of all files, so far
+    int files = 1;
+    double exact_until = -1.0;  ///< s of the robot; frames from there on cannot be made again; -1: all can
   };
 
   /// Makes the file. `tell`: one line to the person who records, on the thread of the frames. Throws std::runtime_error
@@ -63,7 +67,8 @@ class Recorder : public Observer {
 
   std::unique_ptr<Item> item_;  // that is being filled
   std::vector<std::byte> memory_;
-  double next_state_ = 0.0;  // s of the robot
+  double next_state_ = 0.0, file_began_ = 0.0;  // s of the robot
+  int files_begun_ = 1;
   bool any_frame_ = false;
   bool is_broken_ = false;  // an image is missing since the last state
   bool told_ = false, told_slow_ = false;

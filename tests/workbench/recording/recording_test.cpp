@@ -128,6 +128,26 @@ TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
   EXPECT_LT(again.frames, static_cast<std::uint64_t>(kFrames));
 }
 
+TEST_F(RecordedRun, ThatIsRotatedIsManyRecordingsOfWhichEachIsMadeAgain) {
+  RecorderOptions rotated = options();
+  rotated.rotate_seconds = 6.0;
+  record(rotated);
+  EXPECT_EQ(counts_.files, 4);
+  std::uint64_t frames = 0;
+  for (const char* const name : {"run.mcap", "run.2.mcap", "run.3.mcap", "run.4.mcap"}) {
+    const Replayed again = replay(folder_.path() / name);
+    EXPECT_EQ(again.different, 0u) << name;
+    EXPECT_EQ(again.stretches, 1u) << name;
+    EXPECT_TRUE(again.damages.empty()) << name;
+    frames += again.frames;
+  }
+  EXPECT_EQ(frames, static_cast<std::uint64_t>(kFrames));
+  rotated.rotate_seconds = 0.0;
+  rotated.rotate_bytes = 1;  // each time that anything has reached the disk
+  record(rotated);
+  EXPECT_GT(counts_.files, 1);
+}
+
 TEST_F(RecordedRun, WithoutImagesCannotBeMadeAgainButRead) {
   RecorderOptions without = options();
   without.images_every = 0;

@@ -3,17 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "workbench/recording/comparison.h"
-#include "workbench/recording/playback.h"
 #include "workbench/recording/recording.h"
+#include "workbench/recording/replay.h"
 #include "workbench/run/digest_observer.h"
-#include "workbench/run/run_loop.h"
 
 namespace reorient {
 
@@ -28,22 +25,19 @@ struct Replayed {
 /// From `from` (s of the robot) on; `what_if`: adds to what was recorded.
 inline Replayed replay(const std::filesystem::path& file, double from = 0.0, InputSource* what_if = nullptr) {
   Recording recording(file);
-  auto playback = std::make_unique<Playback>(recording, from);
-  Playback& itself = *playback;
-  RobotInstance robot{std::move(playback), {}, RobotInstance::Clock::simulated, nullptr, &itself};
-  ReplayComparison comparison(itself);
+  Replay again(recording, from);
+  ReplayComparison comparison(again.playback());
   DigestObserver digest;
-  Replayed replayed;
-  while (itself.next_stretch()) {
-    ++replayed.stretches;
-    FrameLoop engine(itself.state());
-    RunParts parts{robot, engine, nullptr, nullptr, {&itself}, {&digest, &comparison}, {}, 0.0, false};
-    if (what_if != nullptr) parts.sources.push_back(what_if);
-    RunLoop(std::move(parts)).run();
+  while (again.next_stretch() != nullptr) {
+    std::vector<InputSource*> sources;
+    if (what_if != nullptr) sources.push_back(what_if);
+    again.run(sources, {&digest, &comparison});
   }
+  Replayed replayed;
+  replayed.stretches = again.stretches();
   replayed.frames = comparison.frames();
   replayed.different = comparison.different();
-  replayed.passed_over = itself.passed_over();
+  replayed.passed_over = again.playback().passed_over();
   replayed.digest = digest.hex();
   replayed.first = comparison.first();
   replayed.first_action = comparison.first_action();

@@ -9,11 +9,11 @@ namespace reorient {
 
 void RunPictures::observe(const FrameRecord& frame, const StageRecord& stage) {
   history_.observe(frame, stage);
-  if (!moment_ && frame.reorientation) keep(frame, stage);
+  if (!moment_ && frame.reorientation && pictured_ == PicturedMoment::first_reorientation) keep(frame, stage);
 }
 
 void RunPictures::finish(const FrameRecord& last, const StageRecord& stage) {
-  if (!moment_) keep(last, stage);
+  if (!moment_ || pictured_ == PicturedMoment::last_frame) keep(last, stage);
 }
 
 void RunPictures::keep(const FrameRecord& frame, const StageRecord& stage) {

@@ -11,14 +11,21 @@
 
 namespace reorient {
 
+/// Of which moment world and camera are drawn.
+enum class PicturedMoment {
+  first_reorientation,  ///< that a run is about, or else the last frame
+  last_frame
+};
+
 class RunPictures : public Observer {
  public:
+  explicit RunPictures(PicturedMoment pictured = PicturedMoment::first_reorientation) : pictured_(pictured) {}
+
   Topics wanted() const override { return {Topic::images, Topic::pose_particles, Topic::room}; }
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
   void finish(const FrameRecord& last, const StageRecord& stage) override;
 
-  /// Writes world_view, camera_view, confidences and reorientations (.png) into `folder`. World and camera are those of
-  /// the first reorientation, the moment that a run is about, or else of the last frame. Each picture is tried;
+  /// Writes world_view, camera_view, confidences and reorientations (.png) into `folder`. Each picture is tried;
   /// returned is one line for each that could not be written.
   std::vector<std::string> write(const std::filesystem::path& folder) const;
 
@@ -29,6 +36,7 @@ class RunPictures : public Observer {
   };
   void keep(const FrameRecord& frame, const StageRecord& stage);
 
+  PicturedMoment pictured_;
   RunHistory history_;
   std::optional<Moment> moment_;
 };

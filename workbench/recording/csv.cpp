@@ -1,0 +1,74 @@
+#include "workbench/recording/csv.h"
+
+#include <ostream>
+#include <stdexcept>
+
+#include "engine/record/record_bytes.h"
+#include "workbench/recording/value_text.h"
+#include "workbench/run/timeline.h"
+
+namespace reorient {
+namespace {
+
+/// In quotes where it has to be (RFC 4180).
+std::string csv_cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string all = "\"";
+  for (const char letter : text) all += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return all + "\"";
+}
+
+void write_world(Recording& recording, std::ostream& out) {
+  out << "frame";
+  for (const WorldField& field : world_fields()) out << ',' << field.full_name();
+  out << ",truth.x,truth.y,truth.rotation\n";
+  RecordedFrame frame;
+  std::vector<double> values;
+  while (recording.next(frame)) {
+    const FrameRecord record = read_record(frame.entry.record);
+    values.clear();
+    append_world(record.world, values);
+    out << record.world.frame;
+    for (std::size_t i = 0; i < values.size(); ++i) out << ',' << value_text(world_fields()[i], values[i]);
+    if (const std::optional<GroundTruth>& truth = frame.entry.stage.truth) {
+      out << ',' << number_text(truth->pose.position.x()) << ',' << number_text(truth->pose.position.y()) << ','
+          << number_text(truth->pose.rotation) << '\n';
+    } else {
+      out << ",,,\n";
+    }
+  }
+}
+
+void write_events(Recording& recording, std::ostream& out) {
+  out << "time,machine,state,command,verdict,reason\n";
+  RecordedFrame frame;
+  while (recording.next(frame)) {
+    for (const TimelineEvent& event : timeline_events(read_record(frame.entry.record), frame.entry.stage)) {
+      out << number_text(event.time) << ',' << csv_cell(event.machine) << ',' << csv_cell(event.state) << ','
+          << csv_cell(event.command) << ',' << csv_cell(event.verdict) << ',' << csv_cell(event.reason) << '\n';
+    }
+  }
+}
+
+struct CsvTopic {
+  std::string_view name;
+  void (*write)(Recording&, std::ostream&);
+};
+constexpr CsvTopic kCsvTopics[] = {{"world", write_world}, {"events", write_events}};
+
+}  // namespace
+
+std::vector<std::string> csv_topics() {
+  std::vector<std::string> names;
+  for (const CsvTopic& topic : kCsvTopics) names.emplace_back(topic.name);
+  return names;
+}
+
+void write_csv(Recording& recording, std::string_view topic, std::ostream& out) {
+  for (const CsvTopic& known : kCsvTopics) {
+    if (known.name == topic) return known.write(recording, out);
+  }
+  throw std::runtime_error("there is no table '" + std::string(topic) + "'; name world or events");
+}
+
+}  // namespace reorient

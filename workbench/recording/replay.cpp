@@ -1,0 +1,28 @@
+#include "workbench/recording/replay.h"
+
+#include <utility>
+
+namespace reorient {
+
+Replay::Replay(Recording& recording, double from, double to) : playback_(nullptr), to_(to) {
+  auto playback = std::make_unique<Playback>(recording, from);
+  playback_ = playback.get();
+  robot_ = {std::move(playback), {}, RobotInstance::Clock::simulated, nullptr, playback_};
+}
+
+FrameLoop* Replay::next_stretch() {
+  if (is_over_ || !playback_->next_stretch()) return nullptr;
+  ++stretches_;
+  engine_ = std::make_unique<FrameLoop>(playback_->state());
+  return engine_.get();
+}
+
+void Replay::run(const std::vector<InputSource*>& sources, std::vector<Observer*> observers,
+                 const std::function<bool()>& stop) {
+  RunParts parts{robot_, *engine_, nullptr, nullptr, {playback_}, std::move(observers), {}, 0.0, false};
+  parts.sources.insert(parts.sources.end(), sources.begin(), sources.end());
+  parts.stop = [&] { return (stop && stop()) || engine_->record().world.time >= to_; };
+  is_over_ = RunLoop(std::move(parts)).run() == RunEnd::stopped;
+}
+
+}  // namespace reorient

@@ -1,0 +1,16 @@
+// Numbers and values of the world in words.
+#pragma once
+
+#include <string>
+
+#include "engine/script/language/world_fields.h"
+
+namespace reorient {
+
+/// As short as it can be without being another number.
+std::string number_text(double number);
+
+/// "true", "upright", "0.25".
+std::string value_text(const WorldField& field, double value);
+
+}  // namespace reorient
