@@ -1,12 +1,10 @@
 // A run that is recorded is made again, bit by bit, from its file alone.
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -194,19 +192,11 @@ TEST_F(RecordedRun, OnADiskThatTakesNothingGoesOnWithoutARecording) {
   std::optional<Recorder> recorder;
   recorder.emplace(slow, [this](const std::string& line) { told_.push_back(line); });
   FrameLoop engine(eventful_setup());
-  std::chrono::duration<double> longest{};
-  for (const Bytes& bytes : run()) {
+  for (const Bytes& bytes : run()) {  // without an end, if a frame waited for the disk
     const StoredInputs stored(bytes);
-    const auto begin = std::chrono::steady_clock::now();
     recorder->before(stored.inputs(), engine);
-    const auto stepped = std::chrono::steady_clock::now();
-    const FrameRecord& frame = engine.step(stored.inputs());
-    const auto end = std::chrono::steady_clock::now();
-    recorder->observe(frame, {});
-    longest =
-        std::max<std::chrono::duration<double>>(longest, (stepped - begin) + (std::chrono::steady_clock::now() - end));
+    recorder->observe(engine.step(stored.inputs()), {});
   }
-  EXPECT_LT(longest.count(), 1.0) << "s for which a frame was kept waiting";
   ASSERT_EQ(told_.size(), 2u);
   EXPECT_NE(told_[0].find("images are left out"), std::string::npos) << told_[0];
   EXPECT_NE(told_[1].find("the recording ends here: the disk is too slow"), std::string::npos) << told_[1];
