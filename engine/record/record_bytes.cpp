@@ -47,12 +47,16 @@ void write_topic(const FrameRecord& record, Topic topic, std::vector<std::byte>&
   visit_topic(writer, topic, const_cast<FrameRecord&>(record));  // a writer only looks
 }
 
-void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted) {
+void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted,
+                  std::vector<std::size_t>* places) {
   ByteWriter writer(bytes);
   const Topics written = record.filled & wanted;
   writer(kRecordMagic, written, *record.names);
+  if (places != nullptr) places->assign(1, bytes.size());
   for (const TopicInfo& row : kTopics) {
-    if (written.has(row.topic)) write_topic(record, row.topic, bytes);
+    if (!written.has(row.topic)) continue;
+    write_topic(record, row.topic, bytes);
+    if (places != nullptr) places->push_back(bytes.size());
   }
 }
 

@@ -10,8 +10,10 @@
 
 namespace reorient {
 
-/// Appends the record: of the topics that are filled those that are wanted, with the names that they use.
-void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted = Topics::all());
+/// Appends the record: of the topics that are filled those that are wanted, with the names that they use. `places`:
+/// where in `bytes` the first of them begins, and each ends.
+void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted = Topics::all(),
+                  std::vector<std::size_t>* places = nullptr);
 
 /// A record with memory of its own. Throws BadBytes where the bytes are none, or of another version.
 FrameRecord read_record(std::span<const std::byte> bytes);

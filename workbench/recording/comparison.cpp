@@ -161,7 +161,9 @@ std::optional<Difference> first_difference_in_action(const FrameRecord& recorded
 void ReplayComparison::observe(const FrameRecord& frame, const StageRecord& /*stage*/) {
   ++frames_;
   const FrameEntry& entry = playback_.frame().entry;
-  digest_topics(frame, digests_, memory_);
+  bytes_.clear();
+  write_record(frame, bytes_, digested_topics(), &places_);
+  digest_topics(bytes_, places_, digests_);
   const bool is_same = digests_ == entry.digests;
   if (is_same && frame.transitions.empty() && frame.begun.empty() && frame.commands.empty()) return;
   const FrameRecord recorded = read_record(entry.record);

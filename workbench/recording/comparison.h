@@ -57,7 +57,8 @@ class ReplayComparison : public Observer {
   std::optional<Difference> first_, first_action_;
   std::vector<Event> events_;
   TopicDigests digests_;
-  std::vector<std::byte> memory_;
+  std::vector<std::byte> bytes_;
+  std::vector<std::size_t> places_;
 };
 
 }  // namespace reorient

@@ -23,14 +23,11 @@ void archive_message(Archive& archive, FrameEntry& message) {
 
 }  // namespace
 
-void digest_topics(const FrameRecord& record, TopicDigests& digests, std::vector<std::byte>& memory) {
+void digest_topics(std::span<const std::byte> bytes, std::span<const std::size_t> places, TopicDigests& digests) {
   digests.clear();
-  for (const TopicInfo& row : kTopics) {
-    if (!digested_topics().has(row.topic)) continue;
-    memory.clear();
-    write_topic(record, row.topic, memory);
+  for (std::size_t i = 1; i < places.size(); ++i) {
     Digest digest;
-    digest.add(memory);
+    digest.add(bytes.subspan(places[i - 1], places[i] - places[i - 1]));
     digests.push_back(digest.value());
   }
 }

@@ -29,8 +29,8 @@ constexpr Topics digested_topics() {
   }
   return topics;
 }
-/// `memory`: for reuse.
-void digest_topics(const FrameRecord& record, TopicDigests& digests, std::vector<std::byte>& memory);
+/// Of a record as write_record() has written them into `bytes`, with their places.
+void digest_topics(std::span<const std::byte> bytes, std::span<const std::size_t> places, TopicDigests& digests);
 
 struct FrameEntry {
   std::uint64_t frame = 0;               ///< World::frame after it

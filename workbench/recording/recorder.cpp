@@ -36,7 +36,8 @@ struct Recorder::Item {
     int width = 0, height = 0;
   };
 
-  FrameEntry entry;
+  FrameEntry entry;                 // but for its digests, which the thread adds
+  std::vector<std::size_t> places;  // of the topics in entry.record
   bool begins_file = false;
   std::vector<std::byte> state;  // of the engine before it; empty: none
   std::array<Pixels, 2> images;  // where image_is_exact
@@ -145,9 +146,8 @@ void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
   entry.frame = frame.world.frame;
   entry.time = frame.world.time;
   entry.sides_changed = frame.world.sides_changed;
-  digest_topics(frame, entry.digests, memory_);
   entry.record.clear();
-  write_record(frame, entry.record, digested_topics());
+  write_record(frame, entry.record, digested_topics(), &item_->places);
   entry.stage = stage;
   const std::size_t bytes = item_->bytes();
   bool is_slow = false;
@@ -209,7 +209,7 @@ Recorder::Counts Recorder::counts() const {
 void Recorder::write_items(Shared& shared) {
   std::vector<std::byte> bytes;
   int files = 1;
-  const auto write = [&](const Item& item) {
+  const auto write = [&](Item& item) {
     if (item.begins_file) {
       std::filesystem::path name = shared.first_file;
       name.replace_extension("." + std::to_string(files + 1) + shared.first_file.extension().string());
@@ -229,6 +229,7 @@ void Recorder::write_items(Shared& shared) {
       pack_image({pixels.yuyv.data(), pixels.width, pixels.height, 2 * pixels.width}, bytes);
       file.add(file.images(camera), time, bytes);
     }
+    digest_topics(item.entry.record, item.places, item.entry.digests);
     bytes.clear();
     write_frame_entry(item.entry, bytes);
     file.add(file.frames(), time, bytes);

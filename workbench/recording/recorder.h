@@ -65,8 +65,7 @@ class Recorder : public Observer {
   const std::function<void(const std::string&)> tell_;
   std::shared_ptr<Shared> shared_;
 
-  std::unique_ptr<Item> item_;  // that is being filled
-  std::vector<std::byte> memory_;
+  std::unique_ptr<Item> item_;                  // that is being filled
   double next_state_ = 0.0, file_began_ = 0.0;  // s of the robot
   int files_begun_ = 1;
   bool any_frame_ = false;

@@ -1,0 +1,94 @@
+// A short run on the simulator, recorded and played to and fro, so that frames can be timed without rendering any.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "engine/frame.h"
+#include "robots/simulator/simulator.h"
+#include "workbench/files/field_file.h"
+#include "workbench/files/script_files.h"
+#include "workbench/scenario/scenario_host.h"
+
+namespace reorient {
+
+inline const std::filesystem::path kProject = REORIENT_SOURCE_DIR;
+inline const Pose2 kStart(-3.2, -3.5, 0.5 * kPi);  // where the scenario says that the robot stands
+
+inline FrameSetup shipped(const FieldDimensions& field) {
+  FrameSetup setup;
+  setup.field = field;
+  setup.scripts = read_scripts(kProject / "scripts");
+  RecordedBehaviors none;
+  setup.behaviors = ScenarioHost(setup.scripts, "turned_round", {}, none).wanted_behaviors();
+  return setup;
+}
+
+/// A short recording, replayed to and fro so that head and odometry never jump.
+class Replay {
+ public:
+  /// Records every second frame of `seconds` on the simulator.
+  Replay(int width, const FieldDimensions& field, double seconds) {
+    SimulatorParameters parameters;
+    parameters.width = width;
+    Simulator simulator(parameters, RobotBody(), field, procedural_hall(1, RoomShape{}), kStart, 1);
+    FrameLoop engine(shipped(field));
+    FrameInputs inputs;
+    inputs.told.initial_pose = InitialPose{kStart};
+    for (bool kept = true; engine.record().world.time < seconds; kept = !kept) {
+      simulator.observe(inputs.observation);
+      simulator.answer(engine.step(inputs).answer);
+      inputs.told = {};
+      if (kept) keep(inputs.observation);
+    }
+  }
+
+  void observe(Observation& observation) {
+    const std::size_t place = frame_ % (2 * observations_.size() - 2);
+    const std::size_t index = place < observations_.size() ? place : 2 * observations_.size() - 2 - place;
+    observation = observations_[index];
+    observation.upper->image.data = images_[index].data();
+    observation.time = observation.upper->time = static_cast<double>(frame_++) / 15.0;
+  }
+
+ private:
+  void keep(const Observation& observation) {
+    observations_.push_back(observation);
+    observations_.back().lower.reset();
+    observations_.back().body_samples = {};
+    const ImageView& image = observation.upper->image;
+    images_.emplace_back(image.data, image.data + static_cast<std::ptrdiff_t>(image.height) * image.stride);
+  }
+
+  std::vector<Observation> observations_;
+  std::vector<std::vector<std::uint8_t>> images_;
+  std::size_t frame_ = 0;
+};
+
+/// With the room learned: its view is trained and evaluated in every frame.
+struct Session {
+  explicit Session(int width)
+      : field(load_field(kProject / "assets" / "fields" / "spl.toml")),
+        replay(width, field, 4.0),
+        engine(shipped(field)) {
+    constexpr double kLearned = 40.0;  // s, beyond which background_training evaluates whatever it has seen
+    inputs.told.initial_pose = InitialPose{kStart};
+    while (engine.record().world.time < kLearned) step();
+  }
+
+  const FrameRecord& step() {
+    replay.observe(inputs.observation);
+    const FrameRecord& record = engine.step(inputs);
+    inputs.told = {};
+    return record;
+  }
+
+  FieldDimensions field;
+  Replay replay;
+  FrameLoop engine;
+  FrameInputs inputs;
+};
+
+}  // namespace reorient
