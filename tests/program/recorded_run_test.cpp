@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "geometry/random.h"
 #include "tests/program/child_program.h"
@@ -144,6 +145,24 @@ TEST_F(RunThatIsRecorded, LosesAtMostTheLastSecondWhereItIsKilled) {
     EXPECT_EQ(whole.err, "");
     EXPECT_NE(whole.out.find(std::to_string(frames) + " frames"), std::string::npos) << whole.out;
   }
+}
+
+TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereTheDiskIsFullAndGoesOn) {
+  // No file may become larger than 2 MB; a run of 10 s would take 8.
+  ChildProgram run(folder_.path(),
+                   {"run", "--seconds", "10", "--width", "160", "--no-pictures", "--record", file("run.mcap")}, [] {
+                     const rlimit most{2'000'000, 2'000'000};
+                     setrlimit(RLIMIT_FSIZE, &most);
+                     std::signal(SIGXFSZ, SIG_IGN);
+                   });
+  EXPECT_EQ(run.wait(), 1) << run.err();  // the job takes longer
+  EXPECT_NE(run.err().find("reorient: the recording ends here: " + file("run.mcap") + ": it cannot be written: "),
+            std::string::npos)
+      << run.err();
+  EXPECT_NE(run.out().find("10.0 s in 301 frames"), std::string::npos) << run.out();
+  const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
+  EXPECT_EQ(replayed.code, 0) << replayed.out;
+  EXPECT_EQ(replayed.err, "") << "it is whole";
 }
 
 TEST_F(RunThatIsRecorded, IsRefusedWithOneLineWhatMakesNoSense) {

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -43,14 +44,21 @@ RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Text
 
 RecordingFile::~RecordingFile() { close(descriptor_); }
 
+/// All of it or nothing: half a record would hide what comes after it.
 void RecordingFile::write(std::span<const std::byte> bytes) {
   is_dirty_ = true;
+  const std::size_t size = bytes.size();
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw failure(file_, errno);
+    if (written < 0) {
+      const int error = errno;
+      if (ftruncate(descriptor_, size_) == 0) lseek(descriptor_, size_, SEEK_SET);  // what else could be done about it?
+      throw failure(file_, error);
+    }
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
+  size_ += static_cast<off_t>(size);
 }
 
 /// So that an empty battery takes no more than the last half second.
@@ -72,9 +80,17 @@ void RecordingFile::keep_up() {
   flush();
 }
 
+/// A full disk has no room for the last chunk, but the more for the summary of all others.
 void RecordingFile::finish() {
+  std::exception_ptr failed;
+  try {
+    writer_->close_chunk();
+  } catch (...) {
+    failed = std::current_exception();
+  }
   writer_->finish();
   flush();
+  if (failed) std::rethrow_exception(failed);
 }
 
 }  // namespace reorient

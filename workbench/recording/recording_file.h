@@ -7,6 +7,8 @@
 #include <optional>
 #include <span>
 
+#include <sys/types.h>
+
 #include "workbench/recording/mcap/writer.h"
 
 namespace reorient {
@@ -37,6 +39,7 @@ class RecordingFile {
 
   std::filesystem::path file_;
   int descriptor_ = -1;
+  off_t size_ = 0;  // bytes of whole records
   std::optional<mcap::Writer> writer_;
   std::uint16_t frames_ = 0, states_ = 0;
   std::array<std::uint16_t, 2> images_{};

@@ -119,11 +119,6 @@ void Writer::add_message(std::uint16_t channel, std::uint64_t time, std::span<co
   ByteWriter writer(chunk_);
   writer(Opcode::message, static_cast<std::uint64_t>(kBeforeData + data.size()), channel, state.sequence++, time, time);
   writer.raw(data.data(), data.size());
-
-  if (statistics_.messages++ == 0) statistics_.first_time = statistics_.last_time = time;
-  statistics_.first_time = std::min(statistics_.first_time, time);
-  statistics_.last_time = std::max(statistics_.last_time, time);
-  ++statistics_.messages_of[channel];
 }
 
 void Writer::close_chunk() {
@@ -143,11 +138,17 @@ void Writer::close_chunk() {
   out.raw(compressed_.data(), compressed);
   const std::uint64_t chunk_length = out_.size();
 
+  Statistics after = statistics_;  // once it is written
+  ++after.chunks;
+  after.first_time = after.messages == 0 ? chunk_start_ : std::min(after.first_time, chunk_start_);
+  after.last_time = std::max(after.last_time, chunk_end_);
   std::vector<std::byte> places;
   ByteWriter place(places);
   std::vector<std::byte> entries, content;
   for (ChannelState& state : channels_) {
     if (state.index.empty()) continue;
+    after.messages += state.index.size();
+    after.messages_of[state.channel.id] += state.index.size();
     place(state.channel.id, offset_ + out_.size());
     entries.clear();
     content.clear();
@@ -159,24 +160,26 @@ void Writer::close_chunk() {
     state.index.clear();
   }
 
-  std::vector<std::byte>& index = chunk_indexes_.emplace_back();
+  std::vector<std::byte> index;
   ByteWriter writer(index);
   writer(chunk_start_, chunk_end_, offset_, chunk_length);
   append_sized(index, places);
   writer(static_cast<std::uint64_t>(out_.size() - chunk_length), kZstd, static_cast<std::uint64_t>(compressed),
          static_cast<std::uint64_t>(chunk_.size()));
-  ++statistics_.chunks;
   chunk_.clear();
   put(out_);
+  statistics_ = std::move(after);
+  chunk_indexes_.push_back(std::move(index));
 }
 
 void Writer::add_metadata(std::string_view name, const Texts& texts) {
   std::vector<std::byte> content;
   ByteWriter{content}(std::string(name));
   append_texts(content, texts);
-  ByteWriter{metadata_indexes_.emplace_back()}(offset_, static_cast<std::uint64_t>(kRecordHead + content.size()),
-                                               std::string(name));
+  const std::uint64_t where = offset_;
   put_record(Opcode::metadata, content);
+  ByteWriter{metadata_indexes_.emplace_back()}(where, static_cast<std::uint64_t>(kRecordHead + content.size()),
+                                               std::string(name));
   ++statistics_.metadata;
 }
 
@@ -187,10 +190,11 @@ void Writer::add_attachment(std::string_view name, std::string_view media_type, 
   writer(time, time, std::string(name), std::string(media_type), static_cast<std::uint64_t>(data.size()));
   writer.raw(data.data(), data.size());
   writer(crc_of(0, content));
-  ByteWriter{attachment_indexes_.emplace_back()}(offset_, static_cast<std::uint64_t>(kRecordHead + content.size()),
-                                                 time, time, static_cast<std::uint64_t>(data.size()), std::string(name),
-                                                 std::string(media_type));
+  const std::uint64_t where = offset_;
   put_record(Opcode::attachment, content);
+  ByteWriter{attachment_indexes_.emplace_back()}(where, static_cast<std::uint64_t>(kRecordHead + content.size()), time,
+                                                 time, static_cast<std::uint64_t>(data.size()), std::string(name),
+                                                 std::string(media_type));
   ++statistics_.attachments;
 }
 

@@ -19,7 +19,8 @@ namespace reorient::mcap {
 
 class Writer {
  public:
-  /// Takes bytes in their order. What it throws reaches whoever called the writer, and the file ends there.
+  /// Takes bytes in their order, all of them or none. What it throws reaches whoever called the writer; what was to be
+  /// written then is left out, and the file may still be finished.
   using Sink = std::function<void(std::span<const std::byte>)>;
 
   /// `library`: the program that writes, for people.
