@@ -11,9 +11,9 @@ namespace reorient {
 namespace {
 
 void frame(benchmark::State& state) {
-  static std::map<int, Session> sessions;
+  static std::map<int, LearnedSession> sessions;
   const int width = static_cast<int>(state.range(0));
-  Session& session = sessions.try_emplace(width, width).first->second;
+  LearnedSession& session = sessions.try_emplace(width, width).first->second;
   double evaluated = 0.0, trained = 0.0, line_points = 0.0, tiles = 0.0;
   for ([[maybe_unused]] auto _ : state) {
     const World& world = session.step().world;

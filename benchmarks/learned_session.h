@@ -27,10 +27,10 @@ inline FrameSetup shipped(const FieldDimensions& field) {
 }
 
 /// A short recording, replayed to and fro so that head and odometry never jump.
-class Replay {
+class ToAndFro {
  public:
   /// Records every second frame of `seconds` on the simulator.
-  Replay(int width, const FieldDimensions& field, double seconds) {
+  ToAndFro(int width, const FieldDimensions& field, double seconds) {
     SimulatorParameters parameters;
     parameters.width = width;
     Simulator simulator(parameters, RobotBody(), field, procedural_hall(1, RoomShape{}), kStart, 1);
@@ -68,10 +68,10 @@ class Replay {
 };
 
 /// With the room learned: its view is trained and evaluated in every frame.
-struct Session {
-  explicit Session(int width)
+struct LearnedSession {
+  explicit LearnedSession(int width)
       : field(load_field(kProject / "assets" / "fields" / "spl.toml")),
-        replay(width, field, 4.0),
+        seen(width, field, 4.0),
         engine(shipped(field)) {
     constexpr double kLearned = 40.0;  // s, beyond which background_training evaluates whatever it has seen
     inputs.told.initial_pose = InitialPose{kStart};
@@ -79,14 +79,14 @@ struct Session {
   }
 
   const FrameRecord& step() {
-    replay.observe(inputs.observation);
+    seen.observe(inputs.observation);
     const FrameRecord& record = engine.step(inputs);
     inputs.told = {};
     return record;
   }
 
   FieldDimensions field;
-  Replay replay;
+  ToAndFro seen;
   FrameLoop engine;
   FrameInputs inputs;
 };

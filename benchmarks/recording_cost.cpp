@@ -25,19 +25,19 @@ struct Times {
 };
 
 void measure(const char* file, double seconds, int width) {
-  Session plain(width), recorded(width);
+  LearnedSession plain(width), recorded(width);
   RecorderOptions options;
   options.file = file;
   Recorder recorder(options, [](const std::string& trouble) { std::fprintf(stderr, "%s\n", trouble.c_str()); });
   Times without, with;
   const auto plain_frame = [&] {
-    plain.replay.observe(plain.inputs.observation);
+    plain.seen.observe(plain.inputs.observation);
     const auto begin = Clock::now();
     plain.engine.step(plain.inputs);
     without.frames.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
   };
   const auto recorded_frame = [&] {
-    recorded.replay.observe(recorded.inputs.observation);
+    recorded.seen.observe(recorded.inputs.observation);
     const auto begin = Clock::now();
     recorder.before(recorded.inputs, recorded.engine);
     const FrameRecord& record = recorded.engine.step(recorded.inputs);

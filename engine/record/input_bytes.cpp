@@ -1,7 +1,6 @@
 #include "engine/record/input_bytes.h"
 
 #include <string_view>
-#include <utility>
 
 #include "engine/record/image_bytes.h"
 #include "geometry/bytes.h"
@@ -92,10 +91,9 @@ StoredInputs::StoredInputs(std::span<const std::byte> bytes) {
   in.finish();
 }
 
-void StoredInputs::put_pixels(std::size_t camera, std::vector<std::uint8_t> yuyv, int width, int height) {
+void StoredInputs::put_pixels(std::size_t camera, const ImageView& image) {
   std::optional<CameraFrame>& frame = camera == 0 ? inputs_.observation.upper : inputs_.observation.lower;
-  images_.at(camera) = std::move(yuyv);
-  frame.value().image = {images_[camera].data(), width, height, 2 * width};
+  frame.value().image = image;
 }
 
 }  // namespace reorient

@@ -26,9 +26,9 @@ class StoredInputs {
 
   const FrameInputs& inputs() const { return inputs_; }
 
-  /// Of the upper (0) or lower (1) camera, where the bytes were written without; there has to be a frame of it. `yuyv`:
-  /// 2 * width * height bytes.
-  void put_pixels(std::size_t camera, std::vector<std::uint8_t> yuyv, int width, int height);
+  /// Of the upper (0) or lower (1) camera, where the bytes were written without; there has to be a frame of it. The
+  /// image must outlive this.
+  void put_pixels(std::size_t camera, const ImageView& image);
 
  private:
   FrameInputs inputs_;

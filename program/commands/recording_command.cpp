@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -26,9 +25,15 @@
 namespace reorient {
 namespace {
 
-struct Tally {
-  std::uint64_t messages = 0, bytes = 0;
+struct RecordingOptions {
+  std::filesystem::path file, out;
+  std::string csv;
+  double from = 0.0, to = std::numeric_limits<double>::infinity(), at = 0.0;  // s of the robot
 };
+
+void tell_damages(const Recording& recording, std::ostream& err) {
+  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
+}
 
 int info(const std::filesystem::path& file, std::ostream& out) {
   Recording recording(file);
@@ -36,19 +41,6 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   out << fmt::format("{}: {:.1f} MB, written by {}\n", file.string(),
                      1e-6 * static_cast<double>(recording.source().size()), contents.library);
   for (const auto& [name, text] : recording.about()) out << fmt::format("  {}: {}\n", name, text);
-
-  std::map<std::uint16_t, Tally> tallies;
-  for (const mcap::ChunkPlace& chunk : contents.chunks) {
-    try {
-      mcap::ChunkMessages messages(recording.source(), chunk);
-      for (mcap::Message message; messages.next(message);) {
-        Tally& tally = tallies[message.channel];
-        ++tally.messages;
-        tally.bytes += message.data.size();
-      }
-    } catch (const mcap::Damage&) {  // told below, with the frames that it takes
-    }
-  }
 
   std::uint64_t frames = 0, exact = 0;
   double first = 0.0, last = 0.0;
@@ -65,7 +57,8 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   const double seconds = std::max(last - first, 1e-9);
   out << fmt::format("{:<24} {:>9} {:>8} {:>10}\n", "topic", "messages", "Hz", "MB");
   for (const mcap::Channel& channel : contents.channels) {
-    const Tally& tally = tallies[channel.id];
+    const auto read = recording.tallies().find(channel.id);
+    const Recording::Tally tally = read == recording.tallies().end() ? Recording::Tally() : read->second;
     out << fmt::format("{:<24} {:>9} {:>8.1f} {:>10.2f}\n", channel.topic, tally.messages,
                        static_cast<double>(tally.messages) / seconds, 1e-6 * static_cast<double>(tally.bytes));
   }
@@ -74,33 +67,22 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   return recording.damages().empty() ? kSuccess : kWrong;
 }
 
-struct RewriteOptions {
-  std::filesystem::path file, out;
-  double from = 0.0, to = std::numeric_limits<double>::infinity();  // s of the robot
-};
-
 /// `rewrite`: makes the new file of the old one.
 template <typename Rewrite>
-int rewrite(const RewriteOptions& options, std::ostream& out, std::ostream& err, Rewrite rewrite) {
+int rewrite(const RecordingOptions& options, std::ostream& out, std::ostream& err, Rewrite rewrite) {
   require_writable_file(options.out, "--out");
   std::error_code error;
   if (std::filesystem::equivalent(options.file, options.out, error))
     throw std::runtime_error("--out " + options.out.string() + ": it is the recording itself; name another file");
   Recording recording(options.file);
   const Rewritten done = rewrite(recording);
-  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
+  tell_damages(recording, err);
   out << fmt::format("{}: {} frames, {:.2f} to {:.2f} s\n", options.out.string(), done.frames, done.first_time,
                      done.last_time);
   return kSuccess;
 }
 
-struct ExportOptions {
-  std::filesystem::path file, out = "out";
-  std::string csv;
-  double at = 0.0;  // s of the robot
-};
-
-int export_csv(const ExportOptions& options, std::ostream& out, std::ostream& err) {
+int export_csv(const RecordingOptions& options, std::ostream& out, std::ostream& err) {
   Recording recording(options.file);
   if (options.out.empty()) {
     write_csv(recording, options.csv, out);
@@ -110,15 +92,16 @@ int export_csv(const ExportOptions& options, std::ostream& out, std::ostream& er
     write_csv(recording, options.csv, text);
     write_whole_file(options.out, text.str());
   }
-  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
+  tell_damages(recording, err);
   return kSuccess;
 }
 
 /// All frames up to that moment are made again, since the record does not hold all that is drawn.
-int draw_pictures(const ExportOptions& options, std::ostream& out, std::ostream& err) {
+int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   Recording recording(options.file);
-  require_writable_folder(options.out, "--out");
+  const std::filesystem::path folder = options.out.empty() ? "out" : options.out;
+  require_writable_folder(folder, "--out");
   Replay replay(recording, 0.0, options.at);
   RunPictures pictures(PicturedMoment::last_frame);
   double time = 0.0;
@@ -130,9 +113,9 @@ int draw_pictures(const ExportOptions& options, std::ostream& out, std::ostream&
   if (replay.stretches() == 0)
     throw std::runtime_error(options.file.string() +
                              ": no frame of it can be made again; see 'reorient recording info'");
-  const std::vector<std::string> failures = pictures.write(options.out);
+  const std::vector<std::string> failures = pictures.write(folder);
   for (const std::string& failure : failures) err << "reorient: " << failure << '\n';
-  out << fmt::format("pictures of {:.2f} s: {}/\n", time, options.out.string());
+  out << fmt::format("pictures of {:.2f} s: {}/\n", time, folder.string());
   return failures.empty() ? kSuccess : kBadInput;
 }
 
@@ -141,8 +124,7 @@ int draw_pictures(const ExportOptions& options, std::ostream& out, std::ostream&
 Subcommand add_recording(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand("recording", "what is in a recording");
   parser->require_subcommand(1);
-  const auto options = std::make_shared<RewriteOptions>();
-  const auto exports = std::make_shared<ExportOptions>();
+  const auto options = std::make_shared<RecordingOptions>();
   const auto add = [&](const char* name, const char* description) {
     CLI::App* const word = parser->add_subcommand(name, description);
     word->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
@@ -154,22 +136,18 @@ Subcommand add_recording(CLI::App& program) {
   cut->add_option("--to", options->to, "s of the robot (default: its end)");
   CLI::App* const recover = add("recover", "all that can be read of one that is damaged or lacks its end, made whole");
   CLI::App* const csv = add("export", "its values as a table");
-  csv->add_option("--csv", exports->csv,
+  csv->add_option("--csv", options->csv,
                   "world: all that behaviours see, a line a frame; events: commands and changes of state")
       ->check(CLI::IsMember(csv_topics()))
       ->required();
-  csv->add_option("--out", exports->out, "the table (default: the standard output)")->default_str("");
+  csv->add_option("--out", options->out, "the table (default: the standard output)");
   CLI::App* const pictures = add("pictures", "the four pictures of a run, at any moment of it");
-  pictures->add_option("--at", exports->at, "s of the robot")->required();
-  pictures->add_option("--out", exports->out, "folder for the pictures")->capture_default_str();
+  pictures->add_option("--at", options->at, "s of the robot")->required();
+  pictures->add_option("--out", options->out, "folder for the pictures (default: out)");
   for (CLI::App* const word : {cut, recover}) word->add_option("--out", options->out, "the new file")->required();
-  return {parser, [options, exports, cut, recover, csv, pictures](std::ostream& out, std::ostream& err) {
-            exports->file = options->file;
-            if (csv->parsed()) {
-              if (csv->get_option("--out")->count() == 0) exports->out.clear();
-              return export_csv(*exports, out, err);
-            }
-            if (pictures->parsed()) return draw_pictures(*exports, out, err);
+  return {parser, [options, cut, recover, csv, pictures](std::ostream& out, std::ostream& err) {
+            if (csv->parsed()) return export_csv(*options, out, err);
+            if (pictures->parsed()) return draw_pictures(*options, out, err);
             if (cut->parsed()) {
               return rewrite(*options, out, err, [&](Recording& recording) {
                 return cut_recording(recording, options->from, options->to, options->out);

@@ -12,7 +12,9 @@
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
+namespace {
 
+/// "lossless": 1, "every:5": 5, "none": 0.
 int images_every(const std::string& option) {
   if (option == "lossless") return 1;
   if (option == "none") return 0;
@@ -25,8 +27,6 @@ int images_every(const std::string& option) {
   }
   throw std::runtime_error("--record-images " + option + ": it is lossless, every:N (each Nth frame) or none");
 }
-
-namespace {
 
 /// "500MB", "2GB", "90s", "10min".
 void read_rotation(const std::string& option, RecorderOptions& recorder) {
@@ -46,25 +46,32 @@ void read_rotation(const std::string& option, RecorderOptions& recorder) {
 
 }  // namespace
 
-RunRecording::RunRecording(const RunOptions& options, const std::string& venue,
-                           std::function<void(const std::string&)> tell, int part)
-    : file_(options.record) {
+std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
   const int every = images_every(options.record_images);
-  if (file_.empty()) return;
-  if (part > 1) file_.replace_filename(fmt::format("{}-{}{}", file_.stem().string(), part, file_.extension().string()));
-  require_writable_file(file_, "--record");
+  if (options.record.empty()) return std::nullopt;
+  require_writable_file(options.record, "--record");
   RecorderOptions recorder;
-  recorder.file = file_;
+  recorder.file = options.record;
   recorder.images_every = every;
   if (!options.record_rotate.empty()) read_rotation(options.record_rotate, recorder);
   recorder.about = {{"version", REORIENT_VERSION},
                     {"robot", options.robot},
                     {"venue", venue},
                     {"seed", std::to_string(options.seed)},
-                    {"images", options.record_images},
-                    {"begun", fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr)))}};
+                    {"images", options.record_images}};
   if (options.robot == "simulator") recorder.about.emplace("scenario", options.scenario);
-  recorder_.emplace(std::move(recorder), std::move(tell));
+  return recorder;
+}
+
+RunRecording::RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell,
+                           int part) {
+  if (!options) return;
+  if (part > 1)
+    options->file.replace_filename(
+        fmt::format("{}-{}{}", options->file.stem().string(), part, options->file.extension().string()));
+  options->about.emplace("begun", fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr))));
+  file_ = options->file;
+  recorder_.emplace(*std::move(options), std::move(tell));
 }
 
 void RunRecording::end(std::ostream& out) {

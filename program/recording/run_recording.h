@@ -12,12 +12,14 @@
 
 namespace reorient {
 
+/// What `--record` and its like ask for; nothing: no recording. `venue`: for people. Throws std::runtime_error with one
+/// line, also where the file could not be written.
+std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue);
+
 class RunRecording {
  public:
-  /// Records nothing where the options name no file. `venue`: for people. `part`: of a program that runs several
-  /// engines one after the other, into match.mcap, match-2.mcap, match-3.mcap. Throws std::runtime_error with one line.
-  RunRecording(const RunOptions& options, const std::string& venue, std::function<void(const std::string&)> tell,
-               int part = 1);
+  /// `part`: of a program that runs several engines one after the other, into match.mcap, match-2.mcap, match-3.mcap.
+  RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell, int part = 1);
 
   /// nullptr: nothing is recorded.
   Observer* observer() { return recorder_ ? &*recorder_ : nullptr; }
@@ -26,11 +28,8 @@ class RunRecording {
   void end(std::ostream& out);
 
  private:
-  std::filesystem::path file_;
+  std::filesystem::path file_;  // the first
   std::optional<Recorder> recorder_;
 };
-
-/// "lossless": 1, "every:5": 5, "none": 0. Throws std::runtime_error with one line.
-int images_every(const std::string& option);
 
 }  // namespace reorient

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 
 #include "program/run/console/live_console.h"
 #include "program/run/run_observers.h"
@@ -10,16 +11,27 @@
 namespace reorient {
 
 struct Narration {
-  Narration(LiveConsole& console, bool every_transition, std::ostream& out, std::ostream& err)
-      : room_for_log([&console] { console.make_room(); }),
-        progress(err, [&console] { return console.is_open(); }),
-        timeline(out, every_transition, [this, &console] {
+  Narration(LiveConsole& prompt, bool every_transition, std::ostream& out, std::ostream& errors)
+      : console(prompt),
+        err(errors),
+        room_for_log([this] { console.make_room(); }),
+        progress(err, [this] { return console.is_open(); }),
+        timeline(out, every_transition, [this] {
           progress.make_room();
           console.begin_line();
         }) {}
   Narration(const Narration&) = delete;
   Narration& operator=(const Narration&) = delete;
 
+  /// One line to the person.
+  void tell(const std::string& line) {
+    progress.make_room();
+    console.make_room();
+    err << "reorient: " << line << '\n' << std::flush;
+  }
+
+  LiveConsole& console;
+  std::ostream& err;
   RunLog log;
   RoomForLog room_for_log;
   Progress progress;

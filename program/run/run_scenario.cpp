@@ -48,6 +48,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   Simulation simulation(options);
   // Last, so that a mistake in anything else leaves no empty folder behind.
   require_writable_outputs(options);
+  std::optional<RecorderOptions> recording_options = recorder_options(options, simulation.venue().name());
 
   SummaryObserver summary;
   CommandHistory commands;
@@ -69,10 +70,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   if (!options.model.empty())
     parts.observers.push_back(&model.emplace(options.model, simulation.model(), options.sides_changed));
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
-  RunRecording recording(options, simulation.venue().name(), [&](const std::string& line) {
-    narration.progress.make_room();
-    err << "reorient: " << line << '\n' << std::flush;
-  });
+  RunRecording recording(std::move(recording_options), [&](const std::string& line) { narration.tell(line); });
   if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
   parts.observers.push_back(&narration.progress);
   parts.in_real_time = options.realtime;

@@ -11,6 +11,7 @@
 #include "engine/record/record_bytes.h"
 #include "geometry/bytes.h"
 #include "tests/fuzz/promises.h"
+#include "workbench/recording/packed_image.h"
 #include "workbench/recording/recording.h"
 
 namespace reorient {
@@ -54,9 +55,9 @@ void try_message(std::span<const std::byte> bytes) {
   } catch (const BadBytes&) {
   }
   try {
-    const UnpackedImage image = unpack_image(bytes);
+    const Image image = unpack_image(bytes);
     std::vector<std::byte> again;
-    pack_image({image.yuyv.data(), image.width, image.height, 2 * image.width}, again);
+    pack_image(image.view(), again);
     require(again == std::vector<std::byte>(bytes.begin(), bytes.end()), "an image is packed as it was");
   } catch (const BadBytes&) {
   }

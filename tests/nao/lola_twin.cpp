@@ -24,8 +24,6 @@
 namespace reorient::nao {
 namespace {
 
-constexpr long kCycleNanoseconds = 12'000'000;
-
 /// Of all processors, since the machine was started: what others took of them, ticks of 10 ms.
 long stolen() {
   std::ifstream file("/proc/stat");

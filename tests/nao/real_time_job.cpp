@@ -88,7 +88,6 @@ class World {
   }
 
   void cycle() {
-    constexpr long kCycleNanoseconds = 12'000'000;
     if (server_.welcome()) nao_.body().meet();
     std::array<std::byte, 2048> packet{};
     const std::size_t size = nao_.feel(packet);
@@ -97,7 +96,7 @@ class World {
       server_.send(std::span(packet).first(size), size);
     }
     nao_.show(now());
-    next_ += kCycleNanoseconds;
+    next_ += nao::kCycleNanoseconds;
     if (nao::monotonic_nanoseconds() > next_) {  // the engine's frame, or others on this machine, took longer
       ++delays_;
       next_ = nao::monotonic_nanoseconds();

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -13,6 +14,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "workbench/files/write_all.h"
 
 namespace reorient {
 namespace {
@@ -32,12 +35,7 @@ class OpenFile {
   OpenFile& operator=(const OpenFile&) = delete;
 
   void write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) fail();
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
+    if (!write_all(descriptor_, std::as_bytes(std::span(bytes)))) fail();
   }
   void set_mode(mode_t mode) const { fchmod(descriptor_, mode); }
   /// On the disk, not only on its way: otherwise a power cut after the rename leaves an empty file.

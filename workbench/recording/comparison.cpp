@@ -15,12 +15,12 @@ namespace {
 bool are_same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 std::string text_of(const WalkVelocity& walk) {
-  return number_text(walk.forward) + ", " + number_text(walk.left) + ", " + number_text(walk.turn);
+  return exact_text(walk.forward) + ", " + exact_text(walk.left) + ", " + exact_text(walk.turn);
 }
 
 std::string text_of(const std::optional<HeadRequest>& head) {
   if (!head) return "nothing";
-  return number_text(head->angles.yaw) + ", " + number_text(head->angles.pitch) + " at " + number_text(head->speed);
+  return exact_text(head->angles.yaw) + ", " + exact_text(head->angles.pitch) + " at " + exact_text(head->speed);
 }
 
 std::string text_of(const TimelineEvent& event) {
@@ -70,7 +70,7 @@ Values values_before_world(const FrameRecord& frame) {
     values.emplace_back(name + "obstacles", std::to_string(percept.obstacles.size()));
     for (const LinePoint& point : percept.line_points) {
       values.emplace_back(name + "a line point's place (m)",
-                          number_text(point.position.x()) + ", " + number_text(point.position.y()));
+                          exact_text(point.position.x()) + ", " + exact_text(point.position.y()));
     }
   }
   return values;
@@ -117,7 +117,7 @@ std::optional<Difference> first_in_world(const World& recorded, const World& rep
   for (std::size_t i = 0; i < then.size(); ++i) {
     const WorldField& field = world_fields()[i];
     if (!are_same(then[i], now[i]))
-      return Difference{0, 0.0, field.full_name(), value_text(field, then[i]), value_text(field, now[i])};
+      return Difference{0, 0.0, field.full_name(), exact_text(field, then[i]), exact_text(field, now[i])};
   }
   return std::nullopt;
 }

@@ -4,19 +4,12 @@
 #include <stdexcept>
 
 #include "engine/record/record_bytes.h"
+#include "workbench/files/csv_text.h"
 #include "workbench/recording/value_text.h"
 #include "workbench/run/timeline.h"
 
 namespace reorient {
 namespace {
-
-/// In quotes where it has to be (RFC 4180).
-std::string csv_cell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string all = "\"";
-  for (const char letter : text) all += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return all + "\"";
-}
 
 void write_world(Recording& recording, std::ostream& out) {
   out << "frame";
@@ -29,10 +22,10 @@ void write_world(Recording& recording, std::ostream& out) {
     values.clear();
     append_world(record.world, values);
     out << record.world.frame;
-    for (std::size_t i = 0; i < values.size(); ++i) out << ',' << value_text(world_fields()[i], values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) out << ',' << exact_text(world_fields()[i], values[i]);
     if (const std::optional<GroundTruth>& truth = frame.entry.stage.truth) {
-      out << ',' << number_text(truth->pose.position.x()) << ',' << number_text(truth->pose.position.y()) << ','
-          << number_text(truth->pose.rotation) << '\n';
+      out << ',' << exact_text(truth->pose.position.x()) << ',' << exact_text(truth->pose.position.y()) << ','
+          << exact_text(truth->pose.rotation) << '\n';
     } else {
       out << ",,,\n";
     }
@@ -44,7 +37,7 @@ void write_events(Recording& recording, std::ostream& out) {
   RecordedFrame frame;
   while (recording.next(frame)) {
     for (const TimelineEvent& event : timeline_events(read_record(frame.entry.record), frame.entry.stage)) {
-      out << number_text(event.time) << ',' << csv_cell(event.machine) << ',' << csv_cell(event.state) << ','
+      out << exact_text(event.time) << ',' << csv_cell(event.machine) << ',' << csv_cell(event.state) << ','
           << csv_cell(event.command) << ',' << csv_cell(event.verdict) << ',' << csv_cell(event.reason) << '\n';
     }
   }

@@ -1,5 +1,7 @@
 #include "workbench/recording/packed_image.h"
 
+#include <cstdint>
+
 #include "geometry/bytes.h"
 
 namespace reorient {
@@ -30,20 +32,17 @@ void pack_image(const ImageView& image, std::vector<std::byte>& bytes) {
   }
 }
 
-UnpackedImage unpack_image(std::span<const std::byte> bytes) {
+Image unpack_image(std::span<const std::byte> bytes) {
   ByteReader in(bytes);
   std::uint16_t width = 0, height = 0;
   in(width, height);
   const std::size_t row = 2 * std::size_t{width};
   check_bytes(width % 2 == 0 && in.left() == row * height, "an image has not as many bytes as pixels");
-  UnpackedImage image;
-  image.width = width;
-  image.height = height;
-  image.yuyv.resize(row * height);
+  Image image(width, height);
   std::size_t at = bytes.size() - in.left();
   for (const Plane& plane : kPlanes) {
-    for (std::size_t y = 0; y < height; ++y) {
-      std::uint8_t* const pixels = image.yuyv.data() + y * row;
+    for (int y = 0; y < height; ++y) {
+      std::uint8_t* const pixels = image.row(y);
       std::uint8_t left = 0;
       for (std::size_t i = plane.first; i < row; i += plane.step) {
         left = static_cast<std::uint8_t>(left + static_cast<std::uint8_t>(bytes[at++]));

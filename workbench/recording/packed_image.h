@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,15 +10,10 @@
 
 namespace reorient {
 
-struct UnpackedImage {
-  std::vector<std::uint8_t> yuyv;
-  int width = 0, height = 0;  ///< pixels
-};
-
 /// Appends it.
 void pack_image(const ImageView& image, std::vector<std::byte>& bytes);
 
 /// The same pixels. Throws BadBytes.
-UnpackedImage unpack_image(std::span<const std::byte> bytes);
+Image unpack_image(std::span<const std::byte> bytes);
 
 }  // namespace reorient

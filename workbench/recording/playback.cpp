@@ -39,8 +39,7 @@ bool Playback::observe(Observation& observation) {
   for (std::size_t camera = 0; camera < frame_.images.size(); ++camera) {
     if (!frame_.entry.image_is_exact[camera]) continue;
     check_bytes(has_frame[camera], "a frame and its images do not fit together");
-    UnpackedImage& image = frame_.images[camera];
-    inputs_->put_pixels(camera, std::move(image.yuyv), image.width, image.height);
+    inputs_->put_pixels(camera, frame_.images[camera].view());
   }
   observation = seen;
   return true;

@@ -15,35 +15,31 @@
 
 #include "engine/record/input_bytes.h"
 #include "engine/record/record_bytes.h"
-#include "workbench/recording/packed_image.h"
+#include "geometry/image.h"
 #include "workbench/recording/recording_file.h"
 
 namespace reorient {
 namespace {
 
-void copy_pixels(const ImageView& image, std::vector<std::uint8_t>& yuyv) {
-  const std::size_t row = 2 * static_cast<std::size_t>(image.width);
-  yuyv.resize(row * static_cast<std::size_t>(image.height));
-  for (int y = 0; y < image.height; ++y)
-    std::memcpy(yuyv.data() + row * static_cast<std::size_t>(y), image.row(y), row);
+void copy_pixels(const ImageView& from, Image& to) {
+  if (to.width() != from.width || to.height() != from.height) to = Image(from.width, from.height);
+  for (int y = 0; y < from.height; ++y) std::memcpy(to.row(y), from.row(y), 2 * static_cast<std::size_t>(from.width));
 }
 
 }  // namespace
 
 struct Recorder::Item {
-  struct Pixels {
-    std::vector<std::uint8_t> yuyv;
-    int width = 0, height = 0;
-  };
-
   FrameEntry entry;                 // but for its digests, which the thread adds
   std::vector<std::size_t> places;  // of the topics in entry.record
   bool begins_file = false;
   std::vector<std::byte> state;  // of the engine before it; empty: none
-  std::array<Pixels, 2> images;  // where image_is_exact
+  std::array<Image, 2> images;   // where entry.image_is_exact
 
   std::size_t bytes() const {
-    return entry.inputs.size() + entry.record.size() + state.size() + images[0].yuyv.size() + images[1].yuyv.size();
+    std::size_t all = entry.inputs.size() + entry.record.size() + state.size();
+    for (std::size_t camera = 0; camera < images.size(); ++camera)
+      all += entry.image_is_exact[camera] ? images[camera].bytes().size() : 0;
+    return all;
   }
 };
 
@@ -79,44 +75,33 @@ Recorder::Recorder(RecorderOptions options, std::function<void(const std::string
 
 Recorder::~Recorder() { end(); }
 
-std::unique_ptr<Recorder::Item> Recorder::free_item() {
-  const std::lock_guard lock(shared_->mutex);
-  if (!shared_->trouble.empty() || shared_->ends) return nullptr;
-  if (shared_->free.empty()) return std::make_unique<Item>();
-  std::unique_ptr<Item> item = std::move(shared_->free.back());
-  shared_->free.pop_back();
-  return item;
-}
-
 void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
-  item_ = free_item();
-  if (!item_) return tell_trouble();
-  Item& item = *item_;
-  const double now = engine.record().world.time;
   std::size_t waiting = 0;
   std::uint64_t file_bytes = 0;
   {
     const std::lock_guard lock(shared_->mutex);
+    item_.reset();
+    if (shared_->trouble.empty() && !shared_->ends) {
+      if (shared_->free.empty()) shared_->free.push_back(std::make_unique<Item>());
+      item_ = std::move(shared_->free.back());
+      shared_->free.pop_back();
+    }
     waiting = shared_->waiting;
     if (shared_->counts.files == files_begun_) file_bytes = shared_->file_bytes;
   }
+  if (!item_) return tell_trouble();
+  Item& item = *item_;
+  const double now = engine.record().world.time;
   // A slow disk gets no images before it gets nothing at all.
   const bool is_slow = waiting > options_.most_waiting / 2;
   const std::uint64_t frame = engine.record().world.frame;
   const bool wanted = options_.images_every > 0 && frame % static_cast<std::uint64_t>(options_.images_every) == 0;
   const std::optional<CameraFrame>* const cameras[] = {&inputs.observation.upper, &inputs.observation.lower};
   for (std::size_t camera = 0; camera < item.images.size(); ++camera) {
-    Item::Pixels& pixels = item.images[camera];
     const std::optional<CameraFrame>& seen = *cameras[camera];
     item.entry.has_image[camera] = seen && !seen->image.empty();
     item.entry.image_is_exact[camera] = item.entry.has_image[camera] && wanted && !is_slow;
-    if (item.entry.image_is_exact[camera]) {
-      copy_pixels(seen->image, pixels.yuyv);
-      pixels.width = seen->image.width;
-      pixels.height = seen->image.height;
-    } else {
-      pixels.yuyv.clear();
-    }
+    if (item.entry.image_is_exact[camera]) copy_pixels(seen->image, item.images[camera]);
   }
   item.entry.inputs.clear();
   write_inputs_without_pixels(inputs, item.entry.inputs);
@@ -207,7 +192,6 @@ Recorder::Counts Recorder::counts() const {
 
 /// The thread. What was queued is written, whatever happens to the frames.
 void Recorder::write_items(Shared& shared) {
-  std::vector<std::byte> bytes;
   int files = 1;
   const auto write = [&](Item& item) {
     if (item.begins_file) {
@@ -219,20 +203,8 @@ void Recorder::write_items(Shared& shared) {
       shared.file = std::move(next);
       ++files;
     }
-    RecordingFile& file = *shared.file;
-    const std::uint64_t time = nanoseconds(item.entry.time);
-    if (!item.state.empty()) file.add(file.states(), time, item.state);
-    for (std::size_t camera = 0; camera < item.images.size(); ++camera) {
-      if (!item.entry.image_is_exact[camera]) continue;
-      const Item::Pixels& pixels = item.images[camera];
-      bytes.clear();
-      pack_image({pixels.yuyv.data(), pixels.width, pixels.height, 2 * pixels.width}, bytes);
-      file.add(file.images(camera), time, bytes);
-    }
     digest_topics(item.entry.record, item.places, item.entry.digests);
-    bytes.clear();
-    write_frame_entry(item.entry, bytes);
-    file.add(file.frames(), time, bytes);
+    shared.file->add(item.entry, item.state, {item.images[0].view(), item.images[1].view()});
   };
 
   std::unique_lock lock(shared.mutex);

@@ -58,7 +58,6 @@ class Recorder : public Observer {
   struct Shared;
 
   void tell_trouble();
-  std::unique_ptr<Item> free_item();
   static void write_items(Shared& shared);
 
   const RecorderOptions options_;

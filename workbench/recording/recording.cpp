@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/bytes.h"
+#include "workbench/recording/packed_image.h"
 
 namespace reorient {
 namespace {
@@ -47,7 +48,12 @@ bool Recording::go_to_chunk(std::size_t chunk) {
 bool Recording::next_message(mcap::Message& message) {
   while (true) {
     try {
-      if (messages_ && messages_->next(message)) return true;
+      if (messages_ && messages_->next(message)) {
+        Tally& tally = tallies_[message.channel];
+        ++tally.messages;
+        tally.bytes += message.data.size();
+        return true;
+      }
       if (chunk_ >= contents_.chunks.size()) return false;
       messages_.reset();
       messages_.emplace(*source_, contents_.chunks[chunk_++]);

@@ -5,22 +5,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "geometry/image.h"
 #include "workbench/recording/frame_entry.h"
 #include "workbench/recording/mcap/reader.h"
-#include "workbench/recording/packed_image.h"
 
 namespace reorient {
 
 struct RecordedFrame {
   FrameEntry entry;
-  std::array<UnpackedImage, 2> images;  ///< where entry.image_is_exact
-  std::vector<std::byte> state;         ///< of the engine before it; empty: none was recorded here
-  bool follows = false;                 ///< the frame read before is the one before it
+  std::array<Image, 2> images;   ///< where entry.image_is_exact
+  std::vector<std::byte> state;  ///< of the engine before it; empty: none was recorded here
+  bool follows = false;          ///< the frame read before is the one before it
 };
 
 class Recording {
@@ -40,6 +41,11 @@ class Recording {
   /// first that has one. False: there is none.
   bool go_to(double time);
 
+  /// What was read so far, by channel.
+  struct Tally {
+    std::uint64_t messages = 0, bytes = 0;
+  };
+  const std::map<std::uint16_t, Tally>& tallies() const { return tallies_; }
   /// What could not be read so far, in words.
   const std::vector<std::string>& damages() const { return damages_; }
 
@@ -58,6 +64,7 @@ class Recording {
   RecordedFrame pending_;  // what came before its frame
   std::array<bool, 2> has_pending_{};
   std::optional<std::uint64_t> last_frame_;
+  std::map<std::uint16_t, Tally> tallies_;
   std::vector<std::string> damages_;
 };
 

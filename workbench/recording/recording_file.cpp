@@ -9,7 +9,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "workbench/recording/frame_entry.h"
+#include "workbench/files/write_all.h"
+#include "workbench/recording/packed_image.h"
 
 namespace reorient {
 namespace {
@@ -47,18 +48,12 @@ RecordingFile::~RecordingFile() { close(descriptor_); }
 /// All of it or nothing: half a record would hide what comes after it.
 void RecordingFile::write(std::span<const std::byte> bytes) {
   is_dirty_ = true;
-  const std::size_t size = bytes.size();
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error = errno;
-      if (ftruncate(descriptor_, size_) == 0) lseek(descriptor_, size_, SEEK_SET);  // what else could be done about it?
-      throw failure(file_, error);
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  if (!write_all(descriptor_, bytes)) {
+    const int error = errno;
+    if (ftruncate(descriptor_, size_) == 0) lseek(descriptor_, size_, SEEK_SET);  // what else could be done about it?
+    throw failure(file_, error);
   }
-  size_ += static_cast<off_t>(size);
+  size_ += static_cast<off_t>(bytes.size());
 }
 
 /// So that an empty battery takes no more than the last half second.
@@ -67,7 +62,22 @@ void RecordingFile::flush() {
   is_dirty_ = false;
 }
 
-void RecordingFile::add(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data) {
+void RecordingFile::add(const FrameEntry& entry, std::span<const std::byte> state,
+                        const std::array<ImageView, 2>& images) {
+  const std::uint64_t time = nanoseconds(entry.time);
+  if (!state.empty()) add_message(states_, time, state);
+  for (std::size_t camera = 0; camera < images.size(); ++camera) {
+    if (!entry.image_is_exact[camera]) continue;
+    bytes_.clear();
+    pack_image(images[camera], bytes_);
+    add_message(images_[camera], time, bytes_);
+  }
+  bytes_.clear();
+  write_frame_entry(entry, bytes_);
+  add_message(frames_, time, bytes_);
+}
+
+void RecordingFile::add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data) {
   if (writer_->waiting() > 0 && writer_->waiting() + data.size() > kChunk) writer_->close_chunk();
   writer_->add_message(channel, time, data);
 }

@@ -1,14 +1,17 @@
 // The file that a recorder writes: on the disk within half a second, and readable up to there whatever happens.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <sys/types.h>
 
+#include "workbench/recording/frame_entry.h"
 #include "workbench/recording/mcap/writer.h"
 
 namespace reorient {
@@ -21,19 +24,18 @@ class RecordingFile {
   RecordingFile(const RecordingFile&) = delete;
   RecordingFile& operator=(const RecordingFile&) = delete;
 
-  void add(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data);
+  /// A frame: the state of the engine before it, which may be empty, and those images that are exact.
+  void add(const FrameEntry& entry, std::span<const std::byte> state, const std::array<ImageView, 2>& images);
   /// Writes what is full or old. To be called at least every kFlushEvery.
   void keep_up();
   void finish();
 
-  std::uint16_t frames() const { return frames_; }
-  std::uint16_t states() const { return states_; }
-  std::uint16_t images(std::size_t camera) const { return images_[camera]; }
   std::uint64_t size() const { return writer_->size(); }
 
   static constexpr std::chrono::milliseconds kFlushEvery{250};
 
  private:
+  void add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data);
   void write(std::span<const std::byte> bytes);
   void flush();
 
@@ -43,6 +45,7 @@ class RecordingFile {
   std::optional<mcap::Writer> writer_;
   std::uint16_t frames_ = 0, states_ = 0;
   std::array<std::uint16_t, 2> images_{};
+  std::vector<std::byte> bytes_;
   std::chrono::steady_clock::time_point flushed_;
   bool is_dirty_ = false;
 };

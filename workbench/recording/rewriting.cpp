@@ -1,14 +1,12 @@
 #include "workbench/recording/rewriting.h"
 
-#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "engine/frame.h"
-#include "workbench/recording/packed_image.h"
-#include "workbench/recording/playback.h"
 #include "workbench/recording/recording_file.h"
+#include "workbench/recording/replay.h"
 
 namespace reorient {
 namespace {
@@ -17,19 +15,8 @@ class Copy {
  public:
   Copy(const std::filesystem::path& file, const mcap::Texts& about) : file_(file, about) {}
 
-  void add(const RecordedFrame& frame, std::span<const std::byte> state) {
-    const std::uint64_t time = nanoseconds(frame.entry.time);
-    if (!state.empty()) file_.add(file_.states(), time, state);
-    for (std::size_t camera = 0; camera < frame.images.size(); ++camera) {
-      if (!frame.entry.image_is_exact[camera]) continue;
-      const UnpackedImage& image = frame.images[camera];
-      bytes_.clear();
-      pack_image({image.yuyv.data(), image.width, image.height, 2 * image.width}, bytes_);
-      file_.add(file_.images(camera), time, bytes_);
-    }
-    bytes_.clear();
-    write_frame_entry(frame.entry, bytes_);
-    file_.add(file_.frames(), time, bytes_);
+  void add(const RecordedFrame& frame) {
+    file_.add(frame.entry, frame.state, {frame.images[0].view(), frame.images[1].view()});
     if (done_.frames++ == 0) done_.first_time = frame.entry.time;
     done_.last_time = frame.entry.time;
   }
@@ -41,36 +28,31 @@ class Copy {
 
  private:
   RecordingFile file_;
-  std::vector<std::byte> bytes_;
   Rewritten done_;
 };
 
-/// The first frame from `from` on, with the state of the engine before it. False: there is none.
-bool find_beginning(Recording& recording, double from, RecordedFrame& frame) {
-  Playback playback(recording, from);
-  if (!playback.next_stretch()) return false;
-  FrameLoop engine(playback.state());
-  FrameInputs inputs;
-  while (playback.observe(inputs.observation)) {
-    if (playback.frame().entry.time >= from) {
-      frame = playback.frame();
-      if (frame.state.empty()) engine.save(frame.state);
-      const std::optional<CameraFrame>* const cameras[] = {&inputs.observation.upper, &inputs.observation.lower};
-      for (std::size_t camera = 0; camera < frame.images.size(); ++camera) {
-        if (!frame.entry.image_is_exact[camera]) continue;
-        const ImageView& image = (*cameras[camera])->image;
-        frame.images[camera].yuyv.assign(image.data,
-                                         image.data + static_cast<std::ptrdiff_t>(image.stride) * image.height);
-      }
-      return true;
-    }
-    playback.add_to(inputs);
-    engine.step(inputs);
+/// Stops at the first frame from a time on, with the state of the engine before it.
+struct Beginning : Observer {
+  Beginning(const Playback& source, double begin) : playback(source), from(begin) {}
+
+  void before(const FrameInputs& /*inputs*/, const FrameLoop& engine) override {
+    if (frame || playback.frame().entry.time < from) return;
+    frame = playback.frame();
+    if (frame->state.empty()) engine.save(frame->state);
   }
-  // A gap before it: the next stretch begins with a state of its own.
-  if (!playback.next_stretch()) return false;
-  frame = playback.frame();
-  return true;
+  void observe(const FrameRecord& /*frame*/, const StageRecord& /*stage*/) override {}
+
+  const Playback& playback;
+  double from;  // s of the robot
+  std::optional<RecordedFrame> frame;
+};
+
+std::optional<RecordedFrame> beginning_of(Recording& recording, double from) {
+  Replay replay(recording, from);
+  Beginning beginning(replay.playback(), from);
+  while (!beginning.frame && replay.next_stretch() != nullptr)
+    replay.run({}, {&beginning}, [&] { return beginning.frame.has_value(); });
+  return std::move(beginning.frame);
 }
 
 }  // namespace
@@ -78,18 +60,19 @@ bool find_beginning(Recording& recording, double from, RecordedFrame& frame) {
 Rewritten recover_recording(Recording& recording, const std::filesystem::path& file) {
   Copy copy(file, recording.about());
   RecordedFrame frame;
-  while (recording.next(frame)) copy.add(frame, frame.state);
+  while (recording.next(frame)) copy.add(frame);
   return copy.finish();
 }
 
 Rewritten cut_recording(Recording& recording, double from, double to, const std::filesystem::path& file) {
-  RecordedFrame frame;
-  if (!find_beginning(recording, from, frame) || frame.entry.time > to)
+  std::optional<RecordedFrame> first = beginning_of(recording, from);
+  if (!first || first->entry.time > to)
     throw std::runtime_error(
         "no frame between these times can be made again; 'reorient recording info' says which can");
   Copy copy(file, recording.about());
-  copy.add(frame, frame.state);
-  while (recording.next(frame) && frame.entry.time <= to) copy.add(frame, frame.state);
+  copy.add(*first);
+  RecordedFrame frame = std::move(*first);
+  while (recording.next(frame) && frame.entry.time <= to) copy.add(frame);
   return copy.finish();
 }
 

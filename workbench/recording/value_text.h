@@ -8,9 +8,9 @@
 namespace reorient {
 
 /// As short as it can be without being another number.
-std::string number_text(double number);
+std::string exact_text(double number);
 
 /// "true", "upright", "0.25".
-std::string value_text(const WorldField& field, double value);
+std::string exact_text(const WorldField& field, double value);
 
 }  // namespace reorient

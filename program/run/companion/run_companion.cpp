@@ -120,6 +120,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   const std::filesystem::path socket = options.socket.empty() ? default_socket_path() : options.socket;
   const std::filesystem::path state = options.state.empty() ? socket.string() + ".state" : options.state.string();
   require_writable_file(state, "--state");
+  const std::optional<RecorderOptions> recording_options = recorder_options(options, "");
 
   // What the prompt looks at changes with each client that is another robot.
   FrameLoop* engine_now = nullptr;
@@ -179,12 +180,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
         {},       0.0,     false};
     if (model_keeper) parts.observers.push_back(&*model_keeper);
     RunRecording recording(
-        options, "",
-        [&](const std::string& line) {
-          console.make_room();
-          err << "reorient: " << line << '\n' << std::flush;
-        },
-        ++sessions);
+        recording_options, [&](const std::string& line) { narration.tell(line); }, ++sessions);
     if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
     parts.observers.push_back(&narration.progress);
     parts.observers.push_back(&console);

@@ -66,6 +66,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   ScriptEdits edits(options.scripts);
   if (!options.model.empty()) require_writable_file(options.model, "--model");
   const std::optional<SavedModel> model = model_to_begin_with(options);
+  std::optional<RecorderOptions> recording_options = recorder_options(options, "");
   const std::optional<Pose2> place = place_of(options.at);
   if (options.width != 320 && options.width != 640)
     throw std::runtime_error("--width " + std::to_string(options.width) + ": a NAO's cameras give 320 or 640 pixels");
@@ -107,26 +108,21 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                       history_path());
   const auto is_over = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
-  auto robot = std::make_unique<Nao>(robot_options, hardware.surroundings(is_over, [&](const std::string& missing) {
-    console.make_room();
-    err << "reorient: " << missing << '\n' << std::flush;
-  }));
+  Narration narration(console, options.every_transition, out, err);
+  const auto tell = [&](const std::string& line) { narration.tell(line); };
+  auto robot = std::make_unique<Nao>(robot_options, hardware.surroundings(is_over, tell));
   const Nao& itself = *robot;
   StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], itself, engine);
   err << fmt::format("reorient: {} behaviours on a NAO; {}\n", wanted.size(),
                      options.stand ? "it stands up" : "press its chest's button, and it stands up")
       << std::flush;
-  Narration narration(console, options.every_transition, out, err);
   std::optional<ModelKeeper> model_keeper;
   if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed);
   RobotInstance instance{std::move(robot), robot_options.body, RobotInstance::Clock::real, nullptr, nullptr};
   RunParts parts{instance, engine, nullptr, nullptr, {&edits, &console, &start}, {&narration.log, &narration.timeline},
                  {},       0.0,    false};
   if (model_keeper) parts.observers.push_back(&*model_keeper);
-  RunRecording recording(options, "", [&](const std::string& line) {
-    console.make_room();
-    err << "reorient: " << line << '\n' << std::flush;
-  });
+  RunRecording recording(std::move(recording_options), tell);
   if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
   parts.observers.push_back(&narration.progress);
   parts.observers.push_back(&console);

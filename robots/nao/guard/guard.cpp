@@ -8,7 +8,6 @@
 namespace reorient::nao {
 namespace {
 
-constexpr double kHolds = 0.1;      // s without a request: what a walk was about to do is not done
 constexpr double kHeadStops = 0.5;  // s without a request
 constexpr double kSitsDown = 1.0;   // s without a request
 constexpr double kUpright = 0.2;    // rad of roll and of pitch, within which it may stand up and sit down (Nao Devils)

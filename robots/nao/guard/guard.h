@@ -13,6 +13,9 @@ namespace reorient::nao {
 
 class Guard {
  public:
+  /// s: what was asked for longer ago is not followed any more.
+  static constexpr double kHolds = 0.1;
+
   /// A robot answers, perhaps another one than before: nothing is known of where its joints are.
   void connected();
 

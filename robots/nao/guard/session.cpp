@@ -45,8 +45,7 @@ bool Session::received(std::size_t size, double time) {
 void Session::hear_walk() {
   WalkTargets walk;
   if (body_.walk.read(walk)) walk_ = walk;  // else the last one, which grows old
-  constexpr double kFresh = 0.1;            // s
-  measurement_.is_walked = walk_ && std::fabs(measurement_.time - walk_->time) <= kFresh ? 1 : 0;
+  measurement_.is_walked = walk_ && std::fabs(measurement_.time - walk_->time) <= Guard::kHolds ? 1 : 0;
   if (measurement_.is_walked != 0) measurement_.walked = walk_->odometry;
 }
 

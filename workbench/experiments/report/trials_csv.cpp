@@ -7,6 +7,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "workbench/experiments/report/trial_columns.h"
+#include "workbench/files/csv_text.h"
 
 namespace reorient {
 namespace {
@@ -24,16 +25,8 @@ std::string text_of(const std::optional<Value>& value) {
   return value ? text_of(*value) : "";
 }
 
-std::string field(std::string_view text) {
-  std::string clean = as_line(text);
-  if (clean.find_first_of(",\"") == std::string::npos) return clean;
-  std::string quoted = "\"";
-  for (const char letter : clean) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
-}
-
 void add_line(std::string& text, const std::vector<std::string>& fields) {
-  for (std::size_t i = 0; i < fields.size(); ++i) text.append(i == 0 ? "" : ",").append(field(fields[i]));
+  for (std::size_t i = 0; i < fields.size(); ++i) text.append(i == 0 ? "" : ",").append(csv_cell(as_line(fields[i])));
   text += "\r\n";
 }
 

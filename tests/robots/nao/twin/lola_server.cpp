@@ -14,11 +14,6 @@
 #include "robots/nao/lola/command_packet.h"
 
 namespace reorient::nao {
-namespace {
-
-constexpr long kCycleNanoseconds = 12'000'000;
-
-}  // namespace
 
 long monotonic_nanoseconds() {
   timespec time{};

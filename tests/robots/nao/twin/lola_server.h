@@ -10,6 +10,8 @@
 
 namespace reorient::nao {
 
+inline constexpr long kCycleNanoseconds = 12'000'000;
+
 /// ns, of the monotonic clock.
 long monotonic_nanoseconds();
 

@@ -1,0 +1,12 @@
+// Tables as text (RFC 4180).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace reorient {
+
+/// One cell, in quotes where it has to be.
+std::string csv_cell(std::string_view text);
+
+}  // namespace reorient

@@ -1,0 +1,23 @@
+// write(2) until all is written.
+#pragma once
+
+#include <cerrno>
+#include <cstddef>
+#include <span>
+
+#include <unistd.h>
+
+namespace reorient {
+
+/// False: it could not be; errno says why.
+inline bool write_all(int descriptor, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+}  // namespace reorient
