@@ -1,7 +1,8 @@
 # Every library that is not ours is found here or in libraries.cmake, nowhere else.
 include(libraries)
 reorient_find(missing
-  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG zlib::zlib zstd::zstd tomlplusplus::tomlplusplus opencv::core opencv::imgproc)
+  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG zlib::zlib zstd::zstd tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json
+  opencv::core opencv::imgproc)
 if(missing)
   message(FATAL_ERROR "reorient: ${missing}")
 endif()
@@ -11,7 +12,6 @@ find_library(LUA_ARCHIVE NAMES liblua5.4-c++.a REQUIRED)
 
 # Of the program alone.
 find_package(spdlog REQUIRED)
-find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 reorient_find_plain(libedit::libedit histedit.h edit)
 if(NOT TARGET libedit::libedit)

@@ -12,6 +12,7 @@ set(module_of_Eigen3::Eigen eigen3)
 set(module_of_sleef::sleef sleef)
 set(module_of_turbojpeg::turbojpeg libturbojpeg)
 set(module_of_PNG::PNG libpng)
+set(module_of_nlohmann_json::nlohmann_json nlohmann_json)
 set(module_of_tomlplusplus::tomlplusplus tomlplusplus)
 
 get_property(rooms GLOBAL PROPERTY REORIENT_ROOMS)

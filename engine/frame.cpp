@@ -64,6 +64,7 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   const StageTimer timer(record_, Stage::inputs);
   record_.inputs.initial_pose.reset();
   record_.inputs.messages.clear();
+  record_.logs.clear();
   take_parameters(inputs.parameter_changes);
   record_.reloads.clear();
   if (!inputs.script_edits.empty()) record_.reloads = behaviors_.host().apply(inputs.script_edits);
@@ -95,6 +96,9 @@ void FrameLoop::take_told(const Told& told) {
   std::vector<Message>& messages = record_.inputs.messages;
   for (const Message& message : told.messages) {
     if (messages.size() < kMostMessages) messages.push_back({message.sender, message.text.substr(0, kLongestMessage)});
+  }
+  for (const std::string& note : told.notes) {
+    if (record_.logs.size() < kMostNotes) record_.logs.push_back({0, 0, note.substr(0, kLongestNote), 0, true});
   }
   if (!told.initial_pose) return;
   record_.inputs.initial_pose = told.initial_pose;

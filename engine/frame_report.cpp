@@ -17,7 +17,7 @@ void FrameLoop::complete_record() {
   behaviors_.host().read_published(record_.published);
   const ScriptOutput& said = behaviors_.said();
   record_.transitions.assign(said.transitions.begin(), said.transitions.end());
-  record_.logs.assign(said.logs.begin(), said.logs.end());
+  record_.logs.insert(record_.logs.end(), said.logs.begin(), said.logs.end());  // after what people noted
   record_.faults.assign(said.faults.begin(), said.faults.end());
   record_.commands.assign(arbiter_.last().commands.begin(), arbiter_.last().commands.end());
   record_.begun.assign(arbiter_.last().begun.begin(), arbiter_.last().begun.end());

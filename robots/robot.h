@@ -90,11 +90,14 @@ struct Told {
   std::optional<InitialPose> initial_pose;
   std::optional<RefereeState> referee;  ///< holds until something else is told
   std::vector<Message> messages;
-  bool half_time = false;  ///< the teams change sides now; what else is told with it is told in the new axes
+  bool half_time = false;          ///< the teams change sides now; what else is told with it is told in the new axes
+  std::vector<std::string> notes;  ///< for whoever looks at the run later; at most kLongestNote bytes each
 };
+inline constexpr std::size_t kLongestNote = 1000;  // the rest is cut off
+inline constexpr std::size_t kMostNotes = 32;      // taken in one frame
 template <typename Visit>
 void fields(Visit&& visit, Told& told) {
-  visit(told.initial_pose, told.referee, told.messages, told.half_time);
+  visit(told.initial_pose, told.referee, told.messages, told.half_time, told.notes);
 }
 
 /// What goes into one frame of the engine: an image of the upper camera with the newest of the lower one since the

@@ -30,7 +30,7 @@ stds.reorient = { read_globals = {
   field = fields("length", "width", "border", "penalty_mark_x", "penalty_area_depth", "penalty_area_width", "goal_post_y", "corner_arc_radius", "center_circle_radius"),
   game = fields("sides_changed", "state", "stopped", "kick_off"),
   head = fields("look"),
-  log = fields("info"),
+  log = fields("info", "note"),
   motion = fields("get_up"),
   pose = fields("x", "y", "rotation", "known", "cluster_weight", "reflected_weight", "recovery_probability"),
   robot = fields("posture", "posture_before", "posture_for", "undisturbed_for", "penalized", "may_walk", "head_yaw", "head_pitch", "head_reach", "can_walk", "can_get_up", "cruise"),

@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kInputMagic = 0x344E4952;  // "RIN4": another layout gets another number
+constexpr std::uint32_t kInputMagic = 0x354E4952;  // "RIN5": another layout gets another number
 
 /// Where what is seen through a view is kept while it is read; a writer leaves it empty.
 struct Memory {

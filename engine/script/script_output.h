@@ -22,14 +22,15 @@ void fields(Visit&& visit, TransitionRecord& record) {
 }
 
 struct LogRecord {
-  NameId machine = 0;
+  NameId machine = 0;  ///< the empty name: a person
   NameId state = 0;
   std::string text;
-  int dropped = 0;  ///< lines after this one in the frame, beyond what a machine may log
+  int dropped = 0;       ///< lines after this one in the frame, beyond what a machine may log
+  bool is_note = false;  ///< to be found again by whoever looks at the run later
 };
 template <typename Visit>
 void fields(Visit&& visit, LogRecord& record) {
-  visit(record.machine, record.state, record.text, record.dropped);
+  visit(record.machine, record.state, record.text, record.dropped, record.is_note);
 }
 
 /// A run-time error, and what the host did about it.

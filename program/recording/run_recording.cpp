@@ -14,18 +14,37 @@
 namespace reorient {
 namespace {
 
+/// The number behind `key` in "every:5"; nothing where it is no such text, or out of 1 to `most`.
+std::optional<int> number_behind(std::string_view key, const std::string& option, int most) {
+  if (!option.starts_with(key)) return std::nullopt;
+  const char* const end = option.data() + option.size();
+  int number = 0;
+  const auto [stop, error] = std::from_chars(option.data() + key.size(), end, number);
+  if (stop != end || error != std::errc() || number < 1 || number > most) return std::nullopt;
+  return number;
+}
+
+constexpr int kMostFrames = 1000000;
+
 /// "lossless": 1, "every:5": 5, "none": 0.
 int images_every(const std::string& option) {
   if (option == "lossless") return 1;
   if (option == "none") return 0;
-  constexpr std::string_view kEvery = "every:";
-  int every = 0;
-  if (option.starts_with(kEvery)) {
-    const char* const end = option.data() + option.size();
-    const auto [stop, error] = std::from_chars(option.data() + kEvery.size(), end, every);
-    if (stop == end && error == std::errc() && every >= 1) return every;
-  }
+  if (const auto every = number_behind("every:", option, kMostFrames)) return *every;
   throw std::runtime_error("--record-images " + option + ": it is lossless, every:N (each Nth frame) or none");
+}
+
+/// "jpeg:75": 75, "none": 0.
+int jpeg_quality(const std::string& option) {
+  if (option == "none") return 0;
+  if (const auto quality = number_behind("jpeg:", option, 100)) return *quality;
+  throw std::runtime_error("--view-images " + option + ": it is jpeg:Q (a quality from 1 to 100) or none");
+}
+
+int particles_every(const std::string& option) {
+  if (option == "none") return 0;
+  if (const auto every = number_behind("every:", option, kMostFrames)) return *every;
+  throw std::runtime_error("--view-particles " + option + ": it is every:N (each Nth frame) or none");
 }
 
 /// "500MB", "2GB", "90s", "10min".
@@ -47,12 +66,13 @@ void read_rotation(const std::string& option, RecorderOptions& recorder) {
 }  // namespace
 
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
-  const int every = images_every(options.record_images);
+  RecorderOptions recorder;
+  recorder.images_every = images_every(options.record_images);
+  recorder.jpeg_quality = jpeg_quality(options.view_images);
+  recorder.particles_every = particles_every(options.view_particles);
   if (options.record.empty()) return std::nullopt;
   require_writable_file(options.record, "--record");
-  RecorderOptions recorder;
   recorder.file = options.record;
-  recorder.images_every = every;
   if (!options.record_rotate.empty()) read_rotation(options.record_rotate, recorder);
   recorder.about = {{"version", REORIENT_VERSION},
                     {"robot", options.robot},
@@ -81,6 +101,8 @@ void RunRecording::end(std::ostream& out) {
   out << fmt::format("recording: {}{}, {} frames, {:.1f} MB\n", file_.string(),
                      counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "", counts.frames,
                      1e-6 * static_cast<double>(counts.bytes));
+  if (counts.views_left_out > 0)
+    out << fmt::format("  {} frames lack images to look at, since the disk was slow\n", counts.views_left_out);
   if (counts.images_left_out > 0) {
     out << fmt::format("  {} frames lack images, since the disk was slow; from {:.1f} s on not all can be replayed\n",
                        counts.images_left_out, counts.exact_until);

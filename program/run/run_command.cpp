@@ -83,6 +83,10 @@ void add_options(CLI::App& run, RunOptions& options) {
       ->check(check_not_empty);
   run.add_option("--record-images", options.record_images, "lossless, every:N (each Nth frame) or none")
       ->capture_default_str();
+  run.add_option("--view-images", options.view_images, "of a recording, for viewers: jpeg:Q (quality 1 to 100) or none")
+      ->capture_default_str();
+  run.add_option("--view-particles", options.view_particles, "the same, of the pose filter: every:N or none")
+      ->capture_default_str();
   run.add_option("--record-rotate", options.record_rotate, "begin another file after so much: 500MB, 10min")
       ->check(check_not_empty);
   run.add_option("--json", options.json, "write the summary into this file, for programs")->check(check_not_empty);

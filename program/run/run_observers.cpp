@@ -19,7 +19,8 @@ namespace {
 
 void log_scripts(const NameTable& names, const std::vector<LogRecord>& logs, const std::vector<FaultRecord>& faults) {
   for (const LogRecord& record : logs) {
-    spdlog::info("{}: {}", names[record.machine], record.text);
+    const std::string& machine = names[record.machine];
+    spdlog::info("{}{}{}{}", machine, machine.empty() ? "" : ": ", record.is_note ? "note: " : "", record.text);
     if (record.dropped > 0)
       spdlog::warn("{}: {} more lines in this frame were dropped; a machine may log {}", names[record.machine],
                    record.dropped, ScriptActions::kMostPerFrame);

@@ -51,9 +51,12 @@ struct RunOptions : SimulationOptions {
   bool stand = false;  ///< up at once, not when the chest's button is pressed
   bool walk = false;   ///< somebody else's program walks, beside the guard
   bool realtime = false;
-  std::filesystem::path record;            ///< the recording; empty: none
-  std::string record_rotate;               ///< "100MB", "10min"; empty: one file
-  std::string record_images = "lossless";  ///< program/recording/run_recording.h
+  std::filesystem::path record;  ///< the recording; empty: none
+  std::string record_rotate;     ///< "100MB", "10min"; empty: one file
+  // program/recording/run_recording.h
+  std::string record_images = "lossless";
+  std::string view_images = "jpeg:75";
+  std::string view_particles = "every:6";
   std::filesystem::path out = "out";
   bool pictures = true;
   std::filesystem::path json;             ///< empty: no summary for programs

@@ -9,8 +9,8 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kMostSamples = 100;  // of the body, from frame to frame
-constexpr std::size_t kMostNotes = 64;     // that wait
+constexpr std::size_t kMostSamples = 100;      // of the body, from frame to frame
+constexpr std::size_t kMostWaitingNotes = 64;  // that wait
 
 ReportedPosture posture_of(std::uint32_t told) { return static_cast<ReportedPosture>(told); }
 static_assert(static_cast<int>(ReportedPosture::unknown) == REORIENT_UNKNOWN &&
@@ -55,7 +55,7 @@ void set_covariance(const Eigen::Matrix3d& full, double (&half)[6]) {
 
 /// The oldest make room for the newest.
 void keep_note(std::vector<reorient_note>& notes, std::uint32_t kind, std::string_view text) {
-  if (notes.size() >= kMostNotes) notes.erase(notes.begin());
+  if (notes.size() >= kMostWaitingNotes) notes.erase(notes.begin());
   reorient_note& note = notes.emplace_back();
   note.kind = kind;
   set_text(note.text, text);

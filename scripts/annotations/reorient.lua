@@ -191,6 +191,10 @@ log = {}
 ---@param text string
 function log.info(text) end
 
+---The same, marked as a note, to be found again in a recording of the run.
+---@param text string
+function log.note(text) end
+
 ---Seconds since the state was entered whose function asks.
 ---@return number
 function time_in_state() end

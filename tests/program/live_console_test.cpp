@@ -322,6 +322,16 @@ TEST_F(LiveConsoleTest, ReadsScriptsAgainThoughTheyDidNotChange) {
 
 // ---- the prompt itself
 
+TEST_F(LiveConsoleTest, TakesANoteDownForWhoeverLooksAtTheRunLater) {
+  EXPECT_NE(answer("note \"the referee  moved it\"").find("noted at"), std::string::npos);
+  ASSERT_EQ(loop.record().logs.size(), 1u);
+  EXPECT_EQ(loop.record().logs[0].text, "the referee moved it");
+  EXPECT_TRUE(loop.record().logs[0].is_note);
+  EXPECT_NE(answer("note").find("write: note TEXT..."), std::string::npos);
+  poll();
+  EXPECT_TRUE(loop.record().logs.empty()) << "it is noted once";
+}
+
 TEST_F(LiveConsoleTest, WaitsInTheRobotsTime) {
   type("wait 1\nset tested.level 1\n");
   EXPECT_EQ(polls(30), "");

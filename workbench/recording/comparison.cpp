@@ -85,7 +85,7 @@ Values values_behind_world(const FrameRecord& frame) {
   }
   for (const ParameterOutcome& change : frame.parameter_changes) values.emplace_back("parameter", text_of(change));
   for (const ReloadRecord& reload : frame.reloads) values.emplace_back("reload", text_of(reload));
-  for (const LogRecord& log : frame.logs) values.emplace_back("log", log.text);
+  for (const LogRecord& log : frame.logs) values.emplace_back(log.is_note ? "note" : "log", log.text);
   for (const FaultRecord& fault : frame.faults) values.emplace_back("fault", fault.fault.message);
   return values;
 }

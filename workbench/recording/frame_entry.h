@@ -13,11 +13,22 @@
 
 namespace reorient {
 
-// Topics of a recording. Their messages are bytes of our own (geometry/bytes.h), which other programs pass over.
+// Topics of a recording that decide. Their messages are bytes of our own (geometry/bytes.h) behind their number, which
+// is how ROS 1 writes an array of bytes: viewers can open them, though there is nothing to see.
 inline constexpr std::string_view kFrameTopic = "/reorient/frame";
 inline constexpr std::string_view kStateTopic = "/reorient/state";
 inline constexpr std::array<std::string_view, 2> kImageTopics{"/reorient/image/upper", "/reorient/image/lower"};
-inline constexpr std::string_view kOwnEncoding = "reorient";
+inline constexpr std::string_view kOwnEncoding = "ros1";
+inline constexpr std::string_view kOwnSchema = "reorient/Bytes";
+inline constexpr std::string_view kOwnSchemaEncoding = "ros1msg";
+inline constexpr std::string_view kOwnSchemaText = "uint8[] data\n";
+
+/// A message to look at, of a topic that decides nothing.
+struct ViewMessage {
+  std::size_t topic = 0;   ///< in a list that whoever writes it keeps
+  std::uint64_t time = 0;  ///< ns
+  std::vector<std::byte> data;
+};
 
 /// One 64-bit fingerprint for each topic that is the same for the same inputs, in the topics' order.
 using TopicDigests = std::vector<std::uint64_t>;

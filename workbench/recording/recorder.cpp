@@ -17,6 +17,7 @@
 #include "engine/record/record_bytes.h"
 #include "geometry/image.h"
 #include "workbench/recording/recording_file.h"
+#include "workbench/recording/viewer/viewer_messages.h"
 
 namespace reorient {
 namespace {
@@ -26,6 +27,19 @@ void copy_pixels(const ImageView& from, Image& to) {
   for (int y = 0; y < from.height; ++y) std::memcpy(to.row(y), from.row(y), 2 * static_cast<std::size_t>(from.width));
 }
 
+std::vector<ViewTopic> view_topics() {
+  std::vector<ViewTopic> topics;
+  topics.reserve(kViewerTopics.size());
+  for (const ViewerTopicInfo& row : kViewerTopics) {
+    topics.push_back(
+        {std::string(row.name), "json", std::string(row.schema), "jsonschema", schema_text(row.schema), row.lasts});
+  }
+  return topics;
+}
+
+// Frames between two looks at what changes slowly.
+constexpr std::uint64_t kRoomEvery = 30, kParametersEvery = 300;
+
 }  // namespace
 
 struct Recorder::Item {
@@ -33,12 +47,15 @@ struct Recorder::Item {
   std::vector<std::size_t> places;  // of the topics in entry.record
   bool begins_file = false;
   std::vector<std::byte> state;  // of the engine before it; empty: none
-  std::array<Image, 2> images;   // where entry.image_is_exact
+  std::array<bool, 2> is_viewed{};
+  std::array<Image, 2> images;   // where entry.image_is_exact or is_viewed
+  std::vector<std::byte> extra;  // write_record() of kViewedTopics
 
+  bool has_pixels(std::size_t camera) const { return entry.image_is_exact[camera] || is_viewed[camera]; }
   std::size_t bytes() const {
-    std::size_t all = entry.inputs.size() + entry.record.size() + state.size();
+    std::size_t all = entry.inputs.size() + entry.record.size() + state.size() + extra.size();
     for (std::size_t camera = 0; camera < images.size(); ++camera)
-      all += entry.image_is_exact[camera] ? images[camera].bytes().size() : 0;
+      all += has_pixels(camera) ? images[camera].bytes().size() : 0;
     return all;
   }
 };
@@ -47,13 +64,16 @@ struct Recorder::Shared {
   explicit Shared(const RecorderOptions& options)
       : first_file(options.file),
         about(options.about),
-        file(std::make_unique<RecordingFile>(options.file, options.about)) {}
+        file(std::make_unique<RecordingFile>(options.file, options.about, view_topics())),
+        viewer(options.jpeg_quality) {}
 
   // The thread's.
   const std::filesystem::path first_file;
   const mcap::Texts about;
   std::unique_ptr<RecordingFile> file;
   std::uint64_t earlier_bytes = 0;  // of the files before
+  ViewerMessages viewer;
+  std::vector<ViewMessage> views;
 
   std::mutex mutex;  // of all below
   std::condition_variable wake, over;
@@ -92,8 +112,9 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
   if (!item_) return tell_trouble();
   Item& item = *item_;
   const double now = engine.record().world.time;
-  // A slow disk gets no images before it gets nothing at all.
+  // A slow disk gets no images to look at, then no images, before it gets nothing at all.
   const bool is_slow = waiting > options_.most_waiting / 2;
+  const bool has_views = options_.jpeg_quality > 0 && waiting <= options_.most_waiting / 4;
   const std::uint64_t frame = engine.record().world.frame;
   const bool wanted = options_.images_every > 0 && frame % static_cast<std::uint64_t>(options_.images_every) == 0;
   const std::optional<CameraFrame>* const cameras[] = {&inputs.observation.upper, &inputs.observation.lower};
@@ -101,28 +122,42 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
     const std::optional<CameraFrame>& seen = *cameras[camera];
     item.entry.has_image[camera] = seen && !seen->image.empty();
     item.entry.image_is_exact[camera] = item.entry.has_image[camera] && wanted && !is_slow;
-    if (item.entry.image_is_exact[camera]) copy_pixels(seen->image, item.images[camera]);
+    item.is_viewed[camera] = item.entry.has_image[camera] && has_views;
+    if (item.has_pixels(camera)) copy_pixels(seen->image, item.images[camera]);
   }
   item.entry.inputs.clear();
   write_inputs_without_pixels(inputs, item.entry.inputs);
   item.state.clear();
   const bool begins_again = is_broken_ && options_.images_every == 1 && waiting < options_.most_waiting / 4;
-  item.begins_file = any_frame_ && ((options_.rotate_bytes > 0 && file_bytes >= options_.rotate_bytes) ||
-                                    (options_.rotate_seconds > 0.0 && now - file_began_ >= options_.rotate_seconds));
-  if (!any_frame_ || item.begins_file) file_began_ = now;
+  item.begins_file = frames_ > 0 && ((options_.rotate_bytes > 0 && file_bytes >= options_.rotate_bytes) ||
+                                     (options_.rotate_seconds > 0.0 && now - file_began_ >= options_.rotate_seconds));
+  if (frames_ == 0 || item.begins_file) file_began_ = now;
   files_begun_ += item.begins_file ? 1 : 0;
-  if (!any_frame_ || item.begins_file || now >= next_state_ || begins_again) {
+  if (frames_ == 0 || item.begins_file || now >= next_state_ || begins_again) {
     engine.save(item.state);
     next_state_ = now + options_.state_every;
     is_broken_ = false;
   }
   is_broken_ = is_broken_ || !item.entry.is_exact();
-  any_frame_ = true;
+  choose_views(item);
 
-  if (!wanted || !is_slow || item.entry.is_exact()) return;
   const std::lock_guard lock(shared_->mutex);
-  ++shared_->counts.images_left_out;
-  if (shared_->counts.exact_until < 0.0) shared_->counts.exact_until = now;
+  Counts& counts = shared_->counts;
+  const bool sees = item.entry.has_image[0] || item.entry.has_image[1];
+  if (sees && options_.jpeg_quality > 0 && !has_views) ++counts.views_left_out;
+  if (!wanted || !is_slow || item.entry.is_exact()) return;
+  ++counts.images_left_out;
+  if (counts.exact_until < 0.0) counts.exact_until = now;
+}
+
+void Recorder::choose_views(const Item& item) {
+  const auto is_due = [this](std::uint64_t every) { return every > 0 && frames_ % every == 0; };
+  const bool begins = !item.state.empty();
+  wanted_ = {Topic::costs};
+  if (is_due(static_cast<std::uint64_t>(options_.particles_every))) wanted_ = wanted_ | Topics{Topic::pose_particles};
+  if (begins || is_due(kRoomEvery)) wanted_ = wanted_ | Topics{Topic::room};
+  if (begins || is_due(kParametersEvery)) wanted_ = wanted_ | Topics{Topic::parameters};
+  ++frames_;
 }
 
 void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
@@ -133,9 +168,11 @@ void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
   entry.sides_changed = frame.world.sides_changed;
   entry.record.clear();
   write_record(frame, entry.record, digested_topics(), &item_->places);
+  item_->extra.clear();
+  write_record(frame, item_->extra, wanted_);  // of another observer's there may be more
   entry.stage = stage;
   const std::size_t bytes = item_->bytes();
-  bool is_slow = false;
+  bool is_slow = false, lacks_views = false;
   {
     const std::lock_guard lock(shared_->mutex);
     if (shared_->waiting + bytes > options_.most_waiting) {
@@ -144,11 +181,14 @@ void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
       return;
     }
     is_slow = shared_->counts.images_left_out > 0;
+    lacks_views = shared_->counts.views_left_out > 0;
     shared_->waiting += bytes;
     shared_->queue.push_back(std::move(item_));
     ++shared_->counts.frames;
   }
   shared_->wake.notify_one();
+  if (lacks_views && !std::exchange(told_no_views_, true))
+    tell_("the disk is slow: images to look at are left out of the recording");
   if (is_slow && !std::exchange(told_slow_, true))
     tell_("the disk is slow: images are left out of the recording, and what follows cannot be replayed exactly");
 }
@@ -197,14 +237,24 @@ void Recorder::write_items(Shared& shared) {
     if (item.begins_file) {
       std::filesystem::path name = shared.first_file;
       name.replace_extension("." + std::to_string(files + 1) + shared.first_file.extension().string());
-      auto next = std::make_unique<RecordingFile>(name, shared.about);
+      auto next = std::make_unique<RecordingFile>(name, shared.about, view_topics());
       shared.file->finish();
       shared.earlier_bytes += shared.file->size();
       shared.file = std::move(next);
       ++files;
     }
     digest_topics(item.entry.record, item.places, item.entry.digests);
-    shared.file->add(item.entry, item.state, {item.images[0].view(), item.images[1].view()});
+    const FrameRecord frame = read_record(item.entry.record), extra = read_record(item.extra);
+    ViewedFrame viewed{frame, extra, item.entry.stage, {}, !item.state.empty()};
+    for (std::size_t camera = 0; camera < item.images.size(); ++camera)
+      if (item.is_viewed[camera]) viewed.images[camera] = item.images[camera].view();
+    shared.views.clear();
+    shared.viewer.add(viewed, [&](ViewerTopic topic, std::string_view message) {
+      const auto bytes = std::as_bytes(std::span(message));
+      shared.views.push_back(
+          {static_cast<std::size_t>(topic), nanoseconds(item.entry.time), {bytes.begin(), bytes.end()}});
+    });
+    shared.file->add(item.entry, item.state, {item.images[0].view(), item.images[1].view()}, shared.views);
   };
 
   std::unique_lock lock(shared.mutex);

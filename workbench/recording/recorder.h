@@ -22,6 +22,8 @@ struct RecorderOptions {
   /// Every how many frames the cameras' images are recorded: 1: all, so that frames can be made again; 0: none.
   int images_every = 1;
   double state_every = 60.0;  ///< s between two states of the engine
+  int jpeg_quality = 75;      ///< of the images that are only to be looked at, 1 to 100; 0: none
+  int particles_every = 6;    ///< frames between two looks at the pose filter's particles; 0: none
   /// A new file begins after so many bytes or s of the robot: run.mcap, run.2.mcap, run.3.mcap. 0: never.
   std::uint64_t rotate_bytes = 0;
   double rotate_seconds = 0.0;
@@ -33,7 +35,8 @@ class Recorder : public Observer {
  public:
   struct Counts {
     std::uint64_t frames = 0;
-    std::uint64_t images_left_out = 0;  ///< as the disk was slow
+    std::uint64_t images_left_out = 0;  ///< as the disk was slow: frames whose exact images are not there
+    std::uint64_t views_left_out = 0;   ///< the same, frames whose images to look at are not there
     std::uint64_t bytes = 0;            ///< of all files, so far
     int files = 1;
     double exact_until = -1.0;  ///< s of the robot; frames from there on cannot be made again; -1: all can
@@ -45,6 +48,7 @@ class Recorder : public Observer {
   ~Recorder() override;
 
   void before(const FrameInputs& inputs, const FrameLoop& engine) override;
+  Topics wanted() const override { return wanted_; }
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
 
   /// Ends the file. Nothing is recorded afterwards. A disk that does not take the rest within 10 s is left to itself.
@@ -57,6 +61,7 @@ class Recorder : public Observer {
   /// What both threads use. It outlives a recorder whose thread waits for a disk that never answers.
   struct Shared;
 
+  void choose_views(const Item& item);
   void tell_trouble();
   static void write_items(Shared& shared);
 
@@ -66,10 +71,11 @@ class Recorder : public Observer {
 
   std::unique_ptr<Item> item_;                  // that is being filled
   double next_state_ = 0.0, file_began_ = 0.0;  // s of the robot
+  Topics wanted_;
+  std::uint64_t frames_ = 0;  // recorded
   int files_begun_ = 1;
-  bool any_frame_ = false;
   bool is_broken_ = false;  // an image is missing since the last state
-  bool told_ = false, told_slow_ = false;
+  bool told_ = false, told_slow_ = false, told_no_views_ = false;
 
   std::thread thread_;
 };

@@ -17,6 +17,15 @@ std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic)
   return channel->id;
 }
 
+/// Our bytes in a message of a topic of our own.
+std::span<const std::byte> own_bytes(const mcap::Message& message) {
+  ByteReader in(message.data);
+  std::uint32_t length = 0;
+  in(length);
+  check_bytes(length == in.left(), "a message has not as many bytes as it says");
+  return message.data.last(length);
+}
+
 }  // namespace
 
 Recording::Recording(const std::filesystem::path& file) try : Recording(std::make_unique<mcap::FileSource>(file)) {
@@ -34,14 +43,37 @@ Recording::Recording(std::unique_ptr<mcap::Source> source)
   states_ = channel_of(contents_, kStateTopic);
   for (std::size_t camera = 0; camera < images_.size(); ++camera)
     images_[camera] = channel_of(contents_, kImageTopics[camera]);
+  find_view_topics();
+}
+
+void Recording::find_view_topics() {
+  for (const mcap::Channel& channel : contents_.channels) {
+    if (channel.id == frames_ || channel.id == states_ || std::count(images_.begin(), images_.end(), channel.id) > 0)
+      continue;
+    if (!view_of_.emplace(channel.id, view_topics_.size()).second) continue;
+    ViewTopic& topic = view_topics_.emplace_back();
+    topic.name = channel.topic;
+    topic.encoding = channel.encoding;
+    topic.lasts = channel.metadata.contains(std::string(kLasts));
+    if (const mcap::Schema* const schema = contents_.schema(channel.schema)) {
+      topic.schema = schema->name;
+      topic.schema_encoding = schema->encoding;
+      topic.schema_text = schema->text;
+    }
+  }
+}
+
+/// The frame that was begun is lost, and the one before it unknown.
+void Recording::drop_pending() {
+  pending_ = {};
+  has_pending_ = {};
+  last_frame_.reset();
 }
 
 bool Recording::go_to_chunk(std::size_t chunk) {
   chunk_ = chunk;
   messages_.reset();
-  pending_ = {};
-  has_pending_ = {};
-  last_frame_.reset();
+  drop_pending();
   return chunk_ < contents_.chunks.size();
 }
 
@@ -61,9 +93,7 @@ bool Recording::next_message(mcap::Message& message) {
         const mcap::Damage& damage) {  // the rest of the chunk is lost, and with it what belonged to its last frame
       damages_.emplace_back(damage.what());
       messages_.reset();
-      pending_ = {};
-      has_pending_ = {};
-      last_frame_.reset();
+      drop_pending();
     }
   }
 }
@@ -72,24 +102,31 @@ bool Recording::next(RecordedFrame& frame) {
   mcap::Message message;
   while (next_message(message)) {
     if (message.channel == states_) {
-      pending_.state.assign(message.data.begin(), message.data.end());
+      const auto bytes = own_bytes(message);
+      pending_.state.assign(bytes.begin(), bytes.end());
       continue;
     }
     const auto camera = std::find(images_.begin(), images_.end(), message.channel);
     if (camera != images_.end()) {
       const auto index = static_cast<std::size_t>(camera - images_.begin());
-      pending_.images[index] = unpack_image(message.data);
+      pending_.images[index] = unpack_image(own_bytes(message));
       has_pending_[index] = true;
       continue;
     }
-    if (message.channel != frames_) continue;
-    read_frame_entry(message.data, pending_.entry);
+    if (message.channel != frames_) {
+      const auto view = view_of_.find(message.channel);
+      if (reads_views_ && view != view_of_.end())
+        pending_.views.push_back({view->second, message.time, {message.data.begin(), message.data.end()}});
+      continue;
+    }
+    read_frame_entry(own_bytes(message), pending_.entry);
     for (std::size_t i = 0; i < images_.size(); ++i)
       check_bytes(pending_.entry.image_is_exact[i] == has_pending_[i], "a frame and its images do not fit together");
     pending_.follows = last_frame_ && *last_frame_ + 1 == pending_.entry.frame;
     last_frame_ = pending_.entry.frame;
     std::swap(frame, pending_);
     pending_.state.clear();
+    pending_.views.clear();
     has_pending_ = {};
     return true;
   }
@@ -126,7 +163,8 @@ bool Recording::go_to(double time) {
   // Up to that state: what its chunk holds before it belongs to earlier frames.
   for (mcap::Message message; next_message(message);) {
     if (message.channel == states_ && message.time == found_time) {
-      pending_.state.assign(message.data.begin(), message.data.end());
+      const auto bytes = own_bytes(message);
+      pending_.state.assign(bytes.begin(), bytes.end());
       return true;
     }
   }

@@ -14,14 +14,16 @@
 #include "geometry/image.h"
 #include "workbench/recording/frame_entry.h"
 #include "workbench/recording/mcap/reader.h"
+#include "workbench/recording/recording_file.h"
 
 namespace reorient {
 
 struct RecordedFrame {
   FrameEntry entry;
-  std::array<Image, 2> images;   ///< where entry.image_is_exact
-  std::vector<std::byte> state;  ///< of the engine before it; empty: none was recorded here
-  bool follows = false;          ///< the frame read before is the one before it
+  std::array<Image, 2> images;     ///< where entry.image_is_exact
+  std::vector<std::byte> state;    ///< of the engine before it; empty: none was recorded here
+  bool follows = false;            ///< the frame read before is the one before it
+  std::vector<ViewMessage> views;  ///< what there is to look at, where the recording was asked to read that, too
 };
 
 class Recording {
@@ -34,6 +36,10 @@ class Recording {
   const mcap::Source& source() const { return *source_; }
   /// What was said of the run: "scenario", "seed", "version".
   const mcap::Texts& about() const { return about_; }
+
+  /// What there is to look at, which read_views() has frames bring as well, by its place here.
+  const std::vector<ViewTopic>& view_topics() const { return view_topics_; }
+  void read_views() { reads_views_ = true; }
 
   /// The next frame in its order. False: there is none any more. Throws BadBytes: of another version.
   bool next(RecordedFrame& frame);
@@ -50,6 +56,8 @@ class Recording {
   const std::vector<std::string>& damages() const { return damages_; }
 
  private:
+  void find_view_topics();
+  void drop_pending();
   bool next_message(mcap::Message& message);
   bool go_to_chunk(std::size_t chunk);
 
@@ -58,6 +66,9 @@ class Recording {
   mcap::Texts about_;
   std::uint16_t frames_ = 0, states_ = 0;  // channels
   std::array<std::uint16_t, 2> images_{};
+  std::vector<ViewTopic> view_topics_;
+  std::map<std::uint16_t, std::size_t> view_of_;  // by channel
+  bool reads_views_ = false;
 
   std::size_t chunk_ = 0;  // the next
   std::optional<mcap::ChunkMessages> messages_;

@@ -1,14 +1,17 @@
 #include "workbench/recording/recording_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "geometry/bytes.h"
 #include "workbench/files/write_all.h"
 #include "workbench/recording/packed_image.h"
 
@@ -23,7 +26,7 @@ std::runtime_error failure(const std::filesystem::path& file, int error) {
 
 }  // namespace
 
-RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Texts& about)
+RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views)
     : file_(file),
       descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
       flushed_(std::chrono::steady_clock::now()) {
@@ -33,10 +36,12 @@ RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Text
     writer_.emplace([this](std::span<const std::byte> bytes) { write(bytes); },
                     "reorient " + (version == about.end() ? std::string() : version->second));
     writer_->add_metadata("reorient", about);
-    states_ = writer_->add_channel(kStateTopic, kOwnEncoding, 0);
+    const std::uint16_t schema = writer_->add_schema(kOwnSchema, kOwnSchemaEncoding, kOwnSchemaText);
+    states_ = writer_->add_channel(kStateTopic, kOwnEncoding, schema);
     for (std::size_t camera = 0; camera < images_.size(); ++camera)
-      images_[camera] = writer_->add_channel(kImageTopics[camera], kOwnEncoding, 0);
-    frames_ = writer_->add_channel(kFrameTopic, kOwnEncoding, 0);
+      images_[camera] = writer_->add_channel(kImageTopics[camera], kOwnEncoding, schema);
+    frames_ = writer_->add_channel(kFrameTopic, kOwnEncoding, schema);
+    for (ViewTopic& view : views) views_.push_back({std::move(view), {}});
   } catch (...) {
     close(descriptor_);
     throw;
@@ -63,18 +68,49 @@ void RecordingFile::flush() {
 }
 
 void RecordingFile::add(const FrameEntry& entry, std::span<const std::byte> state,
-                        const std::array<ImageView, 2>& images) {
+                        const std::array<ImageView, 2>& images, std::span<const ViewMessage> views) {
   const std::uint64_t time = nanoseconds(entry.time);
-  if (!state.empty()) add_message(states_, time, state);
+  const auto begin_own = [this] { own_.assign(sizeof(std::uint32_t), std::byte{}); };
+  if (!state.empty()) {
+    begin_own();
+    own_.insert(own_.end(), state.begin(), state.end());
+    add_own_message(states_, time);
+  }
   for (std::size_t camera = 0; camera < images.size(); ++camera) {
     if (!entry.image_is_exact[camera]) continue;
-    bytes_.clear();
-    pack_image(images[camera], bytes_);
-    add_message(images_[camera], time, bytes_);
+    begin_own();
+    pack_image(images[camera], own_);
+    add_own_message(images_[camera], time);
   }
-  bytes_.clear();
-  write_frame_entry(entry, bytes_);
-  add_message(frames_, time, bytes_);
+  for (const ViewMessage& view : views) add_message(channel_of(view.topic), view.time, view.data);
+  // The frame comes last: what stands before it belongs to it.
+  begin_own();
+  write_frame_entry(entry, own_);
+  add_own_message(frames_, time);
+}
+
+void RecordingFile::add_own_message(std::uint16_t channel, std::uint64_t time) {
+  std::vector<std::byte> length;
+  ByteWriter{length}(static_cast<std::uint32_t>(own_.size() - sizeof(std::uint32_t)));
+  std::copy(length.begin(), length.end(), own_.begin());
+  add_message(channel, time, own_);
+}
+
+/// Viewers list what a file says it has: so a topic is named when there is something of it.
+std::uint16_t RecordingFile::channel_of(std::size_t view) {
+  View& wanted = views_.at(view);
+  if (wanted.channel) return *wanted.channel;
+  const ViewTopic& topic = wanted.topic;
+  std::uint16_t schema = 0;
+  if (!topic.schema.empty()) {
+    const auto known = schemas_.find(topic.schema);
+    schema = known != schemas_.end() ? known->second
+                                     : writer_->add_schema(topic.schema, topic.schema_encoding, topic.schema_text);
+    schemas_.emplace(topic.schema, schema);
+  }
+  wanted.channel = writer_->add_channel(topic.name, topic.encoding, schema,
+                                        topic.lasts ? mcap::Texts{{std::string(kLasts), "true"}} : mcap::Texts{});
+  return *wanted.channel;
 }
 
 void RecordingFile::add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data) {

@@ -4,28 +4,46 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <sys/types.h>
 
+#include "geometry/image.h"
 #include "workbench/recording/frame_entry.h"
 #include "workbench/recording/mcap/writer.h"
 
 namespace reorient {
 
+/// A topic that decides nothing.
+struct ViewTopic {
+  std::string name, encoding;
+  std::string schema, schema_encoding, schema_text;  ///< schema: empty: there is none
+  bool lasts = false;  ///< a message holds until the next one: whoever begins in the middle needs the one before
+};
+
+/// Said of such a topic, for who reads the file.
+inline constexpr std::string_view kLasts = "lasts";
+
 class RecordingFile {
  public:
-  /// Throws std::runtime_error with one line: what cannot be written, and why. So do all others.
-  RecordingFile(const std::filesystem::path& file, const mcap::Texts& about);
+  /// `views`: what there may be to look at. Throws std::runtime_error with one line: what cannot be written, and why.
+  /// So do all others.
+  RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views);
   ~RecordingFile();
   RecordingFile(const RecordingFile&) = delete;
   RecordingFile& operator=(const RecordingFile&) = delete;
 
-  /// A frame: the state of the engine before it, which may be empty, and those images that are exact.
-  void add(const FrameEntry& entry, std::span<const std::byte> state, const std::array<ImageView, 2>& images);
+  /// A frame: the state of the engine before it, which may be empty, those images that are exact, and what there is to
+  /// look at, by its place among the topics.
+  void add(const FrameEntry& entry, std::span<const std::byte> state, const std::array<ImageView, 2>& images,
+           std::span<const ViewMessage> views);
   /// Writes what is full or old. To be called at least every kFlushEvery.
   void keep_up();
   void finish();
@@ -35,7 +53,10 @@ class RecordingFile {
   static constexpr std::chrono::milliseconds kFlushEvery{250};
 
  private:
+  /// Hands out `own_` behind its length.
+  void add_own_message(std::uint16_t channel, std::uint64_t time);
   void add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data);
+  std::uint16_t channel_of(std::size_t view);
   void write(std::span<const std::byte> bytes);
   void flush();
 
@@ -45,7 +66,13 @@ class RecordingFile {
   std::optional<mcap::Writer> writer_;
   std::uint16_t frames_ = 0, states_ = 0;
   std::array<std::uint16_t, 2> images_{};
-  std::vector<std::byte> bytes_;
+  struct View {
+    ViewTopic topic;
+    std::optional<std::uint16_t> channel;  // from its first message on
+  };
+  std::vector<View> views_;
+  std::map<std::string, std::uint16_t> schemas_;
+  std::vector<std::byte> own_;
   std::chrono::steady_clock::time_point flushed_;
   bool is_dirty_ = false;
 };

@@ -1,8 +1,12 @@
 #include "workbench/recording/rewriting.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "engine/frame.h"
 #include "workbench/recording/recording_file.h"
@@ -13,10 +17,11 @@ namespace {
 
 class Copy {
  public:
-  Copy(const std::filesystem::path& file, const mcap::Texts& about) : file_(file, about) {}
+  Copy(const Recording& recording, const std::filesystem::path& file)
+      : file_(file, recording.about(), recording.view_topics()) {}
 
   void add(const RecordedFrame& frame) {
-    file_.add(frame.entry, frame.state, {frame.images[0].view(), frame.images[1].view()});
+    file_.add(frame.entry, frame.state, {frame.images[0].view(), frame.images[1].view()}, frame.views);
     if (done_.frames++ == 0) done_.first_time = frame.entry.time;
     done_.last_time = frame.entry.time;
   }
@@ -31,25 +36,39 @@ class Copy {
   Rewritten done_;
 };
 
-/// Stops at the first frame from a time on, with the state of the engine before it.
+/// Stops at the first frame from a time on, with the state of the engine before it, and what lasts to be looked at.
 struct Beginning : Observer {
-  Beginning(const Playback& source, double begin) : playback(source), from(begin) {}
+  Beginning(const Playback& source, const std::vector<ViewTopic>& view_topics, double begin)
+      : playback(source), topics(view_topics), from(begin) {}
 
   void before(const FrameInputs& /*inputs*/, const FrameLoop& engine) override {
-    if (frame || playback.frame().entry.time < from) return;
-    frame = playback.frame();
+    if (frame) return;
+    const RecordedFrame& now = playback.frame();
+    for (const ViewMessage& view : now.views) {
+      if (topics[view.topic].lasts) lasting[view.topic] = view;
+    }
+    if (now.entry.time < from) return;
+    frame = now;
     if (frame->state.empty()) engine.save(frame->state);
+    for (auto& [topic, view] : lasting) {
+      const auto is_same = [topic = topic](const ViewMessage& other) { return other.topic == topic; };
+      if (std::any_of(now.views.begin(), now.views.end(), is_same)) continue;
+      view.time = nanoseconds(now.entry.time);
+      frame->views.push_back(std::move(view));
+    }
   }
   void observe(const FrameRecord& /*frame*/, const StageRecord& /*stage*/) override {}
 
   const Playback& playback;
-  double from;  // s of the robot
+  const std::vector<ViewTopic>& topics;
+  double from;                                 // s of the robot
+  std::map<std::size_t, ViewMessage> lasting;  // by topic
   std::optional<RecordedFrame> frame;
 };
 
 std::optional<RecordedFrame> beginning_of(Recording& recording, double from) {
   Replay replay(recording, from);
-  Beginning beginning(replay.playback(), from);
+  Beginning beginning(replay.playback(), recording.view_topics(), from);
   while (!beginning.frame && replay.next_stretch() != nullptr)
     replay.run({}, {&beginning}, [&] { return beginning.frame.has_value(); });
   return std::move(beginning.frame);
@@ -58,18 +77,20 @@ std::optional<RecordedFrame> beginning_of(Recording& recording, double from) {
 }  // namespace
 
 Rewritten recover_recording(Recording& recording, const std::filesystem::path& file) {
-  Copy copy(file, recording.about());
+  recording.read_views();
+  Copy copy(recording, file);
   RecordedFrame frame;
   while (recording.next(frame)) copy.add(frame);
   return copy.finish();
 }
 
 Rewritten cut_recording(Recording& recording, double from, double to, const std::filesystem::path& file) {
+  recording.read_views();
   std::optional<RecordedFrame> first = beginning_of(recording, from);
   if (!first || first->entry.time > to)
     throw std::runtime_error(
         "no frame between these times can be made again; 'reorient recording info' says which can");
-  Copy copy(file, recording.about());
+  Copy copy(recording, file);
   copy.add(*first);
   RecordedFrame frame = std::move(*first);
   while (recording.next(frame) && frame.entry.time <= to) copy.add(frame);

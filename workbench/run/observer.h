@@ -27,11 +27,11 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// What it reads beyond the topics that are always filled; asked before each frame.
-  virtual Topics wanted() const { return {}; }
-
   /// Before a frame: what goes into it, and the engine that it goes to. Valid during the call only.
   virtual void before(const FrameInputs& /*inputs*/, const FrameLoop& /*engine*/) {}
+
+  /// What it reads of this frame beyond the topics that are always filled; asked after before().
+  virtual Topics wanted() const { return {}; }
 
   /// Once a frame. Both are valid during the call only.
   virtual void observe(const FrameRecord& frame, const StageRecord& stage) = 0;

@@ -30,8 +30,8 @@ std::optional<RunEnd> RunLoop::step() {
   stage_.observing = seconds_since(begin);
   for (InputSource* source : parts_.sources) source->add_to(inputs_);
   Topics wanted;
-  for (const Observer* observer : parts_.observers) wanted = wanted | observer->wanted();
   for (Observer* observer : parts_.observers) observer->before(inputs_, parts_.engine);
+  for (const Observer* observer : parts_.observers) wanted = wanted | observer->wanted();
   const FrameRecord& record = parts_.engine.step(inputs_, wanted);
   stage_.stepping = seconds_since(begin) - stage_.observing;
   parts_.robot.robot->answer(record.answer);

@@ -23,12 +23,22 @@ TimelineEvent command_event(const NameTable& names, const Issuer& issuer, std::s
   return event;
 }
 
+void append_notes(const NameTable& names, const std::vector<LogRecord>& logs, double time,
+                  std::vector<TimelineEvent>& events) {
+  for (const LogRecord& line : logs) {
+    if (!line.is_note) continue;
+    const std::string& machine = names[line.machine];
+    events.push_back({time, machine.empty() ? "note" : machine, "note: " + line.text, "", "", "", false});
+  }
+}
+
 }  // namespace
 
 std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const StageRecord& stage) {
   const double time = frame.world.time;
   std::vector<TimelineEvent> events;
   if (frame.inputs.half_time) events.push_back({time, "game", "half-time", "", "the teams change sides", "", false});
+  append_notes(*frame.names, frame.logs, time, events);
   append_transitions(*frame.names, frame.transitions, time, events);
   for (const Lease& lease : frame.begun)
     events.push_back(command_event(*frame.names, lease.issuer, to_string(lease.pause), Verdict::granted, time));
@@ -37,6 +47,7 @@ std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const Stage
                                    command.verdict, time));
     events.back().reorients = command.verdict == Verdict::granted;
   }
+  append_notes(*stage.scenario.names, stage.scenario.logs, time, events);
   append_transitions(*stage.scenario.names, stage.scenario.transitions, time, events);
   return events;
 }

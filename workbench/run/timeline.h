@@ -1,4 +1,4 @@
-// The events of a run in words: commands, pauses and changes of state.
+// The events of a run in words: commands, pauses, changes of state and notes.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace reorient {
 
 struct TimelineEvent {
   double time = 0.0;    ///< s
-  std::string machine;  ///< or "game"
-  std::string state;    ///< path; of a change: "from > to"
-  std::string command;  ///< empty: a change of state
+  std::string machine;  ///< or "game", or "note": somebody's
+  std::string state;    ///< path; of a change: "from > to"; of a note: "note: " and what it says
+  std::string command;  ///< empty: a change of state, or a note
   std::string reason;
   std::string verdict;
   bool reorients = false;  ///< a granted flip, purge or reset

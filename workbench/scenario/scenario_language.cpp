@@ -128,6 +128,8 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
       script_function<&A::fail>("verdict.fail", {"text"}, "Ends the run: the robot did wrong, and why."),
       script_function<&A::inform>("log.info", {"text"},
                                   "Writes a line into the run's log, with the time and the state."),
+      script_function<&A::note>("log.note", {"text"},
+                                "The same, marked as a note, to be found again in a recording of the run."),
       script_function<&A::time_in_state>("time_in_state", {},
                                          "Seconds since the state was entered whose function asks."),
   };

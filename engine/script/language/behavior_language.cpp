@@ -40,6 +40,8 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
           "Sends a message of at most 240 bytes to the team mates. The team's own program carries it."),
       script_function<&A::inform>("log.info", {"text"},
                                   "Writes a line into the run's log, with the time and the state."),
+      script_function<&A::note>("log.note", {"text"},
+                                "The same, marked as a note, to be found again in a recording of the run."),
       script_function<&A::time_in_state>("time_in_state", {},
                                          "Seconds since the state was entered whose function asks."),
   };

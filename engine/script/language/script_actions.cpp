@@ -28,12 +28,12 @@ Issuer ScriptActions::issuer() const {
   return {definition.name_id, definition.states[state_].path_id, machine_->reason()};
 }
 
-void ScriptActions::inform(std::string_view text) {
+void ScriptActions::log(std::string_view text, bool is_note) {
   require_acting();
   const Issuer who = issuer();
   std::vector<LogRecord>& logs = output_->logs;
   if (logged_++ < kMostPerFrame) {
-    logs.push_back({who.machine, who.state, std::string(text), 0});
+    logs.push_back({who.machine, who.state, std::string(text), 0, is_note});
   } else {
     ++logs.back().dropped;  // its own: machines tick one after the other
   }

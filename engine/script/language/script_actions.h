@@ -34,7 +34,8 @@ class ScriptActions {
   /// Log lines, and commands or actions, of each machine: one that is out of its mind silences no other.
   static constexpr std::size_t kMostPerFrame = 100;
 
-  void inform(std::string_view text);
+  void inform(std::string_view text) { log(text, false); }
+  void note(std::string_view text) { log(text, true); }
   double time_in_state();
 
  protected:
@@ -47,6 +48,8 @@ class ScriptActions {
   Issuer issuer() const;
 
  private:
+  void log(std::string_view text, bool is_note);
+
   ScriptOutput* output_ = nullptr;
   double time_ = 0.0;
   Machine* machine_ = nullptr;

@@ -26,7 +26,7 @@ inline Reply at_once(std::string text) {
 /// One row of the table that dispatch, help and completion read.
 struct Command {
   std::string_view name;
-  std::string_view arguments;  ///< "NAME VALUE"; in brackets what may be left out
+  std::string_view arguments;  ///< "NAME VALUE"; in brackets what may be left out; "TEXT...": any number of words
   std::string_view help;
   /// What it does to the frame that begins. Throws std::runtime_error with one line on bad input.
   std::function<Reply(const Words& arguments, FrameInputs& inputs)> act;

@@ -1,6 +1,7 @@
 #include "program/run/console/command_table.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -16,7 +17,10 @@ namespace {
 std::pair<std::size_t, std::size_t> argument_counts(std::string_view arguments) {
   std::istringstream in{std::string(arguments)};
   std::size_t least = 0, most = 0;
-  for (std::string word; in >> word; ++most) least += word.starts_with('[') ? 0 : 1;
+  for (std::string word; in >> word; ++most) {
+    least += word.starts_with('[') ? 0 : 1;
+    if (word.ends_with("...")) return {least, std::numeric_limits<std::size_t>::max()};
+  }
   return {least, most};
 }
 
@@ -31,6 +35,16 @@ double seconds_of(const std::string& text) {
   constexpr double kLongest = 36000.0;
   const ParameterDeclaration wanted{"wait", ParameterKind::real, 0.0, 0.0, kLongest, "s", "", {}};
   return std::get<double>(parse_parameter(wanted, text));
+}
+
+Reply note(const Words& words, FrameInputs& inputs) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+  inputs.told.notes.push_back(text);
+  return [](const FrameRecord& frame, const StageRecord&) {
+    return fmt::format("  noted at {:.2f} s\n", frame.world.time);
+  };
 }
 
 Reply wait(double seconds) {
@@ -84,6 +98,8 @@ CommandTable::CommandTable(ConsoleSubject subject)
       {"reload", "[SCRIPT]", "read a script again, or all, though they did not change",
        [this](const Words& words, FrameInputs& inputs) { return scripts_.reload(optional_argument(words), inputs); },
        first([this] { return scripts_.scripts(); })},
+      {"note", "TEXT...", "write it down at this time of the run, as in: note the referee moved it",
+       [](const Words& words, FrameInputs& inputs) { return note(words, inputs); }},
       {"wait", "SECONDS", "take the next command so much later, in the robot's time",
        [](const Words& words, FrameInputs&) { return wait(seconds_of(words[0])); }},
       {"help", "[COMMAND]", "this list",

@@ -46,6 +46,18 @@ TEST_F(TimelineTest, TellsChangesOfStatePausesAndCommandsInTheirOrder) {
   EXPECT_EQ(history.dropped(), 0u);
 }
 
+TEST_F(TimelineTest, TellsNotesAndNoOtherLogLines) {
+  frame.logs.push_back({kNoName, kNoName, "the referee moved it", 0, true});
+  frame.logs.push_back({id("orientation"), id("watching"), "hello", 0, false});
+  frame.logs.push_back({id("orientation"), id("watching"), "look here", 0, true});
+  const std::vector<TimelineEvent> events = timeline_events(frame, stage);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].machine, "note");
+  EXPECT_EQ(events[0].state, "note: the referee moved it");
+  EXPECT_EQ(events[1].machine, "orientation");
+  EXPECT_EQ(events[1].state, "note: look here");
+}
+
 TEST_F(TimelineTest, TellsThatTheTeamsChangeSides) {
   EXPECT_TRUE(timeline_events(frame, stage).empty());
   frame.inputs.half_time = true;

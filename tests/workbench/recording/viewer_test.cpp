@@ -1,0 +1,260 @@
+// What viewers get: each message fits its schema, and says what the frame's record says.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <spdlog/fmt/fmt.h>
+#include <turbojpeg.h>
+
+#include "engine/script/language/world_fields.h"
+#include "tests/engine/eventful_run.h"
+#include "workbench/recording/viewer/base64.h"
+#include "workbench/recording/viewer/foxglove.h"
+#include "workbench/recording/viewer/viewer_messages.h"
+
+namespace reorient {
+namespace {
+
+using foxglove::Json;
+
+/// As much of JSON Schema as ours use. Where `value` first does not fit; empty: nowhere.
+std::string misfit(const Json& value, const Json& schema, const std::string& where = "") {
+  if (schema.contains("oneOf")) {
+    for (const Json& choice : schema["oneOf"]) {
+      if (choice.at("const") == value) return "";
+    }
+    return where + " is none of the constants";
+  }
+  const std::string type = schema.at("type");
+  const bool fits = type == "object"    ? value.is_object()
+                    : type == "array"   ? value.is_array()
+                    : type == "string"  ? value.is_string()
+                    : type == "boolean" ? value.is_boolean()
+                    : type == "integer" ? value.is_number_integer()
+                                        : value.is_number();
+  if (!fits) return where + " is no " + type + ": " + value.dump();
+  if (schema.contains("minimum") && value < schema["minimum"]) return where + " is too small";
+  if (schema.contains("maximum") && value > schema["maximum"]) return where + " is too large";
+  if (schema.contains("minItems") && value.size() < schema["minItems"]) return where + " has too few items";
+  if (schema.contains("maxItems") && value.size() > schema["maxItems"]) return where + " has too many items";
+  std::string inner;
+  if (type == "array") {
+    for (std::size_t i = 0; i < value.size() && inner.empty(); ++i)
+      inner = misfit(value[i], schema["items"], fmt::format("{}[{}]", where, i));
+    return inner;
+  }
+  if (type != "object") return "";
+  if (schema.contains("required")) {
+    for (const std::string name : schema["required"])
+      if (!value.contains(name)) return fmt::format("{} lacks {}", where, name);
+  }
+  for (const auto& [name, item] : value.items()) {
+    if (!schema.at("properties").contains(name)) return fmt::format("{} has {}, which nobody expects", where, name);
+    inner = misfit(item, schema["properties"][name], fmt::format("{}.{}", where, name));
+    if (!inner.empty()) break;
+  }
+  return inner;
+}
+
+/// The messages of an eventful run, each of which fits its schema.
+class ViewerMessagesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const ViewerTopicInfo& row : kViewerTopics) schemas_[row.topic] = Json::parse(schema_text(row.schema));
+    ViewerMessages viewer;
+    FrameLoop engine(eventful_setup());
+    StageRecord stage;
+    stage.truth = GroundTruth{Pose2(1.0, 2.0, 0.5), false, false};
+    int frames = 0;
+    for (const Bytes& bytes : eventful_run(300)) {
+      const StoredInputs stored(bytes);
+      const FrameInputs& inputs = stored.inputs();
+      const FrameRecord& frame = engine.step(inputs, kViewedTopics);
+      ViewedFrame viewed{frame, frame, stage, {}, frames++ == 0};
+      if (inputs.observation.upper) viewed.images[0] = inputs.observation.upper->image;
+      last_world_ = frame.world;
+      viewer.add(viewed, [&](ViewerTopic topic, std::string_view text) {
+        Json message = Json::parse(text);
+        const std::string wrong = misfit(message, schemas_.at(topic), std::string(info(topic).name));
+        if (!wrong.empty() && mistakes_.size() < 10) mistakes_.push_back(wrong);
+        ++counts_[topic];
+        last_[topic] = std::move(message);
+      });
+    }
+  }
+
+  std::map<ViewerTopic, Json> schemas_, last_;
+  std::map<ViewerTopic, int> counts_;
+  std::vector<std::string> mistakes_;
+  World last_world_;
+};
+
+TEST_F(ViewerMessagesTest, FitTheirSchemasAndSayWhatTheRecordSays) {
+  EXPECT_EQ(mistakes_, std::vector<std::string>());
+  for (const ViewerTopic topic : {ViewerTopic::transforms, ViewerTopic::pose, ViewerTopic::truth, ViewerTopic::percepts,
+                                  ViewerTopic::world, ViewerTopic::machines, ViewerTopic::request, ViewerTopic::costs,
+                                  ViewerTopic::pose_particles, ViewerTopic::upper_image, ViewerTopic::parameters})
+    EXPECT_GE(counts_[topic], 299) << info(topic).name;
+  EXPECT_EQ(counts_[ViewerTopic::field], 1);
+  EXPECT_EQ(counts_[ViewerTopic::upper_calibration], 1);
+  EXPECT_GT(counts_[ViewerTopic::wall], 0);
+  EXPECT_GT(counts_[ViewerTopic::events], 0);
+  EXPECT_GT(counts_[ViewerTopic::log], 0);
+  EXPECT_NEAR(last_[ViewerTopic::pose]["pose"]["position"]["x"], last_world_.pose.pose.position.x(), 1e-4);
+  EXPECT_EQ(last_[ViewerTopic::world]["clock"]["frame"], last_world_.frame);
+  EXPECT_EQ(last_[ViewerTopic::world]["confidence"]["current"], last_world_.confidence.current);
+  EXPECT_EQ(last_[ViewerTopic::truth]["pose"]["position"]["y"], 2.0);
+}
+
+TEST(ViewerMessages, LeaveOutNumbersThatAreNoneAndMendTextThatIsNone) {
+  FrameRecord frame;
+  frame.world.undisturbed_for = std::numeric_limits<double>::infinity();
+  frame.world.pose.pose.position.x() = std::numeric_limits<double>::quiet_NaN();
+  frame.logs.push_back({0, 0, "caf\xe9", 0, true});
+  std::map<ViewerTopic, Json> messages;
+  ViewerMessages().add({frame, frame, {}, {}, true}, [&](ViewerTopic topic, std::string_view text) {
+    messages[topic] = Json::parse(text);
+    EXPECT_EQ(misfit(messages[topic], Json::parse(schema_text(info(topic).schema))), "") << text;
+  });
+  EXPECT_FALSE(messages[ViewerTopic::world]["robot"].contains("undisturbed_for"));
+  EXPECT_FALSE(messages[ViewerTopic::world]["pose"].contains("x"));
+  EXPECT_EQ(messages[ViewerTopic::log]["message"], "note: caf\xef\xbf\xbd");
+  EXPECT_EQ(messages[ViewerTopic::log]["name"], "note");
+}
+
+TEST(ViewerTopics, HaveEachNameOnceAndASchema) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < kViewerTopics.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(kViewerTopics[i].topic), i);
+    EXPECT_TRUE(names.insert(kViewerTopics[i].name).second) << kViewerTopics[i].name;
+    EXPECT_EQ(Json::parse(schema_text(kViewerTopics[i].schema)).at("type"), "object");
+  }
+}
+
+TEST(Base64, IsThatOfTheStandard) {
+  const std::pair<std::string, std::string> kVectors[] = {{"", ""},
+                                                          {"f", "Zg=="},
+                                                          {"fo", "Zm8="},
+                                                          {"foo", "Zm9v"},
+                                                          {"foob", "Zm9vYg=="},
+                                                          {"fooba", "Zm9vYmE="},
+                                                          {"foobar", "Zm9vYmFy"},
+                                                          {"\xff\xfe\xfd", "//79"}};
+  for (const auto& [bytes, text] : kVectors) EXPECT_EQ(base64(std::as_bytes(std::span(bytes))), text);
+}
+
+TEST(Jpeg, ShowsTheColoursOfTheImage) {
+  constexpr int kWidth = 50, kHeight = 30;  // no multiples of JPEG's blocks
+  Image image(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      std::uint8_t* const pixel = image.row(y) + 2 * x;
+      pixel[0] = static_cast<std::uint8_t>(60 + 3 * x);
+      pixel[1] = x % 2 == 0 ? 90 : 160;  // Cb, then Cr
+    }
+  }
+  JpegEncoder encoder(90);
+  const std::span<const std::byte> jpeg = encoder.encode(image.view());
+  const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), tjDestroy);
+  std::vector<std::uint8_t> rgb(3 * kWidth * kHeight);
+  ASSERT_EQ(tjDecompress2(decoder.get(), reinterpret_cast<const unsigned char*>(jpeg.data()), jpeg.size(), rgb.data(),
+                          kWidth, 0, kHeight, TJPF_RGB, 0),
+            0);
+  for (int x = 0; x < kWidth; x += 7) {
+    const double luma = 60 + 3 * x;
+    const std::uint8_t* const pixel = &rgb[3 * (15 * kWidth + static_cast<std::size_t>(x))];
+    EXPECT_NEAR(pixel[0], std::min(255.0, luma + 1.402 * (160 - 128)), 6.0) << x;
+    EXPECT_NEAR(pixel[2], std::max(0.0, luma + 1.772 * (90 - 128)), 6.0) << x;
+  }
+  EXPECT_TRUE(encoder.encode({}).empty());
+}
+
+TEST(Foxglove, CountsTimeInSecondsAndNanoseconds) {
+  EXPECT_EQ(foxglove::time(1.25), Json({{"sec", 1}, {"nsec", 250000000}}));
+  EXPECT_EQ(foxglove::time(0.9999999999), Json({{"sec", 1}, {"nsec", 0}}));
+  EXPECT_EQ(foxglove::time(-3.0), Json({{"sec", 0}, {"nsec", 0}}));
+  EXPECT_EQ(foxglove::time(std::nan("")), Json({{"sec", 0}, {"nsec", 0}}));
+}
+
+// A layout that names what nobody sends shows nothing.
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// "/world.confidence.current": of a topic that there is, and its schema has such a field.
+void expect_path(const std::string& path, char separator) {
+  for (const ViewerTopicInfo& row : kViewerTopics) {
+    if (!path.starts_with(row.name)) continue;
+    const std::string rest = path.substr(row.name.size());
+    if (!rest.empty() && rest[0] != separator) continue;
+    Json schema = Json::parse(schema_text(row.schema));
+    std::istringstream parts(std::regex_replace(rest, std::regex(R"(\[:\]\{[^}]*\})"), ""));
+    for (std::string part; std::getline(parts, part, separator);) {
+      if (part.empty()) continue;
+      if (schema["type"] == "array") schema = Json(schema["items"]);
+      ASSERT_TRUE(schema["properties"].contains(part)) << path << ": " << part;
+      schema = Json(schema["properties"][part]);
+    }
+    return;
+  }
+  ADD_FAILURE() << path << ": there is no such topic";
+}
+
+TEST(ViewerTopics, StandOnThePageAboutRecordings) {
+  const std::string page = text_of(std::filesystem::path(REORIENT_SOURCE_DIR) / "docs" / "recordings.md");
+  for (const ViewerTopicInfo& row : kViewerTopics) {
+    const std::string line = "| `" + std::string(row.name) + "` | `" + std::string(row.schema) + "` | " +
+                             std::string(row.description) + " |\n";
+    EXPECT_NE(page.find(line), std::string::npos) << line;
+  }
+}
+
+TEST(ViewerLayouts, NameTopicsAndFieldsThatThereAre) {
+  const std::filesystem::path folder = std::filesystem::path(REORIENT_SOURCE_DIR) / "assets" / "views";
+  const Json layout = Json::parse(text_of(folder / "lichtblick.json"));
+  int paths = 0;
+  const std::function<void(const Json&)> visit = [&](const Json& json) {
+    for (const auto& [key, value] : json.items()) {
+      if (json.is_object() && key.starts_with("/")) {
+        expect_path(key, '.');
+        ++paths;
+      }
+      if (value.is_string() && value.get<std::string>().starts_with("/")) {
+        expect_path(value, '.');
+        ++paths;
+      }
+      if (value.is_structured()) visit(value);
+    }
+  };
+  visit(layout.at("configById"));
+  const std::function<void(const Json&)> visit_panels = [&](const Json& place) {
+    if (place.is_string()) {
+      EXPECT_TRUE(layout["configById"].contains(place.get<std::string>())) << place;
+      return;
+    }
+    visit_panels(place.at("first"));
+    visit_panels(place.at("second"));
+  };
+  visit_panels(layout.at("layout"));
+  const std::string xml = text_of(folder / "plotjuggler.xml");
+  const std::regex curve("curve name=\"([^\"]+)\"");
+  for (std::sregex_iterator it(xml.begin(), xml.end(), curve), end; it != end; ++it, ++paths)
+    expect_path((*it)[1], '/');
+  EXPECT_GT(paths, 15);
+}
+
+}  // namespace
+}  // namespace reorient
