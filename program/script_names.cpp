@@ -61,4 +61,13 @@ std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& 
   return named(kBehaviors, kScenarios, root, texts, name);
 }
 
+void require_script_name(const std::string& name) {
+  const bool fits = !name.empty() &&
+                    name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos &&
+                    name.front() >= 'a' && name.size() <= 60;
+  if (!fits)
+    throw std::runtime_error("'" + name +
+                             "' cannot be a script's name: small letters, digits and _, as in ball_search");
+}
+
 }  // namespace reorient

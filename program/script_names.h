@@ -14,4 +14,7 @@ std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& 
 /// The same of a behaviour.
 std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name);
 
+/// Throws std::runtime_error with one line where a new script cannot be called so.
+void require_script_name(const std::string& name);
+
 }  // namespace reorient

@@ -26,6 +26,7 @@ Subcommand add_recording(CLI::App& program);
 Subcommand add_reference(CLI::App& program);
 Subcommand add_model(CLI::App& program);
 Subcommand add_new(CLI::App& program);
+Subcommand add_record_test(CLI::App& program);
 Subcommand add_replay(CLI::App& program);
 Subcommand add_version(CLI::App& program);
 

@@ -45,14 +45,17 @@ stds.reorient = { read_globals = {
 stds.reorient_test = { read_globals = {
   expect = { other_fields = true },
   advance = {},
+  advance_to = {},
   hear = {},
   load_behavior = {},
   load_scenario = {},
   reload = {},
+  replay = {},
   set_param = {},
   set_world = {},
   simulate = {},
   test = {},
+  world_value = {},
 } }
 
 std = "reorient"

@@ -5,6 +5,7 @@
 
 #include "program/options.h"
 #include "program/program.h"
+#include "program/script_names.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 
@@ -166,17 +167,8 @@ std::string named(std::string text, const std::string& name) {
   return text;
 }
 
-void require_name(const std::string& name) {
-  const bool fits = !name.empty() &&
-                    name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos &&
-                    name.front() >= 'a' && name.size() <= 60;
-  if (!fits)
-    throw std::runtime_error("'" + name +
-                             "' cannot be a script's name: small letters, digits and _, as in ball_search");
-}
-
 int make(const NewOptions& options, std::ostream& out) {
-  require_name(options.name);
+  require_script_name(options.name);
   const bool is_behavior = options.kind == "behavior";
   const std::filesystem::path root = scripts_root(options.scripts);
   const std::filesystem::path script = root / (is_behavior ? "behaviors" : "scenarios") / (options.name + ".lua");

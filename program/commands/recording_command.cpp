@@ -46,14 +46,26 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   double first = 0.0, last = 0.0;
   bool goes_on = false;  // from a state on, without a gap
   RecordedFrame frame;
-  while (recording.next(frame)) {
+  const bool can_be_read = recording.format() == kRecordingFormat;
+  if (!can_be_read) recording.count_messages();
+  while (can_be_read && recording.next(frame)) {
     if (frames++ == 0) first = frame.entry.time;
     last = frame.entry.time;
     goes_on = frame.entry.is_exact() && (!frame.state.empty() || (goes_on && frame.follows));
     exact += goes_on ? 1 : 0;
   }
-  out << fmt::format("{} frames, {:.2f} to {:.2f} s of the robot; {} can be made again exactly\n", frames, first, last,
-                     exact);
+  if (can_be_read) {
+    out << fmt::format("{} frames, {:.2f} to {:.2f} s of the robot; {} can be made again exactly\n", frames, first,
+                       last, exact);
+  } else {
+    out << fmt::format("of another format than this program replays, which is {}: to be looked at, not made again\n",
+                       kRecordingFormat);
+    first = 0.0;
+    for (const mcap::ChunkPlace& chunk : contents.chunks) {
+      if (&chunk == &contents.chunks.front()) first = 1e-9 * static_cast<double>(chunk.start_time);
+      last = std::max(last, 1e-9 * static_cast<double>(chunk.end_time));
+    }
+  }
   const double seconds = std::max(last - first, 1e-9);
   out << fmt::format("{:<24} {:>9} {:>8} {:>10}\n", "topic", "messages", "Hz", "MB");
   for (const mcap::Channel& channel : contents.channels) {

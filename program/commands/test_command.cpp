@@ -6,6 +6,7 @@
 
 #include "program/interruption.h"
 #include "program/program.h"
+#include "program/recording/test_replay.h"
 #include "program/run/simulation.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
@@ -72,8 +73,13 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
 
 int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
-  TestRun run{
-      scripts_root(options.scripts), options.paths, {}, options.timeout, [] { return Interruption::signal() != 0; }};
+  TestRun run{scripts_root(options.scripts),
+              options.paths,
+              {},
+              {},
+              options.timeout,
+              [] { return Interruption::signal() != 0; }};
+  run.play_recording = recordings_below(run.scripts_root / "tests");
   if (!options.junit.empty()) require_writable_file(options.junit, "--junit");
   if (options.simulator) {
     run.simulate = [&run](const SimulationRequest& request, CoverageTrace& trace, const std::function<bool()>& stop) {

@@ -503,6 +503,22 @@ function reload(edit) end
 ---@return boolean is_correct
 function simulate(run) end
 
+---Plays a recording (from the tests' folder on), with the scripts that there are now instead of those that were recorded, instead of a fake world: its first frame, then `advance` and `advance_to` go on in it; `set_param`, `reload` and `hear` reach its next frame. What the robot saw stays what it was: once it acts otherwise, it is a guess.
+---@param file string
+function replay(file) end
+
+---Goes on in a recording, up to the frame of this time of it (s of the robot).
+---@param time number
+function advance_to(time) end
+
+---A value of the world as behaviours see it in this frame.
+---@param name string
+---@return number|string|boolean value
+function world_value(name) end
+
+---In all frames of the replay so far the robot acted as it was recorded: commands, head, walk, words.
+function expect.as_recorded() end
+
 ---The machine is in this state (path).
 ---@param machine reorient.MachineName
 ---@param path reorient.StatePath

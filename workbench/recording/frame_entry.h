@@ -23,6 +23,10 @@ inline constexpr std::string_view kOwnSchema = "reorient/Bytes";
 inline constexpr std::string_view kOwnSchemaEncoding = "ros1msg";
 inline constexpr std::string_view kOwnSchemaText = "uint8[] data\n";
 
+/// Of what these topics hold. It changes with what their bytes mean (the magic numbers of a frame's entry, its inputs,
+/// its record and the engine's state tell it, too): frames of another format cannot be made again, though looked at.
+inline constexpr int kRecordingFormat = 1;
+
 /// A message to look at, of a topic that decides nothing.
 struct ViewMessage {
   std::size_t topic = 0;   ///< in a list that whoever writes it keeps

@@ -1,6 +1,7 @@
 #include "workbench/recording/recording.h"
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace {
 
 std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic) {
   const mcap::Channel* const channel = contents.channel(topic);
-  if (channel == nullptr || channel->encoding != kOwnEncoding)
+  if (channel == nullptr)
     throw std::runtime_error("no frames of ours are in it; name a file that 'reorient run --record FILE' has written");
   return channel->id;
 }
@@ -29,6 +30,7 @@ std::span<const std::byte> own_bytes(const mcap::Message& message) {
 }  // namespace
 
 Recording::Recording(const std::filesystem::path& file) try : Recording(std::make_unique<mcap::FileSource>(file)) {
+  name_ = file.string();
 } catch (const mcap::Damage& damage) {
   throw std::runtime_error(file.string() + ": " + damage.what() + "; name a recording");
 }
@@ -39,6 +41,8 @@ Recording::Recording(std::unique_ptr<mcap::Source> source)
   for (const mcap::Metadata& metadata : contents_.metadata) {
     if (metadata.name == "reorient") about_ = metadata.texts;
   }
+  if (const auto told = about_.find(std::string(kFormat)); told != about_.end())
+    std::from_chars(told->second.data(), told->second.data() + told->second.size(), format_);
   frames_ = channel_of(contents_, kFrameTopic);
   states_ = channel_of(contents_, kStateTopic);
   for (std::size_t camera = 0; camera < images_.size(); ++camera)
@@ -60,6 +64,21 @@ void Recording::find_view_topics() {
       topic.schema_encoding = schema->encoding;
       topic.schema_text = schema->text;
     }
+  }
+}
+
+void Recording::require_this_format() const {
+  if (format_ == kRecordingFormat) return;
+  const auto version = about_.find("version");
+  throw std::runtime_error(name_ + ": it is of format " + std::to_string(format_) + ", written by reorient " +
+                           (version == about_.end() ? "of an unknown version" : version->second) +
+                           ", and this program replays format " + std::to_string(kRecordingFormat) +
+                           "; replay it with that version; viewers and 'reorient recording info' read it as it is");
+}
+
+void Recording::count_messages() {
+  mcap::Message message;
+  while (next_message(message)) {
   }
 }
 
@@ -99,6 +118,7 @@ bool Recording::next_message(mcap::Message& message) {
 }
 
 bool Recording::next(RecordedFrame& frame) {
+  require_this_format();
   mcap::Message message;
   while (next_message(message)) {
     if (message.channel == states_) {
@@ -135,6 +155,7 @@ bool Recording::next(RecordedFrame& frame) {
 
 /// Backwards from the first chunk that reaches so far, since states are rare.
 bool Recording::go_to(double time) {
+  require_this_format();
   const auto& chunks = contents_.chunks;
   const auto nanoseconds = static_cast<std::uint64_t>(std::clamp(1e9 * time, 0.0, 9e18));
   std::size_t begin = 0;

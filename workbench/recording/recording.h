@@ -37,16 +37,24 @@ class Recording {
   /// What was said of the run: "scenario", "seed", "version".
   const mcap::Texts& about() const { return about_; }
 
+  /// kRecordingFormat of the program that wrote it; 0: from before there were numbers.
+  int format() const { return format_; }
+  /// Throws std::runtime_error with one line: what decides is of another format, and only to be counted.
+  void require_this_format() const;
+
   /// What there is to look at, which read_views() has frames bring as well, by its place here.
   const std::vector<ViewTopic>& view_topics() const { return view_topics_; }
   void read_views() { reads_views_ = true; }
 
-  /// The next frame in its order. False: there is none any more. Throws BadBytes: of another version.
+  /// The next frame in its order. False: there is none any more. Throws std::runtime_error with one line: of another
+  /// format; BadBytes: it is not what it should be.
   bool next(RecordedFrame& frame);
   /// The next frame is the latest with a state of the engine that is not after `time` (s of the robot), or else the
   /// first that has one. False: there is none.
   bool go_to(double time);
 
+  /// Reads all messages that are left, and only counts them: of any format.
+  void count_messages();
   /// What was read so far, by channel.
   struct Tally {
     std::uint64_t messages = 0, bytes = 0;
@@ -64,6 +72,8 @@ class Recording {
   std::unique_ptr<mcap::Source> source_;
   mcap::Contents contents_;
   mcap::Texts about_;
+  std::string name_ = "the recording";  // for messages
+  int format_ = 0;
   std::uint16_t frames_ = 0, states_ = 0;  // channels
   std::array<std::uint16_t, 2> images_{};
   std::vector<ViewTopic> view_topics_;

@@ -35,7 +35,9 @@ RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Text
     const auto version = about.find("version");
     writer_.emplace([this](std::span<const std::byte> bytes) { write(bytes); },
                     "reorient " + (version == about.end() ? std::string() : version->second));
-    writer_->add_metadata("reorient", about);
+    mcap::Texts all = about;
+    all[std::string(kFormat)] = std::to_string(kRecordingFormat);
+    writer_->add_metadata("reorient", all);
     const std::uint16_t schema = writer_->add_schema(kOwnSchema, kOwnSchemaEncoding, kOwnSchemaText);
     states_ = writer_->add_channel(kStateTopic, kOwnEncoding, schema);
     for (std::size_t camera = 0; camera < images_.size(); ++camera)

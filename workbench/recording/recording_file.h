@@ -28,8 +28,8 @@ struct ViewTopic {
   bool lasts = false;  ///< a message holds until the next one: whoever begins in the middle needs the one before
 };
 
-/// Said of such a topic, for who reads the file.
-inline constexpr std::string_view kLasts = "lasts";
+// Said of such a topic, and of the file, for who reads it.
+inline constexpr std::string_view kLasts = "lasts", kFormat = "format";
 
 class RecordingFile {
  public:

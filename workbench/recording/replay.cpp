@@ -17,12 +17,17 @@ FrameLoop* Replay::next_stretch() {
   return engine_.get();
 }
 
-void Replay::run(const std::vector<InputSource*>& sources, std::vector<Observer*> observers,
-                 const std::function<bool()>& stop) {
+RunParts Replay::parts(const std::vector<InputSource*>& sources, std::vector<Observer*> observers) {
   RunParts parts{robot_, *engine_, nullptr, nullptr, {playback_}, std::move(observers), {}, 0.0, false};
   parts.sources.insert(parts.sources.end(), sources.begin(), sources.end());
-  parts.stop = [&] { return (stop && stop()) || engine_->record().world.time >= to_; };
-  is_over_ = RunLoop(std::move(parts)).run() == RunEnd::stopped;
+  return parts;
+}
+
+void Replay::run(const std::vector<InputSource*>& sources, std::vector<Observer*> observers,
+                 const std::function<bool()>& stop) {
+  RunParts with_end = parts(sources, std::move(observers));
+  with_end.stop = [&] { return (stop && stop()) || engine_->record().world.time >= to_; };
+  is_over_ = RunLoop(std::move(with_end)).run() == RunEnd::stopped;
 }
 
 }  // namespace reorient

@@ -25,7 +25,9 @@ class Replay {
 
   /// The engine at the beginning of the next stretch; nullptr: there is none any more.
   FrameLoop* next_stretch();
-  /// Plays it to its end, or until `stop`. `sources`: add to what was recorded.
+  /// To play it frame by frame. `sources`: add to what was recorded.
+  RunParts parts(const std::vector<InputSource*>& sources, std::vector<Observer*> observers);
+  /// Plays it to its end, or until `stop`.
   void run(const std::vector<InputSource*>& sources, std::vector<Observer*> observers,
            const std::function<bool()>& stop = {});
 

@@ -77,6 +77,7 @@ std::optional<RecordedFrame> beginning_of(Recording& recording, double from) {
 }  // namespace
 
 Rewritten recover_recording(Recording& recording, const std::filesystem::path& file) {
+  recording.require_this_format();
   recording.read_views();
   Copy copy(recording, file);
   RecordedFrame frame;
@@ -84,8 +85,8 @@ Rewritten recover_recording(Recording& recording, const std::filesystem::path& f
   return copy.finish();
 }
 
-Rewritten cut_recording(Recording& recording, double from, double to, const std::filesystem::path& file) {
-  recording.read_views();
+Rewritten cut_recording(Recording& recording, double from, double to, const std::filesystem::path& file, Views views) {
+  if (views == Views::kept) recording.read_views();
   std::optional<RecordedFrame> first = beginning_of(recording, from);
   if (!first || first->entry.time > to)
     throw std::runtime_error(

@@ -33,7 +33,7 @@ class ScriptedTests : public ::testing::Test {
     folder.write("tests/lamp_test.lua", text);
     out.str("");
     trace = {};
-    summary = run_script_tests({folder.path(), {}, std::move(simulate), 60.0, {}}, out, trace);
+    summary = run_script_tests({folder.path(), {}, std::move(simulate), {}, 60.0, {}}, out, trace);
     return summary;
   }
   std::string only_failure() {
@@ -402,7 +402,7 @@ test("the next", function() advance(1) end))");
 }
 
 TEST_F(ScriptedTests, EndWhereTheyTakeTooLong) {
-  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  TestRun hasty{folder.path(), {}, {}, {}, 0.05, {}};
   folder.write("tests/lamp_test.lua", R"(test("t", function()
   load_behavior "lamp"
   while true do advance(100) end
@@ -415,7 +415,7 @@ end))");
 }
 
 TEST_F(ScriptedTests, PayForAllThatTheyLetDo) {
-  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  TestRun hasty{folder.path(), {}, {}, {}, 0.05, {}};
   for (const char* work : {"reload { from = 'bright', to = 'bright' }", "pcall(load_behavior, 'lamp')",
                            "set_world { robot = { penalized = true } }", "set_param('arbiter.rest', '1')",
                            "expect.equal(big, big)", "pcall(load_scenario, 'none')"}) {
@@ -485,7 +485,7 @@ TEST_F(ScriptedTests, PayForEachParameterThatTheySet) {
 }
 
 TEST_F(ScriptedTests, EndAllTogetherWhereAFileTakesTooLong) {
-  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  TestRun hasty{folder.path(), {}, {}, {}, 0.05, {}};
   folder.write("tests/lamp_test.lua",
                "for i = 1, 30 do test('t' .. i, function() while true do advance(100) end end) end");
   summary = run_script_tests(hasty, out, trace);
@@ -495,7 +495,7 @@ TEST_F(ScriptedTests, EndAllTogetherWhereAFileTakesTooLong) {
 
 TEST_F(ScriptedTests, EndInTheMiddleOfASimulation) {
   bool was_asked_to_stop = false;
-  TestRun hasty{folder.path(), {}, {}, 0.05, {}};
+  TestRun hasty{folder.path(), {}, {}, {}, 0.05, {}};
   hasty.simulate = [&](const SimulationRequest&, CoverageTrace&, const std::function<bool()>& stop) {
     while (!stop()) {
     }
@@ -524,7 +524,7 @@ TEST_F(ScriptedTests, GiveASimulationNoMoreThanWhatIsLeftOfTheRobotsTime) {
 
 TEST_F(ScriptedTests, StopWhereSomebodyInterrupts) {
   int questions = 0;
-  TestRun interrupted{folder.path(), {}, {}, 60.0, [&] { return ++questions > 100; }};
+  TestRun interrupted{folder.path(), {}, {}, {}, 60.0, [&] { return ++questions > 100; }};
   folder.write("tests/lamp_test.lua",
                "test('a', function() advance(1) end)\ntest('b', function() while true do advance(100) end end)\n"
                "test('c', function() end)");

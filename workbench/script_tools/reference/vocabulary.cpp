@@ -95,6 +95,25 @@ constexpr ScriptWord kTest[] = {
      "Skipped "
      "unless `reorient test --simulator`.",
      {}},
+    {"replay(file: string)",
+     "replay \"recordings/flip.mcap\"",
+     "Plays a recording (from the tests' folder on), with the scripts that there are now instead of those that were "
+     "recorded, instead of a fake world: its first frame, then `advance` and `advance_to` go on in it; `set_param`, "
+     "`reload` and `hear` reach its next frame. What the robot saw stays what it was: once it acts otherwise, it is a "
+     "guess.",
+     {}},
+    {"advance_to(time: number)",
+     "advance_to(43.5)",
+     "Goes on in a recording, up to the frame of this time of it (s of the robot).",
+     {}},
+    {"world_value(name: string): number|string|boolean value",
+     "expect.near(world_value(\"pose.x\"), 1.2, 0.1)",
+     "A value of the world as behaviours see it in this frame.",
+     {}},
+    {"expect.as_recorded()",
+     "expect.as_recorded()",
+     "In all frames of the replay so far the robot acted as it was recorded: commands, head, walk, words.",
+     {}},
     {"expect.state(machine: reorient.MachineName, path: reorient.StatePath)",
      "expect.state(\"orientation\", \"watching\")",
      "The machine is in this state (path).",

@@ -51,8 +51,13 @@ std::string shortened(std::string text) {
 }
 
 TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
-                     TestBudget& budget, CoverageTrace& trace)
-    : root_(std::move(scripts_root)), texts_(std::move(texts)), simulate_(simulate), budget_(budget), trace_(trace) {
+                     const PlayRecording& play_recording, TestBudget& budget, CoverageTrace& trace)
+    : root_(std::move(scripts_root)),
+      texts_(std::move(texts)),
+      simulate_(simulate),
+      play_recording_(play_recording),
+      budget_(budget),
+      trace_(trace) {
   parameters_.bind("arbiter", arbiter_parameters_);
   parameters_.bind("script", limits_);
   world_ = world_of(FieldDimensions(), RobotBody());
@@ -85,6 +90,9 @@ void TestBench::add_to(lua_State* L) {
   add_function<&TestBench::advance>(L, "advance");
   add_function<&TestBench::reload>(L, "reload");
   add_function<&TestBench::simulate>(L, "simulate");
+  add_function<&TestBench::replay>(L, "replay");
+  add_function<&TestBench::advance_to>(L, "advance_to");
+  add_function<&TestBench::world_value>(L, "world_value");
   lua_newtable(L);
   add_expectations(L);
   lua_setfield(L, -2, "expect");
@@ -109,6 +117,7 @@ void TestBench::add_expectations(lua_State* L) {
   add_function<&TestBench::expect_refused>(L, "refused");
   add_function<&TestBench::expect_equal>(L, "equal");
   add_function<&TestBench::expect_near>(L, "near");
+  add_function<&TestBench::expect_as_recorded>(L, "as_recorded");
 }
 
 Behaviors& TestBench::behaviors() {
@@ -168,6 +177,7 @@ std::vector<TestFailure> TestBench::finish() {
 // ---- what a test does
 
 int TestBench::load_behavior(lua_State* L) {
+  require_fake_world("load_behavior");
   const std::string name = luaL_checkstring(L, 1);
   const std::string script = script_named(root_, name);
   ScriptHost& host = behaviors().host();
@@ -180,6 +190,7 @@ int TestBench::load_behavior(lua_State* L) {
 }
 
 int TestBench::load_scenario(lua_State* L) {
+  require_fake_world("load_scenario");
   last_script_ = luaL_checkstring(L, 1);
   scenario_ = std::make_unique<ScenarioHost>(texts_, script_named(root_, last_script_), changes_, recorded_);
   for (const std::string& behavior : scenario_->wanted_behaviors()) behaviors().host().load(behavior);
@@ -189,6 +200,7 @@ int TestBench::load_scenario(lua_State* L) {
 
 /// set_world { confidence = { opposite = 0.9 }, robot = { posture = "lying" } }
 int TestBench::set_world(lua_State* L) {
+  require_fake_world("set_world");
   luaL_checktype(L, 1, LUA_TTABLE);
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING || lua_type(L, -1) != LUA_TTABLE) {
@@ -227,6 +239,10 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
   constexpr std::int64_t kPriceOfAChange = 1000;
   Sandbox::of(lua_).charge(kPriceOfAChange + static_cast<std::int64_t>(name.size() + value.size()));
   const ParameterChange change{std::string(name), std::string(value), ParameterOrigin::live, ""};
+  if (replay_) {
+    added_.parameter_changes.push_back(change);
+    return;
+  }
   changes_.push_back(change);
   if (scenario_) {
     if (const std::optional<ParameterOutcome> outcome = scenario_->change(change); outcome && !outcome->refusal.empty())
@@ -239,9 +255,17 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
 }
 
 void TestBench::hear(std::int64_t sender, std::string_view text) {
-  if (heard_.size() >= kMostMessages)
+  std::vector<Message>& heard = replay_ ? added_.told.messages : heard_;
+  if (heard.size() >= kMostMessages)
     throw std::runtime_error("hear: at most " + std::to_string(kMostMessages) + " messages come with a frame");
-  heard_.push_back(message_of(sender, text));
+  heard.push_back(message_of(sender, text));
+}
+
+/// What is expected is expected of the frames that follow; of transitions, of all.
+void TestBench::begin_advance() {
+  std::vector<SeenTransition> before = std::move(seen_.transitions);
+  seen_ = {};
+  seen_.transitions = std::move(before);
 }
 
 /// Runs as many frames as fit into the time, one at least.
@@ -249,9 +273,11 @@ int TestBench::advance(lua_State* L) {
   const double seconds = lua::Value<double>::read(L, 1);
   if (!(seconds >= 0.0 && seconds <= kLongestAdvance))
     throw std::runtime_error("advance takes seconds, from 0 to 3600");
-  std::vector<SeenTransition> before = std::move(seen_.transitions);
-  seen_ = {};
-  seen_.transitions = std::move(before);
+  if (replay_) {
+    advance_to(world_.time + std::max(seconds, world_.time_step));
+    return 0;
+  }
+  begin_advance();
   const long frames = std::max(1L, std::lround(seconds * kFramesPerSecond));
   for (long i = 0; i < frames; ++i) {
     require_budget(L);
@@ -313,6 +339,10 @@ void TestBench::step() {
 
 void TestBench::look_at_machines() {
   seen_.machines.clear();
+  if (replay_) {
+    seen_.machines = replayed_machines_;
+    return;
+  }
   behaviors().host().read_status(statuses_);
   seen_.note_machines(*behaviors().host().names().table(), statuses_);
   if (!scenario_) return;
@@ -349,6 +379,10 @@ int TestBench::reload(lua_State* L) {
   const ScriptEdit edit{file, ScriptText{replace_all(text, from, to), ""}};
   texts_.apply(edit);
   refused_.reset();
+  if (replay_) {
+    added_.script_edits.push_back(edit);
+    return 0;
+  }
   std::vector<ReloadRecord> reloads = behaviors().host().apply({&edit, 1});
   if (scenario_) scenario_->apply({&edit, 1});
   for (ReloadRecord& reload : reloads) {

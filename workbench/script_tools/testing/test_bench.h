@@ -17,6 +17,7 @@
 #include "engine/world/room_status.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/script_tools/testing/coverage.h"
+#include "workbench/script_tools/testing/played_recording.h"
 #include "workbench/script_tools/testing/simulation.h"
 #include "workbench/script_tools/testing/test_budget.h"
 
@@ -36,9 +37,9 @@ std::string shortened(std::string text);
 class TestBench {
  public:
   /// `texts`: of the scripts below the root. `simulate` may be empty: then simulate() ends the test, and
-  /// needs_simulator() says why.
-  TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate, TestBudget& budget,
-            CoverageTrace& trace);
+  /// needs_simulator() says why. `play_recording` may be empty, too: then replay() is an error.
+  TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
+            const PlayRecording& play_recording, TestBudget& budget, CoverageTrace& trace);
 
   /// Makes the functions as globals of `L`.
   void add_to(lua_State* L);
@@ -59,6 +60,10 @@ class TestBench {
   int simulate(lua_State* L);
   void set_param(std::string_view name, std::string_view value);
   void hear(std::int64_t sender, std::string_view text);
+  // test_replay.cpp
+  void replay(std::string_view file);
+  void advance_to(double time);
+  int world_value(lua_State* L);
 
   // What it expects of the frames of the last advance(), or of a simulation: test_expectations.cpp.
   void expect_state(std::string_view machine, std::string_view path);
@@ -78,12 +83,16 @@ class TestBench {
   void expect_refused(std::string_view text);
   int expect_equal(lua_State* L);
   void expect_near(double actual, double expected, double tolerance);
+  void expect_as_recorded();
 
   template <auto Method>
   void add_function(lua_State* L, const char* name);
   void add_expectations(lua_State* L);
   Behaviors& behaviors();
   void step();
+  void begin_advance();
+  bool step_replay();
+  void require_fake_world(const char* what) const;
   void require_budget(lua_State* L);
   void require_state(std::string_view machine, std::string_view path);
   void follow_world();
@@ -99,6 +108,7 @@ class TestBench {
   std::filesystem::path root_;
   ScriptTexts texts_;
   const Simulate& simulate_;
+  const PlayRecording& play_recording_;
   TestBudget& budget_;
   CoverageTrace& trace_;
   bool needs_simulator_ = false;
@@ -122,6 +132,10 @@ class TestBench {
   std::unique_ptr<ScenarioHost> scenario_;
   Arbiter arbiter_;
   std::string last_script_;
+
+  std::unique_ptr<PlayedRecording> replay_;  ///< in which the test goes on, instead of a fake world
+  FrameInputs added_;                        ///< to its next frame
+  std::vector<SeenMachine> replayed_machines_;
 
   std::vector<TestFailure> failures_;
   std::vector<ScriptFault> faults_;      ///< not yet expected

@@ -38,7 +38,7 @@ void require_name(std::string_view what, std::string_view name) {
 
 /// Where the machine is loaded here, so that its states are known.
 void TestBench::require_state(std::string_view machine, std::string_view path) {
-  std::vector<const MachineDefinition*> all = behaviors().host().definitions();
+  std::vector<const MachineDefinition*> all = replay_ ? replay_->machines() : behaviors().host().definitions();
   if (scenario_) {
     for (const MachineDefinition* definition : scenario_->machines()) all.push_back(definition);
   }

@@ -34,6 +34,7 @@ struct TestRun {
   std::filesystem::path scripts_root;
   std::vector<std::filesystem::path> paths;  ///< files and folders; none: all of scripts_root/tests
   Simulate simulate;                         ///< none: tests that want the simulator are skipped
+  PlayRecording play_recording;              ///< none: tests that replay one fail
   double timeout = 60.0;                     ///< s in wall-clock time, of each test; a file has ten times that
   std::function<bool()> stop;                ///< asked before each frame; empty: nobody interrupts
   std::int64_t instructions = 50'000'000;    ///< of Lua, that each test may run

@@ -1,0 +1,114 @@
+// `reorient record-test`: a part of a recording becomes a scripted test.
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/record/record_bytes.h"
+#include "program/options.h"
+#include "program/program.h"
+#include "program/script_names.h"
+#include "program/subcommand.h"
+#include "workbench/files/atomic_file.h"
+#include "workbench/recording/recording.h"
+#include "workbench/recording/rewriting.h"
+
+namespace reorient {
+namespace {
+
+struct RecordTestOptions {
+  std::filesystem::path file, scripts;
+  std::string name;
+  double from = 0.0, to = std::numeric_limits<double>::infinity();  // s of the robot
+};
+
+std::string in_lua(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') quoted += '\\';
+    const auto code = static_cast<unsigned char>(letter);
+    if (code < 32 || code == 127) {
+      quoted += fmt::format("\\{:03}", code);
+    } else {
+      quoted += letter;
+    }
+  }
+  return quoted + '"';
+}
+
+/// What the robot did to its belief, and where its behaviours ended.
+std::string expectations(const std::filesystem::path& file) {
+  Recording recording(file);
+  RecordedFrame frame;
+  std::string text;
+  FrameRecord last;
+  while (recording.next(frame)) {
+    last = read_record(frame.entry.record);
+    for (std::size_t i = 0; i < last.commands.size(); ++i) {
+      const CommandRecord& command = last.commands[i];
+      if (i == 0) text += fmt::format("\n  advance_to({:.2f})\n", last.world.time);
+      text += fmt::format("  expect.command({}, {})\n", in_lua(to_string(command.request.reorientation)),
+                          in_lua(to_string(command.verdict)));
+      text += fmt::format("  expect.reason({}, {})\n", in_lua(last.name(command.request.issuer.machine)),
+                          in_lua(last.name(command.request.issuer.reason)));
+    }
+  }
+  text += fmt::format("\n  advance_to({:.2f})\n", last.world.time);
+  for (const MachineStatus& machine : last.machines)
+    text +=
+        fmt::format("  expect.state({}, {})\n", in_lua(last.name(machine.machine)), in_lua(last.name(machine.state)));
+  return text;
+}
+
+int record_test(const RecordTestOptions& options, std::ostream& out, std::ostream& err) {
+  const std::string name = options.name.empty() ? options.file.stem().string() : options.name;
+  require_script_name(name);
+  const std::filesystem::path tests = scripts_root(options.scripts) / "tests";
+  const std::filesystem::path part = tests / "recordings" / (name + ".mcap"), test = tests / (name + "_test.lua");
+  for (const std::filesystem::path& file : {part, test}) {
+    if (std::filesystem::exists(file))
+      throw std::runtime_error(file.string() + " is there already; choose another name: --name NAME");
+  }
+  std::error_code error;
+  std::filesystem::create_directories(part.parent_path(), error);
+  if (error) throw std::runtime_error("cannot make the folder " + part.parent_path().string() + ": " + error.message());
+
+  Recording recording(options.file);
+  const Rewritten done = cut_recording(recording, options.from, options.to, part, Views::left_out);
+  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
+  write_whole_file(
+      test,
+      fmt::format(R"(--- Recorded: {}, {:.2f} to {:.2f} s. What the robot did then; say here what it should do.
+
+test("{} goes on as it did", function()
+  replay "recordings/{}.mcap"
+{}  -- expect.as_recorded()  -- every command and motion, while nothing shall change at all
+end)
+)",
+                  options.file.filename().string(), done.first_time, done.last_time, name, name, expectations(part)));
+  out << fmt::format("{}: {} frames, {:.1f} MB\n{}\nNext: reorient test {}\n", part.string(), done.frames,
+                     1e-6 * static_cast<double>(std::filesystem::file_size(part)), test.string(), test.string());
+  return kSuccess;
+}
+
+}  // namespace
+
+Subcommand add_record_test(CLI::App& program) {
+  const auto options = std::make_shared<RecordTestOptions>();
+  CLI::App* const parser =
+      program.add_subcommand("record-test", "make a scripted test of a part of a recording")->fallthrough();
+  parser->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
+  parser->add_option("--from", options->from, "s of the robot")->capture_default_str();
+  parser->add_option("--to", options->to, "s of the robot (default: its end)");
+  parser->add_option("--name", options->name, "of the test: small letters, digits and _ (default: as the file)");
+  add_scripts_option(*parser, options->scripts);
+  return {parser, [options](std::ostream& out, std::ostream& err) { return record_test(*options, out, err); }};
+}
+
+}  // namespace reorient

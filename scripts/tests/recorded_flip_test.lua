@@ -1,0 +1,26 @@
+--- On what a robot really saw: turned round in the scenario of that name (seed 1, 160 pixels wide), put down at 42.5 s.
+--- Made by reorient record-test from its recording, 42.90 to 43.90 s.
+
+test("flips its belief half a second after its feet touched the ground", function()
+  replay "recordings/recorded_flip.mcap"
+  expect.state("orientation", "watching/in doubt")
+  expect.near(world_value("pose.x"), -3.2, 0.5)
+
+  advance_to(43.37)
+  expect.no_command("flip_pose")
+
+  advance_to(43.43)
+  expect.command("flip_pose", "granted")
+  expect.reason("orientation", "the reflected pose won")
+
+  advance_to(43.90)
+  expect.state("orientation", "correcting")
+  expect.near(world_value("pose.x"), 3.2, 0.5)
+end)
+
+test("waits longer where it is told to", function()
+  replay "recordings/recorded_flip.mcap"
+  set_param("orientation.hold_time", "2")
+  advance_to(43.90)
+  expect.no_command("flip_pose")
+end)

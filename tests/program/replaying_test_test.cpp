@@ -1,0 +1,216 @@
+// Scripted tests that replay a recording, and how they are made of one.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/program_run.h"
+#include "tests/temporary_folder.h"
+#include "workbench/recording/recording.h"
+#include "workbench/recording/recording_file.h"
+
+namespace reorient {
+namespace {
+
+const std::filesystem::path kSourceFolder = REORIENT_SOURCE_DIR;
+
+/// A copy of the shipped scripts without their tests, but for the recording.
+class ReplayingTest : public testing::Test {
+ protected:
+  ReplayingTest() {
+    std::filesystem::copy(kSourceFolder / "scripts", scripts(), std::filesystem::copy_options::recursive);
+    for (const auto& entry : std::filesystem::directory_iterator(scripts() / "tests")) {
+      if (entry.is_regular_file()) std::filesystem::remove(entry.path());
+    }
+  }
+
+  std::filesystem::path scripts() const { return folder_.path() / "scripts"; }
+  ProgramRun run_test(const std::string& text) {
+    folder_.write("scripts/tests/a_test.lua", "test(\"it\", function()\n" + text + "\nend)\n");
+    return run_reorient({"test", "--scripts", scripts().string()});
+  }
+  void edit(const std::string& script, const std::string& from, const std::string& to) {
+    std::ifstream in(scripts() / script);
+    std::stringstream text;
+    text << in.rdbuf();
+    std::string edited = text.str();
+    const std::size_t at = edited.find(from);
+    ASSERT_NE(at, std::string::npos) << script << " does not contain " << from;
+    folder_.write("scripts/" + script, edited.replace(at, from.size(), to));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ReplayingTest, PlaysTheScriptsThatThereAreNow) {
+  const std::string test = R"(
+    replay "recordings/recorded_flip.mcap"
+    advance_to(43.43)
+    expect.command("flip_pose", "granted")
+    advance(0.3)
+    expect.no_command("flip_pose")
+    expect.as_recorded())";
+  const ProgramRun same = run_test(test);
+  EXPECT_EQ(same.code, 0) << same.out;
+  edit("behaviors/orientation.lua", "command.flip_pose()", "command.purge_reflection()");
+  const ProgramRun other = run_test(test);
+  EXPECT_EQ(other.code, 1) << other.out;
+  EXPECT_NE(other.out.find("expected command flip_pose"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("expected the robot to act as it was recorded"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("at 43.40 s"), std::string::npos) << other.out;
+}
+
+TEST_F(ReplayingTest, ReachesTheNextFrameWithParametersEditsAndMessages) {
+  const ProgramRun run = run_test(R"(
+    replay "recordings/recorded_flip.mcap"
+    set_param("orientation.hold_time", "2")
+    hear(2, "hello")
+    reload { file = "behaviors/get_up.lua", from = 'behavior "get_up" {',
+             to = 'behavior "get_up" { update = function() log.note("heard " .. team.heard()) end,' }
+    advance(0)
+    expect.log("heard 1")
+    advance_to(43.9)
+    expect.no_command("flip_pose")
+    expect.equal(world_value("robot.posture"), "upright")
+    expect.equal(world_value("pose.known"), true)
+    expect.near(world_value("clock.time"), 43.9, 1e-3))");
+  EXPECT_EQ(run.code, 0) << run.out;
+}
+
+TEST_F(ReplayingTest, TellsWhatIsWrongInATestAndGoesOn) {
+  folder_.write("scripts/tests/recordings/text.mcap", "no recording");
+  const std::string flip = "replay \"recordings/recorded_flip.mcap\" ";
+  const std::pair<std::string, const char*> mistakes[] = {
+      {"replay \"recordings/nothing.mcap\"", "recordings/nothing.mcap: it cannot be read: No such file"},
+      {"replay \"recordings/text.mcap\"", "it does not begin as an MCAP file does"},
+      {"replay \"recordings\"", "it is no file"},
+      {"replay(nil)", "string expected"},
+      {"replay(\"recordings/recorded_flip.mcap\\0x\")", "no file has such a name"},
+      {flip + "advance_to(42)", "this replay is at 42.9"},
+      {flip + "advance_to(0/0)", "a finite number expected"},
+      {flip + "advance_to(1e300)", "the recording ends at 43.9"},
+      {flip + "advance(10)", "the recording ends at 43.9"},
+      {flip + "set_world { pose = { x = 1 } }", "the world of a replay is the one that was recorded"},
+      {flip + "load_behavior \"patrol\"", "the world of a replay is the one that was recorded"},
+      {flip + "set_param(\"orientation.hold_tme\", \"2\") advance(0)", "hold_tme"},
+      {flip + "world_value(\"pose.z\")", "the world has no 'pose.z'"},
+      {flip + "expect.state(\"orientation\", \"watching/in duobt\")", "did you mean"},
+      {"load_behavior \"get_up\" " + flip, "make it a test of its own"},
+      {"advance_to(3)", "replay \"FILE\" comes first"},
+      {"expect.as_recorded()", "replay \"FILE\" comes first"},
+  };
+  for (const auto& [text, why] : mistakes) {
+    const ProgramRun run = run_test(text);
+    EXPECT_EQ(run.code, 1) << text << run.err;
+    EXPECT_NE(run.out.find(why), std::string::npos) << text << "\n" << run.out;
+  }
+  // An unloaded mistake of a script is a test's failure, not the end of all tests.
+  edit("behaviors/orientation.lua", "behavior \"orientation\"", "behavior \"orientation\" !");
+  EXPECT_EQ(run_test(flip + "advance(0)").code, 1);
+}
+
+TEST_F(ReplayingTest, OfManyReplaysEndsWithItsBudget) {
+  const ProgramRun run = run_test("for i = 1, 100000 do replay \"recordings/recorded_flip.mcap\" end");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.out.find("instructions"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("passed, 0 failed"), std::string::npos) << run.out;
+}
+
+TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
+  const std::string recording = (kSourceFolder / "scripts/tests/recordings/recorded_flip.mcap").string();
+  const std::vector<std::string> make{"record-test", recording, "--from",    "43.2",      "--to",
+                                      "43.6",        "--name",  "made_here", "--scripts", scripts().string()};
+  const ProgramRun made = run_reorient(make);
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("made_here_test.lua"), std::string::npos) << made.out;
+  Recording part(scripts() / "tests/recordings/made_here.mcap");
+  EXPECT_TRUE(part.view_topics().empty()) << "nothing but what decides";
+  const ProgramRun run = run_reorient({"test", "--scripts", scripts().string()});
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_NE(run.out.find("made_here goes on as it did"), std::string::npos) << run.out;
+  edit("tests/made_here_test.lua", "-- expect.as_recorded()", "expect.as_recorded()");
+  EXPECT_EQ(run_reorient({"test", "--scripts", scripts().string()}).code, 0);
+
+  const ProgramRun again = run_reorient(make);
+  EXPECT_EQ(again.code, 2);
+  EXPECT_NE(again.err.find("is there already; choose another name: --name NAME"), std::string::npos) << again.err;
+  const ProgramRun badly = run_reorient({"record-test", recording, "--name", "../x", "--scripts", scripts().string()});
+  EXPECT_EQ(badly.code, 2);
+  EXPECT_NE(badly.err.find("cannot be a script's name"), std::string::npos) << badly.err;
+  const ProgramRun empty =
+      run_reorient({"record-test", recording, "--from", "50", "--name", "none", "--scripts", scripts().string()});
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_NE(empty.err.find("no frame between these times"), std::string::npos) << empty.err;
+  EXPECT_FALSE(std::filesystem::exists(scripts() / "tests/none_test.lua"));
+  EXPECT_FALSE(std::filesystem::exists(scripts() / "tests/recordings/none.mcap"));
+}
+
+// ---- files of released formats
+
+/// One file of each format that a release has written. They stay as they are: a format that changes gets another number
+/// and another file.
+TEST(GoldenRecording, OfThisFormatIsMadeAgainFrameByFrame) {
+  const std::filesystem::path file =
+      kSourceFolder / "tests/workbench/recording/golden" / ("format_" + std::to_string(kRecordingFormat) + ".mcap");
+  ASSERT_TRUE(std::filesystem::exists(file)) << "a format without a file";
+  const ProgramRun run = run_reorient({"replay", file.string()});
+  // Another build may decide otherwise on the same frames, which is no matter of the format.
+  EXPECT_LE(run.code, 1) << run.err << "\nif what the bytes mean has changed, kRecordingFormat has to change with it";
+  EXPECT_NE(run.out.find("10 frames, up to 43.50 s"), std::string::npos) << run.out;
+}
+
+TEST(GoldenRecording, OfEachFormatIsReadByInfo) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSourceFolder / "tests/workbench/recording/golden")) {
+    const ProgramRun run = run_reorient({"recording", "info", entry.path().string()});
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    EXPECT_NE(run.out.find("/world                          10     33.3"), std::string::npos) << run.out;
+    ++files;
+  }
+  EXPECT_EQ(files, kRecordingFormat);
+}
+
+TEST(Recording, OfAnotherFormatIsRefusedByNumberAndReadByInfo) {
+  TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "old.mcap";
+  std::ofstream out(file, std::ios::binary);
+  mcap::Writer writer(
+      [&](std::span<const std::byte> bytes) {
+        out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+      },
+      "reorient 9.9");
+  writer.add_metadata("reorient", {{"format", "99"}, {"version", "9.9"}});
+  const std::uint16_t schema = writer.add_schema("reorient.World", "jsonschema", "{}");
+  for (const std::string_view topic : {kFrameTopic, kStateTopic, kImageTopics[0], kImageTopics[1]})
+    writer.add_channel(topic, "something new", 0);
+  const std::uint16_t world = writer.add_channel("/world", "json", schema);
+  const std::string message = "{}";
+  for (int i = 0; i < 7; ++i)
+    writer.add_message(world, 1000000000u + 100000000u * i, std::as_bytes(std::span(message)));
+  writer.finish();
+  out.close();
+  const ProgramRun replayed = run_reorient({"replay", file.string()});
+  EXPECT_EQ(replayed.code, 2);
+  EXPECT_NE(replayed.err.find("old.mcap: it is of format 99, written by reorient 9.9, and this program replays format"),
+            std::string::npos)
+      << replayed.err;
+  EXPECT_EQ(std::count(replayed.err.begin(), replayed.err.end(), '\n'), 1) << replayed.err;
+  const ProgramRun info = run_reorient({"recording", "info", file.string()});
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_NE(info.out.find("/world                           7"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("to be looked at, not made again"), std::string::npos) << info.out;
+  for (const char* const word : {"recover", "cut"}) {
+    const ProgramRun run = run_reorient({"recording", word, file.string(), "--out", (folder.path() / "x").string()});
+    EXPECT_EQ(run.code, 2) << word;
+    EXPECT_NE(run.err.find("it is of format 99"), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "x")) << word;
+  }
+}
+
+}  // namespace
+}  // namespace reorient
