@@ -34,6 +34,7 @@ void try_file(std::span<const std::byte> bytes) {
   }
   try {
     Recording recording(std::make_unique<mcap::MemorySource>(bytes));
+    recording.read_views();
     RecordedFrame frame;
     for (int i = 0; i < 100 && recording.next(frame); ++i)
       require(frame.entry.digests.size() <= kTopics.size(), "a frame has one fingerprint a topic");
