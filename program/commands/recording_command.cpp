@@ -66,13 +66,14 @@ int info(const std::filesystem::path& file, std::ostream& out) {
       last = std::max(last, 1e-9 * static_cast<double>(chunk.end_time));
     }
   }
-  const double seconds = std::max(last - first, 1e-9);
+  const double seconds = last - first;
   out << fmt::format("{:<24} {:>9} {:>8} {:>10}\n", "topic", "messages", "Hz", "MB");
   for (const mcap::Channel& channel : contents.channels) {
     const auto read = recording.tallies().find(channel.id);
     const Recording::Tally tally = read == recording.tallies().end() ? Recording::Tally() : read->second;
     out << fmt::format("{:<24} {:>9} {:>8.1f} {:>10.2f}\n", channel.topic, tally.messages,
-                       static_cast<double>(tally.messages) / seconds, 1e-6 * static_cast<double>(tally.bytes));
+                       seconds > 0.0 ? static_cast<double>(tally.messages) / seconds : 0.0,
+                       1e-6 * static_cast<double>(tally.bytes));
   }
   if (!contents.is_complete) out << "its end is missing; 'reorient recording recover' makes it whole\n";
   for (const std::string& damage : recording.damages()) out << "damaged " << damage << '\n';

@@ -180,5 +180,22 @@ TEST(McapWriter, LetsThroughWhatItsSinkThrows) {
       std::runtime_error);
 }
 
+TEST(McapReader, ListsATopicThatIsNamedTwiceOnceAndRefusesTensOfThousands) {
+  std::vector<std::byte> bytes;
+  mcap::Writer writer([&](std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); },
+                      "");
+  const std::size_t begin = bytes.size();
+  writer.add_channel("/a", "json", 0);
+  const std::vector<std::byte> record(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.end());
+  std::vector<std::byte> twice = bytes;
+  twice.insert(twice.end(), record.begin(), record.end());
+  EXPECT_EQ(mcap::read_contents(mcap::MemorySource(twice)).channels.size(), 1u);
+  for (int i = 0; i < 60000; ++i) writer.add_channel("/b", "json", 0);
+  const mcap::Contents many = mcap::read_contents(mcap::MemorySource(bytes));
+  EXPECT_LE(many.channels.size(), 4096u);
+  ASSERT_TRUE(many.damage);
+  EXPECT_NE(std::string(many.damage->what()).find("more topics"), std::string::npos) << many.damage->what();
+}
+
 }  // namespace
 }  // namespace reorient::mcap

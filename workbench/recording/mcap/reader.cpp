@@ -4,6 +4,8 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -144,8 +146,21 @@ AttachmentPlace read_attachment_head(const RecordHead& head, std::span<const std
 
 constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of a chunk's or an attachment's head, names included
 
+/// By number. A writer may say again what it has said.
+struct Known {
+  std::set<std::uint16_t> schemas, channels;
+};
+
+template <typename Record>
+void add_new(std::vector<Record>& all, std::set<std::uint16_t>& known, Record record) {
+  constexpr std::size_t kMost = 4096;  // all of them are gone through again and again
+  if (!known.insert(record.id).second) return;
+  check_bytes(all.size() < kMost, "it has more topics or schemas than any recording");
+  all.push_back(std::move(record));
+}
+
 /// False: the data ends here.
-bool read_record(const Walk& walk, const RecordHead& head, Contents& contents) {
+bool read_record(const Walk& walk, const RecordHead& head, Known& known, Contents& contents) {
   switch (static_cast<Opcode>(head.opcode)) {
     case Opcode::header: {
       const std::vector<std::byte> content = walk.content_of(head);
@@ -155,10 +170,10 @@ bool read_record(const Walk& walk, const RecordHead& head, Contents& contents) {
       return true;
     }
     case Opcode::schema:
-      contents.schemas.push_back(read_schema(ByteReader(walk.content_of(head))));
+      add_new(contents.schemas, known.schemas, read_schema(ByteReader(walk.content_of(head))));
       return true;
     case Opcode::channel:
-      contents.channels.push_back(read_channel(ByteReader(walk.content_of(head))));
+      add_new(contents.channels, known.channels, read_channel(ByteReader(walk.content_of(head))));
       return true;
     case Opcode::metadata:
       contents.metadata.push_back(read_metadata(ByteReader(walk.content_of(head))));
@@ -252,12 +267,13 @@ Contents read_contents(const Source& source) {
   if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
     throw Damage(0, "it does not begin as an MCAP file does");
   Contents contents;
+  Known known;
   const Walk walk(source);
   std::uint64_t where = magic.size();
   try {
     while (where < source.size()) {
       const RecordHead head = walk.head_at(where);
-      const bool goes_on = read_record(walk, head, contents);
+      const bool goes_on = read_record(walk, head, known, contents);
       where = head.end();
       if (goes_on) continue;
       read_summary(walk, source, where, contents);
