@@ -40,21 +40,18 @@ void measure(const char* file, double seconds, int width) {
     recorded.seen.observe(recorded.inputs.observation);
     const auto begin = Clock::now();
     recorder.before(recorded.inputs, recorded.engine);
-    const FrameRecord& record = recorded.engine.step(recorded.inputs);
+    const FrameRecord& record = recorded.engine.step(recorded.inputs, recorder.wanted());
     recorder.observe(record, {});
     with.frames.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
   };
+  constexpr std::chrono::microseconds kHalfFrame{16'667};
   auto next = Clock::now();
   for (int i = 0; i < static_cast<int>(30.0 * seconds); ++i) {
-    if (i % 2 == 0) {
-      plain_frame();
-      recorded_frame();
-    } else {
-      recorded_frame();
-      plain_frame();
-    }
-    next += std::chrono::microseconds(33'333);
-    std::this_thread::sleep_until(next);
+    // Half a frame's time apart, so that neither waits for what the other has left to the recorder's thread.
+    plain_frame();
+    std::this_thread::sleep_until(next += kHalfFrame);
+    recorded_frame();
+    std::this_thread::sleep_until(next += kHalfFrame);
   }
   recorder.end();
   const Recorder::Counts counts = recorder.counts();

@@ -32,25 +32,31 @@ void pack_image(const ImageView& image, std::vector<std::byte>& bytes) {
   }
 }
 
-Image unpack_image(std::span<const std::byte> bytes) {
+void unpack_image(std::span<const std::byte> bytes, Image& image) {
   ByteReader in(bytes);
   std::uint16_t width = 0, height = 0;
   in(width, height);
-  const std::size_t row = 2 * std::size_t{width};
-  check_bytes(width % 2 == 0 && in.left() == row * height, "an image has not as many bytes as pixels");
-  Image image(width, height);
-  std::size_t at = bytes.size() - in.left();
-  for (const Plane& plane : kPlanes) {
-    for (int y = 0; y < height; ++y) {
-      std::uint8_t* const pixels = image.row(y);
-      std::uint8_t left = 0;
-      for (std::size_t i = plane.first; i < row; i += plane.step) {
-        left = static_cast<std::uint8_t>(left + static_cast<std::uint8_t>(bytes[at++]));
-        pixels[i] = left;
-      }
+  const std::size_t pixels = std::size_t{width} * height;
+  check_bytes(width % 2 == 0 && in.left() == 2 * pixels, "an image has not as many bytes as pixels");
+  if (image.width() != width || image.height() != height) image = Image(width, height);
+  // All planes at once, so that each pair of pixels is written once.
+  const auto* luma = reinterpret_cast<const std::uint8_t*>(bytes.data()) + (bytes.size() - in.left());
+  const std::uint8_t* cb = luma + pixels;
+  const std::uint8_t* cr = cb + pixels / 2;
+  for (int y = 0; y < height; ++y) {
+    std::uint8_t* pair = image.row(y);
+    std::uint8_t left_luma = 0, left_cb = 0, left_cr = 0;
+    for (int x = 0; x < width; x += 2, pair += 4) {
+      const auto first = static_cast<std::uint8_t>(left_luma + *luma++);
+      left_luma = static_cast<std::uint8_t>(first + *luma++);
+      left_cb = static_cast<std::uint8_t>(left_cb + *cb++);
+      left_cr = static_cast<std::uint8_t>(left_cr + *cr++);
+      pair[0] = first;
+      pair[1] = left_cb;
+      pair[2] = left_luma;
+      pair[3] = left_cr;
     }
   }
-  return image;
 }
 
 }  // namespace reorient

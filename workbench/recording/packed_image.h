@@ -13,7 +13,7 @@ namespace reorient {
 /// Appends it.
 void pack_image(const ImageView& image, std::vector<std::byte>& bytes);
 
-/// The same pixels. Throws BadBytes.
-Image unpack_image(std::span<const std::byte> bytes);
+/// The same pixels; `image` keeps its memory where it has that size. Throws BadBytes.
+void unpack_image(std::span<const std::byte> bytes, Image& image);
 
 }  // namespace reorient

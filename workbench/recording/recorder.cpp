@@ -13,6 +13,9 @@
 #include <string>
 #include <utility>
 
+#include <pthread.h>
+#include <sched.h>
+
 #include "engine/record/input_bytes.h"
 #include "engine/record/record_bytes.h"
 #include "geometry/image.h"
@@ -232,6 +235,9 @@ Recorder::Counts Recorder::counts() const {
 
 /// The thread. What was queued is written, whatever happens to the frames.
 void Recorder::write_items(Shared& shared) {
+  // Woken up while a frame still runs, it takes no processor away from it: it waits until there is one.
+  const sched_param none{};
+  pthread_setschedparam(pthread_self(), SCHED_BATCH, &none);
   int files = 1;
   const auto write = [&](Item& item) {
     if (item.begins_file) {

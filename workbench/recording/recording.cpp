@@ -129,7 +129,7 @@ bool Recording::next(RecordedFrame& frame) {
     const auto camera = std::find(images_.begin(), images_.end(), message.channel);
     if (camera != images_.end()) {
       const auto index = static_cast<std::size_t>(camera - images_.begin());
-      pending_.images[index] = unpack_image(own_bytes(message));
+      unpack_image(own_bytes(message), pending_.images[index]);
       has_pending_[index] = true;
       continue;
     }
