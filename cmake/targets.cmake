@@ -95,8 +95,12 @@ function(reorient_runnable variable target)
   if(CMAKE_CROSSCOMPILING_EMULATOR)
     list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
     set(script "${PROJECT_BINARY_DIR}/emulated/${target}")
-    file(GENERATE OUTPUT "${script}" CONTENT "#!/bin/sh\nexec ${emulator} '$<TARGET_FILE:${target}>' \"$@\"\n"
-      FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    get_target_property(has_script ${target} REORIENT_SCRIPT)
+    if(NOT has_script)  # tests of several folders start the same program
+      file(GENERATE OUTPUT "${script}" CONTENT "#!/bin/sh\nexec ${emulator} '$<TARGET_FILE:${target}>' \"$@\"\n"
+        FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+      set_target_properties(${target} PROPERTIES REORIENT_SCRIPT "${script}")
+    endif()
     set(${variable} "${script}" PARENT_SCOPE)
   endif()
 endfunction()
