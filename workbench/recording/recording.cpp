@@ -93,6 +93,7 @@ bool Recording::go_to_chunk(std::size_t chunk) {
   chunk_ = chunk;
   messages_.reset();
   drop_pending();
+  is_cut_ = true;
   return chunk_ < contents_.chunks.size();
 }
 
@@ -113,6 +114,7 @@ bool Recording::next_message(mcap::Message& message) {
       damages_.emplace_back(damage.what());
       messages_.reset();
       drop_pending();
+      is_cut_ = true;
     }
   }
 }
@@ -140,8 +142,13 @@ bool Recording::next(RecordedFrame& frame) {
       continue;
     }
     read_frame_entry(own_bytes(message), pending_.entry);
-    for (std::size_t i = 0; i < images_.size(); ++i)
-      check_bytes(pending_.entry.image_is_exact[i] == has_pending_[i], "a frame and its images do not fit together");
+    const bool is_whole = pending_.entry.image_is_exact == has_pending_;
+    if (!is_whole && std::exchange(is_cut_, false)) {  // its images lay in the chunk that is lost
+      drop_pending();
+      continue;
+    }
+    check_bytes(is_whole, "a frame and its images do not fit together");
+    is_cut_ = false;
     pending_.follows = last_frame_ && *last_frame_ + 1 == pending_.entry.frame;
     last_frame_ = pending_.entry.frame;
     std::swap(frame, pending_);

@@ -84,6 +84,7 @@ class Recording {
   std::optional<mcap::ChunkMessages> messages_;
   RecordedFrame pending_;  // what came before its frame
   std::array<bool, 2> has_pending_{};
+  bool is_cut_ = false;  // what came before the next frame may have been left out
   std::optional<std::uint64_t> last_frame_;
   std::map<std::uint16_t, Tally> tallies_;
   std::vector<std::string> damages_;

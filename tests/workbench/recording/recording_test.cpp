@@ -2,8 +2,10 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +17,7 @@
 #include <unistd.h>
 
 #include "engine/record/record_bytes.h"
+#include "geometry/random.h"
 #include "tests/engine/eventful_run.h"
 #include "tests/temporary_folder.h"
 #include "tests/workbench/recording/replayed.h"
@@ -125,6 +128,28 @@ TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
   EXPECT_EQ(again.stretches, 2u);
   EXPECT_GT(again.passed_over, 0u);
   EXPECT_LT(again.frames, static_cast<std::uint64_t>(kFrames));
+}
+
+TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
+  // A frame may lie in two chunks, of which one is lost.
+  record(options());
+  std::ifstream in(file(), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  Random random(5);
+  for (int i = 0; i < 60; ++i) {
+    std::string damaged = whole;
+    const std::size_t place = 5000 + random.below(whole.size() / 2);
+    damaged.replace(place, 16, "this is no chunk");
+    Recording recording(std::make_unique<mcap::MemorySource>(std::as_bytes(std::span(damaged))));
+    RecordedFrame frame;
+    int frames = 0;
+    ASSERT_NO_THROW({
+      while (recording.next(frame)) ++frames;
+    }) << "damaged at byte "
+       << place;
+    EXPECT_LT(frames, kFrames);
+    EXPECT_FALSE(recording.damages().empty());
+  }
 }
 
 TEST_F(RecordedRun, ThatIsRotatedIsManyRecordingsOfWhichEachIsMadeAgain) {
