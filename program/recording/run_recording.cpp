@@ -102,10 +102,12 @@ void RunRecording::end(std::ostream& out) {
                      counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "", counts.frames,
                      1e-6 * static_cast<double>(counts.bytes));
   if (counts.views_left_out > 0)
-    out << fmt::format("  {} frames lack images to look at, since the disk was slow\n", counts.views_left_out);
+    out << fmt::format("  {} frames lack images to look at, since disk or processor were too slow\n",
+                       counts.views_left_out);
   if (counts.images_left_out > 0) {
-    out << fmt::format("  {} frames lack images, since the disk was slow; from {:.1f} s on not all can be replayed\n",
-                       counts.images_left_out, counts.exact_until);
+    out << fmt::format(
+        "  {} frames lack images, since disk or processor were too slow; from {:.1f} s on not all can be replayed\n",
+        counts.images_left_out, counts.exact_until);
   }
 }
 

@@ -112,6 +112,7 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
     waiting = shared_->waiting;
     if (shared_->counts.files == files_begun_) file_bytes = shared_->file_bytes;
   }
+  wanted_ = {};
   if (!item_) return tell_trouble();
   Item& item = *item_;
   const double now = engine.record().world.time;
@@ -144,13 +145,15 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
   is_broken_ = is_broken_ || !item.entry.is_exact();
   choose_views(item);
 
+  const bool sees = item.entry.has_image[0] || item.entry.has_image[1];
+  const bool lacks_view = sees && options_.jpeg_quality > 0 && !has_views;
+  const bool lacks_image = wanted && is_slow && !item.entry.is_exact();
+  if (!lacks_view && !lacks_image) return;
   const std::lock_guard lock(shared_->mutex);
   Counts& counts = shared_->counts;
-  const bool sees = item.entry.has_image[0] || item.entry.has_image[1];
-  if (sees && options_.jpeg_quality > 0 && !has_views) ++counts.views_left_out;
-  if (!wanted || !is_slow || item.entry.is_exact()) return;
-  ++counts.images_left_out;
-  if (counts.exact_until < 0.0) counts.exact_until = now;
+  counts.views_left_out += lacks_view ? 1 : 0;
+  counts.images_left_out += lacks_image ? 1 : 0;
+  if (lacks_image && counts.exact_until < 0.0) counts.exact_until = now;
 }
 
 void Recorder::choose_views(const Item& item) {
@@ -191,9 +194,11 @@ void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
   }
   shared_->wake.notify_one();
   if (lacks_views && !std::exchange(told_no_views_, true))
-    tell_("the disk is slow: images to look at are left out of the recording");
+    tell_("disk or processor are too slow for the recording: images to look at are left out of it");
   if (is_slow && !std::exchange(told_slow_, true))
-    tell_("the disk is slow: images are left out of the recording, and what follows cannot be replayed exactly");
+    tell_(
+        "disk or processor are too slow for the recording: images are left out of it, and what follows cannot be "
+        "replayed exactly");
 }
 
 void Recorder::tell_trouble() {
