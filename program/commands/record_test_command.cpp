@@ -13,6 +13,7 @@
 #include "engine/record/record_bytes.h"
 #include "program/options.h"
 #include "program/program.h"
+#include "program/recording/damages.h"
 #include "program/script_names.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
@@ -81,7 +82,7 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
 
   Recording recording(options.file);
   const Rewritten done = cut_recording(recording, options.from, options.to, part, Views::left_out);
-  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
+  tell_damages(recording, err);
   write_whole_file(
       test,
       fmt::format(R"(--- Recorded: {}, {:.2f} to {:.2f} s. What the robot did then; say here what it should do.

@@ -14,6 +14,7 @@
 #include "program/interruption.h"
 #include "program/options.h"
 #include "program/program.h"
+#include "program/recording/damages.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/csv.h"
@@ -30,10 +31,6 @@ struct RecordingOptions {
   std::string csv;
   double from = 0.0, to = std::numeric_limits<double>::infinity(), at = 0.0;  // s of the robot
 };
-
-void tell_damages(const Recording& recording, std::ostream& err) {
-  for (const std::string& damage : recording.damages()) err << "reorient: left out " << damage << '\n';
-}
 
 int info(const std::filesystem::path& file, std::ostream& out) {
   Recording recording(file);

@@ -35,22 +35,19 @@ struct ReplayOptions {
   bool asks_what_if() const { return !scripts.empty() || !overrides_of(parameters).empty(); }
 };
 
-/// Other scripts and parameters than those of the recording, in its first frame.
-class WhatIf : public InputSource, public Observer {
+/// Other scripts and parameters than those of the recording.
+FrameInputs other_than_recorded(const FrameLoop& engine, const ReplayOptions& options) {
+  FrameInputs inputs;
+  if (!options.scripts.empty()) inputs.script_edits = edits_between(engine.scripts(), read_scripts(options.scripts));
+  inputs.parameter_changes = overrides_of(options.parameters);
+  // Whatever the recorded run was told, and how.
+  for (ParameterChange& change : inputs.parameter_changes) change.origin = ParameterOrigin::live;
+  return inputs;
+}
+
+/// Looks at the frame in which they came.
+class RequireTaken : public Observer {
  public:
-  WhatIf(std::vector<ScriptEdit> edits, std::vector<ParameterChange> changes)
-      : edits_(std::move(edits)), changes_(std::move(changes)) {
-    // Whatever the recorded run was told, and how.
-    for (ParameterChange& change : changes_) change.origin = ParameterOrigin::live;
-  }
-
-  void add_to(FrameInputs& inputs) override {
-    inputs.script_edits.insert(inputs.script_edits.end(), edits_.begin(), edits_.end());
-    inputs.parameter_changes.insert(inputs.parameter_changes.end(), changes_.begin(), changes_.end());
-    edits_.clear();
-    changes_.clear();
-  }
-
   /// Throws std::runtime_error with one line: something of it is not to be had.
   void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
     if (std::exchange(is_taken_, true)) return;
@@ -64,8 +61,6 @@ class WhatIf : public InputSource, public Observer {
 
  private:
   bool is_taken_ = false;
-  std::vector<ScriptEdit> edits_;
-  std::vector<ParameterChange> changes_;
 };
 
 void print_difference(const char* what, const Difference& difference, std::ostream& out) {
@@ -108,11 +103,13 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   double last_time = 0.0;
   const auto begin = std::chrono::steady_clock::now();
   while (const FrameLoop* const engine = again.next_stretch()) {
-    std::vector<ScriptEdit> edits;
-    if (!options.scripts.empty()) edits = edits_between(engine->scripts(), read_scripts(options.scripts));
-    WhatIf what_if(std::move(edits), overrides_of(options.parameters));
+    AddedInputs what_if;
+    RequireTaken taken;
     std::vector<Observer*> observers{&digest, &comparison};
-    if (options.asks_what_if()) observers.push_back(&what_if);
+    if (options.asks_what_if()) {
+      what_if.add(other_than_recorded(*engine, options));
+      observers.push_back(&taken);
+    }
     again.run({&what_if}, observers, [] { return Interruption::signal() != 0; });
     last_time = engine->record().world.time;
     if (options.asks_what_if()) break;  // another stretch would begin with what was, not with what would have been

@@ -73,13 +73,12 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
 
 int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
-  TestRun run{scripts_root(options.scripts),
-              options.paths,
-              {},
-              {},
-              options.timeout,
-              [] { return Interruption::signal() != 0; }};
+  TestRun run;
+  run.scripts_root = scripts_root(options.scripts);
+  run.paths = options.paths;
   run.play_recording = recordings_below(run.scripts_root / "tests");
+  run.timeout = options.timeout;
+  run.stop = [] { return Interruption::signal() != 0; };
   if (!options.junit.empty()) require_writable_file(options.junit, "--junit");
   if (options.simulator) {
     run.simulate = [&run](const SimulationRequest& request, CoverageTrace& trace, const std::function<bool()>& stop) {

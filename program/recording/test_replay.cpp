@@ -4,7 +4,6 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include <spdlog/fmt/fmt.h>
 
@@ -16,17 +15,6 @@
 namespace reorient {
 namespace {
 
-/// What a test adds to the frame that was recorded.
-struct Added : InputSource {
-  void add_to(FrameInputs& inputs) override {
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(inputs.script_edits, next.script_edits);
-    append(inputs.parameter_changes, next.parameter_changes);
-    append(inputs.told.messages, next.told.messages);
-  }
-  FrameInputs next;
-};
-
 class Played : public PlayedRecording {
  public:
   Played(const std::filesystem::path& file, const ScriptTexts& scripts)
@@ -35,14 +23,14 @@ class Played : public PlayedRecording {
       throw std::runtime_error(file.string() +
                                ": no frame of it can be made again; 'reorient recording info' says why");
     }
-    first_edits_ = edits_between(engine_->scripts(), scripts);
+    FrameInputs first;
+    first.script_edits = edits_between(engine_->scripts(), scripts);
+    added_.add(first);
     loop_.emplace(replay_.parts({&added_}, {&comparison_}));
   }
 
   const FrameRecord* step(const FrameInputs& added) override {
-    added_.next = added;
-    const std::vector<ScriptEdit> first = std::exchange(first_edits_, {});
-    added_.next.script_edits.insert(added_.next.script_edits.begin(), first.begin(), first.end());
+    added_.add(added);
     return loop_->step() ? nullptr : &engine_->record();
   }
 
@@ -60,8 +48,7 @@ class Played : public PlayedRecording {
   Replay replay_;
   ReplayComparison comparison_;
   FrameLoop* engine_;
-  Added added_;
-  std::vector<ScriptEdit> first_edits_;
+  AddedInputs added_;
   std::optional<RunLoop> loop_;
 };
 

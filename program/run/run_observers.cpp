@@ -12,26 +12,15 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "engine/script/language/script_actions.h"
+#include "workbench/run/log_lines.h"
 
 namespace reorient {
 namespace {
 
-void log_scripts(const NameTable& names, const std::vector<LogRecord>& logs, const std::vector<FaultRecord>& faults) {
-  for (const LogRecord& record : logs) {
-    const std::string& machine = names[record.machine];
-    spdlog::info("{}{}{}{}", machine, machine.empty() ? "" : ": ", record.is_note ? "note: " : "", record.text);
-    if (record.dropped > 0)
-      spdlog::warn("{}: {} more lines in this frame were dropped; a machine may log {}", names[record.machine],
-                   record.dropped, ScriptActions::kMostPerFrame);
-  }
-  for (const FaultRecord& fault : faults) {
-    using Consequence = FaultRecord::Consequence;
-    const char* consequence = fault.consequence == Consequence::rolled_back ? "; the previous version runs again"
-                              : fault.consequence == Consequence::stopped   ? "; it is stopped until it is edited"
-                                                                            : "";
-    spdlog::error("{}{}", fault.fault.text(), consequence);
-  }
+spdlog::level::level_enum level_of(LogLine::Level level) {
+  return level == LogLine::Level::info      ? spdlog::level::info
+         : level == LogLine::Level::warning ? spdlog::level::warn
+                                            : spdlog::level::err;
 }
 
 /// Writes nothing: it stands before the sink that does.
@@ -107,24 +96,11 @@ RoomForLog::RoomForLog(std::function<void()> make_room) : sink_(std::make_shared
 RoomForLog::~RoomForLog() { std::erase(spdlog::default_logger()->sinks(), sink_); }
 
 void RunLog::observe(const FrameRecord& frame, const StageRecord& stage) {
-  log_reloads(frame.reloads);
-  log_reloads(stage.scenario.reloads);
-  log_scripts(*frame.names, frame.logs, frame.faults);
-  for (const std::string& message : frame.answer.messages) spdlog::info("to the team: {}", message);
-  log_scripts(*stage.scenario.names, stage.scenario.logs, stage.scenario.faults);
+  for (const std::vector<ReloadRecord>* const reloads : {&frame.reloads, &stage.scenario.reloads})
+    for (const ReloadRecord& reload : *reloads) ++(reload.accepted ? accepted_ : rejected_);
+  for (const LogLine& line : log_lines(frame, stage))
+    spdlog::log(level_of(line.level), "{}{}{}", line.source, line.source.empty() ? "" : ": ", line.text);
   log_pose(frame.world, stage.truth);
-}
-
-void RunLog::log_reloads(const std::vector<ReloadRecord>& reloads) {
-  for (const ReloadRecord& reload : reloads) {
-    ++(reload.accepted ? accepted_ : rejected_);
-    if (reload.accepted) {
-      spdlog::info("{}: the edit is running", reload.script);
-    } else {
-      spdlog::error("{}: edit rejected; keeping the previous version: {}", reload.script, reload.fault.text());
-    }
-    for (const std::string& warning : reload.warnings) spdlog::warn("{}: {}", reload.script, warning);
-  }
 }
 
 }  // namespace reorient

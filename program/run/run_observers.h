@@ -54,8 +54,6 @@ class RunLog : public Observer {
   int reloads_rejected() const { return rejected_; }
 
  private:
-  void log_reloads(const std::vector<ReloadRecord>& reloads);
-
   int accepted_ = 0;
   int rejected_ = 0;
 };

@@ -1,8 +1,6 @@
 // Scripted tests that replay a recording, and how they are made of one.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,19 +9,18 @@
 
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
+#include "workbench/files/atomic_file.h"
 #include "workbench/recording/recording.h"
 #include "workbench/recording/recording_file.h"
 
 namespace reorient {
 namespace {
 
-const std::filesystem::path kSourceFolder = REORIENT_SOURCE_DIR;
-
 /// A copy of the shipped scripts without their tests, but for the recording.
 class ReplayingTest : public testing::Test {
  protected:
   ReplayingTest() {
-    std::filesystem::copy(kSourceFolder / "scripts", scripts(), std::filesystem::copy_options::recursive);
+    copy_scripts(folder_.path());
     for (const auto& entry : std::filesystem::directory_iterator(scripts() / "tests")) {
       if (entry.is_regular_file()) std::filesystem::remove(entry.path());
     }
@@ -35,10 +32,7 @@ class ReplayingTest : public testing::Test {
     return run_reorient({"test", "--scripts", scripts().string()});
   }
   void edit(const std::string& script, const std::string& from, const std::string& to) {
-    std::ifstream in(scripts() / script);
-    std::stringstream text;
-    text << in.rdbuf();
-    std::string edited = text.str();
+    std::string edited = read_whole_file(scripts() / script).value();
     const std::size_t at = edited.find(from);
     ASSERT_NE(at, std::string::npos) << script << " does not contain " << from;
     folder_.write("scripts/" + script, edited.replace(at, from.size(), to));
@@ -122,7 +116,7 @@ TEST_F(ReplayingTest, OfManyReplaysEndsWithItsBudget) {
 }
 
 TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
-  const std::string recording = (kSourceFolder / "scripts/tests/recordings/recorded_flip.mcap").string();
+  const std::string recording = (kProjectFolder / "scripts/tests/recordings/recorded_flip.mcap").string();
   const std::vector<std::string> make{"record-test", recording, "--from",    "43.2",      "--to",
                                       "43.6",        "--name",  "made_here", "--scripts", scripts().string()};
   const ProgramRun made = run_reorient(make);
@@ -156,7 +150,7 @@ TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
 /// and another file.
 TEST(GoldenRecording, OfThisFormatIsMadeAgainFrameByFrame) {
   const std::filesystem::path file =
-      kSourceFolder / "tests/workbench/recording/golden" / ("format_" + std::to_string(kRecordingFormat) + ".mcap");
+      kProjectFolder / "tests/workbench/recording/golden" / ("format_" + std::to_string(kRecordingFormat) + ".mcap");
   ASSERT_TRUE(std::filesystem::exists(file)) << "a format without a file";
   const ProgramRun run = run_reorient({"replay", file.string()});
   // Another build may decide otherwise on the same frames, which is no matter of the format.
@@ -166,7 +160,7 @@ TEST(GoldenRecording, OfThisFormatIsMadeAgainFrameByFrame) {
 
 TEST(GoldenRecording, OfEachFormatIsReadByInfo) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kSourceFolder / "tests/workbench/recording/golden")) {
+  for (const auto& entry : std::filesystem::directory_iterator(kProjectFolder / "tests/workbench/recording/golden")) {
     const ProgramRun run = run_reorient({"recording", "info", entry.path().string()});
     EXPECT_EQ(run.code, 0) << run.out << run.err;
     EXPECT_NE(run.out.find("/world                          10     33.3"), std::string::npos) << run.out;

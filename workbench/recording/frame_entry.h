@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +28,17 @@ inline constexpr std::string_view kOwnSchemaText = "uint8[] data\n";
 /// its record and the engine's state tell it, too): frames of another format cannot be made again, though looked at.
 inline constexpr int kRecordingFormat = 1;
 
-/// A message to look at, of a topic that decides nothing.
+/// A topic that decides nothing.
+struct ViewTopic {
+  std::string name, encoding;
+  std::string schema, schema_encoding, schema_text;  ///< schema: empty: there is none
+  bool lasts = false;  ///< a message holds until the next one: whoever begins in the middle needs the one before
+};
+
+// Said of such a topic, and of the file, for whoever reads it.
+inline constexpr std::string_view kLasts = "lasts", kFormat = "format";
+
+/// A message to look at.
 struct ViewMessage {
   std::size_t topic = 0;   ///< in a list that whoever writes it keeps
   std::uint64_t time = 0;  ///< ns

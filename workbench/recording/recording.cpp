@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,8 @@ std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic)
     throw std::runtime_error("no frames of ours are in it; name a file that 'reorient run --record FILE' has written");
   return channel->id;
 }
+
+std::vector<std::byte> copy_of(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
 
 /// Our bytes in a message of a topic of our own.
 std::span<const std::byte> own_bytes(const mcap::Message& message) {
@@ -109,8 +112,7 @@ bool Recording::next_message(mcap::Message& message) {
       if (chunk_ >= contents_.chunks.size()) return false;
       messages_.reset();
       messages_.emplace(*source_, contents_.chunks[chunk_++]);
-    } catch (
-        const mcap::Damage& damage) {  // the rest of the chunk is lost, and with it what belonged to its last frame
+    } catch (const mcap::Damage& damage) {  // the rest of the chunk is lost, and what belonged to its last frame
       damages_.emplace_back(damage.what());
       messages_.reset();
       drop_pending();
@@ -124,8 +126,7 @@ bool Recording::next(RecordedFrame& frame) {
   mcap::Message message;
   while (next_message(message)) {
     if (message.channel == states_) {
-      const auto bytes = own_bytes(message);
-      pending_.state.assign(bytes.begin(), bytes.end());
+      pending_.state = copy_of(own_bytes(message));
       continue;
     }
     const auto camera = std::find(images_.begin(), images_.end(), message.channel);
@@ -138,7 +139,7 @@ bool Recording::next(RecordedFrame& frame) {
     if (message.channel != frames_) {
       const auto view = view_of_.find(message.channel);
       if (reads_views_ && view != view_of_.end())
-        pending_.views.push_back({view->second, message.time, {message.data.begin(), message.data.end()}});
+        pending_.views.push_back({view->second, message.time, copy_of(message.data)});
       continue;
     }
     read_frame_entry(own_bytes(message), pending_.entry);
@@ -191,8 +192,7 @@ bool Recording::go_to(double time) {
   // Up to that state: what its chunk holds before it belongs to earlier frames.
   for (mcap::Message message; next_message(message);) {
     if (message.channel == states_ && message.time == found_time) {
-      const auto bytes = own_bytes(message);
-      pending_.state.assign(bytes.begin(), bytes.end());
+      pending_.state = copy_of(own_bytes(message));
       return true;
     }
   }

@@ -14,7 +14,6 @@
 #include "geometry/image.h"
 #include "workbench/recording/frame_entry.h"
 #include "workbench/recording/mcap/reader.h"
-#include "workbench/recording/recording_file.h"
 
 namespace reorient {
 

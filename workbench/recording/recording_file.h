@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <sys/types.h>
@@ -20,16 +19,6 @@
 #include "workbench/recording/mcap/writer.h"
 
 namespace reorient {
-
-/// A topic that decides nothing.
-struct ViewTopic {
-  std::string name, encoding;
-  std::string schema, schema_encoding, schema_text;  ///< schema: empty: there is none
-  bool lasts = false;  ///< a message holds until the next one: whoever begins in the middle needs the one before
-};
-
-// Said of such a topic, and of the file, for who reads it.
-inline constexpr std::string_view kLasts = "lasts", kFormat = "format";
 
 class RecordingFile {
  public:

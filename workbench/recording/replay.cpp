@@ -3,6 +3,20 @@
 #include <utility>
 
 namespace reorient {
+namespace {
+
+void append_all(const FrameInputs& from, FrameInputs& to) {
+  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  append(to.script_edits, from.script_edits);
+  append(to.parameter_changes, from.parameter_changes);
+  append(to.told.messages, from.told.messages);
+}
+
+}  // namespace
+
+void AddedInputs::add(const FrameInputs& more) { append_all(more, next_); }
+
+void AddedInputs::add_to(FrameInputs& inputs) { append_all(std::exchange(next_, {}), inputs); }
 
 Replay::Replay(Recording& recording, double from, double to) : playback_(nullptr), to_(to) {
   auto playback = std::make_unique<Playback>(recording, from);

@@ -14,6 +14,17 @@
 
 namespace reorient {
 
+/// What is added to the next frame that was recorded, and to no other.
+class AddedInputs : public InputSource {
+ public:
+  /// Of its messages, scripts and parameters; beside what was to be added already.
+  void add(const FrameInputs& more);
+  void add_to(FrameInputs& inputs) override;
+
+ private:
+  FrameInputs next_;
+};
+
 class Replay {
  public:
   /// `from`, `to`: s of the robot; from the last state before the one, up to the first frame that is not before the

@@ -137,6 +137,26 @@ TEST_F(McapFile, WithAChangedByteGivesNoMessageThatWasNotWritten) {
   }
 }
 
+TEST_F(McapFile, WithADamagedHeadLosesWhatThatHeadDescribes) {
+  const MemorySource whole(file_);
+  for (const ChunkPlace& lost : read_contents(whole).chunks) {
+    // Its kind, its length, what it says of its messages; and the end of the record before it, too.
+    for (const std::ptrdiff_t from : {-8, 0, 1, 25}) {
+      Bytes damaged = file_;
+      const auto place = static_cast<std::ptrdiff_t>(lost.where) + from;
+      std::fill_n(damaged.begin() + place, 16, std::byte{0x74});
+      const MemorySource source(damaged);
+      const Contents contents = read_contents(source);
+      int damages = contents.damage ? 1 : 0;
+      const std::vector<Written> all = read(source, contents, damages);
+      EXPECT_GE(all.size(), 50u) << "damaged at " << place;
+      EXPECT_GT(damages, 0) << "damaged at " << place;
+      EXPECT_EQ(contents.channels.size(), 2u);
+      for (const Written& one : all) EXPECT_NE(std::find(written_.begin(), written_.end(), one), written_.end());
+    }
+  }
+}
+
 TEST_F(McapFile, ThatClaimsMoreThanItHoldsIsRefusedWithoutMemory) {
   for (const std::uint64_t length : {std::uint64_t{1} << 60, ~std::uint64_t{0}, std::uint64_t{1} << 31}) {
     Bytes hostile(file_.begin(), file_.begin() + 8);

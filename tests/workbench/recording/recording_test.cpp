@@ -2,7 +2,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,6 +20,7 @@
 #include "tests/engine/eventful_run.h"
 #include "tests/temporary_folder.h"
 #include "tests/workbench/recording/replayed.h"
+#include "workbench/files/atomic_file.h"
 #include "workbench/recording/packed_image.h"
 #include "workbench/recording/recorder.h"
 
@@ -131,11 +131,11 @@ TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
 }
 
 TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
-  // A frame may lie in two chunks, of which one is lost.
+  // A frame may lie in two chunks, of which one is lost. Where an index is damaged, nothing is.
   record(options());
-  std::ifstream in(file(), std::ios::binary);
-  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  const std::string whole = read_whole_file(file()).value();
   Random random(5);
+  int lossy = 0;
   for (int i = 0; i < 60; ++i) {
     std::string damaged = whole;
     const std::size_t place = 5000 + random.below(whole.size() / 2);
@@ -147,9 +147,11 @@ TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
       while (recording.next(frame)) ++frames;
     }) << "damaged at byte "
        << place;
-    EXPECT_LT(frames, kFrames);
-    EXPECT_FALSE(recording.damages().empty());
+    EXPECT_GT(frames, kFrames / 2) << "damaged at byte " << place;
+    EXPECT_TRUE(frames == kFrames || !recording.damages().empty()) << "damaged at byte " << place;
+    lossy += frames < kFrames;
   }
+  EXPECT_GT(lossy, 30);
 }
 
 TEST_F(RecordedRun, ThatIsRotatedIsManyRecordingsOfWhichEachIsMadeAgain) {

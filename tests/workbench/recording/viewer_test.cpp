@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <memory>
@@ -18,6 +17,7 @@
 
 #include "engine/script/language/world_fields.h"
 #include "tests/engine/eventful_run.h"
+#include "workbench/files/atomic_file.h"
 #include "workbench/recording/viewer/base64.h"
 #include "workbench/recording/viewer/foxglove.h"
 #include "workbench/recording/viewer/viewer_messages.h"
@@ -187,12 +187,6 @@ TEST(Foxglove, CountsTimeInSecondsAndNanoseconds) {
 }
 
 // A layout that names what nobody sends shows nothing.
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// "/world.confidence.current": of a topic that there is, and its schema has such a field.
 void expect_path(const std::string& path, char separator) {
@@ -214,7 +208,8 @@ void expect_path(const std::string& path, char separator) {
 }
 
 TEST(ViewerTopics, StandOnThePageAboutRecordings) {
-  const std::string page = text_of(std::filesystem::path(REORIENT_SOURCE_DIR) / "docs" / "recordings.md");
+  const std::string page =
+      read_whole_file(std::filesystem::path(REORIENT_SOURCE_DIR) / "docs" / "recordings.md").value();
   for (const ViewerTopicInfo& row : kViewerTopics) {
     const std::string line = "| `" + std::string(row.name) + "` | `" + std::string(row.schema) + "` | " +
                              std::string(row.description) + " |\n";
@@ -224,7 +219,7 @@ TEST(ViewerTopics, StandOnThePageAboutRecordings) {
 
 TEST(ViewerLayouts, NameTopicsAndFieldsThatThereAre) {
   const std::filesystem::path folder = std::filesystem::path(REORIENT_SOURCE_DIR) / "assets" / "views";
-  const Json layout = Json::parse(text_of(folder / "lichtblick.json"));
+  const Json layout = Json::parse(read_whole_file(folder / "lichtblick.json").value());
   int paths = 0;
   const std::function<void(const Json&)> visit = [&](const Json& json) {
     for (const auto& [key, value] : json.items()) {
@@ -249,7 +244,7 @@ TEST(ViewerLayouts, NameTopicsAndFieldsThatThereAre) {
     visit_panels(place.at("second"));
   };
   visit_panels(layout.at("layout"));
-  const std::string xml = text_of(folder / "plotjuggler.xml");
+  const std::string xml = read_whole_file(folder / "plotjuggler.xml").value();
   const std::regex curve("curve name=\"([^\"]+)\"");
   for (std::sregex_iterator it(xml.begin(), xml.end(), curve), end; it != end; ++it, ++paths)
     expect_path((*it)[1], '/');

@@ -191,24 +191,105 @@ bool read_record(const Walk& walk, const RecordHead& head, Known& known, Content
   }
 }
 
-/// What is only told behind the data.
-void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Contents& contents) {
+void tell(const Damage& damage, Contents& contents) {
+  if (!contents.damage) contents.damage = damage;
+}
+
+/// What a record of the summary says of a chunk: where it is.
+std::uint64_t read_chunk_index(ByteReader in) {
+  std::uint64_t start_time = 0, end_time = 0, where = 0;
+  in(start_time, end_time, where);
+  return where;
+}
+
+/// A chunk that the summary names and nobody came by: a damage hid it.
+void add_hidden_chunk(const Walk& walk, std::uint64_t where, Contents& contents) {
+  try {
+    const RecordHead head = walk.head_at(where);
+    if (static_cast<Opcode>(head.opcode) != Opcode::chunk)
+      throw Damage(where, "here is no chunk, although the summary names one");
+    contents.chunks.push_back(read_chunk_head(head, walk.content_of(head, kMostBeforeData)));
+  } catch (const Damage& damage) {
+    tell(damage, contents);
+  } catch (const BadBytes& bad) {
+    tell(Damage(where, bad.what()), contents);
+  }
+}
+
+/// What is told behind the data. It names again what is in them: so what comes behind a damage is found all the same.
+void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Known& known, Contents& contents) {
+  std::set<std::uint64_t> listed;
+  for (const ChunkPlace& place : contents.chunks) listed.insert(place.where);
   for (std::uint64_t where = from; where < source.size();) {
     const RecordHead head = walk.head_at(where);
-    if (static_cast<Opcode>(head.opcode) == Opcode::statistics)
-      contents.statistics = read_statistics(ByteReader(walk.content_of(head)));
-    if (static_cast<Opcode>(head.opcode) == Opcode::footer) {
-      std::array<std::byte, kMagic.size()> magic{};
-      if (source.size() - head.end() < magic.size()) throw Damage(head.where, "it ends within its last record");
-      source.read(head.end(), magic);
-      if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
-        throw Damage(head.end(), "what comes last is not what ends an MCAP file");
-      contents.is_complete = true;
-      return;
+    switch (static_cast<Opcode>(head.opcode)) {
+      case Opcode::schema:
+      case Opcode::channel:
+        read_record(walk, head, known, contents);
+        break;
+      case Opcode::statistics:
+        contents.statistics = read_statistics(ByteReader(walk.content_of(head)));
+        break;
+      case Opcode::chunk_index: {
+        const std::uint64_t chunk = read_chunk_index(ByteReader(walk.content_of(head)));
+        check_bytes(chunk < from, "the summary names a chunk behind the data");
+        if (listed.insert(chunk).second) add_hidden_chunk(walk, chunk, contents);
+        break;
+      }
+      case Opcode::footer: {
+        std::array<std::byte, kMagic.size()> magic{};
+        if (source.size() - head.end() < magic.size()) throw Damage(head.where, "it ends within its last record");
+        source.read(head.end(), magic);
+        if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
+          throw Damage(head.end(), "what comes last is not what ends an MCAP file");
+        contents.is_complete = true;
+        return;
+      }
+      default:
+        break;
     }
     where = head.end();
   }
   throw Damage(source.size(), "its end is missing");
+}
+
+/// Where the summary begins, as the last record says; 0: nowhere.
+std::uint64_t summary_of(const Walk& walk, const Source& source) {
+  constexpr std::uint64_t kFooter = kRecordHead + 2 * sizeof(std::uint64_t) + sizeof(std::uint32_t);
+  if (source.size() < kFooter + 2 * kMagic.size()) return 0;
+  const std::uint64_t footer = source.size() - kMagic.size() - kFooter;
+  const RecordHead head = walk.head_at(footer);
+  if (static_cast<Opcode>(head.opcode) != Opcode::footer || head.end() != source.size() - kMagic.size()) return 0;
+  std::uint64_t where = 0;
+  ByteReader{walk.content_of(head)}(where);
+  return where < footer ? where : 0;
+}
+
+/// One behind the other: bytes belong to one chunk.
+void put_in_order(std::vector<ChunkPlace>& chunks) {
+  std::sort(chunks.begin(), chunks.end(), [](const ChunkPlace& a, const ChunkPlace& b) { return a.where < b.where; });
+  std::uint64_t end = 0;
+  std::erase_if(chunks, [&](const ChunkPlace& chunk) {
+    if (chunk.where < end) return true;
+    end = chunk.data + chunk.data_size;
+    return false;
+  });
+}
+
+/// From record to record, up to the summary. Returns where that begins.
+std::uint64_t read_data(const Walk& walk, const Source& source, Known& known, Contents& contents) {
+  std::uint64_t where = kMagic.size();
+  try {
+    while (where < source.size()) {
+      const RecordHead head = walk.head_at(where);
+      const bool goes_on = read_record(walk, head, known, contents);
+      where = head.end();
+      if (!goes_on) return where;
+    }
+  } catch (const BadBytes& bad) {
+    throw Damage(where, bad.what());
+  }
+  throw Damage(where, "its end is missing");
 }
 
 }  // namespace
@@ -269,22 +350,21 @@ Contents read_contents(const Source& source) {
   Contents contents;
   Known known;
   const Walk walk(source);
-  std::uint64_t where = magic.size();
+  std::uint64_t summary = 0;
   try {
-    while (where < source.size()) {
-      const RecordHead head = walk.head_at(where);
-      const bool goes_on = read_record(walk, head, known, contents);
-      where = head.end();
-      if (goes_on) continue;
-      read_summary(walk, source, where, contents);
-      return contents;
-    }
-    contents.damage.emplace(where, "its end is missing");
+    summary = read_data(walk, source, known, contents);
   } catch (const Damage& damage) {
-    contents.damage = damage;
-  } catch (const BadBytes& bad) {
-    contents.damage.emplace(where, bad.what());
+    tell(damage, contents);
   }
+  try {
+    if (summary == 0) summary = summary_of(walk, source);
+    if (summary > 0) read_summary(walk, source, summary, known, contents);
+  } catch (const Damage& damage) {
+    tell(damage, contents);
+  } catch (const BadBytes& bad) {
+    tell(Damage(summary, bad.what()), contents);
+  }
+  put_in_order(contents.chunks);
   return contents;
 }
 

@@ -1,5 +1,6 @@
 // Reads MCAP files, whole ones and damaged ones, with no more memory than their size justifies. It goes through the
-// records from the first on and needs no summary, which files that ended early lack.
+// records from the first on and needs no summary, which files that ended early lack; where there is one, it finds what
+// lies behind a damage.
 #pragma once
 
 #include <cstddef>
@@ -90,7 +91,7 @@ struct Contents {
   std::vector<AttachmentPlace> attachments;
   std::vector<Metadata> metadata;
   std::optional<Statistics> statistics;  ///< as the summary tells them
-  std::optional<Damage> damage;          ///< the first; what comes after it is not listed
+  std::optional<Damage> damage;          ///< the first; of what comes after it, what the summary names is listed
   bool is_complete = false;              ///< it has its end
 
   const Schema* schema(std::uint16_t id) const;

@@ -1,5 +1,5 @@
-// The messages of Foxglove that its viewer, Lichtblick and others draw without being told how: their JSON schemas, and
-// values of them. Frames: x forward, y left, z up, m, rad.
+// The messages of Foxglove that its viewer, Lichtblick and others draw without being told how, of the schemas in
+// foxglove_schemas.h. Frames: x forward, y left, z up, m, rad.
 #pragma once
 
 #include <array>
@@ -11,26 +11,13 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
 
 #include "geometry/camera.h"
 #include "geometry/pose2.h"
 #include "geometry/transform.h"
+#include "workbench/recording/viewer/foxglove_schemas.h"
 
 namespace reorient::foxglove {
-
-using Json = nlohmann::ordered_json;
-
-/// A JSON object in which all that is declared has to be there.
-Json object_schema(const std::vector<std::pair<std::string, Json>>& properties);
-Json array_schema(Json items);
-Json number_schema();
-Json integer_schema();
-Json string_schema();
-Json boolean_schema();
-
-/// Of "foxglove.PoseInFrame" and those others that we send. Throws std::out_of_range for one that we do not.
-Json schema(std::string_view name);
 
 struct Color {
   double r = 1.0, g = 1.0, b = 1.0, a = 1.0;  ///< 0 to 1

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "engine/script/language/world_fields.h"
+#include "localization/measurement/field_map.h"
 #include "workbench/recording/viewer/foxglove.h"
+#include "workbench/run/log_lines.h"
 #include "workbench/run/timeline.h"
 
 namespace reorient {
@@ -46,30 +48,31 @@ Json field_scene(double time, const FieldDimensions& field) {
   };
   const Entity::Quad all = carpet(x + field.border, y + field.border);
   scene.quads({&all, 1}, {&kCarpet, 1});
-  const auto rectangle = [&](double x1, double x2, double half_width) {
-    scene.lines({{x1, -half_width, 0.0}, {x2, -half_width, 0.0}, {x2, half_width, 0.0}, {x1, half_width, 0.0}}, true,
-                width, kWhite);
-  };
-  rectangle(-x, x, y);
-  scene.lines({{0.0, -y, 0.0}, {0.0, y, 0.0}}, false, width, kWhite);
-  scene.lines(arc({0.0, 0.0}, field.center_circle_radius, 0.0, 2.0 * kPi), false, width, kWhite);
+  std::vector<Eigen::Vector3d> ends;
+  for (const FieldLine& line : field_lines(field)) {
+    ends.push_back(on_ground(line.from));
+    ends.push_back(on_ground(line.to));
+  }
   const double mark = 0.5 * field.penalty_mark_size;
+  for (const double spot : {-field.penalty_mark_x, field.penalty_mark_x}) {
+    for (const Eigen::Vector2d& half : {Eigen::Vector2d(mark, 0.0), Eigen::Vector2d(0.0, mark)}) {
+      ends.push_back(on_ground(Eigen::Vector2d(spot, 0.0) - half));
+      ends.push_back(on_ground(Eigen::Vector2d(spot, 0.0) + half));
+    }
+  }
+  scene.segments(ends, width, kWhite);
+  scene.lines(arc({0.0, 0.0}, field.center_circle_radius, 0.0, 2.0 * kPi), false, width, kWhite);
+  const Color color = field.yellow_goals ? kYellow : kWhite;
+  for (const Eigen::Vector2d& post : goal_posts(field))
+    scene.cylinder(on_ground(post), field.goal_height, field.goal_post_diameter, color);
   for (const double side : {-1.0, 1.0}) {
     const double goal = side * x;
-    rectangle(goal, goal - side * field.penalty_area_depth, 0.5 * field.penalty_area_width);
-    if (field.goal_area_depth > 0.0) rectangle(goal, goal - side * field.goal_area_depth, 0.5 * field.goal_area_width);
-    const double spot = side * field.penalty_mark_x;
-    scene.segments({{spot - mark, 0.0, 0.0}, {spot + mark, 0.0, 0.0}, {spot, -mark, 0.0}, {spot, mark, 0.0}}, width,
-                   kWhite);
-    if (field.corner_arc_radius > 0.0) {
-      for (const double end : {-1.0, 1.0}) {
-        const double begin = side > 0.0 ? (end > 0.0 ? kPi : 0.5 * kPi) : (end > 0.0 ? 1.5 * kPi : 0.0);
-        scene.lines(arc({goal, end * y}, field.corner_arc_radius, begin, begin + 0.5 * kPi), false, width, kWhite);
-      }
+    for (const double end : {-1.0, 1.0}) {
+      if (field.corner_arc_radius <= 0.0) continue;
+      const double inwards = direction_of({-side, -end});
+      scene.lines(arc({goal, end * y}, field.corner_arc_radius, inwards - 0.25 * kPi, inwards + 0.25 * kPi), false,
+                  width, kWhite);
     }
-    const Color color = field.yellow_goals ? kYellow : kWhite;
-    for (const double end : {-1.0, 1.0})
-      scene.cylinder({goal, end * field.goal_post_y, 0.0}, field.goal_height, field.goal_post_diameter, color);
     scene.lines({{goal, -field.goal_post_y, field.goal_height}, {goal, field.goal_post_y, field.goal_height}}, false,
                 field.goal_post_diameter, color);
     scene.text({goal + side * field.border, 0.0, field.goal_height + 0.3}, side > 0.0 ? "opponent" : "own", 0.3, color);
@@ -252,46 +255,19 @@ Json transforms_json(const FrameRecord& frame, const StageRecord& stage) {
   return {{"transforms", std::move(all)}};
 }
 
-std::vector<Json> log_lines(const FrameRecord& frame, const StageRecord& stage) {
+Json log_json(double time, const LogLine& line) {
   using foxglove::Level;
-  const double time = frame.world.time;
-  std::vector<Json> lines;
-  const auto add_logs = [&](const NameTable& names, const std::vector<LogRecord>& logs) {
-    for (const LogRecord& line : logs) {
-      const std::string dropped = line.dropped > 0 ? " (and " + std::to_string(line.dropped) + " more)" : "";
-      const std::string& machine = names[line.machine];
-      lines.push_back(foxglove::log(time, Level::info, machine.empty() ? "note" : machine,
-                                    (line.is_note ? "note: " : "") + line.text + dropped));
-    }
-  };
-  const auto add_faults = [&](const std::vector<FaultRecord>& faults) {
-    for (const FaultRecord& fault : faults) {
-      constexpr std::string_view kConsequences[] = {"", "; the version before runs again", "; it is stopped"};
-      const std::string_view consequence = kConsequences[static_cast<std::size_t>(fault.consequence)];
-      lines.push_back(foxglove::log(time, Level::error, fault.script, fault.fault.message + std::string(consequence),
-                                    fault.fault.file, fault.fault.line));
-    }
-  };
-  for (const ReloadRecord& reload : frame.reloads) {
-    if (!reload.accepted) {
-      lines.push_back(foxglove::log(time, Level::error, reload.script, "the edit is not taken: " + reload.fault.message,
-                                    reload.fault.file, reload.fault.line));
-      continue;
-    }
-    lines.push_back(foxglove::log(time, Level::info, reload.script, "the edit runs"));
-    for (const std::string& warning : reload.warnings)
-      lines.push_back(foxglove::log(time, Level::warning, reload.script, warning));
-  }
-  for (const ParameterOutcome& change : frame.parameter_changes) {
-    const bool taken = change.refusal.empty();
-    lines.push_back(foxglove::log(time, taken ? Level::info : Level::warning, "parameters",
-                                  change.name + " = " + change.value + (taken ? "" : ": " + change.refusal)));
-  }
-  add_logs(*frame.names, frame.logs);
-  add_faults(frame.faults);
-  add_logs(*stage.scenario.names, stage.scenario.logs);
-  add_faults(stage.scenario.faults);
-  return lines;
+  const Level level = line.level == LogLine::Level::info      ? Level::info
+                      : line.level == LogLine::Level::warning ? Level::warning
+                                                              : Level::error;
+  const std::string& name = line.source.empty() ? line.file : line.source;
+  return foxglove::log(time, level, name.empty() ? "note" : name, line.text, line.file, line.line);
+}
+
+Json log_json(double time, const ParameterOutcome& change) {
+  const bool taken = change.refusal.empty();
+  return foxglove::log(time, taken ? foxglove::Level::info : foxglove::Level::warning, "parameters",
+                       change.name + " = " + change.value + (taken ? "" : ": " + change.refusal));
 }
 
 }  // namespace
@@ -323,7 +299,8 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
   send(ViewerTopic::machines, machines_json(frame));
   send(ViewerTopic::request, request_json(frame));
   for (const TimelineEvent& event : timeline_events(frame, stage)) send(ViewerTopic::events, event_json(event));
-  for (const Json& line : log_lines(frame, stage)) send(ViewerTopic::log, line);
+  for (const ParameterOutcome& change : frame.parameter_changes) send(ViewerTopic::log, log_json(time, change));
+  for (const LogLine& line : log_lines(frame, stage)) send(ViewerTopic::log, log_json(time, line));
 
   struct CameraTopics {
     const std::optional<CameraRecord>& camera;

@@ -1,0 +1,24 @@
+// What a frame logs, in words: lines and notes of scripts and people, faults, edits, words to the team.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workbench/run/observer.h"
+
+namespace reorient {
+
+struct LogLine {
+  enum class Level { info, warning, error };
+
+  Level level = Level::info;
+  std::string source;  ///< a machine or a script's file; empty where the text says it, or nobody but a person does
+  std::string text;
+  std::string file = {};  ///< of a fault: where it is
+  int line = 0;
+};
+
+/// In their order: the behaviours' edits and the scenario's, then what both said.
+std::vector<LogLine> log_lines(const FrameRecord& frame, const StageRecord& stage);
+
+}  // namespace reorient
