@@ -118,8 +118,10 @@ TEST_F(RecordedRun, ThatWasCutIsMadeAgainUpToThere) {
 TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
   record(options());
   {
+    const mcap::FileSource source(file());
+    const std::vector<mcap::ChunkPlace> chunks = mcap::read_contents(source).chunks;
     std::fstream damaged(file(), std::ios::in | std::ios::out | std::ios::binary);
-    damaged.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file()) / 3));
+    damaged.seekp(static_cast<std::streamoff>(chunks.at(chunks.size() / 3).data));
     damaged << "this is no chunk";
   }
   const Replayed again = replayed();
