@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include "geometry/pinned_math.h"
+#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 
-void Illumination::gains(std::span<const float> x, std::span<const float> y, std::span<float> gains) const {
+REORIENT_WIDE void Illumination::gains(std::span<const float> x, std::span<const float> y,
+                                       std::span<float> gains) const {
   constexpr float kMiddle = 3.0f;  // m around the field's centre, where daylight fades
   constexpr float kLogOfTwo = 0.693147181f;
   const auto count = static_cast<int>(gains.size());

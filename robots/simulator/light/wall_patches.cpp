@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "robots/simulator/render/coverage.h"
+#include "robots/simulator/render/wide.h"
 #include "robots/simulator/room/texture_painter.h"
 
 namespace reorient {
@@ -176,8 +177,8 @@ void WallPatches::add_curtain(const Rectangle& outline, const LinearColor& light
   }
 }
 
-void WallPatches::paint(const WallRow& row, float* __restrict red, float* __restrict green,
-                        float* __restrict blue) const {
+REORIENT_WIDE void WallPatches::paint(const WallRow& row, float* __restrict red, float* __restrict green,
+                                      float* __restrict blue) const {
   const RowRange range = range_of(row);
   const float* __restrict u = row.u;
   const float* __restrict v = row.v;

@@ -1,7 +1,10 @@
 #include "robots/simulator/render/framebuffer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 
@@ -25,23 +28,40 @@ RayTable::RayTable(const CameraModel& model)
   }
 }
 
-void RayTable::turn_while_read(const RayTable& at_rest, const Eigen::Vector3d& angular_velocity, double readout_time) {
-  const auto width = static_cast<std::size_t>(camera.width);
-  float farthest = 0.0f;
+REORIENT_WIDE void RayTable::turn_while_read(const RayTable& at_rest, const Eigen::Vector3d& angular_velocity,
+                                             double readout_time) {
+  constexpr int kLanes = 8;
+  std::array<float, kLanes> farthest_of{};
   for (int v = 0; v < camera.height; ++v) {
     const double time = readout_time * ((v + 0.5) / camera.height - 0.5);
     const Eigen::Vector3f turn = (time * angular_velocity).cast<float>();
-    const std::size_t first = static_cast<std::size_t>(v) * width;
-    for (std::size_t i = first; i < first + width; ++i) {
-      const float l = at_rest.left[i];
-      const float u = at_rest.up[i];
-      const float forward = 1.0f + turn.y() * u - turn.z() * l;
-      left[i] = (l + turn.z() - turn.x() * u) / forward;
-      up[i] = (u + turn.x() * l - turn.y()) / forward;
-      length[i] = std::sqrt(1.0f + left[i] * left[i] + up[i] * up[i]);
-      farthest = std::max({farthest, std::fabs(left[i] - l), std::fabs(up[i] - u)});
+    const float roll = turn.x(), pitch = turn.y(), yaw = turn.z();
+    const std::size_t first = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width);
+    const float* __restrict left_at_rest = at_rest.left.data() + first;
+    const float* __restrict up_at_rest = at_rest.up.data() + first;
+    float* __restrict turned_left = left.data() + first;
+    float* __restrict turned_up = up.data() + first;
+    float* __restrict turned_length = length.data() + first;
+    for (int i = 0; i < camera.width; ++i) {
+      const float l = left_at_rest[i];
+      const float u = up_at_rest[i];
+      const float forward = 1.0f + pitch * u - yaw * l;
+      turned_left[i] = (l + yaw - roll * u) / forward;
+      turned_up[i] = (u + roll * l - pitch) / forward;
+      turned_length[i] = std::sqrt(1.0f + turned_left[i] * turned_left[i] + turned_up[i] * turned_up[i]);
+    }
+    for (int i = 0; i < camera.width; i += kLanes) {
+      const int start = std::min(i, camera.width - kLanes);  // some pixels twice
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const float sideways = std::fabs(turned_left[start + lane] - left_at_rest[start + lane]);
+        const float upwards = std::fabs(turned_up[start + lane] - up_at_rest[start + lane]);
+        const float far = sideways > upwards ? sideways : upwards;
+        float& farthest = farthest_of[static_cast<std::size_t>(lane)];
+        farthest = far > farthest ? far : farthest;
+      }
     }
   }
+  const float farthest = *std::max_element(farthest_of.begin(), farthest_of.end());
   most_left = at_rest.most_left + farthest;
   most_right = at_rest.most_right + farthest;
   most_up = at_rest.most_up + farthest;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "geometry/pinned_math.h"
+#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 namespace {
@@ -14,6 +16,39 @@ constexpr double kNegligible = 0.1;  // pixels
 
 using ColorPlane = std::vector<float> Frame::*;
 constexpr ColorPlane kPlanes[] = {&Frame::red, &Frame::green, &Frame::blue};
+
+constexpr int kLanes = 8;  // pixels that are summed up together
+using Lanes = float __attribute__((vector_size(sizeof(float) * kLanes)));
+
+[[gnu::always_inline]] inline void load(const float* from, Lanes& lanes) { std::memcpy(&lanes, from, sizeof lanes); }
+[[gnu::always_inline]] inline void store(const Lanes& lanes, float* to) { std::memcpy(to, &lanes, sizeof lanes); }
+
+/// For each pixel of a row, which are kLanes or more, what `terms` terms add up to. `add`(term, pixel, sum) adds one to
+/// the sums of kLanes pixels. The sums of several lanes stay in registers.
+template <typename Add>
+[[gnu::always_inline]] inline void sum_up(int width, int terms, const Add& add, float* out) {
+  constexpr int kTogether = 4;
+  int begin = 0;
+  for (; begin + kTogether * kLanes <= width; begin += kTogether * kLanes) {
+    Lanes a{}, b{}, c{}, d{};
+    for (int term = 0; term < terms; ++term) {
+      add(term, begin, a);
+      add(term, begin + kLanes, b);
+      add(term, begin + 2 * kLanes, c);
+      add(term, begin + 3 * kLanes, d);
+    }
+    store(a, out + begin);
+    store(b, out + begin + kLanes);
+    store(c, out + begin + 2 * kLanes);
+    store(d, out + begin + 3 * kLanes);
+  }
+  for (; begin < width; begin += kLanes) {
+    const int start = std::min(begin, width - kLanes);  // some pixels twice
+    Lanes sum{};
+    for (int term = 0; term < terms; ++term) add(term, start, sum);
+    store(sum, out + start);
+  }
+}
 
 /// Half of a normal distribution over pixels, from the middle outwards; all of it sums to 1.
 std::vector<float> half_kernel(double sigma) {
@@ -37,13 +72,17 @@ Optics::Optics(double blur, double exposure_time, const RayTable& rays)
     : kernel_(half_kernel(blur / rays.pixel_angle)),
       focal_(rays.camera.focal),
       exposure_time_(exposure_time),
-      padded_(static_cast<std::size_t>(rays.camera.width) + 2 * kFarthest + 2) {
+      padded_(static_cast<std::size_t>(rays.camera.width + 2 * (kFarthest + 1)) *
+              static_cast<std::size_t>(exposure_time > 0.0 ? rays.camera.height : 1)) {
   const CameraModel& camera = rays.camera;
   if (!kernel_.empty()) {
     lens_.emplace(camera.width, camera.height, false);
     across_.emplace(camera.width, camera.height, false);
   }
-  if (exposure_time > 0.0) motion_.emplace(camera.width, camera.height, false);
+  if (exposure_time > 0.0) {
+    motion_.emplace(camera.width, camera.height, false);
+    taps_.reserve(2 * kFarthest);
+  }
 }
 
 const Frame& Optics::image(const Frame& frame, const Eigen::Vector3d& angular_velocity) {
@@ -64,66 +103,75 @@ const Frame& Optics::image(const Frame& frame, const Eigen::Vector3d& angular_ve
   return *motion_;
 }
 
-void Optics::pad(const float* row, int width, int margin) {
-  float* to = padded_.data();
+/// `margin` pixels more at both ends.
+void Optics::pad(const float* row, int width, int margin, float* to) {
   std::fill(to, to + margin, row[0]);
   std::copy(row, row + width, to + margin);
   std::fill(to + margin + width, to + 2 * margin + width, row[width - 1]);
 }
 
-void Optics::blur_by_lens(const Frame& from, Frame& to) {
-  const int radius = static_cast<int>(kernel_.size()) - 1;
+REORIENT_WIDE void Optics::blur_by_lens(const Frame& from, Frame& to) {
+  const auto terms = static_cast<int>(kernel_.size());
   const int width = from.width;
+  const float* const kernel = kernel_.data();
+  const auto weigh = [&](int term, const float* before, const float* after, Lanes& sum) __attribute__((always_inline)) {
+    Lanes one, other;
+    load(before, one);
+    if (term > 0) {
+      load(after, other);
+      one += other;
+    }
+    sum += kernel[term] * one;
+  };
   for (const ColorPlane plane : kPlanes) {
     for (int y = 0; y < from.height; ++y) {
-      pad((from.*plane).data() + from.row(y), width, radius);
-      float* __restrict out = ((*across_).*plane).data() + from.row(y);
-      const float* __restrict middle = padded_.data() + radius;
-      for (int i = 0; i < width; ++i) out[i] = kernel_[0] * middle[i];
-      for (int k = 1; k <= radius; ++k) {
-        const float weight = kernel_[static_cast<std::size_t>(k)];
-        for (int i = 0; i < width; ++i) out[i] += weight * (middle[i - k] + middle[i + k]);
-      }
+      pad((from.*plane).data() + from.row(y), width, terms - 1, padded_.data());
+      const float* const middle = padded_.data() + terms - 1;
+      const auto add = [&](int term, int i, Lanes& sum) __attribute__((always_inline)) {
+        weigh(term, middle + i - term, middle + i + term, sum);
+      };
+      sum_up(width, terms, add, ((*across_).*plane).data() + from.row(y));
     }
-    const std::vector<float>& across = (*across_).*plane;
+    const float* const across = ((*across_).*plane).data();
     for (int y = 0; y < from.height; ++y) {
-      float* __restrict out = (to.*plane).data() + from.row(y);
-      const float* __restrict here = across.data() + from.row(y);
-      for (int i = 0; i < width; ++i) out[i] = kernel_[0] * here[i];
-      for (int k = 1; k <= radius; ++k) {
-        const float weight = kernel_[static_cast<std::size_t>(k)];
-        const float* __restrict above = across.data() + from.row(std::max(0, y - k));
-        const float* __restrict below = across.data() + from.row(std::min(from.height - 1, y + k));
-        for (int i = 0; i < width; ++i) out[i] += weight * (above[i] + below[i]);
-      }
+      const auto add = [&](int term, int i, Lanes& sum) __attribute__((always_inline)) {
+        weigh(term, across + from.row(std::max(0, y - term)) + i,
+              across + from.row(std::min(from.height - 1, y + term)) + i, sum);
+      };
+      sum_up(width, terms, add, (to.*plane).data() + from.row(y));
     }
   }
 }
 
-void Optics::blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to) {
+REORIENT_WIDE void Optics::blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to) {
   // Places along the way, a pixel apart or less; between pixels, their mean.
   const int taps = static_cast<int>(std::ceil(motion.cwiseAbs().maxCoeff())) + 1;
   const auto share = 1.0f / static_cast<float>(taps);
-  const int width = from.width;
+  taps_.clear();
+  for (int tap = 0; tap < taps; ++tap) {
+    const double along = taps > 1 ? static_cast<double>(tap) / (taps - 1) - 0.5 : 0.0;
+    const double u = along * motion.x();
+    const int column = static_cast<int>(std::floor(u));
+    const auto right = static_cast<float>(u - column);
+    taps_.push_back({column, static_cast<int>(std::lround(along * motion.y())), share * (1.0f - right), share * right});
+  }
+  constexpr int kMargin = kFarthest + 1;
+  const std::size_t stride = static_cast<std::size_t>(from.width) + 2 * kMargin;
   for (const ColorPlane plane : kPlanes) {
-    std::vector<float>& out_plane = to.*plane;
-    std::fill(out_plane.begin(), out_plane.end(), 0.0f);
+    for (int y = 0; y < from.height; ++y)
+      pad((from.*plane).data() + from.row(y), from.width, kMargin,
+          padded_.data() + stride * static_cast<std::size_t>(y));
     for (int y = 0; y < from.height; ++y) {
-      float* __restrict out = out_plane.data() + from.row(y);
-      int padded_row = -1;
-      for (int tap = 0; tap < taps; ++tap) {
-        const double along = taps > 1 ? static_cast<double>(tap) / (taps - 1) - 0.5 : 0.0;
-        const double u = along * motion.x();
-        const int column = static_cast<int>(std::floor(u));
-        const auto right = static_cast<float>(u - column);
-        const int row = std::clamp(y + static_cast<int>(std::lround(along * motion.y())), 0, from.height - 1);
-        if (row != padded_row) pad((from.*plane).data() + from.row(row), width, kFarthest + 1);
-        padded_row = row;
-        const float* __restrict in = padded_.data() + kFarthest + 1 + column;
-        const float here = share * (1.0f - right);
-        const float next = share * right;
-        for (int i = 0; i < width; ++i) out[i] += here * in[i] + next * in[i + 1];
-      }
+      const auto add = [&](int term, int i, Lanes& sum) __attribute__((always_inline)) {
+        const Tap& tap = taps_[static_cast<std::size_t>(term)];
+        const int row = std::clamp(y + tap.row, 0, from.height - 1);
+        const float* const in = padded_.data() + stride * static_cast<std::size_t>(row) + kMargin + tap.column + i;
+        Lanes here, next;
+        load(in, here);
+        load(in + 1, next);
+        sum += tap.here * here + tap.next * next;
+      };
+      sum_up(from.width, taps, add, (to.*plane).data() + from.row(y));
     }
   }
 }

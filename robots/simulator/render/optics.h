@@ -23,13 +23,19 @@ class Optics {
  private:
   void blur_by_lens(const Frame& from, Frame& to);
   void blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to);
-  void pad(const float* row, int width, int margin);
+  static void pad(const float* row, int width, int margin, float* to);
 
   std::vector<float> kernel_;  // from the middle outwards; empty: a sharp lens
   Eigen::Vector2d focal_;      // pixels
   double exposure_time_;
   std::optional<Frame> lens_, across_, motion_;
-  std::vector<float> padded_;  // a row, continued beyond its ends
+  /// A place on the way of a pixel's light while the camera moves.
+  struct Tap {
+    int column, row;   // from the pixel
+    float here, next;  // weights of that place's pixel and of the one to its right
+  };
+  std::vector<Tap> taps_;
+  std::vector<float> padded_;  // rows, continued beyond their ends
 };
 
 }  // namespace reorient

@@ -258,7 +258,7 @@ void Surfaces::patch(int row, const WallPatches& patches, Frame& frame) {
                 frame.red.data() + first, frame.green.data() + first, frame.blue.data() + first);
 }
 
-void Surfaces::relight(int row, const Illumination& illumination, Frame& frame) {
+REORIENT_WIDE void Surfaces::relight(int row, const Illumination& illumination, Frame& frame) {
   constexpr float kLampOff = 0.03f;  // of a lamp's brightness
   illumination.gains(hits_.x, hits_.y, hits_.gain);
   const float dark_x = illumination.toward_dark.x();
