@@ -1,5 +1,6 @@
 #include "tests/robots/nao/twin/twin_nao.h"
 
+#include "robots/nao/guard/postures.h"
 #include "robots/nao/lola/command_packet.h"
 #include "robots/nao/lola/sensor_packet.h"
 
