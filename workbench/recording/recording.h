@@ -13,7 +13,9 @@
 
 #include "geometry/image.h"
 #include "workbench/recording/frame_entry.h"
-#include "workbench/recording/mcap/reader.h"
+#include "workbench/recording/mcap/contents.h"
+#include "workbench/recording/mcap/data.h"
+#include "workbench/recording/mcap/source.h"
 
 namespace reorient {
 

@@ -8,7 +8,9 @@
 
 #include "geometry/bytes.h"
 #include "geometry/random.h"
-#include "workbench/recording/mcap/reader.h"
+#include "workbench/recording/mcap/contents.h"
+#include "workbench/recording/mcap/data.h"
+#include "workbench/recording/mcap/source.h"
 #include "workbench/recording/mcap/writer.h"
 
 namespace reorient::mcap {

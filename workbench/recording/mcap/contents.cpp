@@ -1,30 +1,16 @@
-#include "workbench/recording/mcap/reader.h"
+#include "workbench/recording/mcap/contents.h"
 
 #include <algorithm>
-#include <cerrno>
+#include <array>
 #include <cstring>
-#include <memory>
 #include <set>
+#include <span>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#include <zlib.h>
-#include <zstd.h>
 
 #include "geometry/bytes.h"
 
 namespace reorient::mcap {
 namespace {
-
-std::uint32_t crc_of(std::span<const std::byte> bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
-
-std::string failed(const std::filesystem::path& file) {
-  return file.string() + ": it cannot be read: " + std::strerror(errno);
-}
 
 struct RecordHead {
   std::uint64_t where = 0;
@@ -294,37 +280,6 @@ std::uint64_t read_data(const Walk& walk, const Source& source, Known& known, Co
 
 }  // namespace
 
-Damage::Damage(std::uint64_t place, const std::string& what)
-    : std::runtime_error("at byte " + std::to_string(place) + ": " + what), where(place) {}
-
-FileSource::FileSource(const std::filesystem::path& file)
-    : file_(file), descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-  struct stat status {};
-  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw std::runtime_error(failed(file));
-  if (!S_ISREG(status.st_mode)) {
-    close(descriptor_);
-    throw std::runtime_error(file.string() + ": it is no file; name a recording");
-  }
-  size_ = static_cast<std::uint64_t>(status.st_size);
-}
-
-FileSource::~FileSource() { close(descriptor_); }
-
-void FileSource::read(std::uint64_t from, std::span<std::byte> bytes) const {
-  while (!bytes.empty()) {
-    const ssize_t got = pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(from));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw std::runtime_error(failed(file_));
-    if (got == 0) throw std::runtime_error(file_.string() + ": it became shorter while it was read");
-    bytes = bytes.subspan(static_cast<std::size_t>(got));
-    from += static_cast<std::uint64_t>(got);
-  }
-}
-
-void MemorySource::read(std::uint64_t from, std::span<std::byte> bytes) const {
-  if (!bytes.empty()) std::memcpy(bytes.data(), bytes_.data() + from, bytes.size());
-}
-
 const Schema* Contents::schema(std::uint16_t id) const {
   const auto it = std::find_if(schemas.begin(), schemas.end(), [&](const Schema& one) { return one.id == id; });
   return it == schemas.end() ? nullptr : &*it;
@@ -366,75 +321,6 @@ Contents read_contents(const Source& source) {
   }
   put_in_order(contents.chunks);
   return contents;
-}
-
-ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : where_(place.where) {
-  std::vector<std::byte> stored(static_cast<std::size_t>(place.data_size));
-  source.read(place.data, stored);
-  if (place.compression.empty()) {
-    records_ = std::move(stored);
-  } else if (place.compression == "zstd") {
-    // Not all at once: how long it is claimed to be, anybody can write.
-    const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-    if (!context) throw std::runtime_error("zstd gives no memory to read with");
-    ZSTD_inBuffer in{stored.data(), stored.size(), 0};
-    constexpr std::size_t kStep = 1u << 20;
-    while (in.pos < in.size && records_.size() <= place.size) {
-      const std::size_t before = records_.size();
-      records_.resize(before + kStep);
-      ZSTD_outBuffer out{records_.data() + before, kStep, 0};
-      const std::size_t result = ZSTD_decompressStream(context.get(), &out, &in);
-      if (ZSTD_isError(result) != 0)
-        throw Damage(where_, std::string("a chunk is damaged: ") + ZSTD_getErrorName(result));
-      records_.resize(before + out.pos);
-      if (result == 0) break;  // the frame is whole
-      if (out.pos == 0 && in.pos == in.size) break;
-    }
-  } else {
-    throw Damage(where_, "a chunk is compressed by '" + place.compression + "', which is not read here");
-  }
-  if (records_.size() != place.size) {
-    throw Damage(
-        where_, "a chunk holds " + std::to_string(records_.size()) + " bytes instead of " + std::to_string(place.size));
-  }
-  if (place.crc != 0 && crc_of(records_) != place.crc) throw Damage(where_, "a chunk's checksum is another one");
-}
-
-bool ChunkMessages::next(Message& message) {
-  while (at_ < records_.size()) {
-    const std::span<const std::byte> rest = std::span(records_).subspan(at_);
-    try {
-      ByteReader in(rest);
-      std::uint8_t opcode = 0;
-      std::uint64_t length = 0;
-      in(opcode, length);
-      check_bytes(length <= in.left(), "a message is longer than its chunk");
-      at_ += kRecordHead + static_cast<std::size_t>(length);
-      if (static_cast<Opcode>(opcode) != Opcode::message) continue;
-      ByteReader content(rest.subspan(kRecordHead, static_cast<std::size_t>(length)));
-      std::uint64_t published = 0;
-      content(message.channel, message.sequence, message.time, published);
-      message.data = rest.subspan(kRecordHead + static_cast<std::size_t>(length) - content.left(), content.left());
-      return true;
-    } catch (const BadBytes& bad) {
-      at_ = records_.size();
-      throw Damage(where_, bad.what());
-    }
-  }
-  return false;
-}
-
-std::vector<std::byte> read_attachment(const Source& source, const AttachmentPlace& place) {
-  constexpr std::uint64_t kCrc = 4;
-  const std::uint64_t begin = place.where + kRecordHead;
-  std::vector<std::byte> content(static_cast<std::size_t>(place.data + place.data_size + kCrc - begin));
-  source.read(begin, content);
-  std::uint32_t crc = 0;
-  ByteReader{std::span(content).last(kCrc)}(crc);
-  content.resize(content.size() - kCrc);
-  if (crc != 0 && crc != crc_of(content)) throw Damage(place.where, "an attachment's checksum is another one");
-  content.erase(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(place.data - begin));
-  return content;
 }
 
 }  // namespace reorient::mcap

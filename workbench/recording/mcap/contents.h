@@ -1,0 +1,62 @@
+// What is in an MCAP file, a whole one or a damaged one, but for the bytes of its messages: found with no more memory
+// than its size justifies. It goes through the records from the first on and needs no summary, which files that ended
+// early lack; where there is one, it finds what lies behind a damage.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/recording/mcap/format.h"
+#include "workbench/recording/mcap/source.h"
+
+namespace reorient::mcap {
+
+/// Uncompressed; larger ones are refused.
+inline constexpr std::uint64_t kLargestChunk = 256u << 20;
+
+/// Where a chunk is, and what its head says of it.
+struct ChunkPlace {
+  std::uint64_t where = 0;                     ///< of its record
+  std::uint64_t start_time = 0, end_time = 0;  ///< ns
+  std::uint64_t size = 0;                      ///< bytes of its messages
+  std::uint32_t crc = 0;                       ///< of those; 0: not told
+  std::string compression;
+  std::uint64_t data = 0, data_size = 0;  ///< where they lie, and how many bytes that are
+};
+
+struct AttachmentPlace {
+  std::uint64_t where = 0;
+  std::string name, media_type;
+  std::uint64_t time = 0;                 ///< ns
+  std::uint64_t data = 0, data_size = 0;  ///< where it lies
+};
+
+struct Metadata {
+  std::string name;
+  Texts texts;
+};
+
+/// What is in a file, but for the messages.
+struct Contents {
+  std::string library;
+  std::vector<Schema> schemas;
+  std::vector<Channel> channels;
+  std::vector<ChunkPlace> chunks;
+  std::vector<AttachmentPlace> attachments;
+  std::vector<Metadata> metadata;
+  std::optional<Statistics> statistics;  ///< as the summary tells them
+  std::optional<Damage> damage;          ///< the first; of what comes after it, what the summary names is listed
+  bool is_complete = false;              ///< it has its end
+
+  const Schema* schema(std::uint16_t id) const;
+  const Channel* channel(std::uint16_t id) const;
+  const Channel* channel(std::string_view topic) const;
+};
+
+/// Throws Damage where it is no MCAP file at all.
+Contents read_contents(const Source& source);
+
+}  // namespace reorient::mcap

@@ -1,0 +1,39 @@
+// The bytes that an MCAP file's contents point to: messages of chunks, and attachments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "workbench/recording/mcap/contents.h"
+#include "workbench/recording/mcap/source.h"
+
+namespace reorient::mcap {
+
+struct Message {
+  std::uint16_t channel = 0;
+  std::uint32_t sequence = 0;
+  std::uint64_t time = 0;  ///< ns
+  std::span<const std::byte> data;
+};
+
+/// The messages of one chunk, in their order.
+class ChunkMessages {
+ public:
+  /// Throws Damage; there may be messages before it all the same.
+  ChunkMessages(const Source& source, const ChunkPlace& place);
+
+  /// False: there are no more. Throws Damage.
+  bool next(Message& message);
+
+ private:
+  std::uint64_t where_;
+  std::vector<std::byte> records_;
+  std::size_t at_ = 0;
+};
+
+/// Bytes of an attachment. Throws Damage where its checksum is another one.
+std::vector<std::byte> read_attachment(const Source& source, const AttachmentPlace& place);
+
+}  // namespace reorient::mcap

@@ -1,0 +1,56 @@
+// What MCAP files are read from, and what is said where a file is damaged.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace reorient::mcap {
+
+/// Somewhere in a file something is not as it should be.
+struct Damage : std::runtime_error {
+  /// `place`: the byte at which the record begins.
+  Damage(std::uint64_t place, const std::string& what);
+  std::uint64_t where;
+};
+
+/// Bytes that can be read at any place.
+class Source {
+ public:
+  virtual ~Source() = default;
+  virtual std::uint64_t size() const = 0;
+  /// All of `bytes`, which lie within the size. Throws std::runtime_error with one line.
+  virtual void read(std::uint64_t from, std::span<std::byte> bytes) const = 0;
+};
+
+class FileSource : public Source {
+ public:
+  /// Throws std::runtime_error with one line.
+  explicit FileSource(const std::filesystem::path& file);
+  ~FileSource() override;
+  FileSource(const FileSource&) = delete;
+  FileSource& operator=(const FileSource&) = delete;
+
+  std::uint64_t size() const override { return size_; }
+  void read(std::uint64_t from, std::span<std::byte> bytes) const override;
+
+ private:
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+class MemorySource : public Source {
+ public:
+  explicit MemorySource(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  std::uint64_t size() const override { return bytes_.size(); }
+  void read(std::uint64_t from, std::span<std::byte> bytes) const override;
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+}  // namespace reorient::mcap
