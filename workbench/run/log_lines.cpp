@@ -1,5 +1,7 @@
 #include "workbench/run/log_lines.h"
 
+#include <utility>
+
 #include "engine/script/language/script_actions.h"
 
 namespace reorient {

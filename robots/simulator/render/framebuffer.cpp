@@ -30,7 +30,6 @@ RayTable::RayTable(const CameraModel& model)
 
 REORIENT_WIDE void RayTable::turn_while_read(const RayTable& at_rest, const Eigen::Vector3d& angular_velocity,
                                              double readout_time) {
-  constexpr int kLanes = 8;
   std::array<float, kLanes> farthest_of{};
   for (int v = 0; v < camera.height; ++v) {
     const double time = readout_time * ((v + 0.5) / camera.height - 0.5);

@@ -17,7 +17,6 @@ constexpr double kNegligible = 0.1;  // pixels
 using ColorPlane = std::vector<float> Frame::*;
 constexpr ColorPlane kPlanes[] = {&Frame::red, &Frame::green, &Frame::blue};
 
-constexpr int kLanes = 8;  // pixels that are summed up together
 using Lanes = float __attribute__((vector_size(sizeof(float) * kLanes)));
 
 [[gnu::always_inline]] inline void load(const float* from, Lanes& lanes) { std::memcpy(&lanes, from, sizeof lanes); }
@@ -48,6 +47,13 @@ template <typename Add>
     for (int term = 0; term < terms; ++term) add(term, start, sum);
     store(sum, out + start);
   }
+}
+
+/// `margin` pixels more at both ends.
+void pad(const float* row, int width, int margin, float* to) {
+  std::fill(to, to + margin, row[0]);
+  std::copy(row, row + width, to + margin);
+  std::fill(to + margin + width, to + 2 * margin + width, row[width - 1]);
 }
 
 /// Half of a normal distribution over pixels, from the middle outwards; all of it sums to 1.
@@ -101,13 +107,6 @@ const Frame& Optics::image(const Frame& frame, const Eigen::Vector3d& angular_ve
   if (length > kLongest) motion *= kLongest / length;
   blur_by_motion(*image, motion, *motion_);
   return *motion_;
-}
-
-/// `margin` pixels more at both ends.
-void Optics::pad(const float* row, int width, int margin, float* to) {
-  std::fill(to, to + margin, row[0]);
-  std::copy(row, row + width, to + margin);
-  std::fill(to + margin + width, to + 2 * margin + width, row[width - 1]);
 }
 
 REORIENT_WIDE void Optics::blur_by_lens(const Frame& from, Frame& to) {

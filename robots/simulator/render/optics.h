@@ -23,7 +23,6 @@ class Optics {
  private:
   void blur_by_lens(const Frame& from, Frame& to);
   void blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to);
-  static void pad(const float* row, int width, int margin, float* to);
 
   std::vector<float> kernel_;  // from the middle outwards; empty: a sharp lens
   Eigen::Vector2d focal_;      // pixels

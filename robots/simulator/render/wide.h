@@ -9,3 +9,10 @@
 #else
 #define REORIENT_WIDE
 #endif
+
+namespace reorient {
+
+/// Pixels that are looked at together.
+inline constexpr int kLanes = 8;
+
+}  // namespace reorient

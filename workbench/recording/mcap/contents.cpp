@@ -44,6 +44,22 @@ class Walk {
  public:
   explicit Walk(const Source& source) : source_(source) {}
 
+  /// From the record at `where` on, as long as `read` returns true. Returns where the last one ends. Throws Damage, for
+  /// what a record's bytes do not bear, too.
+  template <typename Read>
+  std::uint64_t each_from(std::uint64_t where, Read read) const {
+    while (where < source_.size()) {
+      const RecordHead head = head_at(where);
+      where = head.end();
+      try {
+        if (!read(head)) return where;
+      } catch (const BadBytes& bad) {
+        throw Damage(head.where, bad.what());
+      }
+    }
+    throw Damage(where, "its end is missing");
+  }
+
   RecordHead head_at(std::uint64_t where) const {
     const std::uint64_t left = source_.size() - where;
     if (left < kRecordHead) throw Damage(where, "it ends within the head of a record");
@@ -189,54 +205,54 @@ std::uint64_t read_chunk_index(ByteReader in) {
 }
 
 /// A chunk that the summary names and nobody came by: a damage hid it.
-void add_hidden_chunk(const Walk& walk, std::uint64_t where, Contents& contents) {
+void read_hidden_chunk(const Walk& walk, std::uint64_t where, Known& known, Contents& contents) {
   try {
-    const RecordHead head = walk.head_at(where);
-    if (static_cast<Opcode>(head.opcode) != Opcode::chunk)
-      throw Damage(where, "here is no chunk, although the summary names one");
-    contents.chunks.push_back(read_chunk_head(head, walk.content_of(head, kMostBeforeData)));
+    walk.each_from(where, [&](const RecordHead& head) {
+      if (static_cast<Opcode>(head.opcode) != Opcode::chunk)
+        throw Damage(where, "here is no chunk, although the summary names one");
+      read_record(walk, head, known, contents);
+      return false;
+    });
   } catch (const Damage& damage) {
     tell(damage, contents);
-  } catch (const BadBytes& bad) {
-    tell(Damage(where, bad.what()), contents);
   }
+}
+
+/// Behind the last record.
+void read_end(const Source& source, std::uint64_t where) {
+  std::array<std::byte, kMagic.size()> magic{};
+  if (source.size() - where < magic.size()) throw Damage(where, "it ends within what ends an MCAP file");
+  source.read(where, magic);
+  if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
+    throw Damage(where, "what comes last is not what ends an MCAP file");
 }
 
 /// What is told behind the data. It names again what is in them: so what comes behind a damage is found all the same.
 void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Known& known, Contents& contents) {
   std::set<std::uint64_t> listed;
   for (const ChunkPlace& place : contents.chunks) listed.insert(place.where);
-  for (std::uint64_t where = from; where < source.size();) {
-    const RecordHead head = walk.head_at(where);
+  const std::uint64_t end = walk.each_from(from, [&](const RecordHead& head) {
     switch (static_cast<Opcode>(head.opcode)) {
       case Opcode::schema:
       case Opcode::channel:
-        read_record(walk, head, known, contents);
-        break;
+        return read_record(walk, head, known, contents);
       case Opcode::statistics:
         contents.statistics = read_statistics(ByteReader(walk.content_of(head)));
-        break;
+        return true;
       case Opcode::chunk_index: {
         const std::uint64_t chunk = read_chunk_index(ByteReader(walk.content_of(head)));
         check_bytes(chunk < from, "the summary names a chunk behind the data");
-        if (listed.insert(chunk).second) add_hidden_chunk(walk, chunk, contents);
-        break;
+        if (listed.insert(chunk).second) read_hidden_chunk(walk, chunk, known, contents);
+        return true;
       }
-      case Opcode::footer: {
-        std::array<std::byte, kMagic.size()> magic{};
-        if (source.size() - head.end() < magic.size()) throw Damage(head.where, "it ends within its last record");
-        source.read(head.end(), magic);
-        if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
-          throw Damage(head.end(), "what comes last is not what ends an MCAP file");
-        contents.is_complete = true;
-        return;
-      }
+      case Opcode::footer:
+        return false;
       default:
-        break;
+        return true;
     }
-    where = head.end();
-  }
-  throw Damage(source.size(), "its end is missing");
+  });
+  read_end(source, end);
+  contents.is_complete = true;
 }
 
 /// Where the summary begins, as the last record says; 0: nowhere.
@@ -260,22 +276,6 @@ void put_in_order(std::vector<ChunkPlace>& chunks) {
     end = chunk.data + chunk.data_size;
     return false;
   });
-}
-
-/// From record to record, up to the summary. Returns where that begins.
-std::uint64_t read_data(const Walk& walk, const Source& source, Known& known, Contents& contents) {
-  std::uint64_t where = kMagic.size();
-  try {
-    while (where < source.size()) {
-      const RecordHead head = walk.head_at(where);
-      const bool goes_on = read_record(walk, head, known, contents);
-      where = head.end();
-      if (!goes_on) return where;
-    }
-  } catch (const BadBytes& bad) {
-    throw Damage(where, bad.what());
-  }
-  throw Damage(where, "its end is missing");
 }
 
 }  // namespace
@@ -307,7 +307,8 @@ Contents read_contents(const Source& source) {
   const Walk walk(source);
   std::uint64_t summary = 0;
   try {
-    summary = read_data(walk, source, known, contents);
+    summary =
+        walk.each_from(kMagic.size(), [&](const RecordHead& head) { return read_record(walk, head, known, contents); });
   } catch (const Damage& damage) {
     tell(damage, contents);
   }
@@ -316,8 +317,6 @@ Contents read_contents(const Source& source) {
     if (summary > 0) read_summary(walk, source, summary, known, contents);
   } catch (const Damage& damage) {
     tell(damage, contents);
-  } catch (const BadBytes& bad) {
-    tell(Damage(summary, bad.what()), contents);
   }
   put_in_order(contents.chunks);
   return contents;

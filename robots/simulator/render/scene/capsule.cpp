@@ -20,8 +20,6 @@ bool on_patch(const Eigen::Vector3f& normal) {
          kShort * n.z() + kLong * n.x() > kReach;
 }
 
-constexpr int kLanes = 8;  // pixels that are looked at together
-
 /// A capsule in the camera frame.
 struct CapsuleInView {
   CapsuleInView(const Capsule& what, const RayTable& table, const Eigen::Isometry3f& camera_from_field)
