@@ -74,7 +74,8 @@ void RoomAwareness::train(double step) {
   how.true_mean_start = background.true_mean_start;
   how.prior_variance = background.prior_deviation * background.prior_deviation;
   for (const PerceivedTile& tile : perceived_.tiles()) {
-    if (tile.counts) model_.train(tile.tile, tile.histogram, how);
+    if (tile.counts && tile.coverage() >= parameters_.perception.min_learned_coverage)
+      model_.train(tile.tile, tile.histogram, how);
   }
   for (const TileLight& tile : perceived_.lights()) {
     if (tile.counts()) model_.train_light(tile.tile, relative(tile.sums.mean(), believed_light_), how);

@@ -231,7 +231,7 @@ std::span<const TileLight> PerceivedTiles::light(const ImageView& image, const L
   }
   lights_.clear();
   for (const PerceivedTile& tile : tiles_) {
-    if (tile.coverage() < perception.min_coverage) continue;
+    if (tile.coverage() < perception.min_learned_coverage) continue;
     lights_.push_back({tile.tile, counts_[static_cast<std::size_t>(tile.tile)].light});
   }
   return lights_;

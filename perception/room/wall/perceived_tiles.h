@@ -19,7 +19,8 @@ struct PerceptionParameters {
   int sampled_rows = 240;
   int bands = 60;
   int min_samples = 20;
-  double min_coverage = 0.6;
+  double min_coverage = 0.2;
+  double min_learned_coverage = 0.6;
   double min_distance = 1.5;
   double min_incidence = 0.45;
 };
@@ -28,7 +29,10 @@ void describe(PerceptionParameters& p, Visit&& visit) {
   visit("sampled_rows", p.sampled_rows, 8, 4096, "", "of how many image rows the pixels are counted, evenly spread");
   visit("bands", p.bands, 8, 480, "", "bands of rows in which the borders between tiles are taken as vertical");
   visit("min_samples", p.min_samples, 1, 100000, "", "a tile counts from this many counted pixels on");
-  visit("min_coverage", p.min_coverage, 0.0, 1.0, "", "share of a tile's area that must be in view and not covered");
+  visit("min_coverage", p.min_coverage, 0.0, 1.0, "",
+        "share of a tile's area that must be in view and not covered to be compared with what is known of it");
+  visit("min_learned_coverage", p.min_learned_coverage, 0.0, 1.0, "",
+        "the same to be learned, and for its light to be known");
   visit("min_distance", p.min_distance, 0.0, 20.0, "m", "a tile nearer to the camera than this does not count");
   visit("min_incidence", p.min_incidence, 0.0, 1.0, "",
         "cosine between line of sight and the wall's normal from which on");

@@ -39,6 +39,7 @@ class PaintedRoom {
 /// The recipe as it was published: what assets/parameters/paper.toml sets, as far as it is the room's.
 inline RoomParameters paper_recipe() {
   RoomParameters paper;
+  paper.perception.min_coverage = 0.6;
   paper.light.enabled = false;
   paper.color.blur = 0.05;
   paper.distance.measure = Distance::ssd3;

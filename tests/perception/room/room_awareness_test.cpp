@@ -149,6 +149,27 @@ TEST(RoomAwareness, WithoutTrainingTheModelStaysAsItIs) {
   EXPECT_GT(robot.awareness.confidences().visible_tiles, 3);
 }
 
+TEST(RoomAwareness, LearnsTilesOfWhichMostIsInViewAndComparesOthersToo) {
+  const PaintedRoom room = PaintedRoom::colorful(9);
+  ScanningRobot robot(room, RoomParameters{}, 9);
+  robot.awareness.update(robot.look());
+  const PerceptionParameters& limits = robot.awareness.parameters().perception;
+  int compared_only = 0;
+  int learned = 0;
+  for (const PerceivedTile& tile : robot.awareness.perceived()) {
+    const TileModel& model = robot.awareness.model()[tile.tile];
+    const bool is_learned = tile.counts && tile.coverage() >= limits.min_learned_coverage;
+    EXPECT_EQ(model.visits, is_learned ? 1 : 0);
+    if (tile.coverage() < limits.min_learned_coverage) {
+      EXPECT_EQ(model.light_visits, 0);
+    }
+    learned += is_learned ? 1 : 0;
+    compared_only += tile.counts && !is_learned ? 1 : 0;
+  }
+  EXPECT_GT(learned, 0);
+  EXPECT_GT(compared_only, 0);
+}
+
 TEST(RoomAwareness, WithoutEvaluationFilterAndConfidencesRest) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), by_particles());
   const Confidences before = robot.awareness.confidences();
