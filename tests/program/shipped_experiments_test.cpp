@@ -77,7 +77,7 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                          ::testing::Values("table1", "orientation", "false_flips", "symmetric", "another_day", "bodies",
-                                           "disturbances", "companions", "stress", "ablation", "filters",
+                                           "disturbances", "companions", "stress", "ablation", "filters", "gaze",
                                            "paper_thresholds", "peers", "turned_round", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
@@ -104,8 +104,8 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{"ablation", "another_day", "bodies", "companions", "disturbances",
-                                             "false_flips", "filters", "orientation", "paper_thresholds", "peers",
-                                             "stress", "symmetric", "table1", "turned_round", "walls"}));
+                                             "false_flips", "filters", "gaze", "orientation", "paper_thresholds",
+                                             "peers", "stress", "symmetric", "table1", "turned_round", "walls"}));
 }
 
 }  // namespace
