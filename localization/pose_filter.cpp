@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint64_t kRandomStream = 0x706F7365;  // "pose": apart from the streams of the other rooms
 constexpr double kFoundShare = 0.6;                  // of all particles in one cluster ends the search from anywhere
+constexpr double kLongestStep = 0.2;                 // s; a longer gap is not time in which the fit was seen
 constexpr float kLeastWeight = 1e-12f;               // no particle is ever ruled out for good by one frame
 
 std::size_t particle_count(const PoseFilterParameters& parameters) {
@@ -98,7 +99,8 @@ void PoseFilter::weigh() {
   for (std::size_t i = 0; i < particles_.size(); ++i)
     mean_cost += static_cast<double>(particles_.weight[i]) * costs_[i];
   const InjectionParameters& p = parameters_.injection;
-  recovery_.update(pinned::exp(-mean_cost / measurement_.terms()), elapsed_, p.slow_time, p.fast_time);
+  recovery_.update(pinned::exp(-mean_cost / measurement_.terms()), std::min(elapsed_, kLongestStep), p.slow_time,
+                   p.fast_time);
 
   const double correlation_time = parameters_.measurement.correlation_time;
   const auto frame_weight = elapsed_ < correlation_time ? static_cast<float>(elapsed_ / correlation_time) : 1.0f;
@@ -133,10 +135,21 @@ void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal) {
     const std::optional<Pose2> pose = injection_.draw(*goal, seen_goal, measurement_, p, random_);
     if (!pose) continue;
     const std::size_t replaced = random_.below(particles_.size());
-    particles_.set_pose(replaced, *pose);
+    const bool could_be_either = seen_goal == SeenGoal::unknown && !searching_;
+    particles_.set_pose(replaced, could_be_either ? keep_sides(*pose) : *pose);
     particles_.weight[replaced] = 1.0f / static_cast<float>(particles_.size());
   }
   if (count > 0) normalize_weights(particles_);
+}
+
+/// A goal of which nobody knows which one it is says nothing of the two sides of the field: what is drawn is shared
+/// among them as the particles are. Were it by halves, a robot that was put back a little turned would soon have two
+/// clusters of equal weight, and noise would choose.
+Pose2 PoseFilter::keep_sides(const Pose2& drawn) {
+  const double both = belief_.cluster_weight + belief_.reflected_weight;
+  const double believed_share = both > 0.0 ? belief_.cluster_weight / both : 0.5;
+  const bool is_believed_side = std::abs(angle_difference(drawn.rotation, belief_.pose.rotation)) < kPi / 2.0;
+  return is_believed_side == (random_.uniform() < believed_share) ? drawn : reflect(drawn);
 }
 
 void PoseFilter::flip_pose() {

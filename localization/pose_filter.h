@@ -83,6 +83,7 @@ class PoseFilter {
   void weigh();
   void resample();
   void inject(const FieldPercept& percept, SeenGoal seen_goal);
+  Pose2 keep_sides(const Pose2& drawn);
   void find_belief() { belief_ = clusters_.find(particles_, belief_, parameters_.clusters); }
 
   PoseFilterParameters parameters_;

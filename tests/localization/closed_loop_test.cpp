@@ -131,6 +131,19 @@ TEST_P(ClosedLoop, SurvivesErrorsTwiceToFourTimesAsLarge) {
   }
 }
 
+/// Nothing fits then, until new particles are drawn; which goal is seen is not known.
+TEST(ClosedLoopOfMany, StayOnTheirSideWhenTheyWerePutBackALittleTurned) {
+  const Pose2 beside_center(0.0, -3.0, kPi / 2.0);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    PoseFilter filter = filter_at(beside_center, seed);
+    SyntheticRobot robot(filter, beside_center, seed);
+    robot.stand_for(3.0 + 0.25 * static_cast<double>(seed));
+    robot.truth.rotation -= from_degrees(14.0);
+    robot.stand_for(5.0);
+    EXPECT_TRUE(robot.believes_truth()) << "seed " << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, ClosedLoop, testing::Values(1, 2, 3));
 
 }  // namespace
