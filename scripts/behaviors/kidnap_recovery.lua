@@ -59,6 +59,7 @@ behavior "kidnap_recovery" {
     enter = function() command.pause_training() end,
     update = function() walking.turn(p.turn) end,
     { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
+    { "interrupted", when = function() return robot.undisturbed_for == 0.0 end, because = "the robot cannot search now" },
 
     state "with its belief" {
       { "with any orientation", when = is_stuck, lasting = "no_goal_time", after = "timeout", because = "neither pose won" },
@@ -69,6 +70,13 @@ behavior "kidnap_recovery" {
       enter = function() command.reset_orientation() end,
       { "lost", after = "timeout", because = "neither pose won again" },
     },
+  },
+
+  -- It fell, or is penalized: nothing was searched in that time, so none of it counts.
+  state "interrupted" {
+    publishes = "pose_is_searched",
+    enter = function() command.pause_training() end,
+    { "searching", when = function() return robot.undisturbed_for > 0.0 end, because = "the robot can search again" },
   },
 
   state "lost" {

@@ -12,7 +12,7 @@ local p = param {
   lingering = { 0.1, range = { 0, 1 },              doc = "share of reflected pose particles that is worth a purge" },
 }
 
-local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false }
+local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0 }
 
 -- A flip turns every belief round, right ones as well, and a reset spreads them: once the believed pose has proved right
 -- after either, what is wrong is purged. The purge also says that the pose is known again, so that training may go on.
@@ -46,10 +46,11 @@ behavior "orientation" {
     },
 
     state "in peace" {
+      enter = function() memory.age_in_peace = confidence.age end,
       { "correcting",
         when = function() return may_decide() and confidence.evidence > decision.in_peace() end,
         lasting = "hold_time", because = "the reflected pose won" },
-      { "in doubt", when = function() return confidence.age == 0 end, because = "what was seen before says nothing any more" },
+      { "in doubt", when = function() return confidence.age < memory.age_in_peace end, because = "what was seen before says nothing any more" },
     },
   },
 

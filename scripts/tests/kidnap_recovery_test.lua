@@ -149,13 +149,27 @@ test("goes on in the end without training, and can still recover", function()
   expect.no_lease("pause_training")
 end)
 
-test("a fall does not end the search", function()
-  put_down()
-  set_world { robot = { posture = "lying" }, confidence = { evidence = -9, current = 0.9 } }
-  advance(10)
-  expect.state("kidnap_recovery", "searching/with its belief")
-  expect.lease("pause_training")
-end)
+for what, interrupted in pairs {
+  ["a fall"] = { robot = { posture = "lying" } },
+  ["a penalty"] = { robot = { penalized = true } },
+} do
+  test(what .. " does not end the search: it begins anew afterwards", function()
+    put_down()
+    advance(20)
+    set_world(interrupted)
+    set_world { confidence = { evidence = -9, current = 0.9 } }
+    advance(45)
+    expect.state("kidnap_recovery", "interrupted")
+    expect.lease("pause_training")
+    set_world { robot = { posture = "upright", penalized = false }, confidence = { evidence = 0 } }
+    advance(20)
+    expect.state("kidnap_recovery", "searching/with its belief")
+    expect.reason("kidnap_recovery", "the robot can search again")
+    expect.walk(0, 0, 0.4)
+    expect.lease("pause_training")
+    expect.no_command()
+  end)
+end
 
 test("begins anew whenever it is lifted", function()
   put_down()

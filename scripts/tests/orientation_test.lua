@@ -226,7 +226,8 @@ test("is in doubt again when what was seen before says nothing any more", functi
   set_world { confidence = { evidence = -9 } }
   advance(0.5)
   expect.state("orientation", "watching/in peace")
-  set_world { confidence = { age = 0, evidence = 0 } }   -- somebody has told the robot its pose
+  -- Somebody has told the robot its pose; this frame's own look counts already.
+  set_world { confidence = { age = 0.033, evidence = 0 } }
   advance(0.1)
   expect.state("orientation", "watching/in doubt")
   set_world { confidence = { age = 1, evidence = 7 } }
