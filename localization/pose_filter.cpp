@@ -124,7 +124,7 @@ void PoseFilter::resample() {
 void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal) {
   const InjectionParameters& p = parameters_.injection;
   if (!p.enabled) return;
-  const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_.line_points(), p);
+  const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_, p);
   if (!goal) return;
   const double recovery_probability = searching_ ? 1.0 : recovery_.recovery_probability(p.lost_margin);
   const double rate =

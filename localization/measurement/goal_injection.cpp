@@ -11,11 +11,9 @@
 namespace reorient {
 namespace {
 
-constexpr double kFarthest = 10.0;  // m, beyond it a post's distance says nothing
-
-bool usable(const GoalPost& post) {
+bool usable(const GoalPost& post, double farthest) {
   const double distance = post.position.norm();
-  return distance > 0.1 && distance <= kFarthest;  // false where it is not finite
+  return distance > 0.1 && distance <= farthest;  // false where it is not finite
 }
 
 /// The post as it might really stand, given the errors of the measurement.
@@ -33,17 +31,18 @@ Eigen::Vector2d disturb(const Eigen::Vector2d& post, const MeasurementModel& obs
 GoalInjection::GoalInjection(const FieldDimensions& field)
     : posts_(goal_posts(field)), half_size_(believable_half_size(field)) {}
 
-std::optional<GoalSighting> GoalInjection::find_goal(const FieldPercept& percept, std::size_t line_points,
+std::optional<GoalSighting> GoalInjection::find_goal(const FieldPercept& percept, const MeasurementModel& observed,
                                                      const InjectionParameters& parameters) const {
   std::optional<GoalSighting> found;
   const double width = (posts_[0] - posts_[1]).norm();
   double least_error = parameters.goal_width_tolerance;
   double nearest = std::numeric_limits<double>::infinity();
   const std::vector<GoalPost>& posts = percept.goal_posts;
+  const double farthest = observed.parameters().farthest_goal_post;
   for (std::size_t i = 0; i < posts.size(); ++i) {
-    if (!usable(posts[i])) continue;
+    if (!usable(posts[i], farthest)) continue;
     for (std::size_t j = i + 1; j < posts.size(); ++j) {
-      if (!usable(posts[j])) continue;
+      if (!usable(posts[j], farthest)) continue;
       const Eigen::Vector2d& a = posts[i].position;
       const Eigen::Vector2d& b = posts[j].position;
       const double error = std::abs((a - b).norm() - width);
@@ -53,7 +52,7 @@ std::optional<GoalSighting> GoalInjection::find_goal(const FieldPercept& percept
       found = b_is_left ? GoalSighting{b, a} : GoalSighting{a, b};
     }
     const bool single = !(found && found->right) && posts[i].base_visible &&
-                        line_points >= static_cast<std::size_t>(parameters.line_points_with_one_post);
+                        observed.line_points() >= static_cast<std::size_t>(parameters.line_points_with_one_post);
     if (single && posts[i].position.norm() < nearest) {
       nearest = posts[i].position.norm();
       found = GoalSighting{posts[i].position, std::nullopt};

@@ -56,8 +56,9 @@ class GoalInjection {
   explicit GoalInjection(const FieldDimensions& field);
 
   /// The goal in the observed frame, if there is one: the two posts whose distance fits a goal best, or else the
-  /// nearest post whose base is in view when there are enough lines to go with it.
-  std::optional<GoalSighting> find_goal(const FieldPercept& percept, std::size_t line_points,
+  /// nearest post whose base is in view when there are enough lines to go with it. Of posts as far as the model that
+  /// has observed the percept uses them.
+  std::optional<GoalSighting> find_goal(const FieldPercept& percept, const MeasurementModel& observed,
                                         const InjectionParameters& parameters) const;
 
   /// A pose that explains the sighting and, of some drawn at random, the rest of the observations best. While the goal

@@ -59,6 +59,7 @@ class MeasurementModel {
   MeasurementModel(const FieldDimensions& field, const MeasurementModelParameters& parameters);
 
   void set_parameters(const MeasurementModelParameters& parameters);
+  const MeasurementModelParameters& parameters() const { return parameters_; }
   const FieldMap& map() const { return map_; }
 
   void observe(const FieldPercept& percept);

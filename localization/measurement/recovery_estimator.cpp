@@ -18,6 +18,13 @@ void RecoveryEstimator::update(double fit, double elapsed, double slow_time, dou
   fast_ = approach(fast_, fast_time);
 }
 
+/// After reading.
+void RecoveryEstimator::complete() const {
+  check_bytes(age_ >= 0.0 && std::isfinite(age_), "a time is not a time");
+  for (const double fit : {slow_, fast_})
+    check_bytes(fit >= 0.0 && fit <= 1.0, "how well the pose particles fit is not a share");
+}
+
 double RecoveryEstimator::recovery_probability(double margin) const {
   return slow_ > 0.0 ? std::clamp(1.0 - fast_ / (margin * slow_), 0.0, 1.0) : 0.0;
 }

@@ -1,6 +1,8 @@
 // Notices that the pose particles have lost the robot.
 #pragma once
 
+#include "geometry/bytes.h"
+
 namespace reorient {
 
 /// Augmented Monte Carlo localization (Thrun, Burgard, Fox: Probabilistic Robotics, table 8.3): follows how well the
@@ -21,12 +23,16 @@ class RecoveryEstimator {
   /// first frame.
   double recovery_probability(double margin) const;
 
+  /// Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
     archive(age_, slow_, fast_);
+    if constexpr (Archive::kReads) complete();
   }
 
  private:
+  void complete() const;
+
   double age_ = 0.0;  ///< s
   double slow_ = 0.0;
   double fast_ = 0.0;

@@ -224,9 +224,12 @@ bool RoomAwareness::set_parameters(const RoomParameters& parameters) {
 void RoomAwareness::complete() {
   for (const std::optional<double>& value : {last_time_, last_direction_, view_center_})
     check_bytes(!value || std::isfinite(*value), "a time or an angle is not a number");
-  for (const double value :
-       {confidences_.current, confidences_.opposite, confidences_.evidence, confidences_.asymmetry, confidences_.age})
-    check_bytes(std::isfinite(value), "a confidence is not a number");
+  fields(
+      [](const auto&... values) {
+        check_bytes((... && std::isfinite(static_cast<double>(values))), "a confidence is not a number");
+      },
+      confidences_);
+  check_bytes(confidences_.age >= 0.0 && confidences_.smoothed_for >= 0.0, "a time is not a time");
   compared_model_.clear();
   perceived_.clear();
   scores_.clear();

@@ -13,7 +13,9 @@ namespace {
 constexpr int kFewestColumns = 8;  // of a wall with eighths
 constexpr int kMostRows = 1000;
 constexpr int kTolerance = 48;  // of a turn: 7.5 degrees
-constexpr int kMostTurns = 32;  // that are asked for at once, with those beside them
+constexpr int kAbout = 24;      // of a turn: 15 degrees around an eighth
+// That are asked for at once, with those beside them.
+constexpr int kMostTurns = 2 * (kMostColumns / kAbout) + 1 + 2 * (kMostColumns / kTolerance);
 
 int wrapped(int column, int columns) { return (column % columns + columns) % columns; }
 
@@ -55,7 +57,7 @@ void SelfSimilarity::restart(int columns) {
 void SelfSimilarity::observe(const ComparedModel& model, const Wall& wall) {
   const int columns = wall.columns();
   if (columns < kFewestColumns) return;
-  const int about = columns / 24;  // 15 degrees
+  const int about = columns / kAbout;
   Column now;
   for (int row = 0; row < wall.rows(); ++row) {
     const int tile = wall.tile(row, next_);

@@ -32,11 +32,12 @@ struct Scene {
 
 const Pose2 kRobot(2.0, 1.0, -0.2);
 const InjectionParameters kParameters;
+const MeasurementModel kNothingObserved{FieldDimensions(), MeasurementModelParameters()};
 
 TEST(GoalInjection, DrawsPosesNearTheTruthFromTwoPostsOfAKnownGoal) {
   const Scene scene(kRobot);
   GoalInjection injection{FieldDimensions()};
-  const auto goal = injection.find_goal(scene.percept, scene.model.line_points(), kParameters);
+  const auto goal = injection.find_goal(scene.percept, scene.model, kParameters);
   ASSERT_TRUE(goal && goal->right);
   Random random(1);
   for (int i = 0; i < 50; ++i) {
@@ -50,7 +51,7 @@ TEST(GoalInjection, DrawsPosesNearTheTruthFromTwoPostsOfAKnownGoal) {
 TEST(GoalInjection, DrawsTheReflectionWhenItIsTheOwnGoal) {
   const Scene scene(kRobot);
   GoalInjection injection{FieldDimensions()};
-  const auto goal = injection.find_goal(scene.percept, scene.model.line_points(), kParameters);
+  const auto goal = injection.find_goal(scene.percept, scene.model, kParameters);
   Random random(1);
   const auto pose = injection.draw(goal.value(), SeenGoal::own, scene.model, kParameters, random);
   ASSERT_TRUE(pose);
@@ -60,7 +61,7 @@ TEST(GoalInjection, DrawsTheReflectionWhenItIsTheOwnGoal) {
 TEST(GoalInjection, DrawsBothReflectionsEquallyOftenWhileTheGoalIsUnknown) {
   const Scene scene(kRobot);
   GoalInjection injection{FieldDimensions()};
-  const auto goal = injection.find_goal(scene.percept, scene.model.line_points(), kParameters);
+  const auto goal = injection.find_goal(scene.percept, scene.model, kParameters);
   InjectionParameters quick;
   quick.candidates = 3;
   Random random(1);
@@ -75,7 +76,7 @@ TEST(GoalInjection, DrawsBothReflectionsEquallyOftenWhileTheGoalIsUnknown) {
 TEST(GoalInjection, PutsTheRobotAtTheMeasuredDistanceFromASinglePost) {
   const Scene scene(kRobot, false);
   GoalInjection injection{FieldDimensions()};
-  const auto goal = injection.find_goal(scene.percept, scene.model.line_points(), kParameters);
+  const auto goal = injection.find_goal(scene.percept, scene.model, kParameters);
   ASSERT_TRUE(goal && !goal->right);
   const double seen = goal->left.norm();
   Random random(1);
@@ -91,13 +92,13 @@ TEST(GoalInjection, PutsTheRobotAtTheMeasuredDistanceFromASinglePost) {
 TEST(GoalInjection, AsksForLinesBesideASinglePost) {
   const Scene scene(kRobot, false);
   const GoalInjection injection{FieldDimensions()};
-  EXPECT_FALSE(injection.find_goal(scene.percept, 3, kParameters));
+  EXPECT_FALSE(injection.find_goal(scene.percept, kNothingObserved, kParameters));
 }
 
 TEST(GoalInjection, DoesNotBuildOnASinglePostWhoseBaseIsHidden) {
   FieldPercept percept;
   percept.goal_posts.push_back(post_at(kRobot, {4.5, 0.8}, false));
-  EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, 40, kParameters));
+  EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, Scene(kRobot).model, kParameters));
 }
 
 TEST(GoalInjection, TellsLeftFromRightInWhateverOrderThePostsCome) {
@@ -105,14 +106,14 @@ TEST(GoalInjection, TellsLeftFromRightInWhateverOrderThePostsCome) {
   FieldPercept swapped = scene.percept;
   std::swap(swapped.goal_posts[0], swapped.goal_posts[1]);
   const GoalInjection injection{FieldDimensions()};
-  EXPECT_EQ(injection.find_goal(scene.percept, 0, kParameters)->left,
-            injection.find_goal(swapped, 0, kParameters)->left);
+  EXPECT_EQ(injection.find_goal(scene.percept, kNothingObserved, kParameters)->left,
+            injection.find_goal(swapped, kNothingObserved, kParameters)->left);
 }
 
 TEST(GoalInjection, PicksTheTwoPostsThatAreAGoalApart) {
   Scene scene(kRobot);
   scene.percept.goal_posts.insert(scene.percept.goal_posts.begin(), post_at(kRobot, {3.0, 2.1}));
-  const auto goal = GoalInjection{FieldDimensions()}.find_goal(scene.percept, 0, kParameters);
+  const auto goal = GoalInjection{FieldDimensions()}.find_goal(scene.percept, kNothingObserved, kParameters);
   ASSERT_TRUE(goal && goal->right);
   EXPECT_LT((goal->left - kRobot.inverse() * Eigen::Vector2d(4.5, 0.8)).norm(), 1e-9);
   EXPECT_LT((*goal->right - kRobot.inverse() * Eigen::Vector2d(4.5, -0.8)).norm(), 1e-9);
@@ -123,7 +124,17 @@ TEST(GoalInjection, FindsNoGoalAmongPostsThatAreNotFiniteOrFarAway) {
   for (const double bad : {kNaN, std::numeric_limits<double>::infinity(), 1e200, 0.0}) {
     percept.goal_posts.push_back(goal_post({bad, bad}));
   }
-  EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, 40, kParameters));
+  EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, Scene(kRobot).model, kParameters));
+}
+
+TEST(GoalInjection, UsesPostsAsFarAsTheyAreUsedToWeighPoses) {
+  FieldPercept percept;
+  percept.goal_posts = {goal_post({11.0, 0.8}), goal_post({11.0, -0.8})};
+  EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, kNothingObserved, kParameters));
+  MeasurementModelParameters high;
+  high.farthest_goal_post = 16.0;
+  const MeasurementModel model(FieldDimensions(), high);
+  EXPECT_TRUE(GoalInjection{FieldDimensions()}.find_goal(percept, model, kParameters));
 }
 
 RC_GTEST_PROP(GoalInjection, DrawsOnlyFinitePosesThatMayBeBelieved, ()) {

@@ -1,5 +1,8 @@
 #include "localization/measurement/recovery_estimator.h"
 
+#include <limits>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace reorient {
@@ -48,6 +51,18 @@ TEST(RecoveryEstimator, IgnoresFramesBetweenWhichNoTimePasses) {
   RecoveryEstimator estimator;
   estimator.update(0.5, 0.0, 60.0, 0.7);
   EXPECT_EQ(estimator.slow(), 0.0);
+}
+
+TEST(RecoveryEstimator, IsNotReadFromWhatCannotBe) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {kNaN, -1.0, 2.0}) {
+    std::vector<std::byte> bytes;
+    ByteWriter writer(bytes);
+    writer(1.0, 0.5, bad);
+    RecoveryEstimator estimator;
+    ByteReader reader(bytes);
+    EXPECT_THROW(reader(estimator), BadBytes) << bad;
+  }
 }
 
 }  // namespace

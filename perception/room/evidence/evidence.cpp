@@ -21,7 +21,6 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
   const double between = 0.5 * (parameters.right + model.distinctiveness());
   const bool can_tell = model.distinctiveness() > parameters.right;
   for (const ComparedPlace& place : places) {
-    if (!place.believed_known && !place.reflected_known) continue;
     const bool both = place.believed_known && place.reflected_known;
     if (!both && !can_tell) continue;
     // Where only one of the two is known: its distance against what lies between a tile that is right and one that is

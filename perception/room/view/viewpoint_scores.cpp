@@ -101,7 +101,7 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
       place.reflected_known = true;
     }
   }
-  places_.push_back(place);
+  if (place.believed_known || place.reflected_known) places_.push_back(place);
 }
 
 const ViewpointScore& ViewpointScores::at(int turn) const {

@@ -19,11 +19,11 @@ struct ViewpointScore {
 
 /// A perceived tile, compared with what is known of the wall. Distances are not capped.
 struct ComparedPlace {
-  int tile = 0;                 ///< where the belief says that it is
-  double as_believed = 0.0;     ///< distance to the model's tile there, in the light of the believed pose
-  double as_reflected = 0.0;    ///< distance to the reflected tile, in the light of the reflection
-  bool believed_known = false;  ///< the model's tile is trusted; otherwise the distance is 0
-  bool reflected_known = false;
+  int tile = 0;                  ///< where the belief says that it is
+  double as_believed = 0.0;      ///< distance to the model's tile there, in the light of the believed pose
+  double as_reflected = 0.0;     ///< distance to the reflected tile, in the light of the reflection
+  bool believed_known = false;   ///< the model's tile is trusted; otherwise the distance is 0
+  bool reflected_known = false;  ///< at least one of the two is
 };
 
 /// A score for every whole number of columns by which the believed direction may be wrong, each in the light of the
@@ -38,7 +38,7 @@ class ViewpointScores {
   const ViewpointScore& at(int turn) const;
   /// Interpolated between the two nearest cells. `turn`: columns, any number.
   double distance(double turn) const;
-  /// The perceived tiles that count and of whose row anything is known.
+  /// The perceived tiles that count, where the model's tile there or its reflection is trusted.
   std::span<const ComparedPlace> places() const { return places_; }
   int columns() const { return static_cast<int>(cells_.size()); }
   int best() const { return best_; }

@@ -27,7 +27,8 @@ Wall::Wall(const WallParameters& parameters)
       bottom_(parameters.bottom),
       top_(std::max(parameters.top, parameters.bottom + 0.01)),
       rows_(std::max(parameters.rows, 1)),
-      columns_(std::max(parameters.columns + parameters.columns % 2, 2)) {
+      columns_(std::clamp(parameters.columns, 1, kMostColumns)) {
+  columns_ += columns_ % 2;
   directions_.reserve(static_cast<std::size_t>(2 * columns_ + 1));
   for (int half = 0; half <= 2 * columns_; ++half) directions_.push_back(unit_vector(0.5 * half * column_width()));
 }

@@ -15,6 +15,9 @@
 
 namespace reorient {
 
+/// Of tiles around the field.
+constexpr int kMostColumns = 128;
+
 struct WallParameters {
   double radius = 8.0;
   double bottom = 0.7;
@@ -32,7 +35,7 @@ void describe(WallParameters& p, Visit&& visit) {
   visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the lowest row of tiles begins");
   visit("top", p.top, 0.1, 120.0, "m", "height where the highest row of tiles ends");
   visit("rows", p.rows, 1, 8, "", "rows of tiles");
-  visit("columns", p.columns, 4, 128, "", "columns of tiles around the field; made even");
+  visit("columns", p.columns, 4, kMostColumns, "", "columns of tiles around the field; made even");
 }
 
 /// A place on the wall in units of tiles: column in [0, columns), row in [0, rows) if the place lies on a tile.

@@ -52,6 +52,19 @@ TEST(Evidence, GrowsWithOtherTilesAndNotWithMoreOfTheSame) {
   EXPECT_GT(robot.evidence.log_odds(), 1.7 * once);
 }
 
+TEST(Evidence, IsAskedOfNoPlaceOfWhichNeitherTileIsKnown) {
+  OneRow room;
+  room.model.forget(16);
+  room.model.train(3, OneRow::colors_of(3), {1.0, 100.0, true, 0.0});
+  room.compared.clear();
+  room.compared.prepare(room.model, room.wall, room.comparison);
+  const ViewpointScores scores = room.scores(3, 0);
+  ASSERT_EQ(scores.places().size(), 1u);
+  EXPECT_EQ(scores.places()[0].tile, 3);
+  EXPECT_EQ(room.scores(11, 0).places().size(), 1u);  // its reflection is known
+  EXPECT_TRUE(room.scores(5, 0).places().empty());
+}
+
 TEST(Evidence, OfOneTileIsCapped) {
   Looking robot;
   robot.parameters.cap = 0.1;

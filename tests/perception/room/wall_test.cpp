@@ -113,6 +113,10 @@ TEST(Wall, AbsurdNumbersStillMakeAWall) {
   EXPECT_GT(wall.radius(), 0.0);
   EXPECT_GE(wall.tiles(), 2);
   EXPECT_GT(wall.row_height(), 0.0);
+  for (const int columns : {129, 264, std::numeric_limits<int>::max()}) {
+    parameters.columns = columns;
+    EXPECT_EQ(Wall(parameters).columns(), kMostColumns);
+  }
 }
 
 }  // namespace
