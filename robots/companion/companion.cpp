@@ -245,18 +245,8 @@ bool Companion::use_newest(Observation& observation) {
   if (clock_.began_anew()) command_.withdraw();
   observation.time = moment->time;
   observation.odometry = moment->odometry;
-  const auto with_load = [&](BodySample sample, std::uint32_t has) {
-    if ((has & REORIENT_HAS_FOOT_LOAD) == 0 && greeting_->body.standing_load)
-      sample.foot_load = *greeting_->body.standing_load;
-    return sample;
-  };
   observation.body = with_load(body_sample(frame, moment->time), frame.has);
-  body_samples_.clear();
-  for (const reorient_sample& sample : samples_) {
-    const double felt = has_time ? clock_.to_engine(sample.time) : moment->time;
-    if (felt <= moment->time) body_samples_.push_back(with_load(body_sample(sample, felt), sample.has));
-  }
-  samples_.clear();
+  take_samples(moment->time, has_time);
   observation.body_samples = body_samples_;
   observation.reported_posture = posture_of(frame.posture);
   if (greeting_->own_localization && (message.has(REORIENT_HAS_BELIEF) || !message.particles.empty())) {
@@ -271,6 +261,33 @@ bool Companion::use_newest(Observation& observation) {
   answered_time_ = time;
   answered_at_ = newest_.at;
   return true;
+}
+
+/// Where the robot has no feet that feel, or does not say what they do, as it stands.
+BodySample Companion::with_load(BodySample sample, std::uint32_t has) const {
+  if ((has & REORIENT_HAS_FOOT_LOAD) == 0 && greeting_->body.standing_load)
+    sample.foot_load = *greeting_->body.standing_load;
+  return sample;
+}
+
+/// Those since the frame before. A frame arrives later than its image was exposed, and what was felt after that waits
+/// for the next one. What is on another clock, or out of order, is left out.
+void Companion::take_samples(double time, bool has_time) {
+  constexpr double kFarthestAhead = 1.0;  // s
+  double after = last_time_;
+  body_samples_.clear();
+  std::size_t kept = 0;
+  for (const reorient_sample& sample : samples_) {
+    const double felt = has_time ? clock_.to_engine(sample.time) : time;
+    if (felt > time) {
+      if (felt <= time + kFarthestAhead) samples_[kept++] = sample;
+    } else if (felt > after || !has_time) {
+      body_samples_.push_back(with_load(body_sample(sample, felt), sample.has));
+      after = felt;
+    }
+  }
+  samples_.resize(kept);
+  last_time_ = time;
 }
 
 /// False: one of them was written over.

@@ -68,7 +68,7 @@ class Companion : public Robot, private Receiver {
   /// What a process that takes this one's place has to know, but for the engine.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(clock_, referee_, game_);
+    archive(clock_, last_time_, referee_, game_);
     if constexpr (Archive::kReads) last_arrival_ = options_.now();
   }
 
@@ -89,6 +89,8 @@ class Companion : public Robot, private Receiver {
   void take_sample(std::span<const std::byte> body);
   void keep_told(const FrameMessage& message);
   bool use_newest(Observation& observation);
+  BodySample with_load(BodySample sample, std::uint32_t has) const;
+  void take_samples(double time, bool has_time);
   bool take_images(const FrameMessage& message, double time, Observation& observation);
   void meet();
   void send_waiting();
@@ -113,8 +115,9 @@ class Companion : public Robot, private Receiver {
   Arrived arrived_, newest_;
   bool has_newest_ = false;
   double last_arrival_ = 0.0;
-  Told told_;  ///< of frames that were not looked at
-  std::vector<reorient_sample> samples_;
+  Told told_;                             ///< of frames that were not looked at
+  std::vector<reorient_sample> samples_;  ///< no frame has come yet that was exposed after them
+  double last_time_ = 0.0;                ///< s, the engine's, of the frame before
 
   // What the observation looks at, until the next one.
   std::array<Image, 2> images_;

@@ -48,6 +48,10 @@ class Served {
     now_ += 0.03;
     if (!companion_.observe(seen)) return;
     require(std::isfinite(seen.time) && seen.time > last_time_, "time goes on");
+    for (const BodySample& sample : seen.body_samples) {
+      require(sample.time >= last_time_ && sample.time <= seen.time, "what was felt lies between two frames, in order");
+      last_time_ = sample.time;
+    }
     last_time_ = seen.time;
     require(seen.odometry.position.allFinite() && std::isfinite(seen.odometry.rotation), "the odometry is somewhere");
     require(seen.body.acceleration.allFinite() && std::isfinite(seen.body.foot_load), "the body feels something");

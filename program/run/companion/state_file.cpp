@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31706d6f43725272ull;  // "rRrComp1": another layout gets another number
+constexpr std::uint64_t kMagic = 0x32706d6f43725272ull;  // "rRrComp2": another layout gets another number
 constexpr double kPeriod = 1.0;                          // s
 /// s, by the wall clock; a robot that nobody has watched for longer may be anywhere.
 constexpr double kOldest = 600.0;

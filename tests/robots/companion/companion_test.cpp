@@ -1,5 +1,6 @@
 #include "robots/companion/companion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -179,6 +180,57 @@ TEST_F(CompanionTest, TakesTheNewestOfSeveralFramesAndLosesNothingThatWasTold) {
   companion_->answer({});
   EXPECT_EQ(client.answer()->superseded, 2u);
   EXPECT_FALSE(observed()) << "there is no other";
+}
+
+/// As it is felt at this moment of the client's clock.
+reorient_sample sample_at(double time, double roll) {
+  reorient_sample sample{};
+  sample.time = time;
+  sample.has = REORIENT_HAS_ATTITUDE;
+  sample.attitude[0] = roll;
+  return sample;
+}
+
+TEST_F(CompanionTest, KeepsWhatWasFeltAfterAnImageForTheNextFrame) {
+  RawClient client = greeted();
+  std::vector<double> felt;
+  constexpr int kPeriod = 3, kLate = 4;  // hundredths of a second
+  for (int now = 0; now <= 30; ++now) {
+    client.send(REORIENT_SAMPLE, sample_at(5.0 + 0.01 * now, 0.01 * now));
+    if (now < kLate || (now - kLate) % kPeriod != 0) continue;
+    client.send_frame(5.0 + 0.01 * (now - kLate), static_cast<std::uint64_t>(now));
+    const auto observation = observed();
+    ASSERT_TRUE(observation);
+    if (now > kLate) {
+      EXPECT_EQ(observation->body_samples.size(), std::size_t{kPeriod}) << "at " << now;
+    }
+    for (const BodySample& sample : observation->body_samples) {
+      EXPECT_LE(sample.time, observation->time);
+      EXPECT_NEAR(sample.torso.roll, sample.time, 1e-9) << "the engine's clock began with the first image";
+      felt.push_back(sample.time);
+    }
+  }
+  EXPECT_EQ(felt.size(), 24u);
+  EXPECT_TRUE(std::is_sorted(felt.begin(), felt.end()));
+}
+
+TEST_F(CompanionTest, LeavesSamplesOutThatWereFeltBeforeTheLastFrameOrOnAnotherClock) {
+  RawClient client = greeted();
+  client.send_frame(100.0, 1);
+  ASSERT_TRUE(observed());
+  for (const double time : {0.0, 1.7e9, 100.0, 100.03, 100.01, 102.5, 99.0, 1e300, 100.05, 100.2})
+    client.send(REORIENT_SAMPLE, sample_at(time, 0.0));
+  client.send_frame(100.1, 2);
+  auto observation = observed();
+  ASSERT_TRUE(observation);
+  ASSERT_EQ(observation->body_samples.size(), 2u) << "after the last frame and in order";
+  EXPECT_NEAR(observation->body_samples[0].time, 0.03, 1e-9);
+  EXPECT_NEAR(observation->body_samples[1].time, 0.05, 1e-9);
+  client.send_frame(103.0, 3);
+  observation = observed();
+  ASSERT_TRUE(observation);
+  ASSERT_EQ(observation->body_samples.size(), 1u) << "what was far ahead is not waited for";
+  EXPECT_NEAR(observation->body_samples[0].time, 0.2, 1e-9);
 }
 
 TEST_F(CompanionTest, LeavesAnImageOutThatIsWrittenOver) {

@@ -218,6 +218,7 @@ class BrokenClients {
       return;
     }
     ASSERT_GT(observation.time, last_time_);
+    for (const BodySample& sample : observation.body_samples) ASSERT_TRUE(sample.time > last_time_);
     last_time_ = observation.time;
     ASSERT_TRUE(std::isfinite(observation.time) && observation.odometry.position.allFinite());
     Answer answer;
