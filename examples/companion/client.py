@@ -16,7 +16,7 @@ HELLO, MEMORY, FRAME, WELCOME, REFUSAL, ANSWER = 1, 2, 3, 101, 102, 103
 HAS_TIME, HAS_BODY, HAS_FOOT_LOAD, HAS_TOLD_POSE = 1, 2 + 4 + 8 + 16, 32, 128  # body: head, attitude, rates, acceleration
 ANSWER_POSE, ANSWER_HEAD, ANSWER_WALK, ANSWER_GET_UP = 1, 2, 4, 8
 FLIP, PURGE, RESET, YUYV, OWN, OURS = 1, 2, 3, 1, 1, 2
-SLOTS, SLOT_HEADER, VERSION, WANTS = 3, 64, 1, 1 + 2 + 4  # wants: head, walk, get up
+SLOTS, SLOT_HEADER, VERSION, WANTS = 3, 64, 2, 1 + 2 + 4  # wants: head, walk, get up
 
 
 class Companion:

@@ -87,6 +87,8 @@ void Companion::begin(const Greeting& greeting, bool goes_on, int behaviors) {
   goes_on_ = goes_on;
   behaviors_ = behaviors;
   states_.clear();
+  command_.withdraw();                   // another engine asked for it
+  if (!goes_on) is_other_half_.reset();  // there is nothing yet that could be turned round
   meet();
 }
 
@@ -149,6 +151,8 @@ void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, Own
 void Companion::take_hello(std::span<const std::byte> body) {
   if (greeting_) throw BadMessage("a client says hello once; connect again to say something else");
   greeting_ = read_greeting(body, options_.known);
+  const bool is_another_process = std::exchange(last_client_, greeting_->client) != greeting_->client;
+  if (is_another_process) told_.initial_pose.reset();  // it was another process that was so sure
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const std::optional<reorient_camera>& camera = greeting_->cameras[i];
     images_[i] = camera ? Image(camera->width, camera->height) : Image();
@@ -177,23 +181,25 @@ void Companion::take_frame(std::span<const std::byte> body) {
   }
   ++counts_.frames;
   command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
+  keep_told(arrived_.message);
   if (nonsense_in(arrived_.message) != nullptr) {
     ++counts_.unusable;
     return;
   }
   arrived_.at = options_.now();
-  keep_told(arrived_.message);
   if (has_newest_) ++counts_.superseded;
   std::swap(arrived_, newest_);
   has_newest_ = true;
 }
 
-/// What is told once must not be lost with a frame that nobody looks at.
+/// What is told once must not be lost with a frame that nobody looks at, whatever else is wrong with it.
 void Companion::keep_told(const FrameMessage& message) {
   const reorient_frame& frame = message.frame;
-  if (message.has(REORIENT_HALF_TIME)) told_.half_time = !told_.half_time;
-  if (message.has(REORIENT_HAS_TOLD_POSE)) {
+  if (message.has(REORIENT_HAS_TOLD_POSE) && is_told_pose_sound(frame)) {
     told_.initial_pose = InitialPose{pose_of(frame.told_pose), frame.told_deviation[0], frame.told_deviation[1]};
+    told_odometry_.reset();
+    if (is_odometry_sound(frame)) told_odometry_ = pose_of(frame.odometry);
+    told_in_other_half_ = message.has(REORIENT_OTHER_HALF);
     command_.withdraw();
   }
   if (message.has(REORIENT_HAS_REFEREE)) {
@@ -223,7 +229,9 @@ void Companion::take_game(std::span<const std::byte> body) {
   Told heard;
   game_.hear(std::as_bytes(std::span(game.datagram).first(game.size)), heard);
   if (heard.referee) told_.referee = referee_ = *heard.referee;
-  if (heard.half_time) told_.half_time = !told_.half_time;
+  if (!heard.half_time) return;
+  told_.half_time = !told_.half_time;
+  if (told_.initial_pose) told_.initial_pose->pose = reflect(told_.initial_pose->pose);
 }
 
 /// False: there is none, or it is of no use.
@@ -236,13 +244,16 @@ bool Companion::use_newest(Observation& observation) {
   const double time = has_time ? frame.time : newest_.at - greeting_->delay;
   const std::optional<ClientClock::Moment> moment =
       clock_.advance(greeting_->client, time, pose_of(frame.odometry), newest_.at - last_arrival_);
+  if (clock_.began_anew()) {  // with another belief, and in the axes of this moment
+    command_.withdraw();
+    is_other_half_.reset();
+  }
   observation = {};
   if (!moment || !take_images(message, moment->time, observation)) {
     ++counts_.unusable;
     return false;
   }
   last_arrival_ = newest_.at;
-  if (clock_.began_anew()) command_.withdraw();
   observation.time = moment->time;
   observation.odometry = moment->odometry;
   observation.body = with_load(body_sample(frame, moment->time), frame.has);
@@ -256,11 +267,25 @@ bool Companion::use_newest(Observation& observation) {
     belief.covariance = covariance_of(frame.covariance);
     belief.particles = particles_;
   }
-  observation.told = std::exchange(told_, {});
+  take_told(message, observation.told);
   answered_ = frame.number;
   answered_time_ = time;
   answered_at_ = newest_.at;
   return true;
+}
+
+/// What was told with this frame, or with earlier ones: then the robot has moved on meanwhile, and its axes may be
+/// those of the other half by now. Each frame says in which half it is, so that half-time is lost with none.
+void Companion::take_told(const FrameMessage& message, Told& told) {
+  const bool is_other_half = message.has(REORIENT_OTHER_HALF);
+  told = std::exchange(told_, {});
+  if (told.initial_pose) {
+    Pose2& pose = told.initial_pose->pose;
+    if (told_odometry_) pose = pose * (told_odometry_->inverse() * pose_of(message.frame.odometry));
+    if (told_in_other_half_ != is_other_half) pose = reflect(pose);
+  }
+  if (is_other_half != is_other_half_.value_or(is_other_half)) told.half_time = !told.half_time;
+  is_other_half_ = is_other_half;
 }
 
 /// Where the robot has no feet that feel, or does not say what they do, as it stands.

@@ -110,11 +110,14 @@ void Connection::accept_clients(Receiver& receiver) {
   }
 }
 
-void Connection::refuse(OwnedDescriptor& client, const std::string& why) const {
+/// A refusal looks the same in each version, so that whoever speaks another one can read why.
+void Connection::refuse(OwnedDescriptor& client, const std::string& why, std::uint16_t version) const {
   reorient_refusal refusal{};
   set_text(refusal.why, why);
   std::vector<std::byte> bytes;
   append_message(REORIENT_REFUSAL, refusal, bytes);
+  const reorient_header header{sizeof(refusal), REORIENT_REFUSAL, version};
+  std::memcpy(bytes.data(), &header, sizeof(header));
   static_cast<void>(::send(client.get(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
 }
 
@@ -170,13 +173,15 @@ void Connection::read_messages(Receiver& receiver) {
 /// False: the client is gone.
 bool Connection::take_whole_messages(Receiver& receiver) {
   std::span<const std::byte> rest = in_;
+  std::uint16_t version = REORIENT_VERSION_2;
   try {
     while (rest.size() >= sizeof(reorient_header)) {
       std::span<const std::byte> bytes = rest;
       const auto header = take_message<reorient_header>(bytes, "a header");
-      if (header.version != REORIENT_VERSION_1)
-        throw BadMessage("this companion speaks version 1 of the protocol, and the message is of version " +
-                         std::to_string(header.version));
+      version = header.version;
+      if (version != REORIENT_VERSION_2)
+        throw BadMessage("this companion speaks version 2 of the protocol, and the message is of version " +
+                         std::to_string(version));
       if (header.size > REORIENT_LONGEST_BODY)
         throw BadMessage("a message of " + std::to_string(header.size) + " bytes; the longest has 65536");
       if (bytes.size() < header.size) break;
@@ -184,7 +189,7 @@ bool Connection::take_whole_messages(Receiver& receiver) {
       rest = bytes.subspan(header.size);
     }
   } catch (const BadMessage& bad) {
-    refuse(client_, bad.what());
+    refuse(client_, bad.what(), version);
     drop(receiver);
     return false;
   }

@@ -53,7 +53,7 @@ class Connection {
   void accept_clients(Receiver& receiver);
   void read_messages(Receiver& receiver);
   bool take_whole_messages(Receiver& receiver);
-  void refuse(OwnedDescriptor& client, const std::string& why) const;
+  void refuse(OwnedDescriptor& client, const std::string& why, std::uint16_t version = REORIENT_VERSION_2) const;
   void drop(Receiver& receiver);
   bool flush();
 

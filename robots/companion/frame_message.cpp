@@ -73,11 +73,18 @@ void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
   if (!bytes.empty()) throw BadMessage("a frame is longer than it should be");
 }
 
+bool is_odometry_sound(const reorient_frame& frame) { return are_within(frame.odometry, kFarthest); }
+
+bool is_told_pose_sound(const reorient_frame& frame) {
+  return are_within(frame.told_pose, kFarthest) && frame.told_deviation[0] > 0.0 && frame.told_deviation[0] <= 20.0 &&
+         frame.told_deviation[1] > 0.0 && frame.told_deviation[1] <= 10.0;
+}
+
 const char* nonsense_in(const FrameMessage& message) {
   constexpr double kLatest = 1e10, kOldest = 1.0;  // s
   const reorient_frame& frame = message.frame;
   if (message.has(REORIENT_HAS_TIME) && !(std::abs(frame.time) <= kLatest)) return "a time";
-  if (!are_within(frame.odometry, kFarthest)) return "the odometry";
+  if (!is_odometry_sound(frame)) return "the odometry";
   if (!is_body_sound(frame)) return "what the body feels";
   if (message.has(REORIENT_HAS_BELIEF) && !(are_within(frame.belief, kFarthest) && are_within(frame.covariance, 1e6)))
     return "the belief";
@@ -86,10 +93,7 @@ const char* nonsense_in(const FrameMessage& message) {
            one.weight >= 0.0 && std::isfinite(one.weight);
   });
   if (!sound_particles) return "the particles";
-  if (message.has(REORIENT_HAS_TOLD_POSE) &&
-      !(are_within(frame.told_pose, kFarthest) && frame.told_deviation[0] > 0.0 && frame.told_deviation[0] <= 20.0 &&
-        frame.told_deviation[1] > 0.0 && frame.told_deviation[1] <= 10.0))
-    return "the told pose";
+  if (message.has(REORIENT_HAS_TOLD_POSE) && !is_told_pose_sound(frame)) return "the told pose";
   for (const reorient_image& image : frame.images) {
     if (image.present == 0) continue;
     if (!(image.age >= 0.0 && image.age <= kOldest)) return "the age of an image";

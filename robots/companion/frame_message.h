@@ -24,6 +24,10 @@ void read_frame(std::span<const std::byte> bytes, FrameMessage& message);
 /// Why its numbers make no sense; nullptr: they do. Such a frame is left out, and the client stays.
 const char* nonsense_in(const FrameMessage& message);
 
+/// Of a part that counts even where the rest makes no sense.
+bool is_odometry_sound(const reorient_frame& frame);
+bool is_told_pose_sound(const reorient_frame& frame);
+
 /// The same of a sample. Throws BadMessage where it is none.
 reorient_sample read_sample(std::span<const std::byte> bytes);
 bool is_sound(const reorient_sample& sample);

@@ -35,7 +35,7 @@ Message take_message(std::span<const std::byte>& bytes, const char* what) {
 template <typename Message>
 void append_message(std::uint16_t kind, const Message& message, std::vector<std::byte>& bytes) {
   static_assert(std::is_trivially_copyable_v<Message>);
-  const reorient_header header{sizeof(Message), kind, REORIENT_VERSION_1};
+  const reorient_header header{sizeof(Message), kind, REORIENT_VERSION_2};
   const auto append = [&bytes](const auto& part) {
     const auto* const begin = reinterpret_cast<const std::byte*>(&part);
     bytes.insert(bytes.end(), begin, begin + sizeof(part));

@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define REORIENT_VERSION_1 1
+#define REORIENT_VERSION_2 2
 
 enum {
   REORIENT_LONGEST_BODY = 1 << 16, /* bytes of a message behind its header */
@@ -32,7 +32,7 @@ enum {
 struct reorient_header {
   uint32_t size;    /* bytes of the message behind this header */
   uint16_t kind;    /* one of those below */
-  uint16_t version; /* REORIENT_VERSION_1: 1 */
+  uint16_t version; /* REORIENT_VERSION_2: 2 */
 };
 
 enum {
@@ -144,7 +144,9 @@ enum { /* reorient_frame.has */
        REORIENT_HAS_BELIEF = 64, /* a pose of the team's localization; particles say so by their number */
        REORIENT_HAS_TOLD_POSE = 128,
        REORIENT_HAS_REFEREE = 256,
-       REORIENT_HALF_TIME = 512 /* the teams change sides with this frame: all in it is in the new axes */
+       /* all in it is in the axes of the other half; in each frame from half-time on. That it is there in one frame and
+          not in the next, or the other way round, is half-time; how your process begins is of no account */
+       REORIENT_OTHER_HALF = 512
 };
 
 enum { REORIENT_UNKNOWN = 0, REORIENT_UPRIGHT = 1, REORIENT_FALLING = 2, REORIENT_FALLEN = 3, REORIENT_GETTING_UP = 4 };
@@ -334,8 +336,13 @@ struct reorient_client {
   uint64_t server;      /* 0: no welcome yet */
   uint64_t done_server;
   uint32_t done; /* the last command that was carried out */
-  uint32_t kept; /* REORIENT_HAS_TOLD_POSE, _HALF_TIME of frames that could not be sent */
+  /* A told pose of which no answer says yet that it was heard. It goes with the robot. */
+  int keeps_told;
+  int told_is_sent;     /* on this connection */
+  uint64_t told_number; /* of the last frame that brought one */
+  uint32_t told_half;   /* REORIENT_OTHER_HALF: its axes are those */
   double told_pose[3], told_deviation[2];
+  double told_odometry[3]; /* where the robot was there */
   size_t out_size, out_sent, in_size;
   unsigned char out[sizeof(struct reorient_header) + REORIENT_LONGEST_BODY];
   unsigned char in[sizeof(struct reorient_header) + 512];
@@ -353,6 +360,7 @@ static inline void reorient_disconnect(struct reorient_client* client) {
   if (client->socket >= 0) close(client->socket);
   client->socket = -1;
   client->out_size = client->out_sent = client->in_size = 0;
+  client->told_is_sent = 0;
   client->server = 0;
 }
 
@@ -427,7 +435,7 @@ static inline void reorient_begin(struct reorient_client* client, uint16_t kind,
   struct reorient_header header;
   header.size = (uint32_t)size;
   header.kind = kind;
-  header.version = REORIENT_VERSION_1;
+  header.version = REORIENT_VERSION_2;
   reorient_append(client, &header, sizeof header);
 }
 
@@ -448,7 +456,7 @@ static inline int reorient_send_memory(struct reorient_client* client, int camer
   memset(&control, 0, sizeof control);
   message.header.size = sizeof message.memory;
   message.header.kind = REORIENT_MEMORY;
-  message.header.version = REORIENT_VERSION_1;
+  message.header.version = REORIENT_VERSION_2;
   message.memory.camera = (uint32_t)camera;
   message.memory.slot_size = client->slot_size[camera];
   part.iov_base = &message;
@@ -497,38 +505,70 @@ static inline void reorient_image_written(struct reorient_client* client, int ca
   if (frame->images[camera].present == 0) frame->images[camera].present = 1;
 }
 
-/* 1: it is on its way. 0: it is lost, and counted, since there is no server or it is slow; a told pose and half-time go
- * with the next frame then. `frame->particles` and `frame->messages` say how many there are of both. The number of the
- * frame, and of the last command that was carried out, are filled in. */
+/* A told pose waits until it was heard. Meanwhile it goes with the robot and into the axes of the other half; odometry
+ * is taken to be wrong by a tenth, and what nobody can be sure of any more is forgotten. */
+static inline void reorient_keep_told(struct reorient_client* client, const struct reorient_frame* frame) {
+  const double pi = 3.14159265358979323846, drift = 0.1, unsure[2] = {2.0, 1.0}; /* m, rad */
+  const double* now = frame->odometry;
+  double *pose = client->told_pose, *before = client->told_odometry, *deviation = client->told_deviation;
+  if (frame->has & REORIENT_HAS_TOLD_POSE) {
+    memcpy(pose, frame->told_pose, sizeof client->told_pose);
+    memcpy(deviation, frame->told_deviation, sizeof client->told_deviation);
+    client->keeps_told = 1;
+    client->told_is_sent = 0;
+  } else if (client->keeps_told) {
+    const double x = now[0] - before[0], y = now[1] - before[1], turn = pose[2] - before[2];
+    pose[0] += cos(turn) * x - sin(turn) * y;
+    pose[1] += sin(turn) * x + cos(turn) * y;
+    pose[2] += now[2] - before[2];
+    deviation[0] += drift * sqrt(x * x + y * y);
+    deviation[1] += drift * fabs(remainder(now[2] - before[2], 2.0 * pi));
+    if ((frame->has & REORIENT_OTHER_HALF) != client->told_half) {
+      pose[0] = -pose[0];
+      pose[1] = -pose[1];
+      pose[2] = remainder(pose[2] + pi, 2.0 * pi);
+    }
+    if (!(deviation[0] < unsure[0] && deviation[1] < unsure[1])) client->keeps_told = 0;
+  }
+  memcpy(before, now, sizeof client->told_odometry);
+  client->told_half = frame->has & REORIENT_OTHER_HALF;
+}
+
+/* 1: it is on its way. 0: it is lost, and counted, since there is no server or it is slow. A told pose goes with the
+ * next frame then, and with the first one of another connection where no answer has come. `frame->particles` and
+ * `frame->messages` say how many there are of both. The number of the frame, and of the last command that was carried
+ * out, are filled in; the rest stays as it is. */
 static inline int reorient_send_frame(struct reorient_client* client, struct reorient_frame* frame,
                                       const struct reorient_particle* particles,
                                       const struct reorient_message* messages) {
+  struct reorient_frame sent;
+  int ready;
   frame->number = ++client->number;
   frame->done = client->done;
   frame->done_server = client->done_server;
-  if ((client->kept & REORIENT_HAS_TOLD_POSE) && !(frame->has & REORIENT_HAS_TOLD_POSE)) {
-    memcpy(frame->told_pose, client->told_pose, sizeof client->told_pose);
-    memcpy(frame->told_deviation, client->told_deviation, sizeof client->told_deviation);
-    frame->has |= REORIENT_HAS_TOLD_POSE;
+  reorient_keep_told(client, frame);
+  ready = frame->particles <= REORIENT_MOST_PARTICLES && frame->messages <= REORIENT_MOST_MESSAGES &&
+          reorient_connect(client) && reorient_flush(client);
+  sent = *frame;
+  if (client->keeps_told && !client->told_is_sent) {
+    memcpy(sent.told_pose, client->told_pose, sizeof sent.told_pose);
+    memcpy(sent.told_deviation, client->told_deviation, sizeof sent.told_deviation);
+    sent.has |= REORIENT_HAS_TOLD_POSE;
+    client->told_number = sent.number;
   }
-  frame->has ^= client->kept & REORIENT_HALF_TIME;
-  if (frame->particles <= REORIENT_MOST_PARTICLES && frame->messages <= REORIENT_MOST_MESSAGES &&
-      reorient_connect(client) && reorient_flush(client)) {
-    const size_t clouds = frame->particles * sizeof *particles, words = frame->messages * sizeof *messages;
-    reorient_begin(client, REORIENT_FRAME, sizeof *frame + clouds + words);
-    reorient_append(client, frame, sizeof *frame);
+  if (ready) {
+    const size_t clouds = sent.particles * sizeof *particles, words = sent.messages * sizeof *messages;
+    reorient_begin(client, REORIENT_FRAME, sizeof sent + clouds + words);
+    reorient_append(client, &sent, sizeof sent);
     reorient_append(client, particles, clouds);
     reorient_append(client, messages, words);
     reorient_flush(client);
     if (client->socket >= 0) {
-      client->kept = 0;
+      client->told_is_sent = 1;
       return 1;
     }
   }
   ++client->lost;
-  client->kept = frame->has & (REORIENT_HAS_TOLD_POSE | REORIENT_HALF_TIME);
-  memcpy(client->told_pose, frame->told_pose, sizeof client->told_pose);
-  memcpy(client->told_deviation, frame->told_deviation, sizeof client->told_deviation);
   return 0;
 }
 
@@ -573,7 +613,7 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
   for (;;) {
     if (client->in_size >= sizeof header) {
       memcpy(&header, client->in, sizeof header);
-      if (header.version != REORIENT_VERSION_1 || header.size == 0 || header.size != reorient_size_of(header.kind))
+      if (header.version != REORIENT_VERSION_2 || header.size == 0 || header.size != reorient_size_of(header.kind))
         break;
       wanted = sizeof header + header.size;
     }
@@ -581,6 +621,7 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
       memcpy(event, client->in + sizeof header, header.size);
       client->in_size = 0;
       if (header.kind == REORIENT_WELCOME) client->server = event->welcome.server;
+      if (header.kind == REORIENT_ANSWER && event->answer.number >= client->told_number) client->keeps_told = 0;
       if (header.kind == REORIENT_REFUSAL) {
         event->refusal.why[sizeof event->refusal.why - 1] = 0;
         reorient_disconnect(client);
@@ -607,10 +648,11 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
   return 0;
 }
 
-/* The kind of the command to be carried out now, 0: none. Each is told once, however often it is repeated. */
+/* The kind of the command to be carried out now, 0: none. Each is told once, however often it is repeated; none where
+ * the team was told another pose meanwhile, since it was meant for the belief before. */
 static inline int reorient_take_command(struct reorient_client* client, const struct reorient_answer* answer) {
   const int again = client->done_server == client->server && answer->command <= client->done;
-  if (client->server == 0 || answer->command == 0 || again) return 0;
+  if (client->server == 0 || answer->command == 0 || again || answer->number < client->told_number) return 0;
   client->done_server = client->server;
   client->done = answer->command;
   return (int)answer->command_kind;

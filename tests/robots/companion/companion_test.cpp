@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "geometry/bytes.h"
 #include "tests/robots/companion/raw_client.h"
 #include "tests/temporary_folder.h"
 
@@ -32,13 +33,13 @@ class CompanionTest : public ::testing::Test {
     return observation;
   }
 
-  RawClient greeted(const reorient_hello& hello = small_hello()) {
+  RawClient greeted(const reorient_hello& hello = small_hello(), bool goes_on = false) {
     RawClient client(folder_.path() / "socket");
     client.introduce(hello);
     looks_ = 0;
     const Greeting* const greeting = companion_->wait_for_greeting();
     EXPECT_NE(greeting, nullptr);
-    if (greeting != nullptr && !begun_) companion_->begin(*greeting, false, 3);
+    if (greeting != nullptr && !begun_) companion_->begin(*greeting, goes_on, 3);
     begun_ = true;
     static_cast<void>(observed());  // takes the memory
     return client;
@@ -167,7 +168,7 @@ TEST_F(CompanionTest, TakesTheNewestOfSeveralFramesAndLosesNothingThatWasTold) {
   for (std::uint64_t i = 1; i <= 3; ++i) {
     reorient_frame frame = standing_frame(i, static_cast<double>(i), client.paint(static_cast<std::uint8_t>(i)));
     if (i == 1) {
-      frame.has |= REORIENT_HAS_TOLD_POSE | REORIENT_HALF_TIME;
+      frame.has |= REORIENT_HAS_TOLD_POSE;
       frame.told_deviation[0] = frame.told_deviation[1] = 0.1;
     }
     client.send(REORIENT_FRAME, frame);
@@ -176,10 +177,174 @@ TEST_F(CompanionTest, TakesTheNewestOfSeveralFramesAndLosesNothingThatWasTold) {
   ASSERT_TRUE(observation);
   EXPECT_EQ(observation->upper->image.at(0, 0).y, 3);
   EXPECT_TRUE(observation->told.initial_pose);
-  EXPECT_TRUE(observation->told.half_time);
   companion_->answer({});
   EXPECT_EQ(client.answer()->superseded, 2u);
   EXPECT_FALSE(observed()) << "there is no other";
+}
+
+/// Of a robot that was told where it stands.
+reorient_frame told_frame(std::uint64_t number, double time, std::uint64_t sequence) {
+  reorient_frame frame = standing_frame(number, time, sequence);
+  frame.has |= REORIENT_HAS_TOLD_POSE;
+  frame.told_pose[0] = -2.0;
+  frame.told_pose[1] = 1.0;
+  frame.told_deviation[0] = frame.told_deviation[1] = 0.1;
+  return frame;
+}
+
+/// What the GameController says at the end of a half to the third player of team 5.
+reorient_game game_of(bool first_half) {
+  reorient_game game{};
+  game.team = 5;
+  game.player = 3;
+  game.size = 158;
+  std::memcpy(game.datagram, "RGme", 4);
+  game.datagram[4] = 20;
+  game.datagram[10] = 2;  // set
+  game.datagram[13] = 5;
+  game.datagram[12] = first_half ? 1 : 0;
+  game.datagram[18 + 70] = 5;
+  return game;
+}
+
+TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
+  RawClient client = greeted();
+  std::uint64_t number = 0;
+  const auto frame_of = [&](std::uint32_t half) {
+    ++number;
+    reorient_frame frame = standing_frame(number, 0.1 * static_cast<double>(number), client.paint(1));
+    frame.has |= half;
+    return frame;
+  };
+  const auto changes_sides = [&](std::uint32_t half) {
+    client.send(REORIENT_FRAME, frame_of(half));
+    const auto observation = observed();
+    EXPECT_TRUE(observation);
+    return observation && observation->told.half_time;
+  };
+  EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF)) << "how a process begins is of no account";
+  EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF));
+  EXPECT_TRUE(changes_sides(0));
+  EXPECT_FALSE(changes_sides(0));
+  std::vector<std::byte> before;
+  ByteWriter{before}(*companion_);
+  reorient_frame broken = frame_of(REORIENT_OTHER_HALF);
+  broken.odometry[1] = std::numeric_limits<double>::quiet_NaN();
+  client.send(REORIENT_FRAME, broken);
+  EXPECT_FALSE(observed());
+  const reorient_frame written_over = frame_of(REORIENT_OTHER_HALF);
+  for (int i = 0; i < REORIENT_SLOTS; ++i) client.paint(2);
+  client.send(REORIENT_FRAME, written_over);
+  EXPECT_FALSE(observed());
+  EXPECT_TRUE(changes_sides(REORIENT_OTHER_HALF)) << "two frames were lost, and half-time with neither";
+  EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF));
+  // A companion that was killed, and goes on from what was known before half-time.
+  companion_.reset();
+  companion_.emplace(options());
+  ByteReader{before}(*companion_);
+  begun_ = false;
+  client = greeted(small_hello(), true);
+  EXPECT_TRUE(changes_sides(REORIENT_OTHER_HALF));
+  EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF)) << "once";
+  client.end();
+  static_cast<void>(observed());
+  client = greeted(small_hello(8));
+  EXPECT_FALSE(changes_sides(0)) << "another process has begun in the axes of now";
+}
+
+TEST_F(CompanionTest, HearsWhatIsToldWithAFrameThatIsOfNoUseOtherwise) {
+  RawClient client = greeted();
+  std::vector<std::byte> bytes;
+  reorient_frame frame = told_frame(1, 1.0, client.paint(1));
+  frame.has |= REORIENT_HAS_REFEREE;
+  frame.penalized = 1;
+  frame.messages = 1;
+  frame.images[0].age = -1.0;
+  struct {
+    reorient_frame frame;
+    reorient_message word;
+  } all{frame, {2, 5, "hello"}};
+  client.send(REORIENT_FRAME, all);
+  EXPECT_FALSE(observed());
+  client.send_frame(1.1, 2);
+  const auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_TRUE(observation->told.initial_pose);
+  EXPECT_TRUE(observation->told.referee && observation->told.referee->penalized);
+  EXPECT_EQ(observation->told.messages.size(), 1u);
+}
+
+TEST_F(CompanionTest, TakesAToldPoseAlongToTheFrameThatIsLookedAt) {
+  RawClient client = greeted();
+  client.send_frame(0.5, 1);
+  ASSERT_TRUE(observed());
+  client.send(REORIENT_FRAME, told_frame(2, 1.0, client.paint(1)));
+  reorient_frame later = standing_frame(3, 1.5, client.paint(1));
+  later.has |= REORIENT_OTHER_HALF;
+  later.odometry[0] = 0.5;
+  client.send(REORIENT_FRAME, later);
+  auto observation = observed();
+  ASSERT_TRUE(observation && observation->told.initial_pose);
+  EXPECT_TRUE(observation->told.half_time);
+  const Pose2 moved = observation->told.initial_pose->pose, expected = reflect(Pose2(-1.5, 1.0, 0.0));
+  EXPECT_NEAR((moved.position - expected.position).norm(), 0.0, 1e-9) << moved.position.transpose();
+  EXPECT_NEAR(angle_difference(moved.rotation, expected.rotation), 0.0, 1e-9);
+  // The same where the GameController says it.
+  client.send(REORIENT_GAME, game_of(true));
+  client.send_frame(2.0, 4);
+  ASSERT_TRUE(observed());
+  client.send(REORIENT_FRAME, told_frame(5, 2.5, client.paint(1)));
+  client.send(REORIENT_GAME, game_of(false));
+  client.send_frame(3.0, 6);
+  observation = observed();
+  ASSERT_TRUE(observation && observation->told.initial_pose);
+  EXPECT_TRUE(observation->told.half_time);
+  EXPECT_NEAR(observation->told.initial_pose->pose.position.x(), 2.0, 1e-9);
+}
+
+TEST_F(CompanionTest, ForgetsAToldPoseWithTheProcessThatWasToldIt) {
+  RawClient client = greeted();
+  const auto tell = [&] {
+    reorient_frame frame = told_frame(1, 1.0, client.paint(1));
+    frame.images[0].age = -1.0;
+    client.send(REORIENT_FRAME, frame);
+    static_cast<void>(observed());
+    client.end();
+    static_cast<void>(observed());
+  };
+  tell();
+  client = greeted();
+  client.send_frame(1.1, 2);
+  auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_TRUE(observation->told.initial_pose) << "it has only connected again";
+  tell();
+  client = greeted(small_hello(8));
+  client.send_frame(1.1, 1);
+  observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->told.initial_pose);
+}
+
+TEST_F(CompanionTest, AsksAProcessThatBeganAnewForNothingEvenWhereItsFirstFrameIsLost) {
+  RawClient client = greeted(small_hello(7, REORIENT_OWN_LOCALIZATION));
+  client.send_frame(1.0, 1);
+  ASSERT_TRUE(observed());
+  Answer flip;
+  flip.reorientation = Reorientation::flip_pose;
+  companion_->answer(flip);
+  EXPECT_EQ(client.answer()->command, 1u);
+  client.end();
+  static_cast<void>(observed());
+  client = greeted(small_hello(8, REORIENT_OWN_LOCALIZATION));
+  const reorient_frame written_over = standing_frame(1, 1.0, client.paint(1));
+  for (int i = 0; i < REORIENT_SLOTS; ++i) client.paint(2);
+  client.send(REORIENT_FRAME, written_over);
+  EXPECT_FALSE(observed());
+  client.send_frame(1.1, 2);
+  ASSERT_TRUE(observed());
+  companion_->answer({});
+  EXPECT_EQ(client.answer()->command, 0u);
 }
 
 /// As it is felt at this moment of the client's clock.
@@ -285,10 +450,10 @@ TEST_F(CompanionTest, TellsAClientThatIsNoneWhyItEndsTheConnection) {
     const reorient_header wrong{size, kind, version};
     client.send_bytes(std::as_bytes(std::span(&wrong, 1)));
   };
-  EXPECT_NE(refusal_of([&](RawClient& client) { header(client, 8, REORIENT_FRAME, 2); }).find("of version 2"),
+  EXPECT_NE(refusal_of([&](RawClient& client) { header(client, 8, REORIENT_FRAME, 1); }).find("of version 1"),
             std::string::npos);
   EXPECT_NE(refusal_of([&](RawClient& client) {
-              header(client, 0x80000000u, REORIENT_FRAME, 1);
+              header(client, 0x80000000u, REORIENT_FRAME, REORIENT_VERSION_2);
             }).find("a message of 2147483648 bytes"),
             std::string::npos);
   EXPECT_NE(refusal_of([&](RawClient& client) { client.send(9, reorient_memory{}); }).find("no message of kind 9"),

@@ -85,13 +85,13 @@ class BrokenClients {
         {"gone", [&] { client().end(); }},
         {"a wrong version",
          [&] {
-           const reorient_header header{8, REORIENT_FRAME, static_cast<std::uint16_t>(2 + below(60000))};
+           const reorient_header header{8, REORIENT_FRAME, static_cast<std::uint16_t>(3 + below(60000))};
            client().send_bytes(std::as_bytes(std::span(&header, 1)));
          }},
         {"a size of 2^31",
          [&] {
            const reorient_header header{0x80000000u + static_cast<std::uint32_t>(below(100)), REORIENT_FRAME,
-                                        REORIENT_VERSION_1};
+                                        REORIENT_VERSION_2};
            client().send_bytes(std::as_bytes(std::span(&header, 1)));
          }},
         {"numbers that are none",

@@ -1,0 +1,158 @@
+// The client of the header that teams copy, beside a companion in the same process.
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#define REORIENT_COMPANION_CLIENT
+#include <gtest/gtest.h>
+
+#include "robots/companion/companion.h"
+#include "robots/companion/reorient_companion.h"
+#include "tests/robots/companion/raw_client.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+class CClient : public ::testing::Test {
+ protected:
+  CClient() { open(client_); }
+  ~CClient() override { reorient_close(&client_); }
+  CClient(const CClient&) = delete;
+  CClient& operator=(const CClient&) = delete;
+
+  std::string path() const { return (folder_.path() / "socket").string(); }
+
+  void open(reorient_client& client, const reorient_hello& hello = small_hello(7, REORIENT_OWN_LOCALIZATION)) {
+    EXPECT_EQ(reorient_open(&client, path().c_str(), &hello), 0);
+  }
+
+  void begin_companion() {
+    companion_.emplace(CompanionOptions{path(), nobody_known(), ++servers_, [this] { return now_; },
+                                        [this] { return ++looks_ > 3; }, 0.0});
+    begun_ = false;
+  }
+
+  /// The next observation, if there is one.
+  std::optional<Observation> observed() {
+    looks_ = 0;
+    const Greeting* const greeting = companion_->wait_for_greeting();
+    if (greeting == nullptr) return std::nullopt;
+    if (!begun_) companion_->begin(*greeting, false, 1);
+    begun_ = true;
+    Observation observation;
+    looks_ = 0;
+    if (!companion_->observe(observation)) return std::nullopt;
+    return observation;
+  }
+
+  /// The next frame, with the robot `x` metres further than at the beginning.
+  bool send(double x = 0.0, std::uint32_t has = 0) {
+    reorient_frame frame{};
+    reorient_image_begin(&client_, 0);
+    reorient_image_written(&client_, 0, &frame);
+    time_ += 0.1;
+    frame.time = time_;
+    frame.has = REORIENT_HAS_TIME | has;
+    frame.odometry[0] = x;
+    frame.told_pose[0] = -2.0;
+    frame.told_pose[1] = 1.0;
+    frame.told_deviation[0] = frame.told_deviation[1] = 0.1;
+    const bool sent = reorient_send_frame(&client_, &frame, nullptr, nullptr) != 0;
+    EXPECT_EQ(frame.has, REORIENT_HAS_TIME | has) << "the frame is the caller's";
+    return sent;
+  }
+
+  /// All that has come: the last message of a kind.
+  std::optional<reorient_event> heard(int wanted) {
+    std::optional<reorient_event> last;
+    reorient_event event;
+    while (const int kind = reorient_receive(&client_, &event)) {
+      if (kind == wanted) last = event;
+    }
+    return last;
+  }
+
+  void answer(std::optional<Reorientation> reorientation = std::nullopt) {
+    Answer answer;
+    answer.reorientation = reorientation;
+    companion_->answer(answer);
+  }
+
+  TemporaryFolder folder_;
+  double now_ = 1000.0, time_ = 0.0;
+  int looks_ = 0;
+  std::uint64_t servers_ = 0;
+  bool begun_ = false;
+  std::optional<Companion> companion_;
+  reorient_client client_{};
+};
+
+TEST_F(CClient, TakesAToldPoseAlongUntilSomebodyIsThere) {
+  EXPECT_FALSE(send(0.0, REORIENT_HAS_TOLD_POSE));
+  EXPECT_FALSE(send(0.25));
+  EXPECT_FALSE(send(0.5, REORIENT_OTHER_HALF));
+  begin_companion();
+  EXPECT_TRUE(send(0.5, REORIENT_OTHER_HALF));
+  auto observation = observed();
+  ASSERT_TRUE(observation && observation->told.initial_pose);
+  const InitialPose& told = *observation->told.initial_pose;
+  const Pose2 expected = reflect(Pose2(-1.5, 1.0, 0.0));
+  EXPECT_NEAR((told.pose.position - expected.position).norm(), 0.0, 1e-9) << told.pose.position.transpose();
+  EXPECT_NEAR(angle_difference(told.pose.rotation, expected.rotation), 0.0, 1e-9);
+  EXPECT_NEAR(told.position_deviation, 0.15, 1e-9) << "a tenth of half a metre";
+  EXPECT_TRUE(send(0.5, REORIENT_OTHER_HALF));
+  observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->told.initial_pose) << "it is told once";
+}
+
+TEST_F(CClient, ForgetsAToldPoseOfWhichNobodyCanBeSureAnyMore) {
+  EXPECT_FALSE(send(0.0, REORIENT_HAS_TOLD_POSE));
+  EXPECT_FALSE(send(30.0));
+  begin_companion();
+  EXPECT_TRUE(send(30.0));
+  const auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->told.initial_pose);
+}
+
+TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
+  begin_companion();
+  EXPECT_TRUE(send(0.0, REORIENT_HAS_TOLD_POSE));
+  companion_.reset();
+  EXPECT_FALSE(heard(REORIENT_ANSWER));
+  begin_companion();
+  EXPECT_TRUE(send());
+  auto observation = observed();
+  ASSERT_TRUE(observation && observation->told.initial_pose);
+  answer();
+  EXPECT_TRUE(heard(REORIENT_ANSWER));
+  companion_.reset();
+  EXPECT_FALSE(heard(REORIENT_ANSWER));
+  begin_companion();
+  EXPECT_TRUE(send());
+  observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->told.initial_pose) << "an answer has shown that it was heard";
+}
+
+TEST_F(CClient, CarriesNoCommandOutThatWasMeantForTheBeliefBeforeAToldPose) {
+  begin_companion();
+  EXPECT_TRUE(send());
+  ASSERT_TRUE(observed());
+  EXPECT_TRUE(send(0.0, REORIENT_HAS_TOLD_POSE));
+  answer(Reorientation::flip_pose);
+  auto event = heard(REORIENT_ANSWER);
+  ASSERT_TRUE(event);
+  EXPECT_EQ(event->answer.command_kind, std::uint32_t{REORIENT_FLIP});
+  EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0);
+  ASSERT_TRUE(observed());
+  answer(Reorientation::flip_pose);
+  event = heard(REORIENT_ANSWER);
+  ASSERT_TRUE(event);
+  EXPECT_EQ(reorient_take_command(&client_, &event->answer), int{REORIENT_FLIP});
+  EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0);
+}
+
+}  // namespace
+}  // namespace reorient
