@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -55,7 +56,8 @@ std::vector<Shot> rendered(int count) {
 
 reorient_hello hello_of(const CameraModel& camera) {
   reorient_hello hello{};
-  hello.client = static_cast<std::uint64_t>(getpid());
+  std::random_device lot;
+  hello.client = (static_cast<std::uint64_t>(lot()) << 32) | lot();
   hello.way = REORIENT_OUR_LOCALIZATION;
   hello.wants = REORIENT_WANT_HEAD | REORIENT_WANT_WALK;
   std::strcpy(hello.body.name, "nao-v6");

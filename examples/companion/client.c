@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/random.h>
 #include <sys/wait.h>
 
 #include "particle_filter.h"
@@ -54,13 +55,12 @@ static void carry_out(int command) {
 
 static void copy(double* to, const double* from, int count) { memcpy(to, from, (size_t)count * sizeof *to); }
 
-/* Until the answer to this frame has come. A robot does not wait: it takes what is there, and goes on. */
+/* Until the answer to this frame has come; 0: takes what is there. A robot does not wait: it always does that. */
 static int await(uint64_t number, struct reorient_answer* answer) {
-  int tries;
+  int tries, kind;
   for (tries = 0; tries < 20; ++tries) {
     union reorient_event event;
     struct pollfd wait = {client.socket, POLLIN, 0};
-    int kind;
     while ((kind = reorient_receive(&client, &event)) != 0) {
       if (kind == REORIENT_REFUSAL) fprintf(stderr, "refused: %s\n", event.refusal.why);
       if (kind != REORIENT_ANSWER) continue;
@@ -68,7 +68,7 @@ static int await(uint64_t number, struct reorient_answer* answer) {
       carry_out(reorient_take_command(&client, answer));
       if (answer->number >= number) return 1;
     }
-    if (client.socket < 0) return 0;
+    if (client.socket < 0 || number == 0) return 0;
     poll(&wait, 1, 100);
   }
   return 0;
@@ -85,7 +85,7 @@ int main(int count, char** words) {
   own = strcmp(words[2], "own") == 0;
   child = begin_robot(words + 3, &from, &to);
   if (!read_all(from, &robot, sizeof robot)) return 2;
-  hello.client = (uint64_t)getpid();
+  if (getrandom(&hello.client, sizeof hello.client, 0) < 0) return perror("client"), 2;
   hello.way = own ? REORIENT_OWN_LOCALIZATION : REORIENT_OUR_LOCALIZATION;
   hello.wants = REORIENT_WANT_HEAD | REORIENT_WANT_WALK | REORIENT_WANT_GET_UP;
   memcpy(hello.body.name, robot.name, sizeof robot.name);
@@ -130,7 +130,7 @@ int main(int count, char** words) {
       }
       frame.particles = filter.knows ? PARTICLES : 0;
     }
-    if (reorient_send_frame(&client, &frame, cloud, NULL) && await(frame.number, &answer)) {
+    if (await(reorient_send_frame(&client, &frame, cloud, NULL) ? frame.number : 0, &answer)) {
       request.has_head = (answer.has & REORIENT_ANSWER_HEAD) != 0;
       request.has_walk = (answer.has & REORIENT_ANSWER_WALK) != 0;
       request.get_up = (answer.has & REORIENT_ANSWER_GET_UP) != 0;

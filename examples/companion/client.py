@@ -22,8 +22,8 @@ SLOTS, SLOT_HEADER, VERSION, WANTS = 3, 64, 2, 1 + 2 + 4  # wants: head, walk, g
 class Companion:
     """The connection. It is made anew when it is gone; nothing here waits."""
     def __init__(self, path, way, body, width, height, camera):
-        self.path, self.socket = path, None
-        self.number = self.sequence = self.slot = 0
+        self.path, self.socket, self.broken = path, None, False
+        self.number = self.told = self.sequence = self.slot = 0
         self.server, self.done = 0, (0, 0)  # the server, and the last command of which server
         self.image_bytes = 2 * width * height
         self.slot_size = (SLOT_HEADER + self.image_bytes + 63) // 64 * 64
@@ -31,14 +31,14 @@ class Companion:
         os.ftruncate(self.memory, SLOTS * self.slot_size)
         fcntl.fcntl(self.memory, 1033, 2)  # F_ADD_SEALS, F_SEAL_SHRINK
         self.images = mmap.mmap(self.memory, SLOTS * self.slot_size)
-        self.hello = (struct.pack("<QIId", os.getpid(), way, WANTS, 0.0) +
+        self.hello = (os.urandom(8) + struct.pack("<IId", way, WANTS, 0.0) +
                       struct.pack("<HHI10d", width, height, YUYV, *camera) + bytes(88) +
                       struct.pack("<32s136x", body) + bytes(160))
 
     def connect(self):
-        if self.socket:
+        if self.socket and not self.broken:
             return True
-        self.server = 0
+        self.server, self.broken, self.rest_out, self.rest_in = 0, False, b"", b""
         try:
             self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
             self.socket.setblocking(False)
@@ -46,10 +46,9 @@ class Companion:
             self.socket.sendall(struct.pack("<IHH", len(self.hello), HELLO, VERSION) + self.hello)
             message = struct.pack("<IHHII", 8, MEMORY, VERSION, 0, self.slot_size)
             self.socket.sendmsg([message], [(socket.SOL_SOCKET, socket.SCM_RIGHTS, struct.pack("i", self.memory))])
-            self.rest_out, self.rest_in = b"", b""
         except OSError:
-            self.socket = None
-        return self.socket is not None
+            self.broken = True  # what has come is still to be read: a refusal, perhaps
+        return not self.broken
 
     def image(self, pixels):
         self.slot = (self.slot + 1) % SLOTS
@@ -61,14 +60,14 @@ class Companion:
 
     def send(self, time, has, numbers, particles):
         """True: it is on its way. Else it is lost, since there is no server or it is slow."""
-        self.number += 1
+        self.number, self.told = self.number + 1, self.number + 1 if has & HAS_TOLD_POSE else self.told
         body = (struct.pack("<QdIIIIIIQ", self.number, time, has, 0, 0, len(particles), 0, self.done[1], self.done[0]) +
                 struct.pack("<28dIIQd216x", *numbers, self.slot, 1, self.sequence, 0.0) +
                 b"".join(struct.pack("<4f", *one) for one in particles))
         if self.connect() and self.flush():
             self.rest_out = struct.pack("<IHH", len(body), FRAME, VERSION) + body
             self.flush()
-            return self.socket is not None
+            return not self.broken
 
     def flush(self):
         try:
@@ -77,8 +76,8 @@ class Companion:
         except BlockingIOError:
             pass
         except OSError:
-            self.socket = None
-        return self.socket is not None and not self.rest_out
+            self.broken = True
+        return not self.broken and not self.rest_out
 
     def receive(self):
         while self.socket:
@@ -99,9 +98,9 @@ class Companion:
                     self.server = struct.unpack_from("<Q", body)[0]
                 yield kind, body
 
-    def command(self, number, kind):
-        """That is to be carried out now, 0: none. Each is told once, however often it is repeated."""
-        if self.server and number and (self.done[0] != self.server or self.done[1] < number):
+    def command(self, answered, number, kind):
+        """That is to be carried out now, 0: none. Each is told once, and none that is older than a told pose."""
+        if self.server and number and answered >= self.told and (self.done[0] != self.server or self.done[1] < number):
             self.done = (self.server, number)
             return kind
 
@@ -126,7 +125,7 @@ def main(path, way, *robot):
         pose = head = walk = (0.0, 0.0, 0.0)
         answered = answer_has = 0
         sent = companion.send(felt[0], has, body, localization.particles if way == "own" else [])
-        while sent and companion.socket and answered < companion.number:  # a robot does not wait
+        while companion.socket and answered < companion.number:  # a robot does not wait
             for kind, answer in companion.receive():
                 if kind == REFUSAL:
                     print("refused:", answer.split(b"\0")[0].decode(), file=sys.stderr)
@@ -135,8 +134,9 @@ def main(path, way, *robot):
                     values = struct.unpack_from("<18d", answer, 40)
                     pose, head, walk = values[3:6], values[12:15], values[15:18]
                     carry_out = {FLIP: localization.flip, PURGE: localization.purge, RESET: localization.reset}
-                    carry_out.get(companion.command(number, command), lambda: None)()
-            if companion.socket and answered < companion.number and not select.select([companion.socket], [], [], 2.0)[0]:
+                    carry_out.get(companion.command(answered, number, command), lambda: None)()
+            if not sent or (companion.socket and answered < companion.number and
+                            not select.select([companion.socket], [], [], 2.0)[0]):
                 break
         if way == "own":
             pose, answer_has = localization.mean(), answer_has | (ANSWER_POSE if localization.particles else 0)

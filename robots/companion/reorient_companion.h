@@ -326,6 +326,7 @@ struct reorient_client {
   struct reorient_hello hello;
   struct sockaddr_un address;
   int socket;    /* -1: not connected; to be waited for with poll() by whoever wants to wait */
+  int broken;    /* nothing can be sent any more; what has come is still to be read, a refusal perhaps */
   int memory[2]; /* memfd of each camera, or -1 */
   unsigned char* slots[2];
   uint32_t slot_size[2];
@@ -360,7 +361,7 @@ static inline void reorient_disconnect(struct reorient_client* client) {
   if (client->socket >= 0) close(client->socket);
   client->socket = -1;
   client->out_size = client->out_sent = client->in_size = 0;
-  client->told_is_sent = 0;
+  client->broken = client->told_is_sent = 0;
   client->server = 0;
 }
 
@@ -409,6 +410,11 @@ static inline void reorient_close(struct reorient_client* client) {
   }
 }
 
+static inline void reorient_break(struct reorient_client* client) {
+  client->broken = 1;
+  client->out_size = client->out_sent = 0;
+}
+
 /* Sends what is left of the last message. 1: there is nothing left. */
 static inline int reorient_flush(struct reorient_client* client) {
   while (client->out_sent < client->out_size) {
@@ -418,7 +424,7 @@ static inline int reorient_flush(struct reorient_client* client) {
       client->out_sent += (size_t)sent;
     } else {
       if (sent < 0 && errno == EINTR) continue;
-      if (!(sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))) reorient_disconnect(client);
+      if (!(sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))) reorient_break(client);
       return 0;
     }
   }
@@ -472,17 +478,21 @@ static inline int reorient_send_memory(struct reorient_client* client, int camer
   return sendmsg(client->socket, &all, MSG_DONTWAIT | MSG_NOSIGNAL) == (ssize_t)sizeof message;
 }
 
-/* 1: there is a connection, new or old. */
+/* 1: there is a connection, new or old. One that broke is left when it breaks for the second time: between the two
+ * reorient_receive() has had its chance. */
 static inline int reorient_connect(struct reorient_client* client) {
-  if (client->socket >= 0) return 1;
+  if (client->socket >= 0 && !client->broken) return 1;
+  reorient_disconnect(client);
   client->socket = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (client->socket < 0) return 0;
-  if (connect(client->socket, (const struct sockaddr*)&client->address, sizeof client->address) == 0) {
-    reorient_begin(client, REORIENT_HELLO, sizeof client->hello);
-    reorient_append(client, &client->hello, sizeof client->hello);
-    if (reorient_flush(client) && reorient_send_memory(client, 0) && reorient_send_memory(client, 1)) return 1;
+  if (connect(client->socket, (const struct sockaddr*)&client->address, sizeof client->address) != 0) {
+    reorient_disconnect(client);
+    return 0;
   }
-  reorient_disconnect(client);
+  reorient_begin(client, REORIENT_HELLO, sizeof client->hello);
+  reorient_append(client, &client->hello, sizeof client->hello);
+  if (reorient_flush(client) && reorient_send_memory(client, 0) && reorient_send_memory(client, 1)) return 1;
+  reorient_break(client);
   return 0;
 }
 
@@ -563,7 +573,7 @@ static inline int reorient_send_frame(struct reorient_client* client, struct reo
     reorient_append(client, particles, clouds);
     reorient_append(client, messages, words);
     reorient_flush(client);
-    if (client->socket >= 0) {
+    if (!client->broken) {
       client->told_is_sent = 1;
       return 1;
     }
@@ -573,19 +583,19 @@ static inline int reorient_send_frame(struct reorient_client* client, struct reo
 }
 
 static inline int reorient_send_sample(struct reorient_client* client, const struct reorient_sample* sample) {
-  if (client->socket < 0 || !reorient_flush(client)) return 0;
+  if (client->socket < 0 || client->broken || !reorient_flush(client)) return 0;
   reorient_begin(client, REORIENT_SAMPLE, sizeof *sample);
   reorient_append(client, sample, sizeof *sample);
   reorient_flush(client);
-  return client->socket >= 0;
+  return !client->broken;
 }
 
 static inline int reorient_send_game(struct reorient_client* client, const struct reorient_game* game) {
-  if (client->socket < 0 || !reorient_flush(client)) return 0;
+  if (client->socket < 0 || client->broken || !reorient_flush(client)) return 0;
   reorient_begin(client, REORIENT_GAME, sizeof *game);
   reorient_append(client, game, sizeof *game);
   reorient_flush(client);
-  return client->socket >= 0;
+  return !client->broken;
 }
 
 static inline size_t reorient_size_of(uint16_t kind) {

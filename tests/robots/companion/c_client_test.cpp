@@ -154,5 +154,28 @@ TEST_F(CClient, CarriesNoCommandOutThatWasMeantForTheBeliefBeforeAToldPose) {
   EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0);
 }
 
+TEST_F(CClient, ReadsARefusalThoughSendingFails) {
+  begin_companion();
+  RawClient first(path());
+  first.introduce(small_hello(3));
+  EXPECT_TRUE(send()) << "it is on its way";
+  static_cast<void>(observed());
+  EXPECT_FALSE(send());
+  const auto event = heard(REORIENT_REFUSAL);
+  ASSERT_TRUE(event);
+  EXPECT_NE(std::string(event->refusal.why).find("another client is connected"), std::string::npos);
+  EXPECT_LT(client_.socket, 0);
+}
+
+TEST_F(CClient, LeavesABrokenConnectionWithTheNextFrame) {
+  begin_companion();
+  EXPECT_TRUE(send());
+  companion_.reset();
+  EXPECT_FALSE(send());
+  begin_companion();
+  EXPECT_TRUE(send());
+  EXPECT_TRUE(observed());
+}
+
 }  // namespace
 }  // namespace reorient
