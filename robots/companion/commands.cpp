@@ -3,7 +3,8 @@
 namespace reorient {
 
 void PendingCommand::grant(Reorientation reorientation) {
-  if (waiting_ == reorientation) return;
+  const bool keeps_flip = waiting_ == Reorientation::flip_pose && reorientation == Reorientation::purge_reflection;
+  if (waiting_ == reorientation || keeps_flip) return;
   waiting_ = reorientation;
   ++number_;
 }

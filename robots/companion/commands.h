@@ -9,7 +9,8 @@
 namespace reorient {
 
 /// There is one at a time. What is granted while another one waits takes its place, unless it is the same: the belief
-/// that it is about has not changed yet, and two flips would be none.
+/// that it is about has not changed yet, and two flips would be none. A purge does not take a flip's place: behaviours
+/// purge what a flip has left over, and without the flip they would purge the pose that is right.
 class PendingCommand {
  public:
   /// `server`: drawn by lot, so that no number of an earlier process is taken for one of this.

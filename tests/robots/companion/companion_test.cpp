@@ -147,6 +147,9 @@ TEST_F(CompanionTest, RepeatsACommandUntilItIsDone) {
   EXPECT_EQ(exchange(nothing, 1, 76).command, 1u) << "another server's was done";
   EXPECT_EQ(exchange(nothing, 1).command, 0u);
   EXPECT_EQ(exchange(flip, 1).command, 2u);
+  Answer purge;
+  purge.reorientation = Reorientation::purge_reflection;
+  EXPECT_EQ(exchange(purge, 1).command_kind, std::uint32_t{REORIENT_FLIP}) << "it is about what the flip leaves over";
   Answer reset;
   reset.reorientation = Reorientation::reset_orientation;
   EXPECT_EQ(exchange(reset, 1).command, 3u) << "the newer takes the older one's place";
