@@ -244,6 +244,7 @@ bool Companion::use_newest(Observation& observation) {
   const double time = has_time ? frame.time : newest_.at - greeting_->delay;
   const std::optional<ClientClock::Moment> moment =
       clock_.advance(greeting_->client, time, pose_of(frame.odometry), newest_.at - last_arrival_);
+  last_arrival_ = newest_.at;
   if (clock_.began_anew()) {  // with another belief, and in the axes of this moment
     command_.withdraw();
     is_other_half_.reset();
@@ -253,7 +254,6 @@ bool Companion::use_newest(Observation& observation) {
     ++counts_.unusable;
     return false;
   }
-  last_arrival_ = newest_.at;
   observation.time = moment->time;
   observation.odometry = moment->odometry;
   observation.body = with_load(body_sample(frame, moment->time), frame.has);

@@ -115,7 +115,7 @@ class Companion : public Robot, private Receiver {
 
   Arrived arrived_, newest_;
   bool has_newest_ = false;
-  double last_arrival_ = 0.0;
+  double last_arrival_ = 0.0;           ///< s, on our clock, of the frame that was looked at last, of use or not
   Told told_;                           ///< of frames that were not looked at; half-time: as the GameController says it
   std::optional<Pose2> told_odometry_;  ///< the client's where the pose was told, if it made sense
   bool told_in_other_half_ = false;     ///< the axes of that pose

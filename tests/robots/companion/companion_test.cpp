@@ -412,6 +412,22 @@ TEST_F(CompanionTest, LeavesAnImageOutThatIsWrittenOver) {
   EXPECT_TRUE(observed()) << "and goes on";
 }
 
+TEST_F(CompanionTest, BelievesAClockThatWasSetBackAfterASecond) {
+  RawClient client = greeted();
+  client.send_frame(100.0, 1);
+  ASSERT_TRUE(observed());
+  std::optional<Observation> observation;
+  std::uint64_t tries = 0;
+  while (!observation && ++tries < 60) {
+    now_ += 1.0 / 30.0;
+    client.send_frame(50.0 + static_cast<double>(tries) / 30.0, 1 + tries);
+    observation = observed();
+  }
+  ASSERT_TRUE(observation);
+  EXPECT_NEAR(static_cast<double>(tries), 30.0, 1.0);
+  EXPECT_NEAR(observation->time, 1.0, 0.05) << "the engine's time has gone on meanwhile";
+}
+
 TEST_F(CompanionTest, LeavesFramesOutWhoseNumbersMakeNoSense) {
   RawClient client = greeted();
   const double nan = std::numeric_limits<double>::quiet_NaN();
