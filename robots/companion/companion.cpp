@@ -106,8 +106,9 @@ bool Companion::observe(Observation& observation) {
   // What has come while the engine was busy comes first: the newest frame is wanted, not the oldest.
   connection_.listen(0.0, *this);
   while (true) {
-    if (has_other_robot_) return false;
-    if (use_newest(observation)) return true;
+    if (has_other_robot()) return false;
+    // Who only says hello, and hangs up again, costs nobody what was learned.
+    if (!has_other_robot_ && use_newest(observation)) return true;
     if (options_.is_over && options_.is_over()) return false;
     connection_.listen(options_.patience, *this);
   }

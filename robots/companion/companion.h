@@ -47,10 +47,11 @@ class Companion : public Robot, private Receiver {
   /// knew.
   void begin(const Greeting& greeting, bool goes_on, int behaviors);
 
-  /// False: it is over, or a client has come that is another robot (has_other_robot()).
+  /// False: it is over, or a frame has come of a client that is another robot (has_other_robot()): it waits for the
+  /// engine that is made for that one.
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
-  bool has_other_robot() const { return has_other_robot_; }
+  bool has_other_robot() const { return has_other_robot_ && has_newest_; }
 
   void tell_state(std::string_view behavior, std::string_view state);
   void tell_note(NoteKind kind, std::string_view text);

@@ -4,12 +4,15 @@
 #include <chrono>
 #include <cstdlib>
 #include <future>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/program/child_program.h"
+#include "tests/robots/companion/raw_client.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
@@ -93,6 +96,51 @@ TEST_F(CompanionClient, FindsItsWayToACompanionThatComesLater) {
   const ChildProgram companion(folder_.path(), server());
   EXPECT_TRUE(companion.await("a client has come")) << companion.err();
   client.wait();
+}
+
+/// Whether it is welcomed to what was known before; nothing: its frames are not answered.
+std::optional<bool> goes_on(const std::string& socket, const reorient_hello& hello) {
+  RawClient client(socket);
+  client.introduce(hello);
+  std::optional<bool> welcomed;
+  for (int i = 1; i < 1000; ++i) {
+    client.send_frame(0.1 * i, static_cast<std::uint64_t>(i));
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    for (const RawClient::Heard& one : client.hear()) {
+      if (one.kind == REORIENT_WELCOME) welcomed = one.as<reorient_welcome>().goes_on != 0;
+      if (one.kind == REORIENT_ANSWER) return welcomed;
+    }
+  }
+  return std::nullopt;
+}
+
+TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
+  ChildProgram companion(folder_.path(), server());
+  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+  const reorient_hello one = small_hello(1);
+  reorient_hello other = small_hello(2);
+  other.body.yaw_limit = 0.5;
+  EXPECT_EQ(goes_on(socket(), one), false);
+  {
+    RawClient curious(socket());
+    curious.introduce(other);
+  }
+  EXPECT_EQ(goes_on(socket(), one), true) << "who only says hello changes nothing";
+  EXPECT_FALSE(std::filesystem::exists(socket() + ".state.other"));
+  EXPECT_EQ(goes_on(socket(), other), false);
+  EXPECT_EQ(goes_on(socket(), one), true) << companion.err();
+  EXPECT_EQ(goes_on(socket(), other), true) << companion.err();
+  companion.kill(SIGTERM);
+  companion.wait();
+  const std::string state = socket() + ".state";
+  ASSERT_TRUE(std::filesystem::exists(state));
+  if (geteuid() != 0) return;
+  // Only root can make a file that is another user's.
+  ASSERT_EQ(chown(state.c_str(), 12345, 12345), 0);
+  const ChildProgram again(folder_.path(), server());
+  ASSERT_TRUE(again.await("no client has come yet")) << again.err();
+  EXPECT_EQ(goes_on(socket(), other), false) << again.err();
+  EXPECT_TRUE(again.await("it is another user's")) << again.err();
 }
 
 TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {

@@ -80,9 +80,11 @@ class KeptCompanion : public Robot {
 
   bool observe(Observation& observation) override {
     if (any_frame_) keeper_.keep(*engine_, companion_, monotonic_clock());
-    any_frame_ = companion_.observe(observation);
-    return any_frame_;
+    const bool is_there = companion_.observe(observation);
+    any_frame_ = any_frame_ || is_there;
+    return is_there;
   }
+  bool any_frame() const { return any_frame_; }
   void answer(const Answer& answer) override { companion_.answer(answer); }
 
  private:
@@ -172,9 +174,10 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     CompanionReport report(companion);
     std::optional<ModelKeeper> model_keeper;
     if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed);
-    auto robot = std::make_unique<KeptCompanion>(companion, keeper);
+    auto owned = std::make_unique<KeptCompanion>(companion, keeper);
+    KeptCompanion* const robot = owned.get();
     robot->set_engine(*engine);
-    RobotInstance instance{std::move(robot), greeting.body, RobotInstance::Clock::real, nullptr, nullptr};
+    RobotInstance instance{std::move(owned), greeting.body, RobotInstance::Clock::real, nullptr, nullptr};
     RunParts parts{
         instance, *engine, nullptr, nullptr, {&edits, &console}, {&report, &narration.log, &narration.timeline},
         {},       0.0,     false};
@@ -187,14 +190,14 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     parts.stop = is_over;
     RunLoop(std::move(parts)).run();
     narration.progress.end();
-    keeper.finish(*engine, companion);
+    if (robot->any_frame()) keeper.finish(*engine, companion);
     recording.end(out);
     if (model_keeper) {
       model_keeper->save();
       model = model_to_begin_with(options);
     }
     engine_now = nullptr;
-    if (!companion.has_other_robot()) break;
+    if (is_over() || !companion.has_other_robot()) break;
   }
   const Companion::Counts& counts = companion.counts();
   out << fmt::format(

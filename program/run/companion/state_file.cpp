@@ -3,7 +3,12 @@
 #include <chrono>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "engine/record/digest.h"
 #include "geometry/bytes.h"
@@ -25,6 +30,19 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
   Digest digest;
   digest.add(bytes);
   return digest.value();
+}
+
+/// What is in the file becomes scripts that run, and its digest is no secret; where the folder is everybody's, as /tmp,
+/// anybody may have written it. Nothing: there is none, or it is not ours, and `why_not` says so.
+std::optional<std::string> read_own_file(const std::filesystem::path& file, std::string& why_not) {
+  const OwnedDescriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status {};
+  if (!opened || fstat(opened.get(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  if (status.st_uid != geteuid()) {
+    why_not = "it is another user's";
+    return std::nullopt;
+  }
+  return read_whole_file("/proc/self/fd/" + std::to_string(opened.get()));
 }
 
 }  // namespace
@@ -59,15 +77,29 @@ void StateKeeper::finish(const FrameLoop& engine, Companion& companion) {
 }
 
 void StateKeeper::begin_writing(const FrameLoop& engine, Companion& companion) {
+  std::error_code failed;  // then it is written over
+  if (std::exchange(is_of_another_, false)) std::filesystem::rename(file_, aside(), failed);
   writing_.start([bytes = bytes_of(engine, companion), file = file_] {
     write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   });
 }
 
-std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::string& why_not) const {
+std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::string& why_not) {
   why_not.clear();
   if (file_.empty()) return nullptr;
-  const std::optional<std::string> text = read_whole_file(file_);
+  is_of_another_ = false;
+  std::unique_ptr<FrameLoop> engine = read(file_, companion, why_not);
+  if (!is_of_another_) return engine;
+  std::string why_not_aside;
+  engine = read(aside(), companion, why_not_aside);
+  is_of_another_ = true;  // whatever lies aside
+  if (engine) why_not.clear();
+  return engine;
+}
+
+std::unique_ptr<FrameLoop> StateKeeper::read(const std::filesystem::path& file, Companion& companion,
+                                             std::string& why_not) {
+  const std::optional<std::string> text = read_own_file(file, why_not);
   if (!text) return nullptr;
   const auto bytes = std::as_bytes(std::span(*text));
   constexpr std::size_t kHeader = 2 * sizeof(std::uint64_t);
@@ -80,8 +112,9 @@ std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::strin
     std::string circumstances;
     double saved = 0.0;
     in(circumstances, saved);
-    check_bytes(circumstances == circumstances_, "it is of another robot, field, set of behaviours or of parameters");
     check_bytes(wall_clock() - saved <= kOldest && saved <= wall_clock() + kPeriod, "it is older than ten minutes");
+    is_of_another_ = circumstances != circumstances_;
+    check_bytes(!is_of_another_, "it is of another robot, field, set of behaviours or of parameters");
     std::vector<std::byte> state;
     in(state);
     auto engine = std::make_unique<FrameLoop>(state);

@@ -27,16 +27,20 @@ class StateKeeper {
   void finish(const FrameLoop& engine, Companion& companion);
 
   /// An engine that goes on, and a companion that knows it. Nothing: there is no such file, or `why_not` says in a few
-  /// words what it is instead.
-  std::unique_ptr<FrameLoop> restore(Companion& companion, std::string& why_not) const;
+  /// words what it is instead. What another robot knew is put aside with the first that is saved, as FILE.other, and
+  /// looked for there.
+  std::unique_ptr<FrameLoop> restore(Companion& companion, std::string& why_not);
 
  private:
   std::vector<std::byte> bytes_of(const FrameLoop& engine, Companion& companion) const;
+  std::filesystem::path aside() const { return file_.string() + ".other"; }
+  std::unique_ptr<FrameLoop> read(const std::filesystem::path& file, Companion& companion, std::string& why_not);
   void begin_writing(const FrameLoop& engine, Companion& companion);
 
   std::filesystem::path file_;
   std::string circumstances_;
-  double next_ = 0.0;  // s
+  bool is_of_another_ = false;  // what is in the file, and has not been put aside yet
+  double next_ = 0.0;           // s
   BackgroundWriting writing_;
 };
 

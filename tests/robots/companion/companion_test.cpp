@@ -540,7 +540,30 @@ TEST_F(CompanionTest, EndsWhereTheNextClientIsAnotherRobot) {
   hello.body.yaw_limit = 0.5;
   other.introduce(hello);
   EXPECT_FALSE(observed());
-  EXPECT_TRUE(companion_->has_other_robot());
+  EXPECT_FALSE(companion_->has_other_robot()) << "so far it has only said hello";
+  EXPECT_TRUE(other.hear().empty());
+  other.send_frame(1.0, 1);
+  EXPECT_FALSE(observed());
+  ASSERT_TRUE(companion_->has_other_robot());
+  companion_->begin(*companion_->wait_for_greeting(), false, 3);
+  EXPECT_TRUE(observed()) << "the frame has waited for its engine";
+}
+
+TEST_F(CompanionTest, GoesOnWithItsRobotAfterAnotherOneThatOnlySaidHello) {
+  RawClient client = greeted();
+  client.end();
+  {
+    RawClient other(folder_.path() / "socket");
+    reorient_hello hello = small_hello(9);
+    hello.body.yaw_limit = 0.5;
+    other.introduce(hello);
+    static_cast<void>(observed());
+  }
+  static_cast<void>(observed());
+  client = greeted();
+  client.send_frame(1.0, 1);
+  EXPECT_TRUE(observed());
+  EXPECT_FALSE(companion_->has_other_robot());
 }
 
 TEST_F(CompanionTest, TellsStatesAtFirstAndWheneverTheyChange) {
