@@ -478,6 +478,13 @@ static inline int reorient_send_memory(struct reorient_client* client, int camer
   return sendmsg(client->socket, &all, MSG_DONTWAIT | MSG_NOSIGNAL) == (ssize_t)sizeof message;
 }
 
+/* Where the socket lies in a folder that is everybody's, as /tmp, anybody may listen there. */
+static inline int reorient_is_trusted(int server) {
+  struct ucred peer;
+  socklen_t size = sizeof peer;
+  return getsockopt(server, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && (peer.uid == geteuid() || peer.uid == 0);
+}
+
 /* 1: there is a connection, new or old. One that broke is left when it breaks for the second time: between the two
  * reorient_receive() has had its chance. */
 static inline int reorient_connect(struct reorient_client* client) {
@@ -485,7 +492,8 @@ static inline int reorient_connect(struct reorient_client* client) {
   reorient_disconnect(client);
   client->socket = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (client->socket < 0) return 0;
-  if (connect(client->socket, (const struct sockaddr*)&client->address, sizeof client->address) != 0) {
+  if (connect(client->socket, (const struct sockaddr*)&client->address, sizeof client->address) != 0 ||
+      !reorient_is_trusted(client->socket)) {
     reorient_disconnect(client);
     return 0;
   }

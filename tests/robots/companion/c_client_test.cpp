@@ -4,6 +4,8 @@
 #endif
 #define REORIENT_COMPANION_CLIENT
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "robots/companion/companion.h"
 #include "robots/companion/reorient_companion.h"
@@ -175,6 +177,21 @@ TEST_F(CClient, LeavesABrokenConnectionWithTheNextFrame) {
   begin_companion();
   EXPECT_TRUE(send());
   EXPECT_TRUE(observed());
+}
+
+TEST_F(CClient, ConnectsToNobodyElsesCompanion) {
+  begin_companion();
+  EXPECT_TRUE(send());
+  reorient_disconnect(&client_);
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
+  ASSERT_EQ(chmod(folder_.path().c_str(), 0777), 0);
+  ASSERT_EQ(chmod(path().c_str(), 0777), 0);
+  companion_.reset();
+  ASSERT_EQ(seteuid(12345), 0);
+  begin_companion();
+  ASSERT_EQ(seteuid(0), 0);
+  EXPECT_FALSE(send());
+  EXPECT_LT(client_.socket, 0);
 }
 
 }  // namespace
