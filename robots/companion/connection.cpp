@@ -157,6 +157,9 @@ void Connection::read_messages(Receiver& receiver) {
         for (std::size_t i = 0; i < count; ++i) {
           int descriptor = -1;
           std::memcpy(&descriptor, CMSG_DATA(header) + i * sizeof(int), sizeof(int));
+          // It may be anything: a network's socket could keep close() waiting for whoever is at its other end.
+          const linger none{0, 0};
+          setsockopt(descriptor, SOL_SOCKET, SO_LINGER, &none, sizeof(none));
           memory_ = OwnedDescriptor(descriptor);  // the last one counts, and the others are closed
         }
       }

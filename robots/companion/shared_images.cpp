@@ -4,8 +4,10 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include "robots/companion/image_formats.h"
@@ -45,6 +47,10 @@ SharedImages::SharedImages(const OwnedDescriptor& memory, const reorient_memory&
   const int seals = fcntl(memory.get(), F_GET_SEALS);
   if (seals < 0 || (seals & F_SEAL_SHRINK) == 0)
     throw BadMessage("the memory for images is no memfd, or has no F_SEAL_SHRINK");
+  // One of huge pages has the seal as well, and where there are no more of them, to read a hole in it is a bus error.
+  struct statfs system {};
+  if (fstatfs(memory.get(), &system) != 0 || system.f_type != TMPFS_MAGIC)
+    throw BadMessage("the memory for images is no memfd of ordinary pages");
   struct stat status {};
   if (fstat(memory.get(), &status) != 0 || status.st_size < static_cast<off_t>(size_))
     throw BadMessage("the memory for images is smaller than its slots");

@@ -7,6 +7,8 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 
 #include "geometry/bytes.h"
@@ -515,6 +517,22 @@ TEST_F(CompanionTest, TakesNoMemoryThatCouldBeTakenAway) {
   EXPECT_NE(refusal_of(memory_of(3 * slot, true), {0xFFFFFFFFu, slot}).find("does not have"), std::string::npos);
   EXPECT_NE(refusal_of(OwnedDescriptor(), {0, slot}).find("without a file descriptor"), std::string::npos);
   EXPECT_NE(refusal_of(OwnedDescriptor(open("/dev/null", O_RDONLY)), {0, slot}).find("no memfd"), std::string::npos);
+  const OwnedDescriptor huge(memfd_create("huge", MFD_CLOEXEC | MFD_ALLOW_SEALING | MFD_HUGETLB));
+  if (!huge) return;  // a kernel without such pages
+  ASSERT_EQ(fcntl(huge.get(), F_ADD_SEALS, F_SEAL_SHRINK), 0);
+  EXPECT_NE(refusal_of(huge, {0, slot}).find("of ordinary pages"), std::string::npos);
+}
+
+TEST_F(CompanionTest, ClosesAForeignSocketWithoutWaitingForItsOtherEnd) {
+  RawClient client = greeted();
+  const OwnedDescriptor network(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  linger patient{1, 60};
+  ASSERT_EQ(setsockopt(network.get(), SOL_SOCKET, SO_LINGER, &patient, sizeof(patient)), 0);
+  client.send(REORIENT_FRAME, standing_frame(1, 1.0, client.paint(1)), network.get());
+  EXPECT_TRUE(observed());
+  socklen_t size = sizeof(patient);
+  ASSERT_EQ(getsockopt(network.get(), SOL_SOCKET, SO_LINGER, &patient, &size), 0);
+  EXPECT_EQ(patient.l_onoff, 0);
 }
 
 TEST_F(CompanionTest, ServesOneClientAndANewcomerOnlyWhereThatOneIsSilent) {
