@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """client.py SOCKET own|ours ROBOT [ARGUMENT...]: what client.c does, with nothing but Python's standard library (3.9 or
-later). "own": the robot has a localization of its own, particle_filter.py, and carries out Reorient's commands on it."""
+later), but a told pose is lost with its frame. "own": Reorient commands the robot's own localization, particle_filter.py."""
 import fcntl
 import mmap
 import os
