@@ -4,7 +4,7 @@
  * Structures only:            #include "reorient_companion.h"
  * The client, in one file:    #define _GNU_SOURCE  (the first line)
  *                             #define REORIENT_COMPANION_CLIENT
- *                             #include "reorient_companion.h"
+ *                             #include "reorient_companion.h"  (and link with -lm)
  *
  * Metres, radians, seconds, kilograms. x forward, y to the left, z up; in the field's frame x points towards the
  * opponents' goal and the origin is the centre. Numbers are little-endian and lie as the structures say: without gaps.
