@@ -141,26 +141,42 @@ int safe_gmatch(lua_State* L) {
   return 1;
 }
 
+/// Adds to a text that is being made. It never grows beyond what a script may make, and each part is paid for.
+void append(lua_State* L, std::string& out, std::string_view part) {
+  constexpr std::size_t kLettersPerInstruction = 16;
+  Sandbox& sandbox = Sandbox::of(L);
+  if (out.size() + part.size() > sandbox.string_length()) too_long(L);
+  sandbox.charge(static_cast<std::int64_t>(1 + part.size() / kLettersPerInstruction));
+  out += part;
+}
+
+void append_capture(lua_State* L, std::string& out, std::string_view subject, const Pattern::Capture& capture) {
+  if (capture.is_position) {
+    append(L, out, std::to_string(capture.start + 1));
+  } else {
+    append(L, out, subject.substr(capture.start, capture.length));
+  }
+}
+
 /// A replacement text with %0 ... %9 and %%.
 void expand(lua_State* L, std::string& out, std::string_view subject, std::string_view text,
             const Pattern::Match& match) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      out += text[i];
-      continue;
-    }
-    const char letter = ++i < text.size() ? text[i] : '\0';
+  while (!text.empty()) {
+    const std::size_t plain = std::min(text.find('%'), text.size());
+    append(L, out, text.substr(0, plain));
+    text.remove_prefix(plain);
+    if (text.empty()) return;
+    const char letter = text.size() > 1 ? text[1] : '\0';
     if (letter == '%') {
-      out += '%';
+      append(L, out, "%");
     } else if (letter == '0' || (letter == '1' && match.captures.empty())) {
-      out += subject.substr(match.begin, match.end - match.begin);
+      append(L, out, subject.substr(match.begin, match.end - match.begin));
     } else if (letter >= '1' && letter <= '9' && static_cast<std::size_t>(letter - '1') < match.captures.size()) {
-      push_capture(L, subject, match.captures[static_cast<std::size_t>(letter - '1')]);
-      out += text_at(L, -1);
-      lua_pop(L, 1);
+      append_capture(L, out, subject, match.captures[static_cast<std::size_t>(letter - '1')]);
     } else {
       luaL_error(L, "invalid use of '%%' in the replacement text");
     }
+    text.remove_prefix(2);
   }
 }
 
@@ -179,9 +195,9 @@ void replace(lua_State* L, std::string& out, std::string_view subject, const Pat
     lua_gettable(L, 3);
   }
   if (lua_toboolean(L, -1) == 0) {
-    out += subject.substr(match.begin, match.end - match.begin);
+    append(L, out, subject.substr(match.begin, match.end - match.begin));
   } else if (lua_isstring(L, -1) != 0) {
-    out += text_at(L, -1);
+    append(L, out, text_at(L, -1));
   } else {
     luaL_error(L, "a replacement is a text or a number, not a %s", luaL_typename(L, -1));
   }
@@ -195,7 +211,6 @@ int safe_gsub(lua_State* L) {
   const bool usable = kind == LUA_TSTRING || kind == LUA_TNUMBER || kind == LUA_TTABLE || kind == LUA_TFUNCTION;
   if (!usable) return luaL_argerror(L, 3, "a text, a table or a function expected");
   const lua_Integer most = luaL_optinteger(L, 4, static_cast<lua_Integer>(subject.size()) + 1);
-  const std::size_t longest = Sandbox::of(L).string_length();
   std::string out;
   lua_Integer count = 0;
   std::size_t at = 0;    // everything before is in `out`
@@ -209,16 +224,14 @@ int safe_gsub(lua_State* L) {
       from = at + 1;
       continue;
     }
-    out += subject.substr(at, match->begin - at);
+    append(L, out, subject.substr(at, match->begin - at));
     replace(L, out, subject, *match);
-    if (out.size() > longest) return too_long(L);
     ++count;
     at = match->end;
     from = match->end;
     if (pattern.starts_with('^')) break;
   }
-  out += subject.substr(at);
-  if (out.size() > longest) return too_long(L);
+  append(L, out, subject.substr(at));
   lua_pushlstring(L, out.data(), out.size());
   lua_pushinteger(L, count);
   return 2;

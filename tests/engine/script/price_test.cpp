@@ -1,9 +1,18 @@
 // What takes time is paid for in instructions, also where no instruction is executed: a budget of instructions is only
 // worth as much as the most expensive thing that it does not count.
+#include <sys/resource.h>
+
 #include "tests/engine/script/script_fixture.h"
 
 namespace reorient {
 namespace {
+
+/// The most memory that this program ever had, in KiB.
+long peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
 
 class Prices : public ScriptTest {
  protected:
@@ -44,6 +53,20 @@ TEST_F(Prices, InstructionsThatReadALongTextAreDearer) {
   EXPECT_LT(rounds("local text = (' '):rep(4000) .. '1'", "for i = 1, text do break end"), 500);
   EXPECT_LT(rounds("local text = (' '):rep(4000) .. '1'", "local x = math.floor(text)"), 500);
   EXPECT_GT(rounds("local text = (' '):rep(40) .. '1'", "for i = 1, text do break end"), 3000);
+}
+
+TEST_F(Prices, AReplacementIsPaidByItsPartsAlsoWhereTheyAreEmpty) {
+  EXPECT_LT(rounds("local parts = ('%1'):rep(2000)", "local _ = ('x'):gsub('x(y*)', parts)"), 30);
+  EXPECT_LT(rounds("local parts = ('%%'):rep(2000)", "local _ = ('x'):gsub('x', parts)"), 30);
+  EXPECT_GT(rounds("", "local _ = ('x'):gsub('x', '%0')"), 2000);
+}
+
+TEST_F(Prices, AReplacementThatIsTooLongIsNotMadeFirst) {
+  limits.string_length = 64 * 1024;
+  limits.instructions_per_frame = 1'000'000;
+  const long before = peak_memory();
+  rounds("local text, all = ('x'):rep(16000), ('%0'):rep(16000)", "pcall(string.gsub, text, '^.*', all)");
+  EXPECT_LT(peak_memory() - before, 64 * 1024) << "all of it would be 250 MiB";
 }
 
 TEST_F(Prices, ACallOfTheEngineIsDearerThanAnInstruction) {

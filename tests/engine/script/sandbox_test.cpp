@@ -84,6 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"PatternThatNests", "(\"a\"):rep(300):find((\"a?\"):rep(300) .. (\"a\"):rep(300))",
                "pattern too complex"},
         Attack{"ReplacementBomb", "(\"x\"):rep(4000):gsub(\"x\", \"%0%0\")", "longer than the 4096 bytes"},
+        Attack{"ReplacementBombOfOneMatch", "(\"x\"):rep(4000):gsub(\"^.*\", (\"%0\"):rep(2000))",
+               "longer than the 4096 bytes"},
         Attack{"FormatBomb", "for i = 1, 1e9 do string.format(\"%99.99f\", 1e308) end", kBudget},
         Attack{"GigabyteTable", "local t = {} for i = 1, 1e12 do t[i] = i end", ""},
         Attack{"TablesOfTables", "local t = {} while true do t = { t, {}, {}, {} } end", ""},
