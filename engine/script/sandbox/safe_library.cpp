@@ -66,6 +66,7 @@ int safe_setmetatable(lua_State* L) {
   if (lua_istable(L, 2) && has_field(L, 2, "__gc")) {
     return luaL_error(L, "a metatable cannot have __gc: finalizers are not for scripts");
   }
+  if (lua_istable(L, 2)) Sandbox::of(L).metatables().admit(L, 2);
   lua_setmetatable(L, 1);
   return 1;
 }
@@ -126,6 +127,7 @@ int safe_pairs(lua_State* L) {
   lua_settop(L, 1);
   lua_newtable(L);  // the keys in the table's own order, which hold the texts
   std::vector<Key> keys;
+  Sandbox::of(L).charge_walk();
   for (lua_pushnil(L); lua_next(L, 1) != 0;) {
     lua_pop(L, 1);
     Key key;
@@ -187,7 +189,8 @@ int paid_by_length(lua_State* L) {
 int paid_by_sorting(lua_State* L) {
   const std::int64_t length = plain_length(L);
   const auto levels = static_cast<std::int64_t>(std::bit_width(static_cast<std::uint64_t>(length)));
-  Sandbox::of(L).charge(length < (std::int64_t{1} << 40) ? length * levels : length);
+  const std::int64_t each = levels * Sandbox::of(L).price_of_instruction();  // a comparison is what an instruction does
+  Sandbox::of(L).charge(length < (std::int64_t{1} << 40) ? length * each : length);
   return call_original(L);
 }
 
@@ -346,6 +349,7 @@ void push_text(lua_State* L, int index) {
 }
 
 void open_safe_library(lua_State* L) {
+  Metatables::open(L);
   open_base(L);
   open_math(L);
   lua_setfield(L, -2, "math");

@@ -17,6 +17,9 @@ constexpr std::size_t kBytesPerInstruction = 16;
 constexpr std::int64_t kRefusalsPerBudget = 2;
 constexpr std::int64_t kPriceOfAnError = 2'000;  // unwinding the stack takes about 10 us
 constexpr std::size_t kLettersPerInstruction = 128;
+constexpr std::size_t kMetatablesPerInstruction = 8;
+constexpr std::size_t kBytesWalkedPerInstruction = 256;  // places of a table, without a look at what is in them
+constexpr std::size_t kLargestStack = 128 * 1024;        // bytes
 constexpr int kMostArguments = 250;
 constexpr int kDeepestCall = 200;
 
@@ -37,6 +40,7 @@ void push_place(lua_State* L) {
 Sandbox::Sandbox(const ScriptLimits& limits) : limits_(limits), lua_(lua_newstate(&Sandbox::allocate, this)) {
   if (lua_ == nullptr) throw std::bad_alloc();
   *static_cast<Sandbox**>(lua_getextraspace(lua_)) = this;
+  find_stack();
   open_safe_library(lua_);
 }
 
@@ -47,36 +51,58 @@ Sandbox& Sandbox::of(lua_State* L) { return **static_cast<Sandbox**>(lua_getextr
 void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
   Sandbox& sandbox = *static_cast<Sandbox*>(self);
   const std::size_t held = block == nullptr ? 0 : old_size;  // for a new block Lua passes its kind instead
+  const Block newest = std::exchange(sandbox.newest_, {});
   if (new_size == 0) {
+    // Lua moves its stack to a new block, then frees the old one.
+    if (block != nullptr && (block == sandbox.stack_.place || sandbox.finds_stack_)) sandbox.stack_ = newest;
     std::free(block);
     sandbox.memory_ -= held;
     return nullptr;
   }
   if (sandbox.confined_ && new_size > held) {
-    const std::size_t cap = static_cast<std::size_t>(sandbox.limits_.max_memory) * 1024;
     const bool is_string = block == nullptr && old_size == LUA_TSTRING;
-    const bool too_long = is_string && new_size > sandbox.string_length() + kStringHeader;
-    if (too_long || new_size > cap || sandbox.memory_ - held > cap - new_size) {
+    if (!sandbox.is_allowed(block, held, new_size, is_string)) {
       // Lua now collects all garbage and tries again, which costs far more than an instruction.
       sandbox.remaining_ -= sandbox.granted_ / kRefusalsPerBudget;
       return nullptr;
     }
     sandbox.remaining_ -= static_cast<std::int64_t>((new_size - held) / kBytesPerInstruction);
-    if (is_string) sandbox.longest_string_ = std::max(sandbox.longest_string_, new_size);
+    std::size_t& largest = is_string ? sandbox.longest_string_ : sandbox.largest_block_;
+    largest = std::max(largest, new_size);
   }
+  // Before a table gets another size, Lua counts what is in it, and asks for its block also where that stays as it is.
+  if (sandbox.confined_) sandbox.remaining_ -= static_cast<std::int64_t>(held / kBytesWalkedPerInstruction);
   void* const result = std::realloc(block, new_size);
-  if (result != nullptr) sandbox.memory_ += new_size - held;
+  if (result == nullptr) return nullptr;
+  sandbox.memory_ += new_size - held;
+  if (block == nullptr) sandbox.newest_ = {result, new_size};
   return result;
+}
+
+/// What Lua frees when it is asked for a larger stack is the old one.
+void Sandbox::find_stack() {
+  finds_stack_ = true;
+  lua_checkstack(lua_, 3 * LUA_MINSTACK);
+  finds_stack_ = false;
+}
+
+/// Whether a script may have this much for this.
+bool Sandbox::is_allowed(const void* block, std::size_t held, std::size_t new_size, bool is_string) const {
+  const std::size_t cap = static_cast<std::size_t>(limits_.max_memory) * 1024;
+  const bool too_long = is_string && new_size > string_length() + kStringHeader;
+  // Calling a table whose __call is that table again takes a place of the stack each time, and moves all before it.
+  // Lua doubles its stack, but for a few places at its end.
+  constexpr std::size_t kEnd = 256;
+  const bool is_stack = block == nullptr && new_size <= 2 * stack_.size && new_size + kEnd >= 2 * stack_.size;
+  const bool too_deep = is_stack && new_size > kLargestStack;
+  return !too_long && !too_deep && new_size <= cap && memory_ - held <= cap - new_size;
 }
 
 void Sandbox::count(lua_State* L, lua_Debug* record) {
   Sandbox& sandbox = of(L);
   if (!sandbox.exhausted_) sandbox.spent_ += kHookInterval;
   if (!sandbox.confined_) return;
-  // An instruction may compare two texts or read a number in one (as the limit of a `for`): its price grows with the
-  // longest text that the script ever made.
-  const auto per_instruction = static_cast<std::int64_t>(1 + sandbox.longest_string_ / kLettersPerInstruction);
-  sandbox.charge(kHookInterval * per_instruction);
+  sandbox.charge(kHookInterval * sandbox.price_of_instruction());
   lua_Debug outermost;
   if (lua_getstack(L, kDeepestCall, &outermost) != 0) {
     push_place(L);
@@ -89,6 +115,13 @@ void Sandbox::count(lua_State* L, lua_Debug* record) {
     luaL_error(L, "a function with more than %d arguments", kMostArguments);
   }
 }
+
+std::int64_t Sandbox::price_of_instruction() const {
+  return static_cast<std::int64_t>(1 + longest_string_ / kLettersPerInstruction +
+                                   metatables_.held() / kMetatablesPerInstruction);
+}
+
+void Sandbox::charge_walk() { charge(static_cast<std::int64_t>(largest_block_ / kBytesWalkedPerInstruction)); }
 
 void Sandbox::grant(std::int64_t instructions) {
   granted_ = instructions;
@@ -112,6 +145,7 @@ void Sandbox::owe(std::int64_t work) {
 }
 
 void Sandbox::raise_if_exhausted() {
+  owe(0);  // what allocate() took, it could not say
   if (!exhausted_) return;
   push_place(lua_);
   lua_pushfstring(lua_, "the budget of %I instructions is used up: a loop that does not end, or too much work",
@@ -166,7 +200,9 @@ std::optional<ScriptFault> Sandbox::call(int arguments, int results) {
 
 std::optional<ScriptFault> Sandbox::compile(std::string_view text, const std::string& file) {
   const bool confined = std::exchange(confined_, true);
+  const std::size_t largest_block = largest_block_;
   const int status = luaL_loadbufferx(lua_, text.data(), text.size(), ("@" + file).c_str(), "t");
+  largest_block_ = largest_block;  // the compiler's lists are no tables of the script
   confined_ = confined;
   if (status == LUA_OK) return std::nullopt;
   ScriptFault fault = take_fault();

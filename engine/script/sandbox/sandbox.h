@@ -10,6 +10,7 @@
 
 #include <lua.hpp>
 
+#include "engine/script/sandbox/metatables.h"
 #include "engine/script/sandbox/script_limits.h"
 #include "geometry/random.h"
 
@@ -56,6 +57,11 @@ class Sandbox {
 
   /// For C++ functions that a script called: pays for their work; raises a Lua error when the budget is spent.
   void charge(std::int64_t work);
+  /// Pays for a walk through a table, whose empty places nobody can count: as many as any table ever had.
+  void charge_walk();
+  /// An instruction may compare two texts, read a number in one (as the limit of a `for`), or follow a chain of
+  /// metatables: its price grows with the longest text that the script ever made, and with its metatables.
+  std::int64_t price_of_instruction() const;
   /// What may still be spent.
   std::int64_t remaining() const { return remaining_; }
   bool exhausted() const { return exhausted_; }
@@ -64,6 +70,7 @@ class Sandbox {
   /// The message handler for each lua_pcall within a script: an error takes far more time than an instruction.
   static int pay_for_error(lua_State* L);
 
+  Metatables& metatables() { return metatables_; }
   /// The dice of the script.
   Random& random() { return random_; }
 
@@ -81,6 +88,8 @@ class Sandbox {
 
  private:
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+  void find_stack();
+  bool is_allowed(const void* block, std::size_t held, std::size_t new_size, bool is_string) const;
   static void count(lua_State* L, lua_Debug* record);
   static int explain(lua_State* L);
   void owe(std::int64_t work);
@@ -91,6 +100,15 @@ class Sandbox {
   ScriptLimits limits_;
   std::size_t memory_ = 0;
   std::size_t longest_string_ = 0;  ///< bytes, that the script ever made
+  std::size_t largest_block_ = 0;   ///< bytes, of the tables that the script ever made
+  struct Block {
+    const void* place = nullptr;
+    std::size_t size = 0;
+  };
+  Block newest_;  ///< of what was asked for last; none where that was no new block
+  Block stack_;   ///< Lua's
+  bool finds_stack_ = false;
+  Metatables metatables_;
   std::int64_t granted_ = 0;
   std::int64_t remaining_ = 0;
   std::int64_t spent_ = 0;

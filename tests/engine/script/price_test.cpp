@@ -69,6 +69,36 @@ TEST_F(Prices, AReplacementThatIsTooLongIsNotMadeFirst) {
   EXPECT_LT(peak_memory() - before, 64 * 1024) << "all of it would be 250 MiB";
 }
 
+TEST_F(Prices, EachCircleOfCallsTakesAWholeBudget) {
+  EXPECT_LT(rounds("local t = {} setmetatable(t, { __call = t })", "pcall(t)"), 3);
+}
+
+TEST_F(Prices, InstructionsAreDearerTheLongerTheirChainsOfMetatablesMayBe) {
+  const std::string chain = "local t = {} for i = 1, COUNT do t = setmetatable({}, { __index = t }) end";
+  const auto of = [&](const char* count) { return std::string(chain).replace(chain.find("COUNT"), 5, count); };
+  EXPECT_LT(rounds(of("32"), "local _ = t.x"), 3000);
+  EXPECT_EQ(rounds(of("7"), "local _ = t.x"), rounds(of("0"), "local _ = t.x")) << "a few kinds of tables cost nothing";
+}
+
+TEST_F(Prices, ATableThatIsMadeForAnotherSizeIsPaidByIts) {
+  const std::string large = "local t, k = {}, 1 << 40 for i = 1, 16384 do t[i] = i end t[k] = 1";
+  EXPECT_LT(rounds(large, "k = k + 2 t[k] = 1 t[k] = nil"), 100);
+  EXPECT_GT(rounds("", "local t = {} t.a = 1 t.b = 2 t.c = 3"), 1000);
+}
+
+TEST_F(Prices, AWalkThroughATableIsPaidByItsPlacesAlsoWhereTheyAreEmpty) {
+  const std::string emptied = "local t = {} for i = 1, 16384 do t[i] = i end for i = 1, 16384 do t[i] = nil end";
+  EXPECT_LT(rounds(emptied, "pairs(t)"), 100);
+  EXPECT_GT(rounds("local t = { x = 1, y = 2 }", "pairs(t)"), 1500);
+}
+
+TEST_F(Prices, SortingLongTextsIsDearer) {
+  const std::string same = "local text, t = ('x'):rep(COUNT), {} for i = 1, 100 do t[i] = text end";
+  const auto of = [&](const char* count) { return std::string(same).replace(same.find("COUNT"), 5, count); };
+  EXPECT_LT(rounds(of("4000"), "table.sort(t)"), 4);
+  EXPECT_GT(rounds(of("40"), "table.sort(t)"), 60);
+}
+
 TEST_F(Prices, ACallOfTheEngineIsDearerThanAnInstruction) {
   load("looker", R"(local memory = keep { looks = 0 }
     behavior "looker" { update = function()

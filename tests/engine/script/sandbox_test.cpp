@@ -70,6 +70,15 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"DeepRecursionOverPcall", "local function f() return pcall(f) end error(f())", ""},
         Attack{"DeepRecursionOverMetamethods",
                "local t = {} setmetatable(t, { __index = function(_, k) return t[k + 1] end }) local _ = t[1]", ""},
+        Attack{"ChainOfCalls", "local f = type for _ = 1, 3000 do f = setmetatable({}, { __call = f }) end f()",
+               "at most 32 metatables"},
+        Attack{"ChainOfIndices", "local t = {} for _ = 1, 1900 do t = setmetatable({}, { __index = t }) end return t.x",
+               "at most 32 metatables"},
+        Attack{"ChainThatIsLinkedLater",
+               "local kinds, t = {}, {} for i = 1, 1900 do kinds[i] = {} setmetatable({}, kinds[i]) end",
+               "at most 32 metatables"},
+        Attack{"CircleOfCalls", "local t = {} setmetatable(t, { __call = t }) t()", kMemory},
+        Attack{"CircleOfIndices", "local t = {} setmetatable(t, { __index = t }) return t.x", "possible loop"},
         Attack{"StringBomb", "local s = \"x\" while true do s = s .. s end", kMemory},
         Attack{"StringRepetition", "local _ = (\"x\"):rep(1e9)", "longer than the 4096 bytes"},
         Attack{"RepetitionOfNothing", "for _ = 1, 1e9 do (\"\"):rep(1e15) end", kBudget},
@@ -209,6 +218,25 @@ TEST_F(Sandboxed, ErrorsThatAreFarApartAreForgotten) {
   ticks(30 * 12 * 8);
   EXPECT_GE(static_cast<int>(faults.size()), limits.max_errors);
   EXPECT_FALSE(status("evil").stopped);
+}
+
+/// A call of a table moves its arguments once for each place of the stack before: a million places would take minutes.
+TEST_F(Sandboxed, ACircleOfCallsEndsEarlyAlsoWhereThereIsMuchMemory) {
+  limits.max_memory = 64 * 1024;
+  load("evil", updating("local t = {} setmetatable(t, { __call = t }) t()"));
+  tick();
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].fault.message.find(kMemory), std::string::npos) << faults[0].fault.text();
+}
+
+TEST_F(Sandboxed, AMetatableThatIsMadeAnewInEachFrameDoesNotCountForEver) {
+  load("one", R"(local Point = {} Point.__index = Point
+    behavior "one" { update = function()
+      local point <const> = setmetatable({ x = 1 }, Point)
+      for i = 1, 3 do local closed <close> = setmetatable({}, { __close = function() point.x = i end }) end
+    end })");
+  ticks(300);
+  EXPECT_TRUE(faults.empty()) << faults[0].fault.text();
 }
 
 TEST_F(Sandboxed, LoadingHasABudgetToo) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/script/language/behavior_language.h"
+#include "engine/script/sandbox/metatables.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/library_reference.h"
 #include "workbench/script_tools/reference/signature.h"
@@ -150,8 +151,11 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
   }
   out << "\n`pairs` goes through numbers and then names in their order, so that each run is the same. Table functions "
          "take tables "
-         "without a\nmetatable. There are no global variables: write `local`, or `keep` for what shall survive.\n\n## "
-         "Words of tests\n"
+         "without a\nmetatable. There are no global variables: write `local`, or `keep` for what shall survive. "
+         "A script holds at most "
+      << Metatables::kMost
+      << "\nmetatables: tables of one kind share theirs.\n\n"
+         "## Words of tests\n"
          "Files `scripts/tests/*_test.lua`, run by `reorient test`.\n\n";
   write_words(out, test_words());
   std::string text = out.str();
