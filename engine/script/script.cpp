@@ -55,6 +55,8 @@ Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage
   }
   lua_pop(sandbox_.state(), 1);
   declarations_->close();
+  std::vector<std::string> left_out;
+  known_ = memory(left_out);
   places_.clear();
   is_loaded_ = true;
   texts_ = nullptr;
@@ -277,8 +279,8 @@ void Script::run_exit(Machine& machine, int state, int function) {
   }
 }
 
-std::map<std::string, KeptTable> Script::memory(std::vector<std::string>& left_out) const {
-  std::map<std::string, KeptTable> all;
+Script::Memory Script::memory(std::vector<std::string>& left_out) const {
+  Memory all;
   std::size_t bytes = static_cast<std::size_t>(limits_.max_memory) * 1024 / 2;  // the next version has to hold it too
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
@@ -289,14 +291,39 @@ std::map<std::string, KeptTable> Script::memory(std::vector<std::string>& left_o
   return all;
 }
 
-void Script::restore(const std::map<std::string, KeptTable>& memory) {
+Script::Memory Script::gone() const {
+  Memory all;
+  lua_State* const L = sandbox_.state();
+  for (const KeptMemory& kept : declarations_->memories) {
+    const auto known = known_.find(kept.name);
+    if (known == known_.end()) continue;
+    lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
+    all[kept.name] = gone_from(L, -1, known->second);
+    lua_pop(L, 1);
+  }
+  return all;
+}
+
+void Script::take_over(const Script& before, std::vector<std::string>& left_out) {
+  write(before.memory(left_out), before.gone(), KeptFor::another_version);
+}
+
+void Script::restore(const Memory& memory) {
+  Memory gone;
+  for (const auto& [name, values] : memory) gone[name] = gone_from(values, known_[name]);
+  write(memory, gone, KeptFor::same_version);
+}
+
+void Script::write(const Memory& memory, const Memory& gone, KeptFor whom) {
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
     const auto found = memory.find(kept.name);
     if (found == memory.end()) continue;
+    const auto removed = gone.find(kept.name);
     lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
-    write_kept(L, -1, found->second);
+    write_kept(L, -1, found->second, removed == gone.end() ? KeptTable() : removed->second, whom);
     lua_pop(L, 1);
+    add_kept(known_[kept.name], found->second);
   }
 }
 

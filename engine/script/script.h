@@ -52,9 +52,13 @@ class Script : public MachineCallbacks {
   /// Errors in `exit` since the frame began.
   std::vector<ScriptFault>& exit_faults() { return exit_faults_; }
 
+  using Memory = std::map<std::string, KeptTable>;
   /// The `keep` memory of all its files. `left_out` names what could not be kept.
-  std::map<std::string, KeptTable> memory(std::vector<std::string>& left_out) const;
-  void restore(const std::map<std::string, KeptTable>& memory);
+  Memory memory(std::vector<std::string>& left_out) const;
+  /// What another version kept, and removed. What is declared here alone keeps its first value.
+  void take_over(const Script& before, std::vector<std::string>& left_out);
+  /// The memory of this same version, which was just loaded: it then holds that and nothing else.
+  void restore(const Memory& memory);
 
   bool holds(Machine& machine, int state, int function) override;
   double seconds(Machine& machine, int state, const Dwell& dwell) override;
@@ -70,6 +74,8 @@ class Script : public MachineCallbacks {
   const SourceLocations& places_of(const std::string& file);
   void add_globals(const MachineDirectory& directory);
   void push_function(int function);
+  Memory gone() const;
+  void write(const Memory& memory, const Memory& gone, KeptFor whom);
 
   const ScriptTexts* texts_;  ///< while it is loaded
   ScriptTexts sources_;
@@ -82,6 +88,7 @@ class Script : public MachineCallbacks {
   Sandbox sandbox_;
   std::unique_ptr<WorldTables> world_;
   std::unique_ptr<Declarations> declarations_;
+  Memory known_;  ///< what was ever in its memory when it was loaded or took over: of that it knows what it removed
   std::uint64_t parameter_revision_ = 0;
   std::vector<ScriptFault> exit_faults_;
   int loaded_ = LUA_NOREF;  ///< table of what was required so far

@@ -71,7 +71,7 @@ std::vector<std::string> ScriptHost::swap_in(ScriptSlot& slot, std::unique_ptr<S
   std::vector<std::string> warnings = parameters_.declare_for(slot.file, script->parameters());
   if (slot.script) {
     std::vector<std::string> left_out;
-    script->restore(slot.script->memory(left_out));
+    script->take_over(*slot.script, left_out);
     for (const std::string& name : left_out) warnings.push_back("keep: '" + name + "' cannot be kept over a reload");
   }
   script->intern(names_);

@@ -73,7 +73,7 @@ void ScriptHost::restore(ScriptSlot& slot, ByteReader& in) {
 std::unique_ptr<Script> ScriptHost::restored_script(const ScriptSlot& slot, ByteReader& in) {
   ScriptLimits limits;
   ScriptTexts sources;
-  std::map<std::string, KeptTable> memory;
+  Script::Memory memory;
   in(limits, sources, memory);
   describe(limits, RangeCheck{});
   BundleHashes ignored;

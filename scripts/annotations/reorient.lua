@@ -392,7 +392,7 @@ end
 ---@return table<string, any> values
 function param(declarations) end
 
----A table of plain values that survives a reload. Local variables do not.
+---A table of plain values that survives a reload, what was removed from it included; what a new version declares besides begins as declared. Local variables do not survive.
 ---@generic T: table
 ---@param defaults T
 ---@return T memory

@@ -105,35 +105,137 @@ int type_of(const KeptValue& kept) {
   }
 }
 
+void push_plain(lua_State* L, const KeptValue& kept) {
+  if (const auto* yes = std::get_if<bool>(&kept.value)) lua_pushboolean(L, *yes ? 1 : 0);
+  if (const auto* whole = std::get_if<lua_Integer>(&kept.value)) lua_pushinteger(L, *whole);
+  if (const auto* number = std::get_if<double>(&kept.value)) lua_pushnumber(L, *number);
+  if (const auto* text = std::get_if<std::string>(&kept.value)) lua_pushlstring(L, text->data(), text->size());
+}
+
+bool is_in_list(const KeptKey& key) { return std::holds_alternative<lua_Integer>(key); }
+
+/// Whole numbers come first among the keys.
+bool has_list(const KeptTable& table) { return !table.empty() && is_in_list(table.begin()->first); }
+
+const KeptTable& table_at(const KeptTable& table, const KeptKey& key) {
+  static const KeptTable none;
+  const auto found = table.find(key);
+  const auto* const inner = found == table.end() ? nullptr : std::get_if<KeptTable>(&found->second.value);
+  return inner == nullptr ? none : *inner;
+}
+
+void remove_key(lua_State* L, int table, const KeptKey& key) {
+  push_key(L, key);
+  lua_pushnil(L);
+  lua_rawset(L, table);
+}
+
+/// The types of the elements, as bits.
+unsigned list_types(lua_State* L, int table) {
+  unsigned types = 0;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_isinteger(L, -2) != 0) types |= 1u << lua_type(L, -1);
+  }
+  return types;
+}
+
+unsigned list_types(const KeptTable& kept) {
+  unsigned types = 0;
+  for (const auto& [key, value] : kept) {
+    if (is_in_list(key)) types |= 1u << type_of(value);
+  }
+  return types;
+}
+
+/// Whether the list at `table` gives way to the kept one: not where the script now has a list of other things there.
+bool takes_list(lua_State* L, int table, const KeptTable& kept, const KeptTable& gone, KeptFor whom) {
+  if (!has_list(kept) && !has_list(gone)) return false;
+  if (whom == KeptFor::same_version) return true;
+  const unsigned before = list_types(kept);
+  const unsigned now = list_types(L, table);
+  return before == 0 || now == 0 || (before & now) != 0;
+}
+
+/// What is not in the kept list. On the way through a table its fields may be set to nil.
+void shorten_list(lua_State* L, int table, const KeptTable& kept) {
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_isinteger(L, -2) == 0) continue;
+    const KeptKey key = lua_tointeger(L, -2);
+    if (!kept.contains(key)) remove_key(L, table, key);
+  }
+}
+
+void remove_gone(lua_State* L, int table, const KeptTable& gone) {
+  for (const auto& [key, value] : gone) {
+    if (!is_in_list(key) && !std::holds_alternative<KeptTable>(value.value)) remove_key(L, table, key);
+  }
+}
+
 }  // namespace
 
 KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std::string>& left_out) {
   return Reader{L, bytes, left_out}.table(index, 0);
 }
 
-void write_kept(lua_State* L, int index, const KeptTable& kept) {
+KeptTable gone_from(lua_State* L, int index, const KeptTable& known) {
+  lua_checkstack(L, 4);
+  const int table = lua_absindex(L, index);
+  KeptTable gone;
+  for (const auto& [key, value] : known) {
+    push_key(L, key);
+    const int present = lua_rawget(L, table);
+    const auto* const inner = std::get_if<KeptTable>(&value.value);
+    if (present == LUA_TNIL) gone[key] = {true};
+    if (present == LUA_TTABLE && inner != nullptr) gone[key] = {gone_from(L, -1, *inner)};
+    lua_pop(L, 1);
+  }
+  return gone;
+}
+
+KeptTable gone_from(const KeptTable& values, const KeptTable& known) {
+  KeptTable gone;
+  for (const auto& [key, value] : known) {
+    const auto present = values.find(key);
+    const auto* const inner = std::get_if<KeptTable>(&value.value);
+    if (present == values.end()) gone[key] = {true};
+    if (present != values.end() && inner != nullptr) gone[key] = {gone_from(table_at(values, key), *inner)};
+  }
+  return gone;
+}
+
+void add_kept(KeptTable& known, const KeptTable& more) {
+  for (const auto& [key, value] : more) {
+    KeptValue& there = known.try_emplace(key, value).first->second;
+    auto* const inner = std::get_if<KeptTable>(&there.value);
+    if (inner != nullptr) add_kept(*inner, table_at(more, key));
+  }
+}
+
+void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable& gone, KeptFor whom) {
   lua_checkstack(L, 6);
   const int table = lua_absindex(L, index);
+  const bool with_list = takes_list(L, table, kept, gone, whom);
+  if (with_list) shorten_list(L, table, kept);
+  remove_gone(L, table, gone);
   for (const auto& [key, value] : kept) {
+    const bool is_taken = whom == KeptFor::same_version || (with_list && is_in_list(key));
+    if (is_in_list(key) && !with_list) continue;
     push_key(L, key);
     lua_pushvalue(L, -1);
     const int present = lua_rawget(L, table);
-    if (present != LUA_TNIL && present != type_of(value)) {
+    if (present != LUA_TNIL && present != type_of(value) && !is_taken) {
       lua_pop(L, 2);
       continue;
     }
     if (const auto* inner = std::get_if<KeptTable>(&value.value)) {
-      if (present == LUA_TNIL) {
+      if (present != LUA_TTABLE) {
         lua_pop(L, 1);
         lua_newtable(L);
       }
-      write_kept(L, -1, *inner);
+      write_kept(L, -1, *inner, table_at(gone, key), whom);
     } else {
       lua_pop(L, 1);
-      if (const auto* yes = std::get_if<bool>(&value.value)) lua_pushboolean(L, *yes ? 1 : 0);
-      if (const auto* whole = std::get_if<lua_Integer>(&value.value)) lua_pushinteger(L, *whole);
-      if (const auto* number = std::get_if<double>(&value.value)) lua_pushnumber(L, *number);
-      if (const auto* text = std::get_if<std::string>(&value.value)) lua_pushlstring(L, text->data(), text->size());
+      push_plain(L, value);
     }
     lua_rawset(L, table);
   }

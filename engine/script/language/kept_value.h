@@ -34,8 +34,20 @@ struct KeptValue {
 /// `bytes` that are left, which are reduced) is left out; the first such keys are named in `left_out`.
 KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std::string>& left_out);
 
-/// Writes kept values over the table at `index`. Where the table already has a value of another type, that one stays:
-/// the script has changed its mind about what it keeps there.
-void write_kept(lua_State* L, int index, const KeptTable& kept);
+/// Of what was known to be in the table at `index`: what is no longer there. A key that is gone has a plain value; a
+/// table that is still there holds what is gone from it.
+KeptTable gone_from(lua_State* L, int index, const KeptTable& known);
+/// The same, of a table that holds these values.
+KeptTable gone_from(const KeptTable& values, const KeptTable& known);
+
+/// Adds what is not there yet.
+void add_kept(KeptTable& known, const KeptTable& more);
+
+enum class KeptFor { another_version, same_version };
+
+/// Writes kept values over the table at `index`, and takes out of it what is gone. Where another version has a value of
+/// another type, that one stays: the script has changed its mind about what it keeps there. What has whole numbers as
+/// keys is a list, which is the kept one or the table's own, never a mixture.
+void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable& gone, KeptFor whom);
 
 }  // namespace reorient

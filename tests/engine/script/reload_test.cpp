@@ -214,6 +214,91 @@ TEST_F(ScriptReload, AKeptValueOfAnotherTypeGivesWayToTheNewDefault) {
   EXPECT_EQ(logs, std::vector<std::string>{"text5"});
 }
 
+TEST_F(ScriptReload, WhatTheScriptRemovedStaysAway) {
+  const std::string text =
+      R"(local memory = keep { todo = { "left", "right", "back" }, target = "ball", deep = { x = 1, y = 2 } }
+    behavior "b" { initial = "one", state "one" {
+      enter = function()
+        table.remove(memory.todo, 1)
+        table.remove(memory.todo, 1)
+        memory.target = nil
+        memory.deep.x = nil
+      end,
+      update = function()
+        print(table.concat(memory.todo, ","), memory.target, memory.deep.x, memory.deep.y)
+      end } })";
+  load("b", text);
+  tick();
+  edit("b", text + " ");
+  tick();
+  EXPECT_EQ(logs, (std::vector<std::string>{"back nil nil 2", "back nil nil 2"}));
+}
+
+TEST_F(ScriptReload, WhatIsNewInMemoryBeginsAsDeclared) {
+  load("b", R"(local memory = keep { todo = { "left", "right" }, deep = { x = 1 } }
+    behavior "b" { enter = function() table.remove(memory.todo) memory.deep.x = 5 memory.seen = {} end })");
+  tick();
+  edit("b", R"(local memory = keep { todo = { "one", "two", "three" }, deep = { x = 1, y = 2 }, seen = { 7 }, new = 3 }
+    behavior "b" { update = function()
+      print(table.concat(memory.todo, ","), memory.deep.x, memory.deep.y, memory.seen[1], memory.new)
+    end })");
+  tick();
+  EXPECT_EQ(logs, std::vector<std::string>{"left 5 2 7 3"});
+}
+
+TEST_F(ScriptReload, AKeptListIsTakenAsAWholeUnlessItIsOneOfOtherThings) {
+  load("b",
+       R"(local memory = keep { mixed = { "a", 2, true }, texts = { "a", "b" }, rows = { { n = 1 }, { n = 2, m = 3 } } }
+    behavior "b" { enter = function()
+      table.remove(memory.mixed, 1) table.remove(memory.texts) table.remove(memory.rows)
+    end })");
+  tick();
+  edit("b",
+       R"(local memory = keep { mixed = { "a", 2, true }, texts = { 8, 9 }, rows = { { n = 7, new = 4 }, { n = 2 } } }
+    local row = memory.rows[1]
+    behavior "b" { update = function()
+      print(memory.mixed[1], memory.mixed[2], memory.mixed[3], table.concat(memory.texts, ","), #memory.rows, row.n,
+               row.new)
+    end })");
+  tick();
+  EXPECT_EQ(logs, std::vector<std::string>{"2 true nil 8,9 1 1 4"});
+}
+
+TEST_F(ScriptReload, WhatAVersionRemovedBeforeItWasRolledBackStaysAway) {
+  const std::string good = R"(local memory = keep { a = 1 }
+    behavior "b" { initial = "one", state "one" {
+      enter = function() memory.made = 2 end, update = function() print(memory.a, memory.made, memory.b) end } })";
+  const std::string bad = R"(local memory = keep { a = 1, b = 3 }
+    behavior "b" { initial = "one", state "one" {
+      update = function() memory.a = nil memory.made = nil error("bad") end } })";
+  load("b", good);
+  tick();
+  ASSERT_TRUE(edit("b", bad).accepted);
+  ticks(limits.max_errors + 1);
+  EXPECT_EQ(faults.back().consequence, FaultRecord::Consequence::rolled_back);
+  EXPECT_EQ(logs.back(), "nil nil 3");
+}
+
+TEST_F(ScriptReload, AHostThatIsRestoredRemembersWhatWasRemoved) {
+  load("b", R"(local memory = keep { todo = { "left", "right" }, target = "ball", deep = { x = 1 }, changes = 1 }
+    local deep = memory.deep
+    behavior "b" { initial = "one", state "one" {
+      enter = function() table.remove(memory.todo, 1) memory.target = nil deep.x = 4 memory.changes = "text" end,
+      update = function() print(table.concat(memory.todo, ","), memory.target, deep.x, memory.changes) end } })");
+  tick();
+  std::vector<std::byte> bytes;
+  ByteWriter out(bytes);
+  host().save(out);
+  ParameterRegistry fresh;
+  Behaviors second(ScriptTexts(), fresh);
+  ByteReader in(bytes);
+  second.host().restore(in);
+  second.tick(world);
+  EXPECT_EQ(logs, std::vector<std::string>{"right nil 4 text"});
+  ASSERT_EQ(second.said().logs.size(), 1u);
+  EXPECT_EQ(second.said().logs[0].text, logs[0]);
+}
+
 TEST_F(ScriptReload, TwoScriptsCannotDeclareOneMachine) {
   load("b", kTwoStates);
   load("c", "behavior \"c\" {}");

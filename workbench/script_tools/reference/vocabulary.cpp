@@ -15,7 +15,8 @@ constexpr ScriptWord kLanguage[] = {
      "result is a read-only table of the present values. Their full name is the file's name, a dot, and the name.",
      {}},
     {"keep(defaults: table): table memory", "local memory = keep { flips = 0 }",
-     "A table of plain values that survives a reload. Local variables do not.",
+     "A table of plain values that survives a reload, what was removed from it included; what a new version declares "
+     "besides begins as declared. Local variables do not survive.",
      "---@generic T: table\n---@param defaults T\n---@return T memory\nfunction keep(defaults) end"},
     {"behavior(name: string): fun(body: reorient.State)",
      "behavior \"name\" { priority = 50, initial = \"watching\", common = { ... }, state \"watching\" { ... } }",
