@@ -157,8 +157,10 @@ const ScriptOutput& ScriptHost::tick(double time, std::span<const double> world)
   return output_;
 }
 
+/// A script that was stopped holds nothing; once it is repaired it stands where it stood, and holds what it held.
 void ScriptHost::append_leases(std::vector<Lease>& leases) const {
   for (const auto& slot : slots_) {
+    if (slot->stopped) continue;
     for (const ScriptSlot::Running& running : slot->machines) running.machine.append_leases(leases);
   }
 }
@@ -199,7 +201,6 @@ void ScriptHost::note_fault(ScriptSlot& slot, ScriptFault fault) {
     } else {
       record.consequence = FaultRecord::Consequence::stopped;
       slot.stopped = true;
-      for (ScriptSlot::Running& running : slot.machines) running.machine.end_leases();
     }
   }
   output_.faults.push_back(std::move(record));

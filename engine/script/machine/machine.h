@@ -74,7 +74,6 @@ class Machine {
 
   /// Holds `pause` until `state` is left.
   void lease(Pause pause, int state);
-  void end_leases() { leases_.clear(); }
   void append_leases(std::vector<Lease>& all) const;
   /// What the active states publish.
   void append_published(std::vector<NameId>& all) const;

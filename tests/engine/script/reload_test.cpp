@@ -175,6 +175,17 @@ TEST_F(ScriptReload, AStoppedScriptStartsAgainWithAGoodEdit) {
   EXPECT_EQ(state("b"), "two");
 }
 
+TEST_F(ScriptReload, AStoppedScriptThatIsRepairedHoldsAgainWhatItHeld) {
+  const std::string text = R"(behavior "b" { initial = "watching", state "watching" {
+    enter = command.pause_training, update = function() error("x") end } })";
+  load("b", text);
+  ticks(limits.max_errors);
+  EXPECT_TRUE(tick().leases.empty()) << "it is stopped";
+  EXPECT_TRUE(edit("b", edited(text, "error(\"x\")", "")).accepted);
+  ASSERT_EQ(tick().leases.size(), 1u);
+  EXPECT_EQ(state("b"), "watching");
+}
+
 TEST_F(ScriptReload, AnOverrideSurvivesAndIsClampedWhereItNoLongerFits) {
   load("b", kTwoStates);
   parameters.set("b.wait", "4", ParameterOrigin::live);
