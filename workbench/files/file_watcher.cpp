@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <sys/inotify.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "engine/script/script_texts.h"
@@ -20,8 +21,7 @@ constexpr std::uint32_t kEvents = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DE
 }  // namespace
 
 FileWatcher::FileWatcher(std::filesystem::path root, Means means) : root_(std::move(root)) {
-  if (means == Means::automatic) descriptor_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-  if (descriptor_ >= 0) watch_directories();
+  if (means == Means::automatic) begin_watching();
   if (descriptor_ >= 0 && watched_.empty()) {
     close(descriptor_);
     descriptor_ = -1;
@@ -33,14 +33,41 @@ FileWatcher::~FileWatcher() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
+std::optional<FileWatcher::Identity> FileWatcher::identity() const {
+  struct stat status {};
+  if (stat(root_.c_str(), &status) != 0) return std::nullopt;
+  return Identity{status.st_dev, status.st_ino};
+}
+
+/// Anew: of what was watched before, nothing is heard any more.
+void FileWatcher::begin_watching() {
+  if (descriptor_ >= 0) close(descriptor_);
+  descriptor_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  watched_.clear();
+  watched_root_ = identity();
+  if (descriptor_ >= 0) watch_directories();
+}
+
+/// Whether another folder stands where the root was, or one where there was none: a watch stays with the folder that it
+/// was set on, wherever that is moved.
+bool FileWatcher::follow_root() {
+  const std::optional<Identity> now = identity();
+  if (now == watched_root_ && watched_.contains(root_watch_)) return false;
+  watched_root_ = now;
+  if (!now) return false;
+  begin_watching();
+  return true;
+}
+
 /// The root and all directories below it. Watching one again is no new watch.
 void FileWatcher::watch_directories() {
   std::error_code error;
   const auto watch = [this](const std::filesystem::path& directory) {
     const int watch_id = inotify_add_watch(descriptor_, directory.c_str(), kEvents);
     if (watch_id >= 0) watched_[watch_id] = directory;
+    return watch_id;
   };
-  watch(root_);
+  root_watch_ = watch(root_);
   for (std::filesystem::recursive_directory_iterator entry(root_, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code gone;
@@ -89,11 +116,15 @@ bool FileWatcher::compare_files() {
 }
 
 bool FileWatcher::poll(double time) {
+  const bool is_due = !looked_ || time >= next_look_;
   bool changed = false;
   if (uses_inotify()) {
     changed = read_events();
-  } else if (!looked_ || time >= next_look_ || pending_) {
+    changed |= is_due && follow_root();
+  } else if (is_due || pending_) {
     changed = compare_files();
+  }
+  if (is_due) {
     looked_ = true;
     next_look_ = time + kInterval;
   }

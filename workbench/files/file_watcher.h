@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace reorient {
 
-/// Watches the directories with inotify; where that is not to be had, compares times and sizes now and then.
+/// Watches the directories with inotify; where that is not to be had, compares times and sizes now and then. Where the
+/// folder itself gives way to another, by a rename or as a symbolic link, that one is watched.
 class FileWatcher {
  public:
   enum class Means { automatic, polling };
@@ -26,9 +29,14 @@ class FileWatcher {
 
   static constexpr double kQuiet = 0.04;    ///< s
   static constexpr double kPatience = 0.1;  ///< s
-  static constexpr double kInterval = 0.2;  ///< s between two looks without inotify
+  static constexpr double kInterval = 0.2;  ///< s between two looks at the folder, and without inotify at the files
 
  private:
+  using Identity = std::pair<std::uint64_t, std::uint64_t>;  // device and inode
+
+  std::optional<Identity> identity() const;
+  void begin_watching();
+  bool follow_root();
   void watch_directories();
   bool read_events();
   bool compare_files();
@@ -37,6 +45,8 @@ class FileWatcher {
   std::filesystem::path root_;
   int descriptor_ = -1;
   std::map<int, std::filesystem::path> watched_;
+  int root_watch_ = -1;
+  std::optional<Identity> watched_root_;  ///< nothing: the folder is gone
   double first_change_ = -1.0;
   double last_change_ = -1.0;
   bool pending_ = false;

@@ -65,6 +65,49 @@ TEST_P(Watcher, NoticesAFolderThatIsReplaced) {
   EXPECT_EQ(reports(watcher), 1);
 }
 
+TEST_P(Watcher, FollowsWhereTheWholeFolderIsReplaced) {
+  folder_.write("scripts/a.lua", "1");
+  folder_.write("other/a.lua", "22");
+  const std::filesystem::path root = folder_.path() / "scripts";
+  FileWatcher watcher(root, GetParam());
+  std::filesystem::rename(root, folder_.path() / "old");
+  EXPECT_GE(reports(watcher), 1);
+  EXPECT_EQ(reports(watcher), 0) << "it is gone";
+  std::filesystem::rename(folder_.path() / "other", root);
+  EXPECT_EQ(reports(watcher), 1);
+  folder_.write("old/a.lua", "333");
+  EXPECT_EQ(reports(watcher), 0) << "that is another folder now";
+  folder_.write("scripts/a.lua", "333");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, FollowsWhereTheFolderIsDeletedAndMadeAnew) {
+  folder_.write("scripts/lib/a.lua", "1");
+  FileWatcher watcher(folder_.path() / "scripts", GetParam());
+  std::filesystem::remove_all(folder_.path() / "scripts");
+  EXPECT_GE(reports(watcher), 1);
+  folder_.write("scripts/lib/a.lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
+  folder_.write("scripts/lib/a.lua", "333");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, FollowsASymbolicLinkThatIsSwitched) {
+  folder_.write("one/a.lua", "1");
+  folder_.write("two/a.lua", "22");
+  const std::filesystem::path link = folder_.path() / "scripts";
+  const std::filesystem::path next = folder_.path() / "next";
+  std::filesystem::create_directory_symlink("one", link);
+  FileWatcher watcher(link, GetParam());
+  std::filesystem::create_directory_symlink("two", next);
+  std::filesystem::rename(next, link);
+  EXPECT_EQ(reports(watcher), 1);
+  folder_.write("one/a.lua", "333");
+  EXPECT_EQ(reports(watcher), 0);
+  folder_.write("two/a.lua", "333");
+  EXPECT_EQ(reports(watcher), 1);
+}
+
 TEST_P(Watcher, DoesNotWaitForeverForQuiet) {
   folder_.write("a.lua", "1");
   FileWatcher watcher(folder_.path(), GetParam());

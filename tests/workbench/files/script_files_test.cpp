@@ -96,5 +96,19 @@ TEST_F(ScriptFilesTest, StayWhileTheirFolderIsGone) {
   EXPECT_NE(files.texts().find("behaviors/a.lua"), nullptr);
 }
 
+TEST_F(ScriptFilesTest, AreReadAgainOnceAnotherFolderStandsThere) {
+  folder_.write("scripts/behaviors/a.lua", "old");
+  folder_.write("next/behaviors/a.lua", "new");
+  ScriptFiles files(folder_.path() / "scripts");
+  std::filesystem::rename(folder_.path() / "scripts", folder_.path() / "old");
+  double time = 0.0;
+  for (; time < 1.0; time += 0.05) EXPECT_TRUE(files.poll(time).empty());
+  std::filesystem::rename(folder_.path() / "next", folder_.path() / "scripts");
+  std::vector<ScriptEdit> edits;
+  for (; edits.empty() && time < 2.0; time += 0.05) edits = files.poll(time);
+  ASSERT_EQ(edits.size(), 1u);
+  EXPECT_EQ(edits[0].text->text, "new");
+}
+
 }  // namespace
 }  // namespace reorient
