@@ -212,6 +212,7 @@ std::string Machine::adopt(const Machine& old) {
   if (const int inner = definition_->states[active_.back()].initial; inner >= 0) descend(inner);
   not_entered_ = active_.size() - std::min(survived, old.active_.size() - old.not_entered_);
   for (std::size_t i = 0; i < before.transitions.size(); ++i) {
+    if (!old.is_active(before.transitions[i].from)) continue;  // what it says is of an earlier visit
     for (std::size_t j = 0; j < definition_->transitions.size(); ++j) {
       if (definition_->transitions[j].key == before.transitions[i].key) holding_since_[j] = old.holding_since_[i];
     }

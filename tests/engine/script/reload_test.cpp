@@ -67,6 +67,21 @@ TEST_F(ScriptReload, DwellGoesOn) {
   EXPECT_EQ(state("b"), "two");
 }
 
+TEST_F(ScriptReload, DwellOfAnEarlierVisitIsForgotten) {
+  const std::string text = R"(behavior "b" { initial = "outer",
+    state "outer" { initial = "a",
+      state "a" { { "c", when = function() return true end, lasting = 3 }, { "b", after = 1 } },
+      state "b" {}, state "c" {} } })";
+  load("b", text);
+  ticks(6 * 30);
+  EXPECT_EQ(state("b"), "outer/b");
+  edit("b", edited(edited(text, "{ \"b\", after = 1 }", "{ \"b2\", after = 9 }"), "state \"b\"", "state \"b2\""));
+  ticks(3 * 30);
+  EXPECT_EQ(state("b"), "outer/a");
+  ticks(3);
+  EXPECT_EQ(state("b"), "outer/c");
+}
+
 TEST_F(ScriptReload, AStateThatIsGoneFallsBackToItsNearestAncestor) {
   load(
       "b",
