@@ -82,6 +82,7 @@ std::vector<std::string> ScriptHost::swap_in(ScriptSlot& slot, std::unique_ptr<S
       if (before.machine.definition().name != definition.name) continue;
       const std::string warning = machines.back().machine.adopt(before.machine);
       if (!warning.empty()) warnings.push_back(warning);
+      machines.back().see_as(before);
     }
   }
   slot.machines = std::move(machines);
@@ -181,29 +182,36 @@ void ScriptHost::tick(ScriptSlot& slot, std::span<const double> world) {
   std::vector<ScriptFault> faults;
   faults.swap(slot.script->exit_faults());
   if (failure) faults.push_back(std::move(*failure));
-  for (ScriptFault& fault : faults) note_fault(slot, std::move(fault));
+  note_faults(slot, std::move(faults));
 }
 
-/// Counts the error; too many in a row end this version: the last good one takes over, or the script is stopped.
-void ScriptHost::note_fault(ScriptSlot& slot, ScriptFault fault) {
-  if (fault.file.empty()) fault.file = slot.file;  // where memory is lacking, Lua says no place
+/// All of one frame and of one version: what it did besides in the frame that ended it does not count against the
+/// version that took over.
+void ScriptHost::note_faults(ScriptSlot& slot, std::vector<ScriptFault> faults) {
+  bool has_ended = false;
+  for (ScriptFault& fault : faults) {
+    if (fault.file.empty()) fault.file = slot.file;  // where memory is lacking, Lua says no place
+    const auto consequence = has_ended ? FaultRecord::Consequence::none : count_fault(slot, fault);
+    has_ended |= consequence != FaultRecord::Consequence::none;
+    output_.faults.push_back({slot.file, std::move(fault), consequence});
+  }
+}
+
+/// Too many in a row end this version: the last good one takes over, or the script is stopped.
+FaultRecord::Consequence ScriptHost::count_fault(ScriptSlot& slot, const ScriptFault& fault) {
   if (time_ - slot.last_error_at > limits_.error_window) slot.recent_errors = 0;
   ++slot.errors;
   ++slot.recent_errors;
   slot.last_error_at = time_;
   slot.last_error = fault.text();
-  FaultRecord record{slot.file, std::move(fault), FaultRecord::Consequence::none};
-  if (slot.recent_errors >= limits_.max_errors && !slot.stopped) {
-    if (slot.last_good) {
-      record.consequence = FaultRecord::Consequence::rolled_back;
-      std::unique_ptr<Script> script = std::move(slot.last_good);
-      swap_in(slot, script);
-    } else {
-      record.consequence = FaultRecord::Consequence::stopped;
-      slot.stopped = true;
-    }
+  if (slot.recent_errors < limits_.max_errors) return FaultRecord::Consequence::none;
+  if (!slot.last_good) {
+    slot.stopped = true;
+    return FaultRecord::Consequence::stopped;
   }
-  output_.faults.push_back(std::move(record));
+  std::unique_ptr<Script> script = std::move(slot.last_good);
+  swap_in(slot, script);
+  return FaultRecord::Consequence::rolled_back;
 }
 
 bool ScriptHost::look_up(std::string_view name, MachineSight& sight) const {

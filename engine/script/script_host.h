@@ -97,7 +97,8 @@ class ScriptHost : public MachineDirectory {
   std::vector<std::string> swap_in(ScriptSlot& slot, std::unique_ptr<Script>& script);
   ReloadRecord reload(ScriptSlot& slot);
   void tick(ScriptSlot& slot, std::span<const double> world);
-  void note_fault(ScriptSlot& slot, ScriptFault fault);
+  void note_faults(ScriptSlot& slot, std::vector<ScriptFault> faults);
+  FaultRecord::Consequence count_fault(ScriptSlot& slot, const ScriptFault& fault);
   void renew_names();
   void restore(ScriptSlot& slot, ByteReader& in);
   std::unique_ptr<Script> restored_script(const ScriptSlot& slot, ByteReader& in);

@@ -18,6 +18,14 @@ struct ScriptSlot {
     Machine machine;
     std::string_view seen_state;  ///< as the frame began
     double seen_entered_at = 0.0;
+
+    /// As the version before was seen when the frame began; its texts go with it. Where its state is gone, as it is
+    /// now.
+    void see_as(const Running& before) {
+      const int same = machine.definition().find(std::string(before.seen_state));
+      seen_state = same < 0 ? machine.state() : machine.definition().states[static_cast<std::size_t>(same)].path;
+      seen_entered_at = same < 0 ? machine.entered_at() : before.seen_entered_at;
+    }
   };
 
   std::string file;

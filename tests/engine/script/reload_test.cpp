@@ -181,6 +181,39 @@ TEST_F(ScriptReload, AVersionThatFailsAgainAndAgainIsRolledBack) {
   EXPECT_EQ(logs.back(), "1three");
 }
 
+TEST_F(ScriptReload, WhatAVersionDidInItsLastFrameDoesNotCountAgainstTheOneThatTakesOver) {
+  limits.max_errors = 1;
+  const std::string good = R"(behavior "b" { initial = "one",
+    state "one" { { "two", after = 1 } }, state "two" { update = function() log.info("runs") end } })";
+  load("b", good);
+  ticks(5);
+  const std::string bad = R"(behavior "b" { initial = "one",
+    state "one" { exit = function() error("first") end, { "two", after = 0.5 } },
+    state "two" { enter = function() error("second") end } })";
+  ASSERT_TRUE(edit("b", bad).accepted);
+  ticks(20);
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].consequence, FaultRecord::Consequence::rolled_back);
+  EXPECT_EQ(faults[1].consequence, FaultRecord::Consequence::none);
+  EXPECT_FALSE(status("b").stopped);
+  ASSERT_FALSE(logs.empty());
+  EXPECT_EQ(logs.back(), "runs");
+}
+
+TEST_F(ScriptReload, OthersSeeAMachineThatIsRolledBackAsItWasWhenTheFrameBegan) {
+  const std::string good = R"(behavior "aa" { initial = "one", state "one" {} })";
+  load("aa", good);
+  load("bb", R"(behavior "bb" { update = function()
+    log.info(string.format("%s %.1f", behaviors.aa.state, behaviors.aa.time_in_state))
+  end })");
+  ticks(31);
+  ASSERT_TRUE(
+      edit("aa", edited(good, "state \"one\" {", "state \"one\" { update = function() error(\"bad\") end,")).accepted);
+  ticks(limits.max_errors);
+  ASSERT_EQ(faults.back().consequence, FaultRecord::Consequence::rolled_back);
+  EXPECT_EQ(logs.back(), "one 1.2");
+}
+
 TEST_F(ScriptReload, AStoppedScriptStartsAgainWithAGoodEdit) {
   load("b", "behavior \"b\" { update = function() error(\"x\") end }");
   ticks(limits.max_errors);
