@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "engine/script/sandbox/sandbox.h"
@@ -91,17 +92,35 @@ int safe_tostring(lua_State* L) {
 /// A key by which tables are walked through in the same order on every machine and in every run.
 struct Key {
   int type = LUA_TNIL;
-  double number = 0.0;
+  double number = 0.0;    ///< of a boolean: 0 or 1
+  lua_Integer whole = 0;  ///< of whole numbers, which a double may not tell apart
   std::string_view text;
   lua_Integer place = 0;  ///< in the table's own order
 
   bool operator<(const Key& other) const {
-    if (type != other.type) return type < other.type;
-    if (type == LUA_TNUMBER) return number < other.number;
-    if (type == LUA_TSTRING) return text < other.text;
-    return place < other.place;
+    return std::tie(type, number, whole, text) < std::tie(other.type, other.number, other.whole, other.text);
   }
 };
+
+/// The key on top of the stack.
+Key read_key(lua_State* L) {
+  Key key;
+  key.type = lua_type(L, -1);
+  if (key.type == LUA_TBOOLEAN) {
+    key.number = lua_toboolean(L, -1);
+  } else if (key.type == LUA_TNUMBER) {
+    key.number = lua_tonumber(L, -1);
+    if (lua_isinteger(L, -1) != 0) key.whole = lua_tointeger(L, -1);
+  } else if (key.type == LUA_TSTRING) {
+    std::size_t length = 0;
+    const char* const text = lua_tolstring(L, -1, &length);
+    key.text = {text, length};
+  } else {
+    luaL_error(L, "pairs finds a %s as a key, which has no order that is the same in each run; use numbers or texts",
+               luaL_typename(L, -1));
+  }
+  return key;
+}
 
 /// Upvalues: the table, its keys in order, the index of the key before.
 int next_pair(lua_State* L) {
@@ -130,15 +149,8 @@ int safe_pairs(lua_State* L) {
   Sandbox::of(L).charge_walk();
   for (lua_pushnil(L); lua_next(L, 1) != 0;) {
     lua_pop(L, 1);
-    Key key;
-    key.type = lua_type(L, -1);
+    Key key = read_key(L);
     key.place = static_cast<lua_Integer>(keys.size()) + 1;
-    if (key.type == LUA_TNUMBER) key.number = lua_tonumber(L, -1);
-    if (key.type == LUA_TSTRING) {
-      std::size_t length = 0;
-      const char* text = lua_tolstring(L, -1, &length);
-      key.text = {text, length};
-    }
     keys.push_back(key);
     lua_pushvalue(L, -1);
     lua_rawseti(L, 2, key.place);

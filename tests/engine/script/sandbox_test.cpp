@@ -338,6 +338,26 @@ TEST_F(Sandboxed, TheSameScriptRollsTheSameDiceAndWalksTablesInTheSameOrder) {
   EXPECT_TRUE(logs[0].ends_with(" table function table")) << logs[0];
 }
 
+TEST_F(Sandboxed, TablesWithKeysThatHaveNoOrderAreNotWalkedThrough) {
+  load("one", updating("local t = { [print] = 1 } for k in pairs(t) do print(k) end"));
+  load("two", R"(behavior "two" { update = function()
+    local t, line = { [{}] = 1, x = 2 }, ""
+    print(pcall(pairs, t))
+    local large = 1 << 60
+    for k in pairs { [true] = 1, [false] = 1, [large + 1] = 1, [large] = 1, [1.5] = 1, [-1] = 1, x = 1 } do
+      line = line .. (math.type(k) == "integer" and k > large - 1 and "large+" .. k - large or tostring(k)) .. " "
+    end
+    print(line)
+  end })");
+  tick();
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].fault.message.find("a function as a key"), std::string::npos) << faults[0].fault.text();
+  ASSERT_EQ(logs.size(), 2u);
+  EXPECT_TRUE(logs[0].starts_with("false ")) << logs[0];
+  EXPECT_NE(logs[0].find("a table as a key"), std::string::npos) << logs[0];
+  EXPECT_EQ(logs[1], "false true -1 1.5 large+0 large+1 x ");
+}
+
 TEST_F(Sandboxed, TheMemoryOfAScriptThatMakesGarbageStaysBounded) {
   load("one", updating("local t = {} for i = 1, 100 do t[i] = { i, tostring(i) } end"));
   ticks(2000);

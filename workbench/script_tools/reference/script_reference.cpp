@@ -149,9 +149,9 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
     for (const std::string& name : names_in(row)) out << " " << name;
     out << "\n";
   }
-  out << "\n`pairs` goes through numbers and then names in their order, so that each run is the same. Table functions "
-         "take tables "
-         "without a\nmetatable. There are no global variables: write `local`, or `keep` for what shall survive. "
+  out << "\n`pairs` goes through numbers and then names in their order, so that each run is the same; other keys than "
+         "numbers, texts and\nbooleans it refuses. Table functions take tables without a metatable. There are no "
+         "global variables: write `local`, or `keep` for what shall survive. "
          "A script holds at most "
       << Metatables::kMost
       << "\nmetatables: tables of one kind share theirs.\n\n"
