@@ -78,6 +78,24 @@ TEST(PageTables, SayHowTheirResultsWereMade) {
       << made;
 }
 
+TEST(PageTables, KeepTheEndsOfThePagesLines) {
+  const std::string page = "Words.\r\n<!-- rows t.json: trials -->\r\nold\r\n<!-- end of rows -->\r\nNo end of this";
+  EXPECT_EQ(filled(page),
+            "Words.\r\n<!-- rows t.json: trials -->\r\n| trials |\r\n|---|\r\n| 100 |\r\n| 100 |\r\n"
+            "<!-- end of rows -->\r\nNo end of this");
+}
+
+TEST(PageTables, LeaveAFileAloneThatAsksForNone) {
+  for (const char* const text : {"", "no page", "a page\n\nof words\n", "RRmModel\r\n"})
+    EXPECT_TRUE(mistake(text).starts_with("no `<!-- rows … -->` comment in it")) << text;
+  const TemporaryFolder folder;
+  const std::string file = folder.write("hall.model", "learned").string();
+  const ProgramRun run = run_reorient({"experiment", "tables", file});
+  EXPECT_EQ(run.code, kBadInput);
+  EXPECT_NE(run.err.find(file + ": no `<!-- rows"), std::string::npos) << run.err;
+  EXPECT_EQ(read_text(file), "learned");
+}
+
 TEST(PageTables, NameTheLineOfAMistake) {
   const std::string end = "\n<!-- end of rows -->\n";
   EXPECT_EQ(mistake("\n<!-- rows t.json: trails -->" + end), "line 2: a row has no 'trails' (did you mean 'trials'?)");

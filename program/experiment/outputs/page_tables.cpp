@@ -1,7 +1,6 @@
 #include "program/experiment/outputs/page_tables.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -158,15 +157,34 @@ std::string origin_of(const std::string& text, const std::string& file) {
   return line + "\n";
 }
 
+/// Of a page, and what ends it: on some systems two letters, in the last line perhaps nothing.
+struct PageLine {
+  std::string_view text, end;
+};
+
+PageLine take_line(std::string_view& rest) {
+  const std::string_view line = rest.substr(0, std::min(rest.size(), rest.find('\n')) + 1);
+  rest.remove_prefix(line.size());
+  const std::size_t length = line.find_last_not_of("\r\n") + 1;  // 0 where there is nothing else
+  return {line.substr(0, length), line.substr(length)};
+}
+
+std::string with_line_ends(const std::string& text, std::string_view end) {
+  std::string ended;
+  for (const char letter : text) ended += letter == '\n' ? end : std::string_view(&letter, 1);
+  return ended;
+}
+
 }  // namespace
 
 std::string with_tables(std::string_view page,
                         const std::function<std::string(const std::filesystem::path& file)>& read) {
-  std::istringstream in{std::string(page)};
   std::string made;
+  bool has_wish = false;
   int open = 0;  // line of the comment that began the table; 0: none did
   int number = 0;
-  for (std::string line; std::getline(in, line);) {
+  while (!page.empty()) {
+    const auto [line, line_end] = take_line(page);
     ++number;
     if (line == kEnd) {
       if (open == 0) throw std::runtime_error(fmt::format("line {}: no rows begin before this end", number));
@@ -174,21 +192,25 @@ std::string with_tables(std::string_view page,
     } else if (open > 0 && !line.starts_with(kBegin)) {
       continue;  // what stood there before
     }
-    made.append(line).append("\n");
+    made.append(line).append(line_end);
     if (!line.starts_with(kBegin)) continue;
     if (open > 0) throw std::runtime_error(fmt::format("line {}: the rows from line {} on do not end", number, open));
     open = number;
+    has_wish = true;
     try {
       const TableWish wish = wish_of(line);
       const std::filesystem::path file = wish.file;
-      made += table_of(wish, parsed(read(file), wish.file));
       const std::filesystem::path run = std::filesystem::path(file).replace_extension(".run.json");
-      made += origin_of(read(run), run.string());
+      const std::string table = table_of(wish, parsed(read(file), wish.file)) + origin_of(read(run), run.string());
+      made += with_line_ends(table, line_end);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(fmt::format("line {}: {}", number, error.what()));
     }
   }
   if (open > 0) throw std::runtime_error(fmt::format("line {}: these rows do not end; add {}", open, kEnd));
+  // Whatever it is, it is not to be written.
+  if (!has_wish)
+    throw std::runtime_error("no `<!-- rows … -->` comment in it; docs/experiments.md says how to write one");
   return made;
 }
 
