@@ -57,11 +57,8 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   } else {
     out << fmt::format("of another format than this program replays, which is {}: to be looked at, not made again\n",
                        kRecordingFormat);
-    first = 0.0;
-    for (const mcap::ChunkPlace& chunk : contents.chunks) {
-      if (&chunk == &contents.chunks.front()) first = 1e-9 * static_cast<double>(chunk.start_time);
-      last = std::max(last, 1e-9 * static_cast<double>(chunk.end_time));
-    }
+    first = recording.begin_time();
+    last = recording.end_time();
   }
   const double seconds = last - first;
   out << fmt::format("{:<24} {:>9} {:>8} {:>10}\n", "topic", "messages", "Hz", "MB");

@@ -192,6 +192,21 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereTheDiskIsFullAndGoesOn) {
   EXPECT_EQ(replayed.err, "") << "it is whole";
 }
 
+TEST_F(RunThatIsRecorded, IsReadWholeWhateverBitOfItsHeadIsDamaged) {
+  run_shortly({"--record", file("run.mcap")});
+  const std::string whole = read_text(file("run.mcap"));
+  for (std::size_t place = 8; place < 700; place += 3) {
+    std::string damaged = whole;
+    damaged[place] = static_cast<char>(damaged[place] ^ 4);
+    folder_.write("damaged.mcap", damaged);
+    const ProgramRun recovered =
+        run_reorient({"recording", "recover", file("damaged.mcap"), "--out", file("whole.mcap")});
+    if (recovered.err.find("it is of format") != std::string::npos) continue;  // the number itself
+    ASSERT_EQ(recovered.code, 0) << place << recovered.err;
+    EXPECT_NE(recovered.out.find(": 91 frames, 0.00 to 3.00 s"), std::string::npos) << place << recovered.out;
+  }
+}
+
 TEST_F(RunThatIsRecorded, IsRefusedWithOneLineWhatMakesNoSense) {
   const std::string text = folder_.write("text.mcap", "this is none").string();
   run_shortly({"--record", file("run.mcap")});

@@ -12,11 +12,13 @@
 namespace reorient {
 namespace {
 
-std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic) {
-  const mcap::Channel* const channel = contents.channel(topic);
-  if (channel == nullptr)
-    throw std::runtime_error("no frames of ours are in it; name a file that 'reorient run --record FILE' has written");
-  return channel->id;
+std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic, const std::string& file) {
+  if (const mcap::Channel* const channel = contents.channel(topic)) return channel->id;
+  if (contents.damage)
+    throw std::runtime_error(file +
+                             ": it is damaged, and no frames of ours are found in it: " + contents.damage->what());
+  throw std::runtime_error(file +
+                           ": no frames of ours are in it; name a file that 'reorient run --record FILE' has written");
 }
 
 std::vector<std::byte> copy_of(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
@@ -32,25 +34,45 @@ std::span<const std::byte> own_bytes(const mcap::Message& message) {
 
 }  // namespace
 
-Recording::Recording(const std::filesystem::path& file) try : Recording(std::make_unique<mcap::FileSource>(file)) {
-  name_ = file.string();
+Recording::Recording(const std::filesystem::path& file) try
+    : Recording(std::make_unique<mcap::FileSource>(file), file.string()) {
 } catch (const mcap::Damage& damage) {
   throw std::runtime_error(file.string() + ": " + damage.what() + "; name a recording");
 }
 
-Recording::Recording(std::unique_ptr<mcap::Source> source)
-    : source_(std::move(source)), contents_(mcap::read_contents(*source_)) {
+Recording::Recording(std::unique_ptr<mcap::Source> source, std::string name)
+    : source_(std::move(source)), contents_(mcap::read_contents(*source_)), name_(std::move(name)) {
   if (contents_.damage) damages_.emplace_back(contents_.damage->what());
   for (const mcap::Metadata& metadata : contents_.metadata) {
     if (metadata.name == "reorient") about_ = metadata.texts;
   }
-  if (const auto told = about_.find(std::string(kFormat)); told != about_.end())
-    std::from_chars(told->second.data(), told->second.data() + told->second.size(), format_);
-  frames_ = channel_of(contents_, kFrameTopic);
-  states_ = channel_of(contents_, kStateTopic);
+  read_format();
+  frames_ = channel_of(contents_, kFrameTopic, name_);
+  states_ = channel_of(contents_, kStateTopic, name_);
   for (std::size_t camera = 0; camera < images_.size(); ++camera)
-    images_[camera] = channel_of(contents_, kImageTopics[camera]);
+    images_[camera] = channel_of(contents_, kImageTopics[camera], name_);
   find_view_topics();
+}
+
+/// Every writer of ours has told it: where it is missing, what told it is damaged, and each frame tells by itself what
+/// its bytes mean.
+void Recording::read_format() {
+  const auto found = about_.find(std::string(kFormat));
+  const std::string told = found == about_.end() ? "" : found->second;
+  const auto [end, error] = std::from_chars(told.data(), told.data() + told.size(), format_);
+  if (error == std::errc() && end == told.data() + told.size()) return;
+  format_ = kRecordingFormat;
+  damages_.emplace_back("at its beginning: what it says of its format");
+}
+
+double Recording::begin_time() const {
+  return contents_.chunks.empty() ? 0.0 : 1e-9 * static_cast<double>(contents_.chunks.front().start_time);
+}
+
+double Recording::end_time() const {
+  std::uint64_t end = 0;
+  for (const mcap::ChunkPlace& chunk : contents_.chunks) end = std::max(end, chunk.end_time);
+  return 1e-9 * static_cast<double>(end);
 }
 
 void Recording::find_view_topics() {

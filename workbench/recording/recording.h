@@ -31,14 +31,19 @@ class Recording {
  public:
   /// Throws std::runtime_error with one line: it cannot be read, or is no recording of ours.
   explicit Recording(const std::filesystem::path& file);
-  explicit Recording(std::unique_ptr<mcap::Source> source);
+  /// `name`: for messages.
+  explicit Recording(std::unique_ptr<mcap::Source> source, std::string name = "the recording");
 
   const mcap::Contents& contents() const { return contents_; }
   const mcap::Source& source() const { return *source_; }
   /// What was said of the run: "scenario", "seed", "version".
   const mcap::Texts& about() const { return about_; }
 
-  /// kRecordingFormat of the program that wrote it; 0: from before there were numbers.
+  /// s of the robot: of its first and last message.
+  double begin_time() const;
+  double end_time() const;
+
+  /// kRecordingFormat of the program that wrote it.
   int format() const { return format_; }
   /// Throws std::runtime_error with one line: what decides is of another format, and only to be counted.
   void require_this_format() const;
@@ -65,6 +70,7 @@ class Recording {
   const std::vector<std::string>& damages() const { return damages_; }
 
  private:
+  void read_format();
   void find_view_topics();
   void drop_pending();
   bool next_message(mcap::Message& message);
@@ -73,8 +79,8 @@ class Recording {
   std::unique_ptr<mcap::Source> source_;
   mcap::Contents contents_;
   mcap::Texts about_;
-  std::string name_ = "the recording";  // for messages
-  int format_ = 0;
+  std::string name_;  // for messages
+  int format_ = kRecordingFormat;
   std::uint16_t frames_ = 0, states_ = 0;  // channels
   std::array<std::uint16_t, 2> images_{};
   std::vector<ViewTopic> view_topics_;

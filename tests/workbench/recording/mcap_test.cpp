@@ -100,6 +100,26 @@ TEST_F(McapFile, IsReadAsItWasWritten) {
   EXPECT_EQ(damages, 0);
 }
 
+TEST_F(McapFile, IsBelievedAtItsEndWhereItsBeginningIsDamaged) {
+  const std::size_t first_chunk = read_contents(MemorySource(file_)).chunks.at(0).where;
+  for (std::size_t place = 8; place < first_chunk; ++place) {
+    Bytes damaged = file_;
+    damaged[place] ^= std::byte{4};
+    const MemorySource source(damaged);
+    const Contents contents = read_contents(source);
+    ASSERT_NE(contents.channel("/things"), nullptr) << place;
+    ASSERT_NE(contents.channel("/bytes"), nullptr) << place;
+    ASSERT_EQ(contents.schemas.size(), 1u) << place;
+    EXPECT_EQ(contents.schemas[0].name, "Thing") << place;
+    EXPECT_TRUE(std::any_of(contents.metadata.begin(), contents.metadata.end(),
+                            [](const Metadata& one) { return one.name == "run"; }) ||
+                contents.damage)
+        << place;
+    int damages = 0;
+    EXPECT_EQ(read(source, contents, damages), written_) << place;
+  }
+}
+
 TEST_F(McapFile, ThatWasCutAnywhereGivesAllWholeChunksAndSaysWhereItEnds) {
   for (std::size_t size = 0; size < file_.size(); size += 1 + size / 97) {
     const MemorySource source(std::span<const std::byte>(file_).first(size));

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "geometry/bytes.h"
+#include "workbench/recording/mcap/checksum.h"
 
 namespace reorient::mcap {
 namespace {
@@ -148,15 +150,17 @@ AttachmentPlace read_attachment_head(const RecordHead& head, std::span<const std
 
 constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of a chunk's or an attachment's head, names included
 
-/// By number. A writer may say again what it has said.
+/// What was met, and at which byte. A writer may say again what it has said.
 struct Known {
-  std::set<std::uint16_t> schemas, channels;
+  std::map<std::uint16_t, std::uint64_t> schemas, channels;  // by number
+  std::map<std::uint64_t, std::size_t> metadata;             // by byte, its place in the list
 };
 
 template <typename Record>
-void add_new(std::vector<Record>& all, std::set<std::uint16_t>& known, Record record) {
+void add_new(std::vector<Record>& all, std::map<std::uint16_t, std::uint64_t>& known, Record record,
+             std::uint64_t where) {
   constexpr std::size_t kMost = 4096;  // all of them are gone through again and again
-  if (!known.insert(record.id).second) return;
+  if (!known.emplace(record.id, where).second) return;
   check_bytes(all.size() < kMost, "it has more topics or schemas than any recording");
   all.push_back(std::move(record));
 }
@@ -172,13 +176,14 @@ bool read_record(const Walk& walk, const RecordHead& head, Known& known, Content
       return true;
     }
     case Opcode::schema:
-      add_new(contents.schemas, known.schemas, read_schema(ByteReader(walk.content_of(head))));
+      add_new(contents.schemas, known.schemas, read_schema(ByteReader(walk.content_of(head))), head.where);
       return true;
     case Opcode::channel:
-      add_new(contents.channels, known.channels, read_channel(ByteReader(walk.content_of(head))));
+      add_new(contents.channels, known.channels, read_channel(ByteReader(walk.content_of(head))), head.where);
       return true;
     case Opcode::metadata:
       contents.metadata.push_back(read_metadata(ByteReader(walk.content_of(head))));
+      known.metadata.emplace(head.where, contents.metadata.size() - 1);
       return true;
     case Opcode::chunk:
       contents.chunks.push_back(read_chunk_head(head, walk.content_of(head, kMostBeforeData)));
@@ -204,18 +209,41 @@ std::uint64_t read_chunk_index(ByteReader in) {
   return where;
 }
 
-/// A chunk that the summary names and nobody came by: a damage hid it.
-void read_hidden_chunk(const Walk& walk, std::uint64_t where, Known& known, Contents& contents) {
+/// A record that the summary names and nobody came by: a damage hid it.
+void read_hidden(const Walk& walk, std::uint64_t where, Opcode opcode, Known& known, Contents& contents) {
   try {
     walk.each_from(where, [&](const RecordHead& head) {
-      if (static_cast<Opcode>(head.opcode) != Opcode::chunk)
-        throw Damage(where, "here is no chunk, although the summary names one");
+      if (static_cast<Opcode>(head.opcode) != opcode)
+        throw Damage(where, "here is no such record as the summary names");
       read_record(walk, head, known, contents);
       return false;
     });
   } catch (const Damage& damage) {
     tell(damage, contents);
   }
+}
+
+/// Where the summary, which has a checksum, says them again, it is believed: what is otherwise in the data is damaged.
+template <typename Record>
+void keep_said_twice(const std::vector<Record>& in_data, const std::map<std::uint16_t, std::uint64_t>& places,
+                     std::vector<Record>& in_summary, Contents& contents) {
+  if (in_summary.empty()) in_summary = in_data;  // whoever wrote it does not say them again
+  for (const Record& record : in_data) {
+    if (std::find(in_summary.begin(), in_summary.end(), record) == in_summary.end())
+      tell(Damage(places.at(record.id), "a topic or schema is not what the summary says of it"), contents);
+  }
+}
+
+/// Of metadata the summary says where they are and how they are called.
+void take_metadata(const Walk& walk, ByteReader in, bool is_sound, Known& known, Contents& contents) {
+  std::uint64_t where = 0, length = 0;
+  std::string name;
+  in(where, length, name);
+  if (!known.metadata.contains(where)) read_hidden(walk, where, Opcode::metadata, known, contents);
+  const auto found = known.metadata.find(where);
+  if (!is_sound || found == known.metadata.end() || contents.metadata[found->second].name == name) return;
+  tell(Damage(where, "metadata are not called as the summary says"), contents);
+  contents.metadata[found->second].name = name;
 }
 
 /// Behind the last record.
@@ -227,8 +255,31 @@ void read_end(const Source& source, std::uint64_t where) {
     throw Damage(where, "what comes last is not what ends an MCAP file");
 }
 
+constexpr std::uint64_t kFooter = kRecordHead + 2 * sizeof(std::uint64_t) + sizeof(std::uint32_t);
+
+/// Whether its checksum, the last thing before the file's end, is there and right.
+bool is_sound(const Source& source, std::uint64_t summary) {
+  std::uint32_t crc = 0;
+  const std::uint64_t end = source.size() - kMagic.size() - sizeof(crc);
+  if (source.size() < summary + kFooter + kMagic.size() || end - summary > kLargestChunk) return false;
+  std::vector<std::byte> bytes(static_cast<std::size_t>(end - summary) + sizeof(crc));
+  source.read(summary, bytes);
+  ByteReader{std::span(bytes).last(sizeof(crc))}(crc);
+  return crc != 0 && crc == crc_of(0, std::span(bytes).first(bytes.size() - sizeof(crc)));
+}
+
 /// What is told behind the data. It names again what is in them: so what comes behind a damage is found all the same.
 void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Known& known, Contents& contents) {
+  const bool sound = is_sound(source, from);
+  const Known in_data = known;
+  const std::vector<Schema> schemas = contents.schemas;
+  const std::vector<Channel> channels = contents.channels;
+  if (sound) {
+    known.schemas.clear();
+    known.channels.clear();
+    contents.schemas.clear();
+    contents.channels.clear();
+  }
   std::set<std::uint64_t> listed;
   for (const ChunkPlace& place : contents.chunks) listed.insert(place.where);
   const std::uint64_t end = walk.each_from(from, [&](const RecordHead& head) {
@@ -242,22 +293,28 @@ void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Kn
       case Opcode::chunk_index: {
         const std::uint64_t chunk = read_chunk_index(ByteReader(walk.content_of(head)));
         check_bytes(chunk < from, "the summary names a chunk behind the data");
-        if (listed.insert(chunk).second) read_hidden_chunk(walk, chunk, known, contents);
+        if (listed.insert(chunk).second) read_hidden(walk, chunk, Opcode::chunk, known, contents);
         return true;
       }
+      case Opcode::metadata_index:
+        take_metadata(walk, ByteReader(walk.content_of(head)), sound, known, contents);
+        return true;
       case Opcode::footer:
         return false;
       default:
         return true;
     }
   });
+  if (sound) {
+    keep_said_twice(schemas, in_data.schemas, contents.schemas, contents);
+    keep_said_twice(channels, in_data.channels, contents.channels, contents);
+  }
   read_end(source, end);
   contents.is_complete = true;
 }
 
 /// Where the summary begins, as the last record says; 0: nowhere.
 std::uint64_t summary_of(const Walk& walk, const Source& source) {
-  constexpr std::uint64_t kFooter = kRecordHead + 2 * sizeof(std::uint64_t) + sizeof(std::uint32_t);
   if (source.size() < kFooter + 2 * kMagic.size()) return 0;
   const std::uint64_t footer = source.size() - kMagic.size() - kFooter;
   const RecordHead head = walk.head_at(footer);
@@ -296,12 +353,16 @@ const Channel* Contents::channel(std::string_view topic) const {
   return it == channels.end() ? nullptr : &*it;
 }
 
-Contents read_contents(const Source& source) {
+bool is_mcap(const Source& source) {
   std::array<std::byte, kMagic.size()> magic{};
-  if (source.size() < magic.size()) throw Damage(0, "it is too short to be an MCAP file");
+  if (source.size() < magic.size()) return false;
   source.read(0, magic);
-  if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
-    throw Damage(0, "it does not begin as an MCAP file does");
+  return std::memcmp(magic.data(), kMagic.data(), kMagic.size()) == 0;
+}
+
+Contents read_contents(const Source& source) {
+  if (source.size() < kMagic.size()) throw Damage(0, "it is too short to be an MCAP file");
+  if (!is_mcap(source)) throw Damage(0, "it does not begin as an MCAP file does");
   Contents contents;
   Known known;
   const Walk walk(source);

@@ -56,6 +56,8 @@ struct Contents {
   const Channel* channel(std::string_view topic) const;
 };
 
+/// Whether it begins as one.
+bool is_mcap(const Source& source);
 /// Throws Damage where it is no MCAP file at all.
 Contents read_contents(const Source& source);
 

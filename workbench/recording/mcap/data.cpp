@@ -4,19 +4,12 @@
 #include <string>
 #include <utility>
 
-#include <zlib.h>
 #include <zstd.h>
 
 #include "geometry/bytes.h"
+#include "workbench/recording/mcap/checksum.h"
 
 namespace reorient::mcap {
-namespace {
-
-std::uint32_t crc_of(std::span<const std::byte> bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
-
-}  // namespace
 
 ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : where_(place.where) {
   std::vector<std::byte> stored(static_cast<std::size_t>(place.data_size));
@@ -47,7 +40,7 @@ ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : wh
     throw Damage(
         where_, "a chunk holds " + std::to_string(records_.size()) + " bytes instead of " + std::to_string(place.size));
   }
-  if (place.crc != 0 && crc_of(records_) != place.crc) throw Damage(where_, "a chunk's checksum is another one");
+  if (place.crc != 0 && crc_of(0, records_) != place.crc) throw Damage(where_, "a chunk's checksum is another one");
 }
 
 bool ChunkMessages::next(Message& message) {
@@ -82,7 +75,7 @@ std::vector<std::byte> read_attachment(const Source& source, const AttachmentPla
   std::uint32_t crc = 0;
   ByteReader{std::span(content).last(kCrc)}(crc);
   content.resize(content.size() - kCrc);
-  if (crc != 0 && crc != crc_of(content)) throw Damage(place.where, "an attachment's checksum is another one");
+  if (crc != 0 && crc != crc_of(0, content)) throw Damage(place.where, "an attachment's checksum is another one");
   content.erase(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(place.data - begin));
   return content;
 }

@@ -40,6 +40,8 @@ struct Schema {
   std::string name;
   std::string encoding;  ///< "jsonschema"
   std::string text;
+
+  bool operator==(const Schema&) const = default;
 };
 
 struct Channel {
@@ -48,6 +50,8 @@ struct Channel {
   std::string topic;
   std::string encoding;  ///< of its messages: "json"
   Texts metadata;
+
+  bool operator==(const Channel&) const = default;
 };
 
 /// Of a whole file.

@@ -4,20 +4,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include <zlib.h>
 #include <zstd.h>
 
 #include "geometry/bytes.h"
+#include "workbench/recording/mcap/checksum.h"
 
 namespace reorient::mcap {
 namespace {
 
 constexpr int kLevel = 1;  // of zstd: images hardly shrink further, and a robot has better to do
-
-std::uint32_t crc_of(std::uint32_t before, std::span<const std::byte> bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(before, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
 
 void append(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
   out.insert(out.end(), bytes.begin(), bytes.end());

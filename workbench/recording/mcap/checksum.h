@@ -1,0 +1,18 @@
+// The checksum of MCAP's records: CRC-32, as zlib has it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <zlib.h>
+
+namespace reorient::mcap {
+
+/// Of what `so_far` is of, and of these bytes behind it; 0: of nothing yet.
+inline std::uint32_t crc_of(std::uint32_t so_far, std::span<const std::byte> bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(so_far, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace reorient::mcap
