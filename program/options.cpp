@@ -86,13 +86,23 @@ std::string check_not_empty(const std::string& text) {
   return text.empty() ? "is empty; give it a value or leave it out" : "";
 }
 
-std::string check_seconds(const std::string& text) {
-  constexpr double kLeast = 0.1, kMost = 86400.0;
-  double seconds = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+namespace {
+
+bool is_number(const std::string& text, double least, double most) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (whole && seconds >= kLeast && seconds <= kMost) return {};
-  return "'" + text + "' is not a number from 0.1 to 86400";
+  return whole && number >= least && number <= most;
+}
+
+}  // namespace
+
+std::string check_seconds(const std::string& text) {
+  return is_number(text, 0.1, 86400.0) ? "" : "'" + text + "' is not a number from 0.1 to 86400";
+}
+
+std::string check_moment(const std::string& text) {
+  return is_number(text, 0.0, 1e9) ? "" : "'" + text + "' is not a number of seconds from 0 on";
 }
 
 }  // namespace reorient

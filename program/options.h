@@ -33,5 +33,7 @@ std::string check_seed(const std::string& text);
 /// An empty word is rather a variable of the shell without a value than a wish for the default.
 std::string check_not_empty(const std::string& text);
 std::string check_seconds(const std::string& text);
+/// A time of a robot that has been on for a while.
+std::string check_moment(const std::string& text);
 
 }  // namespace reorient

@@ -1,6 +1,5 @@
 // `reorient record-test`: a part of a recording becomes a scripted test.
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "program/options.h"
 #include "program/program.h"
 #include "program/recording/damages.h"
+#include "program/recording/recorded_times.h"
 #include "program/script_names.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
@@ -26,7 +26,7 @@ namespace {
 struct RecordTestOptions {
   std::filesystem::path file, scripts;
   std::string name;
-  double from = 0.0, to = std::numeric_limits<double>::infinity();  // s of the robot
+  RecordedTimes times;
 };
 
 std::string in_lua(std::string_view text) {
@@ -76,12 +76,12 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
     if (std::filesystem::exists(file))
       throw std::runtime_error(file.string() + " is there already; choose another name: --name NAME");
   }
+  Recording recording(options.file);
+  require_recorded(recording, options.times);
   std::error_code error;
   std::filesystem::create_directories(part.parent_path(), error);
   if (error) throw std::runtime_error("cannot make the folder " + part.parent_path().string() + ": " + error.message());
-
-  Recording recording(options.file);
-  const Rewritten done = cut_recording(recording, options.from, options.to, part, Views::left_out);
+  const Rewritten done = cut_recording(recording, options.times.from, options.times.to, part, Views::left_out);
   tell_damages(recording, err);
   write_whole_file(
       test,
@@ -105,8 +105,7 @@ Subcommand add_record_test(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("record-test", "make a scripted test of a part of a recording")->fallthrough();
   parser->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
-  parser->add_option("--from", options->from, "s of the robot")->capture_default_str();
-  parser->add_option("--to", options->to, "s of the robot (default: its end)");
+  add_time_options(*parser, options->times);
   parser->add_option("--name", options->name, "of the test: small letters, digits and _ (default: as the file)");
   add_scripts_option(*parser, options->scripts);
   return {parser, [options](std::ostream& out, std::ostream& err) { return record_test(*options, out, err); }};

@@ -1,7 +1,6 @@
 // `reorient recording`: what is in a recording, as a table, in pictures; a part of it; one that is damaged, made whole.
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -15,6 +14,8 @@
 #include "program/options.h"
 #include "program/program.h"
 #include "program/recording/damages.h"
+#include "program/recording/recorded_times.h"
+#include "program/recording/run_recording.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/csv.h"
@@ -29,7 +30,8 @@ namespace {
 struct RecordingOptions {
   std::filesystem::path file, out;
   std::string csv;
-  double from = 0.0, to = std::numeric_limits<double>::infinity(), at = 0.0;  // s of the robot
+  RecordedTimes times;
+  double at = 0.0;  // s of the robot
 };
 
 int info(const std::filesystem::path& file, std::ostream& out) {
@@ -107,6 +109,7 @@ int export_csv(const RecordingOptions& options, std::ostream& out, std::ostream&
 int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   Recording recording(options.file);
+  require_recorded(recording, options.at);
   const std::filesystem::path folder = options.out.empty() ? "out" : options.out;
   require_writable_folder(folder, "--out");
   Replay replay(recording, 0.0, options.at);
@@ -139,8 +142,7 @@ Subcommand add_recording(CLI::App& program) {
   };
   add("info", "topics, times, sizes, and what can be replayed");
   CLI::App* const cut = add("cut", "a part of it, which can be replayed as the whole can");
-  cut->add_option("--from", options->from, "s of the robot")->capture_default_str();
-  cut->add_option("--to", options->to, "s of the robot (default: its end)");
+  add_time_options(*cut, options->times);
   CLI::App* const recover = add("recover", "all that can be read of one that is damaged or lacks its end, made whole");
   CLI::App* const csv = add("export", "its values as a table");
   csv->add_option("--csv", options->csv,
@@ -149,7 +151,7 @@ Subcommand add_recording(CLI::App& program) {
       ->required();
   csv->add_option("--out", options->out, "the table (default: the standard output)");
   CLI::App* const pictures = add("pictures", "the four pictures of a run, at any moment of it");
-  pictures->add_option("--at", options->at, "s of the robot")->required();
+  pictures->add_option("--at", options->at, "s of the robot")->check(check_moment)->required();
   pictures->add_option("--out", options->out, "folder for the pictures (default: out)");
   for (CLI::App* const word : {cut, recover}) word->add_option("--out", options->out, "the new file")->required();
   return {parser, [options, cut, recover, csv, pictures](std::ostream& out, std::ostream& err) {
@@ -157,7 +159,8 @@ Subcommand add_recording(CLI::App& program) {
             if (pictures->parsed()) return draw_pictures(*options, out, err);
             if (cut->parsed()) {
               return rewrite(*options, out, err, [&](Recording& recording) {
-                return cut_recording(recording, options->from, options->to, options->out);
+                require_recorded(recording, options->times);
+                return cut_recording(recording, options->times.from, options->times.to, options->out);
               });
             }
             if (recover->parsed()) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "program/interruption.h"
 #include "program/options.h"
 #include "program/program.h"
+#include "program/recording/recorded_times.h"
 #include "program/script_names.h"
 #include "program/subcommand.h"
 #include "workbench/files/script_files.h"
@@ -29,7 +29,7 @@ namespace {
 struct ReplayOptions {
   std::filesystem::path file, scripts;
   ParameterOptions parameters;
-  double from = 0.0, to = std::numeric_limits<double>::infinity();  // s of the robot
+  RecordedTimes times;
   bool events = false;
 
   bool asks_what_if() const { return !scripts.empty() || !overrides_of(parameters).empty(); }
@@ -97,7 +97,8 @@ void print_events(const ReplayComparison& comparison, bool all, std::ostream& ou
 int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   Recording recording(options.file);
-  Replay again(recording, options.from, options.to);
+  require_recorded(recording, options.times);
+  Replay again(recording, options.times.from, options.times.to);
   ReplayComparison comparison(again.playback());
   DigestObserver digest;
   double last_time = 0.0;
@@ -122,13 +123,17 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
     throw std::runtime_error(options.file.string() +
                              ": no frame of it can be made again from there on; see 'reorient recording info'");
 
-  out << fmt::format("{} frames, up to {:.2f} s, replayed in {:.2f} s\n", comparison.frames(), last_time, took.count());
-  if (again.stretches() > 1)
-    out << fmt::format("in {} stretches; {} frames between them cannot be made again\n", again.stretches(),
-                       again.playback().passed_over());
+  const std::uint64_t passed_over = again.playback().passed_over();
+  // What is damaged behind the part that was asked for takes nothing from it.
+  const bool is_reached = recording.damages().empty() || last_time >= options.times.to;
+  const bool is_whole = is_reached && passed_over == 0 && again.stretches() == 1;
+  out << fmt::format("{}{} frames, up to {:.2f} s, replayed in {:.2f} s{}\n", comparison.frames(),
+                     passed_over == 0 ? "" : fmt::format(" of {}", comparison.frames() + passed_over), last_time,
+                     took.count(), is_whole ? "" : "; the rest cannot be made again");
+  if (again.stretches() > 1) out << fmt::format("in {} stretches\n", again.stretches());
   out << "digest: " << digest.hex() << '\n';
   if (comparison.different() == 0) {
-    out << "all frames are the same as recorded\n";
+    out << (is_whole ? "all frames are the same as recorded\n" : "these frames are the same as recorded\n");
   } else {
     out << fmt::format("{} of them {} not the same as recorded\n", comparison.different(),
                        comparison.different() == 1 ? "is" : "are");
@@ -142,7 +147,7 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
     }
   }
   if (options.events || comparison.different() > 0) print_events(comparison, options.events, out);
-  return comparison.different() == 0 || options.asks_what_if() ? kSuccess : kWrong;
+  return (is_whole && comparison.different() == 0) || options.asks_what_if() ? kSuccess : kWrong;
 }
 
 }  // namespace
@@ -154,8 +159,8 @@ Subcommand add_replay(CLI::App& program) {
   parser->add_option("--scripts", options->scripts, "what if: these scripts instead of the recorded ones")
       ->check(check_not_empty);
   add_parameter_options(*parser, options->parameters);
-  parser->add_option("--from", options->from, "s of the robot; or rather from the last saved state before that");
-  parser->add_option("--to", options->to, "s of the robot");
+  add_time_options(*parser, options->times);
+  parser->get_option("--from")->description("s of the robot; or rather from the last saved state before that");
   parser->add_flag("--events", options->events, "list commands and changes of state, those that are the same, too");
   return {parser, [options](std::ostream& out, std::ostream& err) { return replay(*options, out, err); }};
 }

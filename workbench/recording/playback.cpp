@@ -3,12 +3,19 @@
 #include <utility>
 
 namespace reorient {
+namespace {
 
-Playback::Playback(Recording& recording, double from) : recording_(recording) { is_over_ = !recording_.go_to(from); }
+constexpr double kReadingError = 0.01;  // s: times are read off, and named again, with two decimals
+
+}  // namespace
+
+Playback::Playback(Recording& recording, double from, double to) : recording_(recording), to_(to + kReadingError) {
+  is_over_ = !recording_.go_to(from);
+}
 
 bool Playback::next_stretch() {
   while (!is_over_) {
-    if (!std::exchange(is_waiting_, false) && !recording_.next(frame_)) {
+    if ((!std::exchange(is_waiting_, false) && !recording_.next(frame_)) || frame_.entry.time > to_) {
       is_over_ = true;
       break;
     }

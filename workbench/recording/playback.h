@@ -14,8 +14,9 @@ namespace reorient {
 
 class Playback : public Robot, public InputSource, public GroundTruthSource {
  public:
-  /// Plays from `from` (s of the robot) on, or rather from the state before it. The recording must outlive it.
-  Playback(Recording& recording, double from);
+  /// Plays from `from` (s of the robot) on, or rather from the state before it; no stretch that begins after `to`. The
+  /// recording must outlive it.
+  Playback(Recording& recording, double from, double to);
 
   /// Goes to the next stretch, passing over frames that cannot be made again. False: there is none.
   bool next_stretch();
@@ -24,7 +25,7 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
 
   /// The frame that was observed last.
   const RecordedFrame& frame() const { return frame_; }
-  std::uint64_t passed_over() const { return passed_over_; }  ///< frames
+  std::uint64_t passed_over() const { return passed_over_; }  ///< frames, up to `to`
 
   // Robot
   bool observe(Observation& observation) override;
@@ -36,6 +37,7 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
 
  private:
   Recording& recording_;
+  double to_;
   RecordedFrame frame_;
   std::optional<StoredInputs> inputs_;
   bool begins_ = false;  // the stretch, with the frame that is there already

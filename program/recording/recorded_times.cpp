@@ -1,0 +1,45 @@
+#include "program/recording/recorded_times.h"
+
+#include <stdexcept>
+#include <string>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "program/options.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kReadingError = 0.01;  // s: times are read off, and named again, with two decimals
+
+void require_begun(const Recording& recording, const char* option, double time) {
+  if (time + kReadingError < recording.begin_time())
+    throw std::runtime_error(
+        fmt::format("{} {}: the recording begins at {:.2f} s", option, time, recording.begin_time()));
+}
+
+void require_not_over(const Recording& recording, const char* option, double time) {
+  if (time > recording.end_time() + kReadingError)
+    throw std::runtime_error(fmt::format("{} {}: the recording ends at {:.2f} s", option, time, recording.end_time()));
+}
+
+}  // namespace
+
+void add_time_options(CLI::App& parser, RecordedTimes& times) {
+  parser.add_option("--from", times.from, "s of the robot (default: its beginning)")->check(check_moment);
+  parser.add_option("--to", times.to, "s of the robot (default: its end)")->check(check_moment);
+}
+
+void require_recorded(const Recording& recording, const RecordedTimes& times) {
+  if (times.from > times.to)
+    throw std::runtime_error(fmt::format("--from {} --to {}: it would end before it begins", times.from, times.to));
+  require_not_over(recording, "--from", times.from);
+  require_begun(recording, "--to", times.to);
+}
+
+void require_recorded(const Recording& recording, double at) {
+  require_begun(recording, "--at", at);
+  require_not_over(recording, "--at", at);
+}
+
+}  // namespace reorient
