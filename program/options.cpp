@@ -38,10 +38,16 @@ std::filesystem::path parameter_file(const std::filesystem::path& named) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> parameter_files_of(const ParameterOptions& options) {
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path& named : options.files) files.push_back(parameter_file(named));
+  return files;
+}
+
 std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
   std::vector<ParameterChange> changes;
-  for (const std::filesystem::path& file : options.files) {
-    for (ParameterChange& change : read_parameters(parameter_file(file))) changes.push_back(std::move(change));
+  for (const std::filesystem::path& file : parameter_files_of(options)) {
+    for (ParameterChange& change : read_parameters(file)) changes.push_back(std::move(change));
   }
   changes.insert(changes.end(), options.changes.begin(), options.changes.end());
   for (const std::string& assignment : options.assignments) {

@@ -21,6 +21,8 @@ struct ParameterOptions {
 void add_parameter_options(CLI::App& parser, ParameterOptions& options);
 /// Throws std::runtime_error with one line where a file cannot be read or an assignment is none.
 std::vector<ParameterChange> overrides_of(const ParameterOptions& options);
+/// The files themselves, those that are named as assets, too. Throws the same.
+std::vector<std::filesystem::path> parameter_files_of(const ParameterOptions& options);
 /// Which humanoid, and on which field.
 void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field);
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts);

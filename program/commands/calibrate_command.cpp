@@ -11,6 +11,7 @@
 
 #include "program/calibrate/look_about.h"
 #include "program/interruption.h"
+#include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/robots.h"
@@ -77,6 +78,11 @@ void draw_picture(const CalibrationShots& shots, const CameraOffset& offset, con
 int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   const std::optional<Pose2> place = place_of(options.at);
+  NamedFiles files;
+  files.reads(options.body, "--body");
+  files.reads(options.field, "--field");
+  for (const std::filesystem::path& file : parameter_files_of(options.parameters)) files.reads(file, "--params");
+  files.writes(options.out, "--out");
   require_writable_file(options.out, "--out");
   const RobotBody body = load_body(body_file(options.body));
   const FieldDimensions field = load_field(field_file(options.field, body));

@@ -19,6 +19,7 @@
 #include "program/experiment/trial_runner.h"
 #include "program/experiment/worker_pool.h"
 #include "program/interruption.h"
+#include "program/named_files.h"
 #include "program/program.h"
 #include "program/run/run_scenario.h"
 #include "program/subcommand.h"
@@ -148,6 +149,15 @@ RunOutcome run_tasks(const ExperimentOptions& options, Session& session, const s
   return outcome;
 }
 
+void require_different_files(const ExperimentOptions& options, const Session& session) {
+  NamedFiles files;
+  files.reads_scripts(session.scripts());
+  files.reads(options.experiment, "the experiment");
+  for (const std::string& room : options.rooms) files.reads(room, "--room");
+  for (const std::filesystem::path& file : parameter_files_of(options.parameters)) files.reads(file, "--params");
+  files.writes(options.json, "--json");
+}
+
 std::string seconds_text(const std::optional<double>& time) { return time ? fmt::format("{:.1f} s", *time) : "never"; }
 
 std::string verdict_of(const TrialResult& result, const Measurement& measurement) {
@@ -198,6 +208,7 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
     return kSuccess;
   }
   const Interruption interruption;
+  require_different_files(options, session);
   require_writable_folder(session.folder(), "--out");
   if (!options.json.empty()) require_writable_file(options.json, "--json");
   if (!options.report.empty()) require_writable_folder(options.report, "--report");

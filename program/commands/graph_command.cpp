@@ -8,6 +8,7 @@
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/script_host.h"
+#include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"
@@ -110,7 +111,9 @@ std::string draw(const DrawnScripts& scripts, bool as_dot) {
 }
 
 int graph(const GraphOptions& options, std::ostream& out) {
-  DrawnScripts scripts(scripts_root(options.scripts_root));
+  const std::filesystem::path root = scripts_root(options.scripts_root);
+  require_writable_output(options.out, "--out", root);
+  DrawnScripts scripts(root);
   for (const std::string& name : options.scripts) scripts.add(name);
   if (options.with_behaviors) scripts.add_behaviors_of_scenarios();
   const std::string text = draw(scripts, options.format == "dot");

@@ -1,11 +1,13 @@
 // `reorient model`: what has been learned of a room and saved: shown, compared, merged.
 #include <chrono>
+#include <cstddef>
 #include <ctime>
 #include <filesystem>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <spdlog/fmt/chrono.h>
 #include <sys/stat.h>
@@ -15,6 +17,7 @@
 #include "perception/room/model_comparison.h"
 #include "program/model/model_file.h"
 #include "program/model/model_text.h"
+#include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"
@@ -50,6 +53,10 @@ std::string time_of(const std::filesystem::path& file) {
 int show_model(const ModelOptions& options, std::ostream& out) {
   if (options.file.empty())
     throw std::runtime_error("name a file that 'reorient run --model FILE' has written (see reorient model --help)");
+  NamedFiles files;
+  files.reads(options.file, "the model");
+  files.writes(options.picture, "--picture");
+  if (!options.picture.empty()) require_writable_file(options.picture, "--picture");
   const SavedModel model = read_named(options.file);
   out << as_line(options.file.string()) << time_of(options.file) << "\n";
   print_model(model, out);
@@ -86,8 +93,21 @@ int compare_models(const ModelOptions& options, std::ostream& out) {
   return comparison.is_turned() ? kWrong : kSuccess;
 }
 
+bool is_same(const SavedModel& one, const SavedModel& other) {
+  std::vector<std::byte> bytes, other_bytes;
+  write_model(one, bytes);
+  write_model(other, other_bytes);
+  return bytes == other_bytes;
+}
+
 int merge_models(const ModelOptions& options, std::ostream& out) {
+  NamedFiles files;
+  for (const std::filesystem::path& file : {options.first, options.second}) files.reads(file, "a model to merge");
+  files.writes(options.out, "--out");
   TwoModels two = read_two(options);
+  if (is_same(two.first, two.second))  // what was learned once would count twice
+    throw std::runtime_error("A and B are the same model: " + options.first.string() + ", " + options.second.string() +
+                             "; name those of two robots");
   if (options.sides_changed) two.second.turn_half();
   const ModelComparison comparison = compare(two.first, two.second);
   if (comparison.is_turned()) {

@@ -7,6 +7,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/frame.h"
+#include "program/named_files.h"
 #include "program/options.h"
 #include "program/parameter_modules.h"
 #include "program/program.h"
@@ -66,8 +67,10 @@ std::vector<Parameter> all_parameters(const ScriptTexts& texts, const ParamsOpti
 }
 
 int params(const ParamsOptions& options, std::ostream& out) {
+  const std::filesystem::path root = scripts_root(options.scripts);
+  require_writable_output(options.save, "--save-params", root);
   const std::vector<ParameterChange> overrides = overrides_of(options.overrides);
-  const ScriptTexts texts = read_scripts(scripts_root(options.scripts));
+  const ScriptTexts texts = read_scripts(root);
   const std::vector<Parameter> all = all_parameters(texts, options, overrides);
   std::set<std::string> loaded;
   for (const char* folder : {"behaviors", "scenarios"}) {

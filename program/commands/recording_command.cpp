@@ -11,6 +11,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "program/interruption.h"
+#include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/recording/damages.h"
@@ -76,13 +77,19 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   return recording.damages().empty() ? kSuccess : kWrong;
 }
 
+/// Of a file that is made of it.
+void require_other_file(const RecordingOptions& options) {
+  NamedFiles files;
+  files.reads(options.file, "the recording");
+  files.writes(options.out, "--out");
+  require_writable_file(options.out, "--out");
+}
+
 /// `rewrite`: makes the new file of the old one.
 template <typename Rewrite>
 int rewrite(const RecordingOptions& options, std::ostream& out, std::ostream& err, Rewrite rewrite) {
-  require_writable_file(options.out, "--out");
-  std::error_code error;
-  if (std::filesystem::equivalent(options.file, options.out, error))
-    throw std::runtime_error("--out " + options.out.string() + ": it is the recording itself; name another file");
+  require_other_file(options);
+  require_new_or_recording(options.out, "--out");
   Recording recording(options.file);
   const Rewritten done = rewrite(recording);
   tell_damages(recording, err);
@@ -96,7 +103,7 @@ int export_csv(const RecordingOptions& options, std::ostream& out, std::ostream&
   if (options.out.empty()) {
     write_csv(recording, options.csv, out);
   } else {
-    require_writable_file(options.out, "--out");
+    require_other_file(options);
     std::ostringstream text;
     write_csv(recording, options.csv, text);
     write_whole_file(options.out, text.str());

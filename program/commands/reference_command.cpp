@@ -2,6 +2,7 @@
 #include <memory>
 #include <ostream>
 
+#include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"
@@ -19,7 +20,9 @@ struct ReferenceOptions {
 };
 
 int reference(const ReferenceOptions& options, std::ostream& out) {
-  const std::vector<LibraryModule> libraries = library_modules(read_scripts(scripts_root(options.scripts)));
+  const std::filesystem::path root = scripts_root(options.scripts);
+  require_writable_output(options.out, "--out", root);
+  const std::vector<LibraryModule> libraries = library_modules(read_scripts(root));
   const std::string text = options.format == "markdown" ? script_reference(libraries) : script_annotations(libraries);
   if (options.out.empty()) {
     out << text;

@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "program/interruption.h"
+#include "program/named_files.h"
+#include "program/options.h"
 #include "program/program.h"
 #include "program/recording/test_replay.h"
 #include "program/run/simulation.h"
@@ -79,6 +81,10 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   run.play_recording = recordings_below(run.scripts_root / "tests");
   run.timeout = options.timeout;
   run.stop = [] { return Interruption::signal() != 0; };
+  NamedFiles files;
+  files.reads_scripts(run.scripts_root);
+  for (const std::filesystem::path& path : options.paths) files.reads(path, "a test");
+  files.writes(options.junit, "--junit");
   if (!options.junit.empty()) require_writable_file(options.junit, "--junit");
   if (options.simulator) {
     run.simulate = [&run](const SimulationRequest& request, CoverageTrace& trace, const std::function<bool()>& stop) {

@@ -85,8 +85,16 @@ void print_comparison(const ModelComparison& comparison, const Wall& wall, std::
           : comparison.is_same_way()
               ? "both count the wall from the same end of the field\n"
               : "nothing shows that both are of one room, counted from the same end of the field\n");
+  constexpr double kShownDifference = 0.005;  // rounded, it is not 0.00
+  std::size_t shown = 0;
+  while (shown < std::min(kShown, comparison.tiles.size()) && comparison.tiles[shown].distance >= kShownDifference)
+    ++shown;
+  if (shown == 0) {
+    out << "they differ nowhere\n";
+    return;
+  }
   out << "where they differ most, seen from the field's centre, to the left of the opponent's goal:\n";
-  for (std::size_t i = 0; i < std::min(kShown, comparison.tiles.size()); ++i) {
+  for (std::size_t i = 0; i < shown; ++i) {
     const TileDifference& tile = comparison.tiles[i];
     out << fmt::format("  {}: {:.2f}\n", place_of(tile.tile, wall), tile.distance);
   }

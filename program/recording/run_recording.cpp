@@ -10,6 +10,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "workbench/files/atomic_file.h"
+#include "workbench/recording/mcap/contents.h"
+#include "workbench/recording/mcap/source.h"
 
 namespace reorient {
 namespace {
@@ -65,6 +67,14 @@ void read_rotation(const std::string& option, RecorderOptions& recorder) {
 
 }  // namespace
 
+void require_new_or_recording(const std::filesystem::path& file, const std::string& option) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) == 0) return;
+  if (mcap::is_mcap(mcap::FileSource(file))) return;
+  throw std::runtime_error(option + " " + file.string() +
+                           ": it is there and no recording; it is left as it is: name another file");
+}
+
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
   RecorderOptions recorder;
   recorder.images_every = images_every(options.record_images);
@@ -72,6 +82,7 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
   recorder.particles_every = particles_every(options.view_particles);
   if (options.record.empty()) return std::nullopt;
   require_writable_file(options.record, "--record");
+  require_new_or_recording(options.record, "--record");
   recorder.file = options.record;
   if (!options.record_rotate.empty()) read_rotation(options.record_rotate, recorder);
   recorder.about = {{"version", REORIENT_VERSION},

@@ -16,6 +16,10 @@ namespace reorient {
 /// line, also where the file could not be written.
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue);
 
+/// Throws std::runtime_error with one line where a file is there that is no recording: it is not to be lost. `option`:
+/// what names it.
+void require_new_or_recording(const std::filesystem::path& file, const std::string& option);
+
 class RunRecording {
  public:
   /// `part`: of a program that runs several engines one after the other, into match.mcap, match-2.mcap, match-3.mcap.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "geometry/image.h"
+#include "program/named_files.h"
 #include "program/robots.h"
 #include "program/run/companion/run_companion.h"
 #include "program/run/nao/run_nao.h"
@@ -134,6 +135,23 @@ void refuse_in_vain(const CLI::App& run, const std::string& robot) {
   }
 }
 
+/// Each file has one use. Only what was tuned may go back to where it came from.
+void require_different_files(const RunOptions& options) {
+  NamedFiles files;
+  files.reads_scripts(options.scripts);
+  files.reads(options.room, "--room");
+  files.reads(options.body, "--body");
+  files.reads(options.field, "--field");
+  files.reads(options.places, "--places");
+  files.reads(options.calibration, "--calibration");
+  files.writes(options.save_parameters, "--save-params");
+  for (const std::filesystem::path& file : parameter_files_of(options.parameters)) files.reads(file, "--params");
+  files.writes(options.model, "--model");
+  files.writes(options.state, "--state");
+  files.writes(options.json, "--json");
+  files.writes(options.record, "--record");
+}
+
 }  // namespace
 
 Subcommand add_run(CLI::App& program) {
@@ -143,6 +161,7 @@ Subcommand add_run(CLI::App& program) {
   return {parser, [parser, options](std::ostream& out, std::ostream& err) {
             options->scripts = scripts_root(options->scripts);
             refuse_in_vain(*parser, options->robot);
+            require_different_files(*options);
             if (options->robot == kCompanion) return run_companion(*options, out, err);
             if (options->robot == kNao) return run_nao(*options, out, err);
             return run_scenario(*options, {}, out, err);

@@ -46,9 +46,9 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   std::optional<ScriptEdits> edits;
   if (options.realtime) edits.emplace(options.scripts);
   Simulation simulation(options);
+  std::optional<RecorderOptions> recording_options = recorder_options(options, simulation.venue().name());
   // Last, so that a mistake in anything else leaves no empty folder behind.
   require_writable_outputs(options);
-  std::optional<RecorderOptions> recording_options = recorder_options(options, simulation.venue().name());
 
   SummaryObserver summary;
   CommandHistory commands;

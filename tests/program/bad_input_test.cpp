@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
 
@@ -234,6 +235,40 @@ TEST_F(BadInput, AFolderForPicturesThatCannotBeMadeIsNamed) {
   file("taken", "a file, no folder");
   expect_refused_run({"--out", path("taken")}, {"taken", "--out"});
   expect_refused_run({"--out", path("taken/out")}, {"taken/out", "--out"});
+}
+
+TEST_F(BadInput, TwoNamesOfOneFileAreNamed) {
+  expect_refused_run({"--json", path("same"), "--record", path("same")}, {"--json and --record name the same file"});
+  expect_refused_run({"--model", path("z"), "--record", path("./z")}, {"--model and --record name the same file"});
+  expect_refused_run({"--json", path("z"), "--save-params", path("z")}, {"--save-params and --json name the same"});
+  const std::string tuned = file("tuned.toml", "[orientation]\nlingering = 0.4\n");
+  expect_refused_run({"--params", tuned, "--json", tuned}, {"--params and --json name the same file"});
+  std::filesystem::create_symlink(tuned, path("link.toml"));
+  expect_refused_run({"--params", tuned, "--record", path("link.toml")}, {"--params and --record name the same"});
+  const std::filesystem::path field = kProjectFolder / "assets/fields/spl.toml";
+  expect_refused_run({"--field", field.string(), "--json", field.string()}, {"--field and --json name the same file"});
+  EXPECT_LE(run_shortly({"--params", tuned, "--save-params", tuned}).code, kWrong) << "tuned on";
+  EXPECT_LE(run_shortly({"--json", "/dev/null", "--save-params", "/dev/null"}).code, kWrong);
+}
+
+TEST_F(BadInput, AnOutputInThePlaceOfAScriptIsNamed) {
+  const std::string scripts = copy_scripts(folder_.path()).string(), script = scripts + "/behaviors/look_back.lua";
+  expect_refused_run({"--scripts", scripts, "--record", script}, {"--record " + script + ": scripts lie there"});
+  expect_refused_run({"--scripts", scripts, "--json", script}, {"--json " + script});
+  expect_refused({"graph", "orientation", "--scripts", scripts, "--out", script}, {"--out " + script});
+  expect_refused({"params", "--scripts", scripts, "--save-params", script}, {"--save-params " + script});
+  expect_refused({"test", "--scripts", scripts, "--junit", scripts + "/tests/get_up_test.lua"}, {"--junit"});
+  EXPECT_EQ(run_reorient({"reference", "--scripts", scripts, "--format", "annotations", "--out",
+                          scripts + "/annotations/reorient.lua"})
+                .code,
+            kSuccess)
+      << "which are no scripts";
+}
+
+TEST_F(BadInput, AFileThatIsNoRecordingIsNotRecordedOver) {
+  const std::string letters = file("letters.txt", "years of work");
+  expect_refused_run({"--record", letters}, {letters, "it is there and no recording"});
+  EXPECT_EQ(read_text(letters), "years of work");
 }
 
 TEST_F(BadInput, ASummaryThatCannotBeWrittenIsNamedBeforeTheRun) {

@@ -84,6 +84,10 @@ INSTANTIATE_TEST_SUITE_P(
         UnmeantExperiment{"TasksBackwards", kShort, {"--tasks", "3-1"}, "'3-1' counts backwards; write 1-3"},
         UnmeantExperiment{"TasksWithAGap", kShort, {"--tasks", "1,,2"}, "'1,,2' is no list of tasks"},
         UnmeantExperiment{"TasksInWords", kShort, {"--tasks", "all"}, "'all' is no list of tasks"},
+        UnmeantExperiment{"AnOutputInThePlaceOfAScript",
+                          kShort,
+                          {"--json", (kProjectFolder / "scripts/behaviors/head_scan.lua").string()},
+                          "scripts lie there"},
         UnmeantExperiment{"PlanGoesOnNowhere", kShort, {"--plan", "--resume"}, "--plan"}),
     [](const auto& each) { return std::string(each.param.name); });
 

@@ -250,7 +250,7 @@ class ModelCommand : public RunWithAModel {
 };
 
 TEST_F(ModelCommand, LeavesWhatIsThereWhereItsOutputCannotBeWritten) {
-  const std::string one = file_of(some_model(1), "one.model"), other = file_of(some_model(1), "other.model");
+  const std::string one = file_of(some_model(1), "one.model"), other = file_of(some_model(1, 1), "other.model");
   const std::string out = (folder.path() / "out").string();
   for (const auto& words :
        {std::vector<std::string>{"model", "merge", one, other, "--out", out}, {"model", one, "--picture", out}}) {
@@ -322,6 +322,20 @@ TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
   expect_bad({"merge", one, other, "--out", (folder.path() / "no" / "where").string()},
              "No such file or directory; name another file with --out");
   EXPECT_EQ(read_text(both), merged_bytes);
+}
+
+TEST_F(ModelCommand, TakesNoModelForTwo) {
+  const std::string one = file_of(some_model(1), "one"), copy = file_of(some_model(1), "copy");
+  const std::string other = file_of(some_model(1, 1), "other"), before = read_text(one);
+  expect_bad({"merge", one, one, "--out", one}, "name the same file");
+  expect_bad({"merge", one, one, "--out", (folder.path() / "both").string()}, "A and B are the same model");
+  expect_bad({"merge", one, copy, "--out", (folder.path() / "both").string()}, "A and B are the same model");
+  expect_bad({"merge", one, other, "--out", other}, "a model to merge and --out name the same file");
+  expect_bad({one, "--picture", one}, "the model and --picture name the same file");
+  EXPECT_EQ(read_text(one), before);
+  const ProgramRun same = model({"compare", one, copy});
+  EXPECT_NE(same.out.find("they differ nowhere\n"), std::string::npos) << same.out;
+  EXPECT_EQ(same.out.find("differ most"), std::string::npos) << same.out;
 }
 
 TEST_F(ModelCommand, RefusesWhatIsNoModel) {

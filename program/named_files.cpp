@@ -1,0 +1,53 @@
+#include "program/named_files.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include "workbench/files/atomic_file.h"
+#include "workbench/files/script_files.h"
+
+namespace reorient {
+namespace {
+
+/// Behind links and another way to write it; a file that is not there yet, too. Devices take what anybody writes.
+bool is_same(const std::filesystem::path& one, const std::filesystem::path& other) {
+  std::error_code error;
+  if (std::filesystem::is_other(one, error)) return false;
+  if (std::filesystem::equivalent(one, other, error)) return true;
+  const std::filesystem::path plain = std::filesystem::weakly_canonical(std::filesystem::absolute(one, error), error);
+  return plain == std::filesystem::weakly_canonical(std::filesystem::absolute(other, error), error);
+}
+
+}  // namespace
+
+void NamedFiles::reads(const std::filesystem::path& file, const std::string& name) {
+  std::error_code error;  // of an asset's name, which is no path, there is no file
+  if (std::filesystem::exists(file, error)) named_.emplace_back(file, name);
+}
+
+void NamedFiles::reads_scripts(const std::filesystem::path& root) { roots_.push_back(root); }
+
+void NamedFiles::writes(const std::filesystem::path& file, const std::string& option) {
+  if (file.empty()) return;
+  for (const auto& [other, name] : named_) {
+    if (is_same(other, file))
+      throw std::runtime_error(name + " and " + option + " name the same file: " + file.string() +
+                               "; name another one with " + option);
+  }
+  for (const std::filesystem::path& root : roots_) {
+    const std::optional<std::string> below = path_below(root, file);
+    if (file.extension() == ".lua" && below && !below->starts_with("annotations/"))  // which are no scripts
+      throw std::runtime_error(option + " " + file.string() + ": scripts lie there; name another file with " + option);
+  }
+  named_.emplace_back(file, option);
+}
+
+void require_writable_output(const std::filesystem::path& file, const std::string& option,
+                             const std::filesystem::path& scripts) {
+  NamedFiles files;
+  files.reads_scripts(scripts);
+  files.writes(file, option);
+  if (!file.empty()) require_writable_file(file, option);
+}
+
+}  // namespace reorient
