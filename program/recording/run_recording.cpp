@@ -65,6 +65,33 @@ void read_rotation(const std::string& option, RecorderOptions& recorder) {
   }
 }
 
+/// Of a further engine's recording: "match-2.mcap".
+std::filesystem::path free_name(const std::filesystem::path& first, int part) {
+  std::filesystem::path file = first;
+  std::error_code error;
+  do {
+    file.replace_filename(fmt::format("{}-{}{}", first.stem().string(), part++, first.extension().string()));
+  } while (std::filesystem::exists(file, error));
+  return file;
+}
+
+/// Nobody has named the further files: they must not be lost, nor look as if they belonged to this run.
+void require_no_further_parts(const std::filesystem::path& first) {
+  const std::string stem = first.stem().string() + ".", extension = first.extension().string();
+  std::error_code error;
+  const std::filesystem::path folder = first.has_parent_path() ? first.parent_path() : ".";
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() <= stem.size() + extension.size() || !name.starts_with(stem) || !name.ends_with(extension))
+      continue;
+    const std::string number = name.substr(stem.size(), name.size() - stem.size() - extension.size());
+    if (number.find_first_not_of("0123456789") != std::string::npos) continue;
+    throw std::runtime_error("--record-rotate: " + entry.path().string() +
+                             " is there already, a part of an earlier run; move it away, or name another file with "
+                             "--record");
+  }
+}
+
 }  // namespace
 
 void require_new_or_recording(const std::filesystem::path& file, const std::string& option) {
@@ -84,7 +111,10 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
   require_writable_file(options.record, "--record");
   require_new_or_recording(options.record, "--record");
   recorder.file = options.record;
-  if (!options.record_rotate.empty()) read_rotation(options.record_rotate, recorder);
+  if (!options.record_rotate.empty()) {
+    read_rotation(options.record_rotate, recorder);
+    require_no_further_parts(options.record);
+  }
   recorder.about = {{"version", REORIENT_VERSION},
                     {"robot", options.robot},
                     {"venue", venue},
@@ -97,9 +127,7 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
 RunRecording::RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell,
                            int part) {
   if (!options) return;
-  if (part > 1)
-    options->file.replace_filename(
-        fmt::format("{}-{}{}", options->file.stem().string(), part, options->file.extension().string()));
+  if (part > 1) options->file = free_name(options->file, part);
   options->about.emplace("begun", fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr))));
   file_ = options->file;
   recorder_.emplace(*std::move(options), std::move(tell));

@@ -22,7 +22,8 @@ void require_new_or_recording(const std::filesystem::path& file, const std::stri
 
 class RunRecording {
  public:
-  /// `part`: of a program that runs several engines one after the other, into match.mcap, match-2.mcap, match-3.mcap.
+  /// `part`: of a program that runs several engines one after the other, into match.mcap, match-2.mcap, match-3.mcap;
+  /// where one is there already, the next number.
   RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell, int part = 1);
 
   /// nullptr: nothing is recorded.

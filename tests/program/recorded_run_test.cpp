@@ -229,6 +229,19 @@ TEST_F(RunThatIsRecorded, ThatIsDamagedIsNotReplayedAsIfItWereWhole) {
   EXPECT_NE(sound_part.out.find("all frames are the same as recorded"), std::string::npos) << sound_part.out;
 }
 
+TEST_F(RunThatIsRecorded, KeepsTheFurtherPartsOfAnEarlierOne) {
+  folder_.write("rot.3.mcap", "a part of an earlier run");
+  folder_.write("rot.notes.mcap", "no part");
+  const ProgramRun refused = run_shortly({"--record", file("rot.mcap"), "--record-rotate", "1s"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find(file("rot.3.mcap") + " is there already, a part of an earlier run"), std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(file("rot.mcap")));
+  std::filesystem::remove(file("rot.3.mcap"));
+  run_shortly({"--record", file("rot.mcap"), "--record-rotate", "1s"});
+  EXPECT_TRUE(std::filesystem::exists(file("rot.2.mcap")));
+}
+
 TEST_F(RunThatIsRecorded, IsRefusedTimesInWhichNothingWasRecorded) {
   run_shortly({"--record", file("run.mcap")});
   run_reorient({"recording", "cut", file("run.mcap"), "--from", "2", "--out", file("late.mcap")});
