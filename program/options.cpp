@@ -1,6 +1,8 @@
 #include "program/options.h"
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
@@ -77,8 +79,19 @@ void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts) {
       ->check(check_not_empty);
 }
 
-std::filesystem::path scripts_root(const std::filesystem::path& told) {
-  return told.empty() ? find_home() / "scripts" : told;
+std::filesystem::path scripts_root(const std::filesystem::path& told, Scripts scripts) {
+  if (told.empty()) return find_home() / "scripts";
+  std::error_code error;
+  if (!std::filesystem::is_directory(told, error))
+    throw std::runtime_error("--scripts " + told.string() + ": there is no such folder of scripts");
+  constexpr const char* kFolders[] = {"behaviors", "scenarios", "lib", "tests"};
+  const bool has_any = std::any_of(std::begin(kFolders), std::end(kFolders), [&](const char* folder) {
+    return std::filesystem::is_directory(told / folder, error);
+  });
+  if (scripts == Scripts::are_there && !has_any)
+    throw std::runtime_error("--scripts " + told.string() +
+                             ": it is no root of scripts, which has folders behaviors or scenarios; name another one");
+  return told;
 }
 
 std::string check_seed(const std::string& text) {

@@ -26,8 +26,11 @@ std::vector<std::filesystem::path> parameter_files_of(const ParameterOptions& op
 /// Which humanoid, and on which field.
 void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field);
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts);
-/// `told`, or scripts/ of the project where nothing was told.
-std::filesystem::path scripts_root(const std::filesystem::path& told);
+/// Whether a folder may be named that will only get its scripts.
+enum class Scripts { are_there, may_come };
+/// `told`, or scripts/ of the project where nothing was told. Throws std::runtime_error with one line where it is no
+/// root of scripts: what is mistyped must not count as one that is empty.
+std::filesystem::path scripts_root(const std::filesystem::path& told, Scripts scripts = Scripts::are_there);
 
 // CLI11 by itself takes a negative or too large number for a seed and wraps it round, and lets NaN through a range.
 // These return what is wrong, or nothing.

@@ -1,6 +1,7 @@
 // `reorient check`: what is wrong with the scripts, without a robot.
 #include <memory>
 #include <ostream>
+#include <stdexcept>
 
 #include "program/options.h"
 #include "program/program.h"
@@ -21,7 +22,9 @@ std::string count_text(int count, const char* what) {
 }
 
 int check(const CheckOptions& options, std::ostream& out) {
-  const CheckResult result = check_scripts(scripts_root(options.scripts), options.paths);
+  const std::filesystem::path root = scripts_root(options.scripts);
+  const CheckResult result = check_scripts(root, options.paths);
+  if (result.files == 0) throw std::runtime_error(root.string() + ": there are no scripts to look at below it");
   for (const Finding& finding : result.findings) out << finding.text() << "\n";
   const int errors = result.count(Finding::Severity::error);
   const int warnings = result.count(Finding::Severity::warning);

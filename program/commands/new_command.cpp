@@ -170,7 +170,7 @@ std::string named(std::string text, const std::string& name) {
 int make(const NewOptions& options, std::ostream& out) {
   require_script_name(options.name);
   const bool is_behavior = options.kind == "behavior";
-  const std::filesystem::path root = scripts_root(options.scripts);
+  const std::filesystem::path root = scripts_root(options.scripts, Scripts::may_come);
   const std::filesystem::path script = root / (is_behavior ? "behaviors" : "scenarios") / (options.name + ".lua");
   const std::filesystem::path test = root / "tests" / (options.name + "_test.lua");
   for (const std::filesystem::path& file : {script, test}) {

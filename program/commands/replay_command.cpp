@@ -38,7 +38,8 @@ struct ReplayOptions {
 /// Other scripts and parameters than those of the recording.
 FrameInputs other_than_recorded(const FrameLoop& engine, const ReplayOptions& options) {
   FrameInputs inputs;
-  if (!options.scripts.empty()) inputs.script_edits = edits_between(engine.scripts(), read_scripts(options.scripts));
+  if (!options.scripts.empty())
+    inputs.script_edits = edits_between(engine.scripts(), read_scripts(scripts_root(options.scripts)));
   inputs.parameter_changes = overrides_of(options.parameters);
   // Whatever the recorded run was told, and how.
   for (ParameterChange& change : inputs.parameter_changes) change.origin = ParameterOrigin::live;

@@ -271,6 +271,24 @@ TEST_F(BadInput, AFileThatIsNoRecordingIsNotRecordedOver) {
   EXPECT_EQ(read_text(letters), "years of work");
 }
 
+TEST_F(BadInput, ARootOfScriptsThatIsNoneIsNamed) {
+  const std::string empty = folder_.path().string(), gone = path("gone");
+  for (const std::vector<std::string>& words :
+       {Words{"check"}, {"run"}, {"test"}, {"params"}, {"reference"}, {"graph", "orientation"}}) {
+    for (const std::string& root : {empty, gone}) {
+      Words all = words;
+      all.insert(all.end(), {"--scripts", root});
+      expect_refused(all, {"--scripts " + root + ": "});
+    }
+  }
+  expect_refused({"new", "behavior", "x", "--scripts", gone}, {"--scripts " + gone});
+  std::filesystem::create_directories(folder_.path() / "none" / "behaviors");
+  expect_refused({"check", "--scripts", path("none")}, {"there are no scripts to look at"});
+  expect_refused({"check", (kProjectFolder / "scripts/README.md").string()}, {"README.md: it is no script"});
+  std::filesystem::create_directory(folder_.path() / "mine");
+  EXPECT_EQ(run_reorient({"new", "behavior", "x", "--scripts", path("mine")}).code, kSuccess) << "it is begun";
+}
+
 TEST_F(BadInput, ASummaryThatCannotBeWrittenIsNamedBeforeTheRun) {
   file("taken", "a file, no folder");
   std::filesystem::create_directory(folder_.path() / "folder");

@@ -222,6 +222,8 @@ std::string below(const std::filesystem::path& root, const std::filesystem::path
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw std::runtime_error(path.string() + ": there is no such file or folder");
+  if (!std::filesystem::is_directory(path, error) && path.extension() != kExtension)
+    throw std::runtime_error(path.string() + ": it is no script; name a folder or a file *" + std::string(kExtension));
   const std::optional<std::string> relative = path_below(root, path);
   if (!relative)
     throw std::runtime_error(path.string() + " is not below " + root.string() + "; name its root with --scripts");
