@@ -15,13 +15,10 @@
 #include "program/experiment/outputs/rows_report.h"
 #include "program/experiment/trial_runner.h"
 #include "program/run/venue.h"
-#include "program/script_names.h"
 #include "workbench/experiments/condition/experiment_file.h"
 #include "workbench/files/atomic_file.h"
-#include "workbench/files/body_file.h"
 #include "workbench/files/home.h"
 #include "workbench/files/script_files.h"
-#include "workbench/scenario/scenario_host.h"
 
 namespace reorient {
 namespace {
@@ -156,8 +153,7 @@ std::size_t Session::turn_of(const Task& task) const {
 /// What is wrong with one of them is better told now than hours later. What each follows from, but for the seed, is
 /// noted.
 void Session::prepare_conditions() {
-  const ScriptTexts texts = read_scripts(scripts_);
-  scripts_hash_ = hash_of(texts);
+  scripts_hash_ = hash_of(read_scripts(scripts_));
   FileHashes files;
   origins_.resize(cells_.size());
   for (const Task& task : tasks_) {
@@ -165,16 +161,12 @@ void Session::prepare_conditions() {
     if (turn_of(task) < origins.size()) continue;  // the same as an earlier one
     const Condition condition = condition_of(task);
     const SimulationOptions options = options_of(condition, task.seed, scripts_);
+    const Venue venue = check_trial(condition, task.seed, scripts_);
     const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
-    if (condition.compasses) static_cast<void>(compass_parameters_of(condition));
-    const RecordedBehaviors nobody;
-    const ScenarioHost scenario(texts, scenario_file(scripts_, texts, options.scenario), overrides, nobody);
-    const std::filesystem::path body = body_file(options.body);
-    const Venue venue = venue_of(options, scenario.setting(), load_body(body));
     std::string text = fmt::format("{}\n{:x}\n{}", REORIENT_VERSION, scripts_hash_, as_text(condition));
     for (const ParameterChange& change : overrides)
       text.append(change.name).append(" = ").append(change.value).append("\n");
-    text += fmt::format("body {:x}\n", files.of(body));
+    text += fmt::format("body {:x}\n", files.of(body_file(options.body)));
     text += fmt::format("field {:x}\n", files.of(venue.field));
     if (!venue.room.empty()) text += fmt::format("room {:x}\n", files.of(venue.room));
     origins.push_back(content_hash(text));

@@ -1,10 +1,13 @@
 #include "program/experiment/trial_runner.h"
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
 #include "engine/record/frame_record.h"
 #include "program/experiment/compass_parameters.h"
 #include "program/run/simulation.h"
@@ -30,6 +33,7 @@ SimulationOptions options_of(const Condition& condition, std::uint64_t seed, con
   options.room_awareness = condition.room_awareness;
   options.seconds = condition.seconds;
   options.parameters.files.assign(condition.parameter_files.begin(), condition.parameter_files.end());
+  options.said_at = condition.said_at;
   options.parameters.changes = condition.compasses ? without_peers(condition.parameters) : condition.parameters;
   return options;
 }
@@ -57,9 +61,10 @@ class KnownRoom : public Observer {
   double learned_ = 0.0;
 };
 
-/// The room on another day: the same parameters, but in peace, and with another seed, so among other people.
-std::optional<SavedModel> model_of_another_day(const Condition& condition, std::uint64_t seed,
-                                               const std::filesystem::path& scripts, RoomCache& rooms) {
+/// The room on another day: the same parameters, but in peace, and with another seed, so among other people. Nothing:
+/// it was not learned before.
+std::optional<SimulationOptions> options_of_another_day(const Condition& condition, std::uint64_t seed,
+                                                        const std::filesystem::path& scripts) {
   constexpr std::uint64_t kOtherSeeds = 0x0d1f'0000'0000;
   if (condition.learned_before <= 0.0) return std::nullopt;
   Condition before = condition;
@@ -68,7 +73,14 @@ std::optional<SavedModel> model_of_another_day(const Condition& condition, std::
   const std::string learn = to_text(ParameterValue(condition.learned_before));
   for (const auto& [name, value] : {std::pair{"trial.learn", learn}, {"trial.event", std::string("none")}})
     before.parameters.push_back({name, value, ParameterOrigin::file, "learned_before"});
-  Simulation simulation(options_of(before, seed ^ kOtherSeeds, scripts), &rooms);
+  return options_of(before, seed ^ kOtherSeeds, scripts);
+}
+
+std::optional<SavedModel> model_of_another_day(const Condition& condition, std::uint64_t seed,
+                                               const std::filesystem::path& scripts, RoomCache& rooms) {
+  const std::optional<SimulationOptions> options = options_of_another_day(condition, seed, scripts);
+  if (!options) return std::nullopt;
+  Simulation simulation(*options, &rooms);
   KnownRoom room;
   RunParts parts = simulation.parts();
   parts.observers = {&room};
@@ -76,7 +88,31 @@ std::optional<SavedModel> model_of_another_day(const Condition& condition, std::
   return room.model();
 }
 
+/// Otherwise no trial would ever be measured, and all count as failed.
+void require_state(const Condition& condition, const ScenarioHost& scenario) {
+  const std::string& wanted = condition.measurement.from;
+  if (wanted.empty()) return;
+  std::vector<std::string> known;
+  for (const MachineDefinition* const machine : scenario.machines()) {
+    for (const StateDefinition& state : machine->states) {
+      if (is_within(state.path, wanted)) return;
+      known.push_back(state.path);
+    }
+  }
+  const auto place = condition.said_at.find("measured_from");
+  throw std::runtime_error(as_line((place == condition.said_at.end() ? "" : place->second + ": ") + "scenario " +
+                                   condition.scenario + " has no state '" + wanted + "'" +
+                                   did_you_mean(wanted, known)));
+}
+
 }  // namespace
+
+Venue check_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts) {
+  if (condition.compasses) static_cast<void>(compass_parameters_of(condition));
+  if (const auto before = options_of_another_day(condition, seed, scripts)) Simulation::check(*before);
+  return Simulation::check(options_of(condition, seed, scripts),
+                           [&](const ScenarioHost& scenario) { require_state(condition, scenario); });
+}
 
 SimulationOptions prepared_options_of(const Condition& condition, std::uint64_t seed,
                                       const std::filesystem::path& scripts, RoomCache& rooms) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct SimulationOptions {
   bool sides_changed = false;         ///< the team plays towards the other goal than the model's axes say
   double seconds = 600.0;             ///< of the robot's time, at most
   ParameterOptions parameters;
+  std::map<std::string, std::string> said_at;  ///< of an experiment: file and line of "scenario", of "with head_scan"
 };
 
 struct RunOptions : SimulationOptions {

@@ -25,6 +25,24 @@ std::vector<Parameter> merged(std::vector<std::vector<Parameter>> lists) {
 
 namespace {
 
+/// What says `what` of a run, for a message: an option, or the line of an experiment.
+std::string said(const SimulationOptions& options, const std::string& what) {
+  const auto place = options.said_at.find(what);
+  return place == options.said_at.end() ? "--" + what : place->second + ": " + what;
+}
+
+/// What `find` returns; what it throws begins with the line of the experiment that says `what`, if one does.
+std::string with_its_line(const SimulationOptions& options, const std::string& what,
+                          const std::function<std::string()>& find) {
+  const auto place = options.said_at.find(what);
+  if (place == options.said_at.end()) return find();
+  try {
+    return find();
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(place->second + ": " + error.what());
+  }
+}
+
 /// The files of the behaviours to load. Throws where one would be there twice, or cannot be left out since nobody asks
 /// for it.
 std::vector<std::string> chosen_behaviors(const SimulationOptions& options, const ScriptTexts& texts,
@@ -33,20 +51,21 @@ std::vector<std::string> chosen_behaviors(const SimulationOptions& options, cons
   rest.reserve(wanted.size());
   for (const std::string& name : wanted) rest.push_back(script_file("behaviors", name));
   for (const std::string& name : options.without) {
-    const auto found =
+    const auto left_out =
         std::find(rest.begin(), rest.end(), script_file("behaviors", script_named(options.scripts, name)));
-    if (found == rest.end())
-      throw std::runtime_error("--without " + name + ": scenario " + options.scenario + " has no such behavior" +
-                               did_you_mean(name, wanted));
-    rest.erase(found);
+    if (left_out == rest.end())
+      throw std::runtime_error(said(options, "without " + name) + ": scenario " + options.scenario +
+                               " has no such behavior" + did_you_mean(name, wanted));
+    rest.erase(left_out);
   }
   std::vector<std::string> chosen;
   for (const std::string& name : options.with) {
-    const std::string file = behavior_file(options.scripts, texts, name);
+    const std::string file =
+        with_its_line(options, "with " + name, [&] { return behavior_file(options.scripts, texts, name); });
     for (const std::vector<std::string>& loaded : {rest, chosen}) {
       if (std::find(loaded.begin(), loaded.end(), file) != loaded.end())
-        throw std::runtime_error("--with " + name + ": it is loaded already, by scenario " + options.scenario +
-                                 " or by another --with");
+        throw std::runtime_error(said(options, "with " + name) + ": it is loaded already, by scenario " +
+                                 options.scenario + " or by another --with");
     }
     chosen.push_back(file);
   }
@@ -81,12 +100,20 @@ std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options) 
   }
 }
 
-Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
+Venue Simulation::check(const SimulationOptions& options,
+                        const std::function<void(const ScenarioHost& scenario)>& more) {
+  const Simulation simulation(options, nullptr, false);
+  if (more) more(*simulation.scenario_);
+  return simulation.venue_;
+}
+
+Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool makes_robot)
     : model_(options.learned ? options.learned : model_to_begin_with(options)), longest_(options.seconds) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
-  scenario_ = std::make_unique<ScenarioHost>(scripts, scenario_file(options.scripts, scripts, options.scenario),
-                                             overrides, behaviors_, options.seed);
+  const std::string scenario =
+      with_its_line(options, "scenario", [&] { return scenario_file(options.scripts, scripts, options.scenario); });
+  scenario_ = std::make_unique<ScenarioHost>(scripts, scenario, overrides, behaviors_, options.seed);
   const RobotBody body = load_body(body_file(options.body));
   venue_ = venue_of(options, scenario_->setting(), body);
   FrameSetup setup;
@@ -102,8 +129,8 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms)
       body,      setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
       overrides, rooms};
   robot_parameters_ = robot_parameters(options.robot, robot);
-  robot_ = make_robot(options.robot, robot);
-  setup.body = robot_.body;
+  if (makes_robot) robot_ = make_robot(options.robot, robot);
+  setup.body = makes_robot ? robot_.body : body;
   try {
     engine_ = std::make_unique<FrameLoop>(std::move(setup));
   } catch (const UnfitModel& reason) {

@@ -1,6 +1,7 @@
 // A scenario with the robot that it is played with, made ready to run.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -19,9 +20,15 @@ class Simulation {
  public:
   /// `rooms`: those that are kept for the next simulation. Throws std::runtime_error (of scripts: ScriptError) with one
   /// line on bad input.
-  explicit Simulation(const SimulationOptions& options, RoomCache* rooms = nullptr);
+  explicit Simulation(const SimulationOptions& options, RoomCache* rooms = nullptr)
+      : Simulation(options, rooms, true) {}
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
+
+  /// Throws what a simulation of them would throw, but for what is wrong with its room: to make that takes a while. For
+  /// whoever will simulate much. Returns where it would take place.
+  static Venue check(const SimulationOptions& options,
+                     const std::function<void(const ScenarioHost& scenario)>& more = {});
 
   /// For a RunLoop, to which observers and sources are added.
   RunParts parts();
@@ -37,6 +44,8 @@ class Simulation {
   std::vector<ParameterChange> kept_parameters() const;
 
  private:
+  Simulation(const SimulationOptions& options, RoomCache* rooms, bool makes_robot);
+
   RecordedBehaviors behaviors_;
   std::unique_ptr<ScenarioHost> scenario_;
   Venue venue_;

@@ -144,8 +144,23 @@ hold = 3.0
   EXPECT_NE(shown.out.find("mended by a command after: 0."), std::string::npos) << shown.out;
 }
 
+TEST_F(ExperimentTest, TellsWhichTrialsWereNeverMeasured) {
+  std::string text = kShort;
+  const std::string from = "measured_from = \"learning\"";
+  folder.write("short.toml", text.replace(text.find(from), from.size(), "measured_from = \"turned round\""));
+  const ProgramRun done = run({"--out", path("out"), "--trials", "1", "--mode", "none"});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_NE(done.out.find("\nnone: 1 of 1 trials never came to the state from which they are measured, and count as "
+                          "failed: perhaps 'seconds' is too short\n"),
+            std::string::npos)
+      << done.out;
+  EXPECT_EQ(run({"--out", path("x"), "--trials", "1", "--mode", "none", "--plan"}).out.find("never came"),
+            std::string::npos);
+}
+
 TEST_F(ExperimentTest, StopsAtAMistakeThatOnlyATrialFinds) {
-  folder.write("short.toml", std::string(kShort) + "parameters.orientation.lingring = 1\n");
+  const std::string room = folder.write("room.png", "no picture").string();
+  folder.write("short.toml", std::string(kShort) + "room = \"" + room + "\"\n");
   expect_refused({"--out", path("out")}, "task 3, mode none, trial 1 (seed 1): ");
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000002.json")) << "what is done is kept";
 }

@@ -68,6 +68,20 @@ TextTable lines_of_references(const Experiment& experiment, const std::vector<Ce
   return lines;
 }
 
+void print_trials(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out) {
+  TextTable lines(1);
+  for (const Axis& axis : experiment.axes) lines[0].push_back(as_line(axis.name));
+  for (const char* title : {"trials", "failed [95 %]", "right after, s", "median", "p90", "mended after, s", "flips",
+                            "purges", "false flips", "right hours"})
+    lines[0].emplace_back(title);
+  for (const CellResults& cell : cells) lines.push_back(cells_of(cell));
+  print_table(lines, experiment.axes.size(), out);
+  const TextTable references = lines_of_references(experiment, cells);
+  if (references.empty()) return;
+  out << '\n';
+  print_table(references, 2, out);
+}
+
 ordered_json outcome_as_json(const Outcome& outcome) {
   return {{"seed", outcome.seed},
           {"disturbed", outcome.disturbed},
@@ -97,18 +111,14 @@ std::string on_lines(const ordered_json& row) {
 }  // namespace
 
 void print_rows(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out) {
-  if (have_looks(cells)) return print_compasses(experiment, cells, out);
-  TextTable lines(1);
-  for (const Axis& axis : experiment.axes) lines[0].push_back(as_line(axis.name));
-  for (const char* title : {"trials", "failed [95 %]", "right after, s", "median", "p90", "mended after, s", "flips",
-                            "purges", "false flips", "right hours"})
-    lines[0].emplace_back(title);
-  for (const CellResults& cell : cells) lines.push_back(cells_of(cell));
-  print_table(lines, experiment.axes.size(), out);
-  const TextTable references = lines_of_references(experiment, cells);
-  if (references.empty()) return;
-  out << '\n';
-  print_table(references, 2, out);
+  if (have_looks(cells)) {
+    print_compasses(experiment, cells, out);
+  } else {
+    print_trials(experiment, cells, out);
+  }
+  for (const CellResults& cell : cells) {
+    if (const std::string note = not_started_note(cell); !note.empty()) out << '\n' << as_line(note) << '\n';
+  }
 }
 
 void check_axis_names(const Experiment& experiment) {

@@ -118,6 +118,14 @@ TEST(ReportPage, PutsOnesOwnRowsBesideWhatOthersMeasured) {
   EXPECT_TRUE(has(page, "here, mode default"));
 }
 
+TEST(ReportPage, TellsWhichTrialsWereNeverMeasured) {
+  Report report = report_with("x", 3);
+  EXPECT_EQ(report_page(report).find("never came to the state"), std::string::npos);
+  report.cells[1].trials[0].started = false;
+  report.cells[1].row = row_of(report.cells[1].trials);
+  EXPECT_NE(report_page(report).find("x1, x: 1 of 3 trials never came to the state"), std::string::npos);
+}
+
 TEST(ReportPage, OfTrialsThatShowNothingIsStillAPage) {
   Report report = report_with("halls", 2);
   for (CellResults& cell : report.cells) {

@@ -58,6 +58,7 @@ void apply(const ConditionPatch& patch, Condition& condition) {
   set(condition.measurement.hold, patch.hold);
   set(condition.measurement.to_the_end, patch.to_the_end);
   set(condition.measurement.symmetric_room, patch.symmetric_room);
+  for (const auto& [what, place] : patch.said_at) condition.said_at[what] = place;
 }
 
 std::string as_text(const Condition& condition) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "workbench/experiments/trial/trial_observer.h"
 
 namespace reorient {
+
+/// File and line that say something: of "scenario", of "with head_scan".
+using SaidAt = std::map<std::string, std::string>;
 
 struct Condition {
   std::string scenario;
@@ -30,6 +34,7 @@ struct Condition {
   double learned_before = 0.0;  ///< s for which the robot learned the room on another day; 0: it did not
   bool compasses = false;       ///< whether room awareness and its peers are asked the same (trial/compass_observer.h)
   Measurement measurement;
+  SaidAt said_at;  ///< for messages
 };
 
 /// All of it, a line for each value, always in the same order: equal conditions have equal texts.
@@ -58,6 +63,7 @@ struct ConditionPatch {
   std::optional<double> hold;
   std::optional<bool> to_the_end;
   std::optional<bool> symmetric_room;
+  SaidAt said_at;
 };
 void apply(const ConditionPatch& patch, Condition& condition);
 

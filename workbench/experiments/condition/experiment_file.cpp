@@ -146,10 +146,20 @@ class ExperimentReader {
     constexpr double kDay = 86'400.0;  // s
     ConditionPatch patch;
     const TableReader in(table, file_);
+    const auto noted_text = [&](const std::string& key, const toml::node& value) {
+      patch.said_at[key] = place_of(value);
+      return in.text(key, value);
+    };
+    const auto noted_texts = [&](const std::string& key, const toml::node& value) {
+      std::vector<std::string> texts = in.texts(key, value);
+      for (std::size_t i = 0; i < texts.size(); ++i)
+        patch.said_at[key + " " + texts[i]] = place_of((*value.as_array())[i]);
+      return texts;
+    };
     TableReader::Readers readers{
-        {"scenario", [&](auto& key, auto& value) { patch.scenario = in.text(key, value); }},
-        {"with", [&](auto& key, auto& value) { patch.with = in.texts(key, value); }},
-        {"without", [&](auto& key, auto& value) { patch.without = in.texts(key, value); }},
+        {"scenario", [&](auto& key, auto& value) { patch.scenario = noted_text(key, value); }},
+        {"with", [&](auto& key, auto& value) { patch.with = noted_texts(key, value); }},
+        {"without", [&](auto& key, auto& value) { patch.without = noted_texts(key, value); }},
         {"params", [&](auto& key, auto& value) { patch.parameter_files = in.texts(key, value); }},
         {"parameters", [&](auto& key, auto& value) { patch.parameters = read_values(in, in.table(key, value)); }},
         {"room", [&](auto& key, auto& value) { patch.room = in.text(key, value); }},
@@ -172,7 +182,7 @@ class ExperimentReader {
         {"seconds", [&](auto& key, auto& value) { patch.seconds = in.number(key, value, 1.0, kDay); }},
         {"learned_before", [&](auto& key, auto& value) { patch.learned_before = in.number(key, value, 0.0, kDay); }},
         {"compasses", [&](auto& key, auto& value) { patch.compasses = in.yes(key, value); }},
-        {"measured_from", [&](auto& key, auto& value) { patch.measured_from = in.text(key, value); }},
+        {"measured_from", [&](auto& key, auto& value) { patch.measured_from = noted_text(key, value); }},
         {"limit", [&](auto& key, auto& value) { patch.limit = in.number(key, value, 0.0, kDay); }},
         {"hold", [&](auto& key, auto& value) { patch.hold = in.number(key, value, 0.0, kDay); }},
         {"to_the_end", [&](auto& key, auto& value) { patch.to_the_end = in.yes(key, value); }},
@@ -205,12 +215,13 @@ class ExperimentReader {
         const std::string name = std::string(module.str()) + "." + std::string(key.str());
         const std::optional<std::string> text = value_text(value);
         if (!text) in.refuse(value, name + " is a number, true, false or a name in quotes");
-        changes.push_back(
-            {name, *text, ParameterOrigin::file, file_ + ":" + std::to_string(value.source().begin.line)});
+        changes.push_back({name, *text, ParameterOrigin::file, place_of(value)});
       }
     }
     return changes;
   }
+
+  std::string place_of(const toml::node& node) const { return file_ + ":" + std::to_string(node.source().begin.line); }
 
   static std::optional<std::string> value_text(const toml::node& node) {
     if (const auto text = node.value_exact<std::string>()) return *text;

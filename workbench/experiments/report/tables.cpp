@@ -107,9 +107,8 @@ std::vector<std::string> numbers_of(const PairedComparison& comparison) {
           has_times ? p_value(comparison.times_p) : fixed(std::nullopt, 0)};
 }
 
-}  // namespace
-
-void draw_rows(Markup& out, const Report& report) {
+/// Without what is to be said below it.
+void draw_table_of_rows(Markup& out, const Report& report) {
   NumberTable table(out,
                     "What each cell showed. Failed: of the trials with a wrong belief at the start; Wilson\u2019s 95 % "
                     "interval. Right after: of those that came right; mean with bootstrap interval; median and 90th "
@@ -126,6 +125,15 @@ void draw_rows(Markup& out, const Report& report) {
         {std::to_string(row.trials), failed_share(row), mean_and_interval(row.right),
          quantile_text(row.right_median, row.disturbed, limit), quantile_text(row.right_p90, row.disturbed, limit),
          mean_and_interval(row.mended), share_text(row.flip, row.disturbed), share_text(row.purge, row.disturbed)});
+  }
+}
+
+}  // namespace
+
+void draw_rows(Markup& out, const Report& report) {
+  draw_table_of_rows(out, report);
+  for (const CellResults& cell : report.cells) {
+    if (const std::string note = not_started_note(cell); !note.empty()) out.leaf("p", note);
   }
 }
 

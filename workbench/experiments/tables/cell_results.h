@@ -14,4 +14,8 @@ struct CellResults {
   Row row;                           ///< of these trials
 };
 
+/// A sentence about trials that were never measured: whoever reads the row would take them for failures of the robot.
+/// Empty: there are none.
+std::string not_started_note(const CellResults& cell);
+
 }  // namespace reorient

@@ -11,12 +11,11 @@ namespace {
 constexpr double kTolerance = 1e-6;      // s: frame times are sums of rounded steps
 constexpr double kBetweenSamples = 0.5;  // s
 
-/// "turned round/lost" is within "turned round".
+}  // namespace
+
 bool is_within(std::string_view path, std::string_view state) {
   return path.starts_with(state) && (path.size() == state.size() || path[state.size()] == '/');
 }
-
-}  // namespace
 
 bool TrialObserver::starts(const ScenarioRecord& scenario) const {
   return measurement_.from.empty() ||

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "workbench/experiments/trial/trial_result.h"
 #include "workbench/run/observer.h"
@@ -17,6 +18,9 @@ struct Measurement {
   bool symmetric_room = false;  ///< nothing tells its two ends apart: a robot that says so has not failed
   bool to_the_end = true;       ///< false: a trial is over once its belief is right and has stayed so
 };
+
+/// Whether a state of that path is the one, or within it, as "turned round/lost" is within "turned round".
+bool is_within(std::string_view path, std::string_view state);
 
 /// Between frames the belief counts as it was in the last one; in the air, and where nobody knows the truth, as wrong.
 class TrialObserver : public Observer {
