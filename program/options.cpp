@@ -30,6 +30,8 @@ constexpr std::string_view kParameterFiles[] = {".toml"};
 std::filesystem::path parameter_file(const std::filesystem::path& named) {
   std::filesystem::path file = asset_file("parameters", named, kParameterFiles);
   std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw std::runtime_error("--params " + named.string() + ": it is a folder; name a file in it");
   if (!std::filesystem::exists(file, error) && is_asset_name(named)) {
     throw std::runtime_error("--params " + named.string() + ": there is no such file, and none of this name in " +
                              "assets/parameters" +

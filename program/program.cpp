@@ -71,6 +71,27 @@ spdlog::color_mode color_mode(const std::string& asked) {
   return is_unwanted ? spdlog::color_mode::never : spdlog::color_mode::automatic;
 }
 
+/// The innermost subcommand that was named, or the program.
+const CLI::App& asked_of(const CLI::App& app) {
+  const std::vector<CLI::App*> named = app.get_subcommands();
+  return named.empty() ? app : asked_of(*named.back());
+}
+
+/// What an option or a file that is missing would be, where its name alone does not say so.
+std::string meaning_of_missing(const CLI::App& app, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return {};
+  for (const CLI::Option* option : asked_of(app).get_options()) {
+    if (std::string(error.what()) == option->get_name() + " is required") return ": " + option->get_description();
+  }
+  return {};
+}
+
+/// "reorient model compare --help".
+std::string help_of(const CLI::App& app) {
+  const std::vector<CLI::App*> named = app.get_subcommands();
+  return app.get_name() + " " + (named.empty() ? "--help" : help_of(*named.back()));
+}
+
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   CLI::App app{"Reorient: a robot that notices that it is turned round."};
   app.name("reorient");
@@ -92,18 +113,16 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* asked = &app;
-    while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().back();
-    out << asked->help();
+    out << asked_of(app).help();
     return kSuccess;
   } catch (const CLI::CallForVersion& asked) {
     out << asked.what() << "\n";
     return kSuccess;
   } catch (const CLI::ExtrasError& error) {
-    err << "reorient: " << as_line(error.what()) << hint(app, subcommands) << " (see reorient --help)\n";
+    err << "reorient: " << as_line(error.what()) << hint(app, subcommands) << " (see " << help_of(app) << ")\n";
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    err << "reorient: " << as_line(error.what()) << " (see reorient --help)\n";
+    err << "reorient: " << as_line(error.what() + meaning_of_missing(app, error)) << " (see " << help_of(app) << ")\n";
     return kBadInput;
   }
   spdlog::set_default_logger(std::make_shared<spdlog::logger>(
@@ -114,8 +133,9 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }
-  err << "reorient: name a subcommand: run, test, experiment, model, check, new, params, graph, reference or version "
-         "(see reorient --help)\n";
+  std::string names;
+  for (const Subcommand& subcommand : subcommands) names += (names.empty() ? "" : ", ") + subcommand.parser->get_name();
+  err << "reorient: name a subcommand: " << names << " (see reorient --help)\n";
   return kBadInput;
 }
 

@@ -39,11 +39,7 @@ std::string named(const Kind& kind, const Kind& other, const std::filesystem::pa
                              " is wanted here: reorient run SCENARIO --with BEHAVIOR");
   }
   if (texts.find(file) != nullptr) return file;
-  std::error_code error;
-  if (name.ends_with(".lua") && std::filesystem::is_regular_file(name, error)) {
-    throw std::runtime_error("'" + name + "' lies outside of the scripts' root " + root.string() + "; copy it into " +
-                             (root / kind.folder).string() + ", or name its own root with --scripts");
-  }
+  require_no_other_file(root, name);
   std::vector<std::string> known;
   for (const std::string& one : texts.in_folder(kind.folder)) known.push_back(name_of(kind, one));
   std::string hint = did_you_mean(stem, known);
@@ -52,6 +48,16 @@ std::string named(const Kind& kind, const Kind& other, const std::filesystem::pa
 }
 
 }  // namespace
+
+void require_no_other_file(const std::filesystem::path& root, const std::string& name) {
+  std::error_code error;
+  const bool is_path = name.ends_with(".lua") || name.find('/') != std::string::npos;
+  if (!is_path || !std::filesystem::exists(name, error)) return;
+  if (!name.ends_with(".lua") || !std::filesystem::is_regular_file(name, error))
+    throw std::runtime_error("'" + name + "' is no script, which is a file *.lua");
+  throw std::runtime_error("'" + name + "' lies outside of the scripts' root " + root.string() +
+                           "; copy it below that, or name its own root with --scripts");
+}
 
 std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
   return named(kScenarios, kBehaviors, root, texts, name);

@@ -14,6 +14,10 @@ std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& 
 /// The same of a behaviour.
 std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name);
 
+/// Of a name of which there is no script below the root: throws std::runtime_error with one line where it is another
+/// file.
+void require_no_other_file(const std::filesystem::path& root, const std::string& name);
+
 /// Throws std::runtime_error with one line where a new script cannot be called so.
 void require_script_name(const std::string& name);
 

@@ -11,6 +11,7 @@
 #include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
+#include "program/script_names.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/script_files.h"
@@ -77,6 +78,7 @@ class DrawnScripts {
     }
     if (found.empty()) found = std::move(of_that_stem);
     if (found.size() == 1) return found.front();
+    if (found.empty()) require_no_other_file(root_, name);
     if (found.empty())
       throw std::runtime_error("there is no behavior or scenario '" + name + "' below " + root_.string() +
                                did_you_mean(name, known));

@@ -132,8 +132,8 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
 }
 
 void add_two_models(CLI::App& parser, ModelOptions& options) {
-  parser.add_option("first", options.first, "a file that run --model wrote")->check(check_not_empty)->required();
-  parser.add_option("second", options.second, "another one, with the same wall")->check(check_not_empty)->required();
+  parser.add_option("first", options.first, "a model, which run --model wrote")->check(check_not_empty)->required();
+  parser.add_option("second", options.second, "another model, with the same wall")->check(check_not_empty)->required();
 }
 
 }  // namespace

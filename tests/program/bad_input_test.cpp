@@ -289,6 +289,25 @@ TEST_F(BadInput, ARootOfScriptsThatIsNoneIsNamed) {
   EXPECT_EQ(run_reorient({"new", "behavior", "x", "--scripts", path("mine")}).code, kSuccess) << "it is begun";
 }
 
+TEST_F(BadInput, AFolderInThePlaceOfAFileIsCalledSo) {
+  const std::string folder = folder_.path().string();
+  expect_refused({"graph", "orientation", "--out", folder}, {"it is a folder; name another file with --out"});
+  expect_refused({"params", "--save-params", folder}, {"it is a folder; name another file with --save-params"});
+  expect_refused_run({"--params", folder}, {"--params " + folder + ": it is a folder"});
+}
+
+TEST_F(BadInput, AFileThatIsNoScriptIsNotCalledAMissingOne) {
+  expect_refused_run({file("empty", "")}, {"empty' is no script"});
+  expect_refused({"graph", file("mine.lua", "")}, {"lies outside of the scripts' root", "--scripts"});
+}
+
+TEST_F(BadInput, TheHelpOfTheCommandItselfIsNamed) {
+  expect_refused({}, {"calibrate", "replay", "recording", "record-test"});
+  expect_refused({"model", "compare", "a.model"},
+                 {"second is required: another model, with the same wall (see reorient model compare --help)"});
+  expect_refused_run({"--set", "nosuch=1"}, {"'reorient params' lists all"});
+}
+
 TEST_F(BadInput, ASummaryThatCannotBeWrittenIsNamedBeforeTheRun) {
   file("taken", "a file, no folder");
   std::filesystem::create_directory(folder_.path() / "folder");

@@ -129,6 +129,8 @@ TEST_F(LiveConsoleTest, SavesWhatWasTuned) {
   answer("set tested.level 0.25");
   const std::filesystem::path file = folder.path() / "tuned.toml";
   EXPECT_NE(answer("save " + file.string()).find("written"), std::string::npos);
+  EXPECT_NE(answer("save " + folder.path().string()).find("it is a folder; name another file with save"),
+            std::string::npos);
   FrameSetup setup;
   setup.parameters = read_parameters(file);
   HandFedLoop again(kLamp, std::move(setup));

@@ -8,6 +8,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "program/run/console/name_pattern.h"
+#include "workbench/files/atomic_file.h"
 #include "workbench/files/parameter_file.h"
 
 namespace reorient {
@@ -97,6 +98,7 @@ Reply ParameterCommands::differences() const {
 
 Reply ParameterCommands::save(const std::string& file) const {
   return [this, file](const FrameRecord&, const StageRecord&) {
+    require_writable_file(file, "save");
     save_parameters(parameters_(), kept_parameters_ ? kept_parameters_() : std::vector<ParameterChange>(), file);
     return "  written; --params " + printable(file) + " loads it\n";
   };
