@@ -65,18 +65,8 @@ void read_rotation(const std::string& option, RecorderOptions& recorder) {
   }
 }
 
-/// Of a further engine's recording: "match-2.mcap".
-std::filesystem::path free_name(const std::filesystem::path& first, int part) {
-  std::filesystem::path file = first;
-  std::error_code error;
-  do {
-    file.replace_filename(fmt::format("{}-{}{}", first.stem().string(), part++, first.extension().string()));
-  } while (std::filesystem::exists(file, error));
-  return file;
-}
-
-/// Nobody has named the further files: they must not be lost, nor look as if they belonged to this run.
-void require_no_further_parts(const std::filesystem::path& first) {
+/// Of a recording that was rotated: run.2.mcap. Nothing: there is none.
+std::optional<std::filesystem::path> further_part(const std::filesystem::path& first) {
   const std::string stem = first.stem().string() + ".", extension = first.extension().string();
   std::error_code error;
   const std::filesystem::path folder = first.has_parent_path() ? first.parent_path() : ".";
@@ -85,11 +75,18 @@ void require_no_further_parts(const std::filesystem::path& first) {
     if (name.size() <= stem.size() + extension.size() || !name.starts_with(stem) || !name.ends_with(extension))
       continue;
     const std::string number = name.substr(stem.size(), name.size() - stem.size() - extension.size());
-    if (number.find_first_not_of("0123456789") != std::string::npos) continue;
-    throw std::runtime_error("--record-rotate: " + entry.path().string() +
-                             " is there already, a part of an earlier run; move it away, or name another file with "
-                             "--record");
+    if (number.find_first_not_of("0123456789") == std::string::npos) return entry.path();
   }
+  return std::nullopt;
+}
+
+/// Neither the file is there nor a further part of it.
+std::filesystem::path free_name(const std::filesystem::path& first) {
+  std::filesystem::path file = first;
+  std::error_code error;
+  for (int number = 2; std::filesystem::exists(file, error) || further_part(file); ++number)
+    file.replace_filename(fmt::format("{}-{}{}", first.stem().string(), number, first.extension().string()));
+  return file;
 }
 
 }  // namespace
@@ -111,23 +108,29 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
   require_writable_file(options.record, "--record");
   require_new_or_recording(options.record, "--record");
   recorder.file = options.record;
+  const bool is_simulated = options.robot == "simulator";
   if (!options.record_rotate.empty()) {
     read_rotation(options.record_rotate, recorder);
-    require_no_further_parts(options.record);
+    // Nobody has named the further files: they must not be lost, nor look as if they belonged to this run.
+    if (const auto part = further_part(options.record); part && is_simulated) {
+      throw std::runtime_error("--record-rotate: " + part->string() +
+                               " is there already, a part of an earlier run; move it away, or name another file with "
+                               "--record");
+    }
   }
   recorder.about = {{"version", REORIENT_VERSION},
                     {"robot", options.robot},
                     {"venue", venue},
                     {"seed", std::to_string(options.seed)},
                     {"images", options.record_images}};
-  if (options.robot == "simulator") recorder.about.emplace("scenario", options.scenario);
+  if (is_simulated) recorder.about.emplace("scenario", options.scenario);
   return recorder;
 }
 
 RunRecording::RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell,
-                           int part) {
+                           EarlierRecording earlier) {
   if (!options) return;
-  if (part > 1) options->file = free_name(options->file, part);
+  if (earlier == EarlierRecording::stays) options->file = free_name(options->file);
   options->about.emplace("begun", fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr))));
   file_ = options->file;
   recorder_.emplace(*std::move(options), std::move(tell));

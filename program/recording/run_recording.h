@@ -20,11 +20,15 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
 /// what names it.
 void require_new_or_recording(const std::filesystem::path& file, const std::string& option);
 
+/// A robot's program is begun again by something that cannot choose a name, for another client or after a crash: what
+/// was recorded stays, and match-2.mcap is next, or the next number that is free.
+enum class EarlierRecording { is_replaced, stays };
+
 class RunRecording {
  public:
-  /// `part`: of a program that runs several engines one after the other, into match.mcap, match-2.mcap, match-3.mcap;
-  /// where one is there already, the next number.
-  RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell, int part = 1);
+  /// `earlier`: what becomes of a file that is there already.
+  RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell,
+               EarlierRecording earlier);
 
   /// nullptr: nothing is recorded.
   Observer* observer() { return recorder_ ? &*recorder_ : nullptr; }

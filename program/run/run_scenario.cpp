@@ -70,7 +70,9 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   if (!options.model.empty())
     parts.observers.push_back(&model.emplace(options.model, simulation.model(), options.sides_changed));
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
-  RunRecording recording(std::move(recording_options), [&](const std::string& line) { narration.tell(line); });
+  RunRecording recording(
+      std::move(recording_options), [&](const std::string& line) { narration.tell(line); },
+      EarlierRecording::is_replaced);
   if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
   parts.observers.push_back(&narration.progress);
   parts.in_real_time = options.realtime;

@@ -50,7 +50,9 @@ behavior "orientation" {
       { "correcting",
         when = function() return may_decide() and confidence.evidence > decision.in_peace() end,
         lasting = "hold_time", because = "the reflected pose won" },
-      { "in doubt", when = function() return confidence.age < memory.age_in_peace end, because = "what was seen before says nothing any more" },
+      { "in doubt",
+        when = function() return confidence.age < memory.age_in_peace end,
+        because = "what was seen before says nothing any more" },
     },
   },
 

@@ -16,6 +16,7 @@
 #include <sys/resource.h>
 
 #include "geometry/random.h"
+#include "program/recording/run_recording.h"
 #include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
@@ -240,6 +241,22 @@ TEST_F(RunThatIsRecorded, KeepsTheFurtherPartsOfAnEarlierOne) {
   std::filesystem::remove(file("rot.3.mcap"));
   run_shortly({"--record", file("rot.mcap"), "--record-rotate", "1s"});
   EXPECT_TRUE(std::filesystem::exists(file("rot.2.mcap")));
+}
+
+TEST_F(RunThatIsRecorded, ByARobotTakesTheNextNameThatIsFree) {
+  RunOptions options;
+  options.robot = "nao";
+  options.record = file("run.mcap");
+  folder_.write("run-2.4.mcap", "a part of an earlier run");
+  for (int run = 0; run < 2; ++run) {
+    RunRecording recording(
+        recorder_options(options, ""), [](const std::string& line) { ADD_FAILURE() << line; }, EarlierRecording::stays);
+    std::ostringstream out;
+    recording.end(out);
+  }
+  EXPECT_TRUE(std::filesystem::exists(file("run.mcap")));
+  EXPECT_FALSE(std::filesystem::exists(file("run-2.mcap")));
+  EXPECT_TRUE(std::filesystem::exists(file("run-3.mcap")));
 }
 
 TEST_F(RunThatIsRecorded, IsRefusedTimesInWhichNothingWasRecorded) {

@@ -137,7 +137,6 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   Companion companion({socket, known_robots(), drawn_by_lot(), monotonic_clock, is_over});
   err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
 
-  int sessions = 0;
   bool fresh = options.fresh;
   while (const Greeting* const greeting_now = companion.wait_for_greeting()) {
     const Greeting greeting = *greeting_now;
@@ -183,7 +182,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
         {},       0.0,     false};
     if (model_keeper) parts.observers.push_back(&*model_keeper);
     RunRecording recording(
-        recording_options, [&](const std::string& line) { narration.tell(line); }, ++sessions);
+        recording_options, [&](const std::string& line) { narration.tell(line); }, EarlierRecording::stays);
     if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
     parts.observers.push_back(&narration.progress);
     parts.observers.push_back(&console);

@@ -122,7 +122,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   RunParts parts{instance, engine, nullptr, nullptr, {&edits, &console, &start}, {&narration.log, &narration.timeline},
                  {},       0.0,    false};
   if (model_keeper) parts.observers.push_back(&*model_keeper);
-  RunRecording recording(std::move(recording_options), tell);
+  RunRecording recording(std::move(recording_options), tell, EarlierRecording::stays);
   if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
   parts.observers.push_back(&narration.progress);
   parts.observers.push_back(&console);
