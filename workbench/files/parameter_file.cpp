@@ -92,7 +92,8 @@ std::string as_value(const std::string& text) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-  return is_number && to_text(number) == text ? text : as_string(text);
+  const bool reads_the_same = is_number && to_text(number) == text && text != "-0";  // which TOML reads as 0
+  return reads_the_same ? text : as_string(text);
 }
 
 /// A comment ends with its line, and holds no other control characters either.

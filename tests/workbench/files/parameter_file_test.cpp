@@ -191,7 +191,7 @@ RC_GTEST_FIXTURE_PROP(ParameterFile, ReadsWhatItWrote, ()) {
   std::vector<ParameterChange> kept;
   for (int i = 0; i < *rc::gen::inRange(0, 4); ++i) {
     const std::string value =
-        *rc::gen::element<std::string>("true", "0.5", "1e-05", "-3", "1.", "inf", "007", "", any_text());
+        *rc::gen::element<std::string>("true", "0.5", "1e-05", "-3", "1.", "inf", "007", "-0", "", any_text());
     kept.push_back({"others." + any_text() + std::to_string(i), value, ParameterOrigin::file, "here.toml:1"});
     saved[kept.back().name] = value;
   }
