@@ -3,6 +3,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/script_files.h"
 
@@ -31,13 +33,14 @@ void NamedFiles::writes(const std::filesystem::path& file, const std::string& op
   if (file.empty()) return;
   for (const auto& [other, name] : named_) {
     if (is_same(other, file))
-      throw std::runtime_error(name + " and " + option + " name the same file: " + file.string() +
-                               "; name another one with " + option);
+      throw std::runtime_error(
+          fmt::format("{0} and {1} name the same file: {2}; name another one with {1}", name, option, file.string()));
   }
   for (const std::filesystem::path& root : roots_) {
     const std::optional<std::string> below = path_below(root, file);
     if (file.extension() == ".lua" && below && !below->starts_with("annotations/"))  // which are no scripts
-      throw std::runtime_error(option + " " + file.string() + ": scripts lie there; name another file with " + option);
+      throw std::runtime_error(
+          fmt::format("{0} {1}: scripts lie there; name another file with {0}", option, file.string()));
   }
   named_.emplace_back(file, option);
 }

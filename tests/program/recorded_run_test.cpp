@@ -276,7 +276,7 @@ TEST_F(RunThatIsRecorded, IsRefusedTimesInWhichNothingWasRecorded) {
   };
   for (auto [words, why] : mistakes) {
     for (std::string& word : words) {
-      if (word == "run" || word == "late" || word == "part") word = file((word + ".mcap").c_str());
+      if (word == "run" || word == "late" || word == "part") word = file((word += ".mcap").c_str());
     }
     const ProgramRun run = run_reorient(words);
     EXPECT_EQ(run.code, 2) << why;
