@@ -31,8 +31,6 @@ std::uint32_t kind_of(Reorientation reorientation) {
   return 0;
 }
 
-Pose2 pose_of(const double (&numbers)[3]) { return Pose2(numbers[0], numbers[1], numbers[2]); }
-
 Isometry3 camera_pose_of(const double (&pose)[12]) {
   Isometry3 result = Isometry3::Identity();
   for (int row = 0; row < 3; ++row) {
@@ -87,8 +85,8 @@ void Companion::begin(const Greeting& greeting, bool goes_on, int behaviors) {
   goes_on_ = goes_on;
   behaviors_ = behaviors;
   states_.clear();
-  command_.withdraw();                   // another engine asked for it
-  if (!goes_on) is_other_half_.reset();  // there is nothing yet that could be turned round
+  command_.withdraw();  // another engine asked for it
+  if (!goes_on) told_.begin_axes();
   meet();
 }
 
@@ -152,8 +150,7 @@ void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, Own
 void Companion::take_hello(std::span<const std::byte> body) {
   if (greeting_) throw BadMessage("a client says hello once; connect again to say something else");
   greeting_ = read_greeting(body, options_.known);
-  const bool is_another_process = std::exchange(last_client_, greeting_->client) != greeting_->client;
-  if (is_another_process) told_.initial_pose.reset();  // it was another process that was so sure
+  told_.begin_client(greeting_->client);
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const std::optional<reorient_camera>& camera = greeting_->cameras[i];
     images_[i] = camera ? Image(camera->width, camera->height) : Image();
@@ -182,7 +179,7 @@ void Companion::take_frame(std::span<const std::byte> body) {
   }
   ++counts_.frames;
   command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
-  keep_told(arrived_.message);
+  if (told_.hear(arrived_.message)) command_.withdraw();
   if (nonsense_in(arrived_.message) != nullptr) {
     ++counts_.unusable;
     return;
@@ -191,25 +188,6 @@ void Companion::take_frame(std::span<const std::byte> body) {
   if (has_newest_) ++counts_.superseded;
   std::swap(arrived_, newest_);
   has_newest_ = true;
-}
-
-/// What is told once must not be lost with a frame that nobody looks at, whatever else is wrong with it.
-void Companion::keep_told(const FrameMessage& message) {
-  const reorient_frame& frame = message.frame;
-  if (message.has(REORIENT_HAS_TOLD_POSE) && is_told_pose_sound(frame)) {
-    told_.initial_pose = InitialPose{pose_of(frame.told_pose), frame.told_deviation[0], frame.told_deviation[1]};
-    told_odometry_.reset();
-    if (is_odometry_sound(frame)) told_odometry_ = pose_of(frame.odometry);
-    told_in_other_half_ = message.has(REORIENT_OTHER_HALF);
-    command_.withdraw();
-  }
-  if (message.has(REORIENT_HAS_REFEREE)) {
-    referee_.penalized = frame.penalized != 0;
-    told_.referee = referee_;
-  }
-  for (const Message& word : message.messages) {
-    if (told_.messages.size() < kMostMessages) told_.messages.push_back(word);
-  }
 }
 
 void Companion::take_sample(std::span<const std::byte> body) {
@@ -229,10 +207,7 @@ void Companion::take_game(std::span<const std::byte> body) {
   if (game_.team() != team || game_.player() != player) game_ = GameController(team, player);
   Told heard;
   game_.hear(std::as_bytes(std::span(game.datagram).first(game.size)), heard);
-  if (heard.referee) told_.referee = referee_ = *heard.referee;
-  if (!heard.half_time) return;
-  told_.half_time = !told_.half_time;
-  if (told_.initial_pose) told_.initial_pose->pose = reflect(told_.initial_pose->pose);
+  told_.hear(heard);
 }
 
 /// False: there is none, or it is of no use.
@@ -248,7 +223,7 @@ bool Companion::use_newest(Observation& observation) {
   last_arrival_ = newest_.at;
   if (clock_.began_anew()) {  // with another belief, and in the axes of this moment
     command_.withdraw();
-    is_other_half_.reset();
+    told_.begin_axes();
   }
   observation = {};
   if (!moment || !take_images(message, moment->time, observation)) {
@@ -268,25 +243,11 @@ bool Companion::use_newest(Observation& observation) {
     belief.covariance = covariance_of(frame.covariance);
     belief.particles = particles_;
   }
-  take_told(message, observation.told);
+  observation.told = told_.take(message);
   answered_ = frame.number;
   answered_time_ = time;
   answered_at_ = newest_.at;
   return true;
-}
-
-/// What was told with this frame, or with earlier ones: then the robot has moved on meanwhile, and its axes may be
-/// those of the other half by now. Each frame says in which half it is, so that half-time is lost with none.
-void Companion::take_told(const FrameMessage& message, Told& told) {
-  const bool is_other_half = message.has(REORIENT_OTHER_HALF);
-  told = std::exchange(told_, {});
-  if (told.initial_pose) {
-    Pose2& pose = told.initial_pose->pose;
-    if (told_odometry_) pose = pose * (told_odometry_->inverse() * pose_of(message.frame.odometry));
-    if (told_in_other_half_ != is_other_half) pose = reflect(pose);
-  }
-  if (is_other_half != is_other_half_.value_or(is_other_half)) told.half_time = !told.half_time;
-  is_other_half_ = is_other_half;
 }
 
 /// Where the robot has no feet that feel, or does not say what they do, as it stands.

@@ -18,6 +18,7 @@
 #include "robots/companion/connection.h"
 #include "robots/companion/frame_message.h"
 #include "robots/companion/greeting.h"
+#include "robots/companion/pending_told.h"
 #include "robots/companion/shared_images.h"
 #include "robots/game_controller.h"
 #include "robots/robot.h"
@@ -69,7 +70,7 @@ class Companion : public Robot, private Receiver {
   /// What a process that takes this one's place has to know, but for the engine.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(clock_, last_time_, is_other_half_, referee_, game_, told_.half_time);
+    archive(clock_, last_time_, told_, game_);
     if constexpr (Archive::kReads) last_arrival_ = options_.now();
   }
 
@@ -88,9 +89,7 @@ class Companion : public Robot, private Receiver {
   void take_frame(std::span<const std::byte> body);
   void take_game(std::span<const std::byte> body);
   void take_sample(std::span<const std::byte> body);
-  void keep_told(const FrameMessage& message);
   bool use_newest(Observation& observation);
-  void take_told(const FrameMessage& message, Told& told);
   BodySample with_load(BodySample sample, std::uint32_t has) const;
   void take_samples(double time, bool has_time);
   bool take_images(const FrameMessage& message, double time, Observation& observation);
@@ -103,8 +102,8 @@ class Companion : public Robot, private Receiver {
   PendingCommand command_;
   ClientClock clock_;
 
-  RefereeState referee_;  ///< what was said last
   GameController game_;
+  PendingTold told_;
 
   std::optional<Greeting> greeting_;    ///< of the client that is connected
   std::optional<Greeting> engine_for_;  ///< nothing: there is no engine yet
@@ -116,12 +115,7 @@ class Companion : public Robot, private Receiver {
 
   Arrived arrived_, newest_;
   bool has_newest_ = false;
-  double last_arrival_ = 0.0;           ///< s, on our clock, of the frame that was looked at last, of use or not
-  Told told_;                           ///< of frames that were not looked at; half-time: as the GameController says it
-  std::optional<Pose2> told_odometry_;  ///< the client's where the pose was told, if it made sense
-  bool told_in_other_half_ = false;     ///< the axes of that pose
-  std::optional<bool> is_other_half_;   ///< the axes of the frame before, of the same client
-  std::uint64_t last_client_ = 0;       ///< who said hello last
+  double last_arrival_ = 0.0;             ///< s, on our clock, of the frame that was looked at last, of use or not
   std::vector<reorient_sample> samples_;  ///< no frame has come yet that was exposed after them
   double last_time_ = 0.0;                ///< s, the engine's, of the frame before
 

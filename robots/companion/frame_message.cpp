@@ -80,6 +80,8 @@ bool is_told_pose_sound(const reorient_frame& frame) {
          frame.told_deviation[1] > 0.0 && frame.told_deviation[1] <= 10.0;
 }
 
+Pose2 pose_of(const double (&numbers)[3]) { return Pose2(numbers[0], numbers[1], numbers[2]); }
+
 const char* nonsense_in(const FrameMessage& message) {
   constexpr double kLatest = 1e10, kOldest = 1.0;  // s
   const reorient_frame& frame = message.frame;

@@ -28,6 +28,8 @@ const char* nonsense_in(const FrameMessage& message);
 bool is_odometry_sound(const reorient_frame& frame);
 bool is_told_pose_sound(const reorient_frame& frame);
 
+Pose2 pose_of(const double (&numbers)[3]);
+
 /// The same of a sample. Throws BadMessage where it is none.
 reorient_sample read_sample(std::span<const std::byte> bytes);
 bool is_sound(const reorient_sample& sample);

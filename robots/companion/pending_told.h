@@ -1,0 +1,45 @@
+// What a client has told with frames, until one of them is looked at.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "geometry/pose2.h"
+#include "robots/companion/frame_message.h"
+#include "robots/robot.h"
+
+namespace reorient {
+
+/// What is told once must not be lost with a frame that nobody looks at, whatever else is wrong with that frame.
+class PendingTold {
+ public:
+  /// This client has said hello. Where it is another process, the one before it was so sure of a pose that it told.
+  void begin_client(std::uint64_t client);
+  /// The next frame has the axes that it has: nothing is known yet that could be turned round.
+  void begin_axes() { is_other_half_.reset(); }
+
+  /// Whether a pose was told.
+  bool hear(const FrameMessage& message);
+  /// What the GameController says.
+  void hear(const Told& game);
+
+  /// With the frame that is looked at. The robot may have moved on since a pose was told, and the axes may be those of
+  /// the other half by now. Each frame says in which half it is, so that half-time is lost with none.
+  Told take(const FrameMessage& message);
+
+  /// What a process that takes this one's place has to know.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(is_other_half_, referee_, told_.half_time);
+  }
+
+ private:
+  Told told_;                           ///< half-time: as the GameController says it
+  std::optional<Pose2> odometry_;       ///< the client's where the pose was told, if it made sense
+  bool is_pose_of_other_half_ = false;  ///< its axes
+  std::optional<bool> is_other_half_;   ///< the axes of the frame before, of the same client
+  std::uint64_t client_ = 0;
+  RefereeState referee_;  ///< what was said last
+};
+
+}  // namespace reorient
