@@ -54,17 +54,24 @@ class CompanionTest : public ::testing::Test {
   std::optional<Companion> companion_;
 };
 
-TEST_F(CompanionTest, HearsTheGameFromItsClient) {
-  RawClient client = greeted();
+/// What the GameController says to the third player of team 5.
+reorient_game game_of(bool first_half) {
   reorient_game game{};
   game.team = 5;
   game.player = 3;
   game.size = 158;
   std::memcpy(game.datagram, "RGme", 4);
   game.datagram[4] = 20;
-  game.datagram[10] = 2;                 // set
-  game.datagram[13] = 5;                 // we kick off
-  game.datagram[18 + 70] = 5;            // we are the second team
+  game.datagram[10] = 2;  // set
+  game.datagram[13] = 5;  // we kick off
+  game.datagram[12] = first_half ? 1 : 0;
+  game.datagram[18 + 70] = 5;  // we are the second team
+  return game;
+}
+
+TEST_F(CompanionTest, HearsTheGameFromItsClient) {
+  RawClient client = greeted();
+  reorient_game game = game_of(false);
   game.datagram[18 + 70 + 10 + 6] = 12;  // the third player is sent off
   client.send(REORIENT_GAME, game);
   client.send(REORIENT_FRAME, standing_frame(1, 33.0, client.paint(90)));
@@ -195,21 +202,6 @@ reorient_frame told_frame(std::uint64_t number, double time, std::uint64_t seque
   frame.told_pose[1] = 1.0;
   frame.told_deviation[0] = frame.told_deviation[1] = 0.1;
   return frame;
-}
-
-/// What the GameController says at the end of a half to the third player of team 5.
-reorient_game game_of(bool first_half) {
-  reorient_game game{};
-  game.team = 5;
-  game.player = 3;
-  game.size = 158;
-  std::memcpy(game.datagram, "RGme", 4);
-  game.datagram[4] = 20;
-  game.datagram[10] = 2;  // set
-  game.datagram[13] = 5;
-  game.datagram[12] = first_half ? 1 : 0;
-  game.datagram[18 + 70] = 5;
-  return game;
 }
 
 TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
