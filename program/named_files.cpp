@@ -45,12 +45,16 @@ void NamedFiles::writes(const std::filesystem::path& file, const std::string& op
   named_.emplace_back(file, option);
 }
 
+void NamedFiles::require_writable(const std::filesystem::path& file, const std::string& option) {
+  writes(file, option);
+  if (!file.empty()) require_writable_file(file, option);
+}
+
 void require_writable_output(const std::filesystem::path& file, const std::string& option,
                              const std::filesystem::path& scripts) {
   NamedFiles files;
   files.reads_scripts(scripts);
-  files.writes(file, option);
-  if (!file.empty()) require_writable_file(file, option);
+  files.require_writable(file, option);
 }
 
 }  // namespace reorient

@@ -17,6 +17,8 @@ class NamedFiles {
   /// Throws std::runtime_error with one line where it is one of those that were named before. Nothing is named: no
   /// path.
   void writes(const std::filesystem::path& file, const std::string& option);
+  /// The same, and where it cannot be written.
+  void require_writable(const std::filesystem::path& file, const std::string& option);
 
  private:
   std::vector<std::pair<std::filesystem::path, std::string>> named_;  // and what names it

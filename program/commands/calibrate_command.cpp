@@ -82,8 +82,7 @@ int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::o
   files.reads(options.body, "--body");
   files.reads(options.field, "--field");
   for (const std::filesystem::path& file : parameter_files_of(options.parameters)) files.reads(file, "--params");
-  files.writes(options.out, "--out");
-  require_writable_file(options.out, "--out");
+  files.require_writable(options.out, "--out");
   const RobotBody body = load_body(body_file(options.body));
   const FieldDimensions field = load_field(field_file(options.field, body));
   const std::array<CalibrationShots, 2> shots = look(options, body, field, *place, err);

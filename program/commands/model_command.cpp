@@ -55,8 +55,7 @@ int show_model(const ModelOptions& options, std::ostream& out) {
     throw std::runtime_error("name a file that 'reorient run --model FILE' has written (see reorient model --help)");
   NamedFiles files;
   files.reads(options.file, "the model");
-  files.writes(options.picture, "--picture");
-  if (!options.picture.empty()) require_writable_file(options.picture, "--picture");
+  files.require_writable(options.picture, "--picture");
   const SavedModel model = read_named(options.file);
   out << as_line(options.file.string()) << time_of(options.file) << "\n";
   print_model(model, out);

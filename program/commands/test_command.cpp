@@ -84,8 +84,7 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   NamedFiles files;
   files.reads_scripts(run.scripts_root);
   for (const std::filesystem::path& path : options.paths) files.reads(path, "a test");
-  files.writes(options.junit, "--junit");
-  if (!options.junit.empty()) require_writable_file(options.junit, "--junit");
+  files.require_writable(options.junit, "--junit");
   if (options.simulator) {
     run.simulate = [&run](const SimulationRequest& request, CoverageTrace& trace, const std::function<bool()>& stop) {
       return simulate(run.scripts_root, request, trace, stop);

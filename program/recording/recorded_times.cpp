@@ -10,8 +10,6 @@
 namespace reorient {
 namespace {
 
-constexpr double kReadingError = 0.01;  // s: times are read off, and named again, with two decimals
-
 void require_begun(const Recording& recording, const char* option, double time) {
   if (time + kReadingError < recording.begin_time())
     throw std::runtime_error(

@@ -3,11 +3,6 @@
 #include <utility>
 
 namespace reorient {
-namespace {
-
-constexpr double kReadingError = 0.01;  // s: times are read off, and named again, with two decimals
-
-}  // namespace
 
 Playback::Playback(Recording& recording, double from, double to) : recording_(recording), to_(to + kReadingError) {
   is_over_ = !recording_.go_to(from);

@@ -27,6 +27,9 @@ struct RecordedFrame {
   std::vector<ViewMessage> views;  ///< what there is to look at, where the recording was asked to read that, too
 };
 
+/// s; times of a recording are read off, and named again, with two decimals.
+inline constexpr double kReadingError = 0.01;
+
 class Recording {
  public:
   /// Throws std::runtime_error with one line: it cannot be read, or is no recording of ours.
