@@ -2,23 +2,39 @@
 --- the belief is flipped; when it speaks for the believed pose while wrong beliefs linger, those are purged; after a fall
 --- that the robot got up from, the orientation is reset. Whether the room may speak at all, the core says:
 --- confidence.status. How much it must say is asked of lib.decision: less while the pose is in doubt, so that a robot that
---- was put down is soon right, and more in peace, where it would have to be wrong again and again for hours.
+--- was put down is soon right, and more in peace, where it would have to be wrong again and again for hours. What the room
+--- says first, and then takes back, is not acted upon.
 
 local decision = require "lib.decision"
 
 local p = param {
-  hold_time = { 0.2, range = { 0, 10 }, unit = "s", doc = "how long the room must say so" },
-  min_time  = { 3.0, range = { 0, 30 }, unit = "s", doc = "how long to wait after a command, until its effect shows" },
-  lingering = { 0.1, range = { 0, 1 },              doc = "share of reflected pose particles that is worth a purge" },
+  hold_time  = { 0.2,  range = { 0, 10 }, unit = "s", doc = "how long the room must say so" },
+  min_time   = { 3.0,  range = { 0, 30 }, unit = "s", doc = "how long to wait after a command, until its effect shows" },
+  lingering  = { 0.1,  range = { 0, 1 },              doc = "share of reflected pose particles that is worth a purge" },
+  settling   = { 5.0,  range = { 0, 60 }, unit = "s", doc = "how long the belief may still be turned into place once views speak" },
+  taken_back = { 0.05, range = { 0, 1 },              doc = "share of what it said that the room may take back meanwhile" },
 }
 
-local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0 }
+local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0, age = 0.0, most_evidence = 0.0 }
 
 -- A flip turns every belief round, right ones as well, and a reset spreads them: once the believed pose has proved right
 -- after either, what is wrong is purged. The purge also says that the pose is known again, so that training may go on.
 local function is_purge_due() return memory.confirm or pose.reflected_weight > p.lingering end
 
 local function may_decide() return confidence.status == "usable" end
+
+local function watch_evidence()
+  if confidence.age < memory.age then memory.most_evidence = 0.0 end
+  memory.age = confidence.age
+  memory.most_evidence = math.max(memory.most_evidence, confidence.evidence)
+end
+
+-- A robot that was put down a little turned sees everything beside the place where it knows it, until lines and posts have
+-- turned its belief into place. What spoke for the reflection till then is taken back, tile by tile; of a belief that is the
+-- reflection, more and more tiles say so.
+local function is_taking_back()
+  return confidence.age < p.settling and confidence.evidence < (1.0 - p.taken_back) * memory.most_evidence
+end
 
 local function believed_pose_won() return may_decide() and decision.for_believed() end
 
@@ -27,6 +43,7 @@ local function is_upright() return robot.posture == "upright" end
 behavior "orientation" {
   priority = 50,
   initial = "watching",
+  update = watch_evidence,
   common = {
     { "lifted", when = function() return robot.posture == "lifted" end, because = "somebody has lifted the robot" },
     { "fallen", when = function() return robot.posture == "lying" end, because = "the robot fell" },
@@ -40,7 +57,7 @@ behavior "orientation" {
 
     state "in doubt" {
       { "correcting",
-        when = function() return may_decide() and confidence.evidence > decision.in_doubt() end,
+        when = function() return may_decide() and confidence.evidence > decision.in_doubt() and not is_taking_back() end,
         lasting = "hold_time", because = "the reflected pose won" },
       { "in peace", when = believed_pose_won, lasting = "hold_time", because = "the believed pose won" },
     },

@@ -37,6 +37,49 @@ test("does not flip on evidence that does not last", function()
   expect.no_command()
 end)
 
+test("does not flip while the room takes back what it said", function()
+  learned_room()
+  set_world { confidence = { age = 0.3, evidence = 12 } }
+  advance(0.1)
+  set_world { confidence = { age = 0.4, evidence = 11 } }
+  advance(0.5)
+  expect.no_command()
+  set_world { confidence = { age = 0.9, evidence = 11.8 } }
+  advance(0.3)
+  expect.command("flip_pose", "granted")
+end)
+
+test("knows after a reset, too, what the room said before it", function()
+  learned_room()
+  set_world { confidence = { age = 0.5, evidence = 12 }, robot = { posture = "lying" } }
+  advance(0.1)
+  set_world { robot = { posture = "upright" } }
+  advance(0.1)
+  expect.state("orientation", "resetting")
+  set_world { confidence = { age = 0.6, evidence = 10 } }
+  advance(4.0)
+  expect.state("orientation", "watching/in doubt")
+  expect.no_command()
+end)
+
+test("what the room said before it began anew is forgotten", function()
+  learned_room()
+  set_world { confidence = { age = 0.5, evidence = 30 } }
+  advance(0.1)
+  set_world { confidence = { age = 0.3, evidence = 9 } }
+  advance(0.3)
+  expect.command("flip_pose", "granted")
+end)
+
+test("follows what is left of what the room said, once the pose has settled", function()
+  learned_room()
+  set_world { confidence = { age = 1.0, evidence = 20 } }
+  advance(0.1)
+  set_world { confidence = { age = 5.5, evidence = 10 } }
+  advance(0.3)
+  expect.command("flip_pose", "granted")
+end)
+
 test("does not decide before enough of the room was learned", function()
   learned_room()
   set_world { confidence = { evidence = 10, coverage = 0.1 } }
