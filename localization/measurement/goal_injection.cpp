@@ -29,7 +29,7 @@ Eigen::Vector2d disturb(const Eigen::Vector2d& post, const MeasurementModel& obs
 }  // namespace
 
 GoalInjection::GoalInjection(const FieldDimensions& field)
-    : posts_(goal_posts(field)), half_size_(believable_half_size(field)) {}
+    : posts_(goal_posts(field)), carpet_(carpet_half_size(field)) {}
 
 std::optional<GoalSighting> GoalInjection::find_goal(const FieldPercept& percept, const MeasurementModel& observed,
                                                      const InjectionParameters& parameters) const {
@@ -77,8 +77,8 @@ std::optional<Pose2> GoalInjection::draw_candidate(const GoalSighting& sighting,
     pose.position = post + seen_left.norm() * unit_vector(away);
     pose.rotation = angle_difference(away + kPi, direction_of(seen_left));
   }
-  const bool believable = (pose.position.cwiseAbs().array() <= half_size_.array()).all();
-  return believable ? std::optional(pose) : std::nullopt;
+  const bool is_on_carpet = (pose.position.cwiseAbs().array() <= carpet_.array()).all();
+  return is_on_carpet ? std::optional(pose) : std::nullopt;
 }
 
 std::optional<Pose2> GoalInjection::draw(const GoalSighting& sighting, SeenGoal seen_goal,

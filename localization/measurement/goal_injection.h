@@ -71,7 +71,7 @@ class GoalInjection {
                                       const MeasurementModel& observed, Random& random) const;
 
   std::array<Eigen::Vector2d, 4> posts_;
-  Eigen::Vector2d half_size_;
+  Eigen::Vector2d carpet_;  // half of its size, m
   ParticleSet candidates_;
   std::vector<float> costs_;
 };

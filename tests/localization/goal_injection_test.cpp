@@ -137,7 +137,7 @@ TEST(GoalInjection, UsesPostsAsFarAsTheyAreUsedToWeighPoses) {
   EXPECT_TRUE(GoalInjection{FieldDimensions()}.find_goal(percept, model, kParameters));
 }
 
-RC_GTEST_PROP(GoalInjection, DrawsOnlyFinitePosesThatMayBeBelieved, ()) {
+RC_GTEST_PROP(GoalInjection, DrawsOnlyFinitePosesOnTheCarpet, ()) {
   static const Scene scene(kRobot);
   GoalInjection injection{FieldDimensions()};
   const auto metres = [] { return *rc::gen::inRange(-7000, 7000) * 1e-3; };
@@ -152,7 +152,7 @@ RC_GTEST_PROP(GoalInjection, DrawsOnlyFinitePosesThatMayBeBelieved, ()) {
   }
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const auto pose = injection.draw(goal, SeenGoal::unknown, scene.model, kParameters, random);
-  const Eigen::Vector2d limit = believable_half_size(FieldDimensions());
+  const Eigen::Vector2d limit = carpet_half_size(FieldDimensions());
   if (pose) RC_ASSERT((pose->position.cwiseAbs().array() <= limit.array()).all() && std::isfinite(pose->rotation));
 }
 
