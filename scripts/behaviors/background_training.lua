@@ -13,6 +13,8 @@ local p = param {
   min_time      = { 10.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
   max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever is known" },
   paired        = { 0.4,  range = { 0, 1 },               doc = "share of the wall that must be known with its other side to end sooner" },
+  patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "after which time less of it is enough: a still body cannot see more" },
+  least_paired  = { 0.25, range = { 0, 1 },               doc = "share that is enough then" },
   asymmetry     = { 0.9,  range = { 0, 1.5 },             doc = "what confidence.asymmetry must reach to end sooner, too" },
   lingering     = { 0.05, range = { 0, 1 },               doc = "share of reflected pose particles that is purged meanwhile" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
@@ -27,7 +29,8 @@ local function stands_on_the_field() return robot.undisturbed_for > p.undisturbe
 
 local function knows_the_room()
   if training.seconds >= p.max_time then return true end
-  return training.seconds >= p.min_time and confidence.paired >= p.paired and confidence.asymmetry >= p.asymmetry
+  local enough = training.seconds >= p.patience     and p.least_paired or p.paired
+  return training.seconds >= p.min_time and confidence.paired >= enough and confidence.asymmetry >= p.asymmetry
 end
 
 local function is_known_no_more() return training.seconds < p.min_time and not knows_the_room() end

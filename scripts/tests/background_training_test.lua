@@ -55,6 +55,19 @@ test("it goes on learning a room that hardly differs from itself turned by half 
   expect.state("background_training", "trusting/watching")
 end)
 
+test("less of the wall is enough after a while, since a still body cannot see more", function()
+  start()
+  set_world { training = { seconds = 13.8 }, confidence = { coverage = 0.6, paired = 0.3 } }
+  advance(0.1)
+  expect.state("background_training", "learning/studying")
+  set_world { training = { seconds = 14.2 }, confidence = { asymmetry = 0.8 } }
+  advance(0.1)
+  expect.state("background_training", "learning/studying")
+  set_world { confidence = { asymmetry = 1.0 } }
+  advance(0.1)
+  expect.state("background_training", "trusting/watching")
+end)
+
 test("it trusts the model after a while whatever is known", function()
   start()
   set_world { training = { seconds = 36 }, confidence = { coverage = 0.5, paired = 0.1 } }
