@@ -52,6 +52,15 @@ class CompareTest : public ::testing::Test {
   std::string before = table("before", "[" + row(kDefault, kFast) + ",\n" + row(kPaper, kSlow) + "]");
 };
 
+TEST_F(CompareTest, LeavesOutRowsThatArePooledOverRooms) {
+  const std::string pooled = R"("mode": "paper", "room": "all", )", one = R"("mode": "paper", "room": "hall", )";
+  const ProgramRun run = compare({table("a", "[" + row(one, kFast) + "," + row(pooled, "") + "]"),
+                                  table("b", "[" + row(one, kSlow) + "," + row(pooled, "") + "]")});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("room hall"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("room all"), std::string::npos) << run.out;
+}
+
 TEST_F(CompareTest, TellsWhatChangedInPairs) {
   const std::string after = table("after", "[" + row(kDefault, kSlow) + "]");
   const ProgramRun done = compare({before, after});

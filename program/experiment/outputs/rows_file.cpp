@@ -114,6 +114,10 @@ std::vector<StoredRow> rows_from(const ordered_json& list) {
     rows.push_back(row_from(one));
     if (!seen.insert(rows.back().choices).second) throw Flaw("it has two rows of the same choices");
   }
+  // Rows that are pooled over the rooms have no trials of their own that could be compared.
+  const bool has_trials =
+      std::any_of(rows.begin(), rows.end(), [](const StoredRow& row) { return !row.outcomes.empty(); });
+  if (has_trials) std::erase_if(rows, [](const StoredRow& row) { return row.outcomes.empty(); });
   return rows;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <ostream>
 #include <stdexcept>
 
@@ -75,6 +76,7 @@ void print_trials(const Experiment& experiment, const std::vector<CellResults>& 
                             "purges", "false flips", "right hours"})
     lines[0].emplace_back(title);
   for (const CellResults& cell : cells) lines.push_back(cells_of(cell));
+  for (const CellResults& row : pooled_over_rooms(experiment, cells)) lines.push_back(cells_of(row));
   print_table(lines, experiment.axes.size(), out);
   const TextTable references = lines_of_references(experiment, cells);
   if (references.empty()) return;
@@ -134,8 +136,11 @@ void check_axis_names(const Experiment& experiment) {
   }
 }
 
-std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& rows) {
-  if (have_looks(rows)) return compasses_as_json(experiment, rows);
+std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& cells) {
+  if (have_looks(cells)) return compasses_as_json(experiment, cells);
+  const std::vector<CellResults> pooled = pooled_over_rooms(experiment, cells);
+  std::vector<std::reference_wrapper<const CellResults>> rows(cells.begin(), cells.end());
+  rows.insert(rows.end(), pooled.begin(), pooled.end());
   std::string text;
   for (const CellResults& cell : rows) {
     const Row& row = cell.row;

@@ -14,9 +14,9 @@ namespace reorient {
 /// pose from its reflection, instead (compass_table.h); so in JSON, too.
 void print_rows(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out);
 
-/// A list of rows: the axes' choices, the numbers, and a line for each trial (docs/experiments.md); ends with a line
-/// break. What is not known is null.
-std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& rows);
+/// A list of rows: the axes' choices, the numbers, and a line for each trial (docs/experiments.md); then those that are
+/// pooled over the rooms, without lines for their trials. Ends with a line break. What is not known is null.
+std::string rows_as_json(const Experiment& experiment, const std::vector<CellResults>& cells);
 
 /// Throws std::runtime_error with one line where an axis is called as one of a row's numbers, and would be hidden by
 /// it.

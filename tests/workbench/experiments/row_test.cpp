@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "workbench/experiments/tables/cell_results.h"
+
 namespace reorient {
 namespace {
 
@@ -143,6 +145,41 @@ TEST(Row, OfNothingKnowsNothing) {
   EXPECT_FALSE(row.right.mean);
   EXPECT_EQ(row.failed_rate.high, 1.0);
   EXPECT_TRUE(std::isinf(row.false_flip_rate.high));
+}
+
+CellResults cell(std::vector<std::string> choices, const std::vector<TrialResult>& trials) {
+  return {std::move(choices), trials, row_of(trials)};
+}
+
+Experiment of_axes(const std::vector<std::string>& names) {
+  Experiment experiment;
+  for (const std::string& name : names) experiment.axes.emplace_back().name = name;
+  return experiment;
+}
+
+TEST(RowsOfAllRooms, CountTheTrialsOfEachChoiceTogether) {
+  const std::vector<CellResults> pooled = pooled_over_rooms(
+      of_axes({"room", "motion"}),
+      {cell({"hall", "head"}, {corrected(1.0), failed()}), cell({"hall", "walk"}, {corrected(5.0)}),
+       cell({"lab", "head"}, {corrected(3.0), in_peace(3600.0, 1)}), cell({"lab", "walk"}, {corrected(7.0)})});
+  ASSERT_EQ(pooled.size(), 2u);
+  EXPECT_EQ(pooled[0].choices, (std::vector<std::string>{"all", "head"}));
+  EXPECT_EQ(pooled[0].row.trials, 4);
+  EXPECT_EQ(pooled[0].row.disturbed, 3);
+  EXPECT_EQ(pooled[0].row.failed, 1);
+  EXPECT_EQ(pooled[0].row.right.mean, 2.0);
+  EXPECT_EQ(pooled[0].row.false_flips, 1);
+  EXPECT_EQ(pooled[0].row.right_hours, 1.0);
+  EXPECT_TRUE(pooled[0].trials.empty());
+  EXPECT_EQ(pooled[1].choices, (std::vector<std::string>{"all", "walk"}));
+  EXPECT_EQ(pooled[1].row.right.mean, 6.0);
+}
+
+TEST(RowsOfAllRooms, AreNoneWhereThereAreNotSeveral) {
+  const std::vector<CellResults> one_room = {cell({"head", "hall"}, {failed()}), cell({"walk", "hall"}, {failed()})};
+  EXPECT_TRUE(pooled_over_rooms(of_axes({"motion", "room"}), one_room).empty());
+  EXPECT_TRUE(pooled_over_rooms(of_axes({"motion", "light"}), one_room).empty());
+  EXPECT_TRUE(pooled_over_rooms(of_axes({"room"}), {}).empty());
 }
 
 }  // namespace

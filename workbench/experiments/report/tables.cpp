@@ -117,14 +117,23 @@ void draw_table_of_rows(Markup& out, const Report& report) {
                     axis_names(report),
                     {"trials", "failed, % [95 %]", "right after [95 %]", "median", "p90", "mended after [95 %]",
                      "by flip", "by purge"});
-  for (std::size_t i = 0; i < report.cells.size(); ++i) {
-    const Row& row = report.cells[i].row;
-    const double limit = limit_of(report, i);
+  const auto add = [&table](const CellResults& cell, double limit, std::string_view kind) {
+    const Row& row = cell.row;
     table.add(
-        report.cells[i].choices,
+        cell.choices,
         {std::to_string(row.trials), failed_share(row), mean_and_interval(row.right),
          quantile_text(row.right_median, row.disturbed, limit), quantile_text(row.right_p90, row.disturbed, limit),
-         mean_and_interval(row.mended), share_text(row.flip, row.disturbed), share_text(row.purge, row.disturbed)});
+         mean_and_interval(row.mended), share_text(row.flip, row.disturbed), share_text(row.purge, row.disturbed)},
+        kind);
+  };
+  for (std::size_t i = 0; i < report.cells.size(); ++i) add(report.cells[i], limit_of(report, i), "");
+  for (const CellResults& row : pooled_over_rooms(report.experiment, report.cells)) {
+    const auto belongs = [&row](const CellResults& cell) {
+      return std::equal(cell.choices.begin(), cell.choices.end(), row.choices.begin(),
+                        [](const std::string& one, const std::string& all) { return one == all || all == kAllRooms; });
+    };
+    const auto first = std::find_if(report.cells.begin(), report.cells.end(), belongs);
+    add(row, limit_of(report, static_cast<std::size_t>(first - report.cells.begin())), "own");
   }
 }
 
