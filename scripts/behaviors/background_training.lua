@@ -29,7 +29,7 @@ local function stands_on_the_field() return robot.undisturbed_for > p.undisturbe
 
 local function knows_the_room()
   if training.seconds >= p.max_time then return true end
-  local enough = training.seconds >= p.patience     and p.least_paired or p.paired
+  local enough = training.seconds >= p.patience and p.least_paired or p.paired
   return training.seconds >= p.min_time and confidence.paired >= enough and confidence.asymmetry >= p.asymmetry
 end
 
