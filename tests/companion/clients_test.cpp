@@ -143,6 +143,53 @@ TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
   EXPECT_TRUE(again.await("it is another user's")) << again.err();
 }
 
+/// The pose in the answer to a frame that tells the pose there, or none.
+std::optional<Pose2> pose_after(RawClient& client, double time, std::uint64_t number, std::optional<Pose2> told) {
+  reorient_frame frame = standing_frame(number, time, client.paint(90));
+  if (told) {
+    frame.has |= REORIENT_HAS_TOLD_POSE;
+    frame.told_pose[0] = told->position.x();
+    frame.told_pose[1] = told->position.y();
+    frame.told_pose[2] = told->rotation;
+    frame.told_deviation[0] = frame.told_deviation[1] = 0.05;
+  }
+  if (!client.send(REORIENT_FRAME, frame)) return std::nullopt;
+  for (int i = 0; i < 1000; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const std::optional<reorient_answer> answer = client.answer();
+    if (answer && answer->number == number) return Pose2(answer->pose[0], answer->pose[1], answer->pose[2]);
+  }
+  return std::nullopt;
+}
+
+TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanionWasKilled) {
+  const reorient_hello hello = small_hello(1);
+  const Pose2 told(-3.0, 2.0, 1.0);
+  {
+    const ChildProgram companion(folder_.path(), server());
+    ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+    RawClient client(socket());
+    client.introduce(hello);
+    std::uint64_t number = 0;
+    for (; number < 3; ++number) {
+      ASSERT_TRUE(pose_after(client, 0.1 * static_cast<double>(number), number + 1, std::nullopt)) << companion.err();
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    const std::optional<Pose2> pose = pose_after(client, 0.1 * static_cast<double>(number), number + 1, told);
+    ASSERT_TRUE(pose) << companion.err();
+    EXPECT_LT((pose->position - told.position).norm(), 0.3);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // much less than a second
+    companion.kill(SIGKILL);
+  }
+  const ChildProgram companion(folder_.path(), server());
+  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+  RawClient client(socket());
+  client.introduce(hello);
+  const std::optional<Pose2> pose = pose_after(client, 1.0, 5, std::nullopt);
+  ASSERT_TRUE(pose) << companion.err();
+  EXPECT_LT((pose->position - told.position).norm(), 0.3) << pose->position.transpose();
+}
+
 TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "turned_round", "--robot", "companion"}, "--robot companion plays no scenario"},

@@ -79,9 +79,10 @@ class KeptCompanion : public Robot {
   void set_engine(const FrameLoop& engine) { engine_ = &engine; }
 
   bool observe(Observation& observation) override {
-    if (any_frame_) keeper_.keep(*engine_, companion_, monotonic_clock());
+    if (any_frame_) keeper_.keep(*engine_, companion_, monotonic_clock(), was_told_pose_);
     const bool is_there = companion_.observe(observation);
     any_frame_ = any_frame_ || is_there;
+    was_told_pose_ = is_there && observation.told.initial_pose;
     return is_there;
   }
   bool any_frame() const { return any_frame_; }
@@ -92,6 +93,7 @@ class KeptCompanion : public Robot {
   StateKeeper& keeper_;
   const FrameLoop* engine_ = nullptr;
   bool any_frame_ = false;
+  bool was_told_pose_ = false;
 };
 
 /// Machines' states, logs and faults, for the client.

@@ -18,7 +18,7 @@ namespace reorient {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x32706d6f43725272ull;  // "rRrComp2": another layout gets another number
-constexpr double kPeriod = 1.0;                          // s
+constexpr double kPeriod = 1.0, kUrgentPeriod = 0.1;     // s
 /// s, by the wall clock; a robot that nobody has watched for longer may be anywhere.
 constexpr double kOldest = 600.0;
 
@@ -64,9 +64,12 @@ std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion&
   return all;
 }
 
-void StateKeeper::keep(const FrameLoop& engine, Companion& companion, double now) {
-  if (file_.empty() || now < next_ || writing_.is_busy()) return;  // it is asked again in the next frame
-  next_ = now + kPeriod;
+void StateKeeper::keep(const FrameLoop& engine, Companion& companion, double now, bool is_urgent) {
+  is_urgent_ |= is_urgent;
+  if (file_.empty() || now - last_ < (is_urgent_ ? kUrgentPeriod : kPeriod)) return;
+  if (writing_.is_busy()) return;  // it is asked again in the next frame
+  last_ = now;
+  is_urgent_ = false;
   begin_writing(engine, companion);
 }
 

@@ -15,14 +15,15 @@
 
 namespace reorient {
 
-/// Saves once a second. A disk is slow: no frame waits for it.
+/// Saves once a second, and at once what a client says only once. A disk is slow: no frame waits for it.
 class StateKeeper {
  public:
   /// `circumstances`: of two processes that shall go on from each other they are equal. Empty file: keeps nothing.
   StateKeeper(std::filesystem::path file, std::string circumstances);
 
-  /// Between two frames; `now`: s, of a clock that only goes on.
-  void keep(const FrameLoop& engine, Companion& companion, double now);
+  /// Between two frames; `now`: s, of a clock that only goes on. `is_urgent`: the frame before told what nobody will
+  /// tell again; a client that tells with every frame is kept ten times a second.
+  void keep(const FrameLoop& engine, Companion& companion, double now, bool is_urgent);
   /// The last of it, when the run ends.
   void finish(const FrameLoop& engine, Companion& companion);
 
@@ -40,7 +41,8 @@ class StateKeeper {
   std::filesystem::path file_;
   std::string circumstances_;
   bool is_of_another_ = false;  // what is in the file, and has not been put aside yet
-  double next_ = 0.0;           // s
+  double last_ = -1e9;          // s, when it was kept
+  bool is_urgent_ = false;      // since then
   BackgroundWriting writing_;
 };
 
