@@ -1,6 +1,7 @@
 #include "robots/nao/nao.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "robots/nao/lights.h"
@@ -64,7 +65,10 @@ Nao::Eye::Eye(VideoDevice& device, const CameraModel& optics, HeadCamera which)
 Nao::~Nao() {
   posture_ = WantedPosture::sit;
   paused_ = true;
-  ask(around_.now());
+  try {
+    ask(around_.now());
+  } catch (const std::exception&) {  // another guard has come that cannot be asked; without requests it sits down, too
+  }
 }
 
 bool Nao::observe(Observation& observation) {
@@ -122,6 +126,10 @@ bool Nao::feel(double now) {
   }
   if (guard_.state == GuardState::fallen && posture_ == WantedPosture::stand)
     posture_ = WantedPosture::soft;  // until somebody has put it on its feet, and presses the button
+  // A battery that is being charged, or a leg that was let go, is no reason to rise by itself; a motor that has cooled
+  // is.
+  if ((guard_.worries & (kBatteryEmpty | kJointGivenUp)) != 0 && posture_ == WantedPosture::stand)
+    posture_ = WantedPosture::sit;
   const std::optional<BodyHistory::Moment> newest = history_.newest();
   const bool feels = newest && engine_time(now) - newest->body.time < BodyHistory::kGap;
   if (!feels) note_missing(Missing::measurements, now);
@@ -153,7 +161,9 @@ void Nao::hear_referee(double now) {
   for (int i = 0; i < kAtOnce; ++i) {
     const std::span<const std::byte> datagram = around_.referee->receive();
     if (datagram.empty()) return;
-    if (!game_.hear(datagram, told_) || now < next_return_) continue;
+    if (!game_.hear(datagram, told_)) continue;
+    around_.referee->heed();
+    if (now < next_return_) continue;
     next_return_ = now + kReturnPeriod;
     around_.referee->answer(
         return_datagram({game_.team(), game_.player(), guard_.state == GuardState::fallen, answer_.belief.pose}));
@@ -222,6 +232,7 @@ void Nao::note_missing(Missing what, double now) {
   if (what != missing_) missing_since_ = now;
   missing_ = what;
   missing_for_ = what == Missing::nothing ? 0.0 : now - missing_since_;
+  if (what == Missing::nothing) told_missing_ = what;
   constexpr double kWhile = 2.0;  // s
   if (missing_for_ <= kWhile || what == told_missing_) return;
   told_missing_ = what;

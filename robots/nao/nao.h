@@ -30,6 +30,8 @@ class RefereePort {
   virtual ~RefereePort() = default;
   /// The next one, valid until the next call; empty: there is none. Never waits.
   virtual std::span<const std::byte> receive() = 0;
+  /// The last one was about our game: for a while no other address counts than the one it came from.
+  virtual void heed() = 0;
   /// To whom the last one came from.
   virtual void answer(std::span<const std::byte> datagram) = 0;
 };
@@ -51,7 +53,7 @@ struct NaoSurroundings {
   std::function<bool()> is_over;
   /// The memory that is shared with the guard; nullptr: no guard is there now.
   std::function<SharedBody*()> body;
-  std::function<void(Missing what)> tell_missing;  ///< for 2 s, and each in turn once; may be empty
+  std::function<void(Missing what)> tell_missing;  ///< for 2 s, and each once until all is there; may be empty
   VideoDevice* upper = nullptr;
   VideoDevice* lower = nullptr;    ///< nullptr: only the upper camera is used
   RefereePort* referee = nullptr;  ///< nullptr: it is not heard

@@ -42,13 +42,17 @@ std::span<const std::byte> UdpReferee::receive() {
     if (size < 0) return {};
     constexpr std::size_t kHeader = 4;
     if (static_cast<std::size_t>(size) < kHeader || std::memcmp(datagram_.data(), "RGme", kHeader) != 0) continue;
-    const bool is_same = from.sin_addr.s_addr == from_.sin_addr.s_addr;
-    if (!is_same && from_.sin_addr.s_addr != 0 && now_() - heard_ < kSilent) continue;
+    const bool is_other = heeded_ && *heeded_ != from.sin_addr.s_addr;
+    if (is_other && now_() - heard_ < kSilent) continue;
     from_ = from;
-    heard_ = now_();
     return std::span(datagram_).first(static_cast<std::size_t>(size));
   }
   return {};
+}
+
+void UdpReferee::heed() {
+  heeded_ = from_.sin_addr.s_addr;
+  heard_ = now_();
 }
 
 void UdpReferee::answer(std::span<const std::byte> datagram) {

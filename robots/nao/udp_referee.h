@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include <netinet/in.h>
 
@@ -11,8 +12,8 @@
 
 namespace reorient::nao {
 
-/// Hears one GameController: the first that is heard, until it has been silent for 10 s. Throws std::runtime_error with
-/// one line where the port cannot be had.
+/// Hears everybody until one is heeded: from then on that one alone, until it has been silent for 10 s. Throws
+/// std::runtime_error with one line where the port cannot be had.
 class UdpReferee : public RefereePort {
  public:
   /// `now`: s, monotonic.
@@ -22,14 +23,16 @@ class UdpReferee : public RefereePort {
   UdpReferee& operator=(const UdpReferee&) = delete;
 
   std::span<const std::byte> receive() override;
+  void heed() override;
   void answer(std::span<const std::byte> datagram) override;
 
  private:
   int socket_ = -1;
   std::uint16_t return_port_;
   std::function<double()> now_;
-  sockaddr_in from_{};
-  double heard_ = 0.0;  // s, from there
+  sockaddr_in from_{};               // the last one
+  std::optional<in_addr_t> heeded_;  // by its address
+  double heard_ = 0.0;               // s, when from there
   std::array<std::byte, 512> datagram_{};
 };
 

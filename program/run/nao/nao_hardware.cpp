@@ -66,6 +66,7 @@ nao::SharedBody* NaoHardware::guards_memory(double now) {
   }
   if (now >= next_look_) {
     next_look_ = now + kPause;
+    body_ = nullptr;  // that mapping ends, whether there is another or not
     mapped_.emplace(guard_, nao::MappedBody::Side::engine);
     body_ = *mapped_ ? &**mapped_ : nullptr;
   }

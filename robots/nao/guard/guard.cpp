@@ -16,6 +16,7 @@ constexpr double kStandUp = 2.4;    // s
 constexpr double kCrouch = 1.8;     // s, the first part of sitting down
 constexpr double kArmsDown = 0.6;   // s, the second
 constexpr double kBackToStand = 1.0;  // s after a walk
+constexpr int kLetsGoAfter = 417;     // cycles, 5 s: for so long whoever ends the guard may still put the robot upright
 
 constexpr float kLegs = 0.8f, kArms = 0.4f, kHead = 0.6f;  // stiffness
 constexpr float kHips = 0.1f;  // of a sitting robot, so that it does not tip over (Nao Devils)
@@ -183,6 +184,7 @@ void Guard::decide(WantedPosture wanted) {
         begin(GuardState::sitting_down);
       } else {
         worries_ |= kTilted;
+        let_go_at_last();
       }
       return;
     case GuardState::sitting_down:
@@ -192,6 +194,8 @@ void Guard::decide(WantedPosture wanted) {
         glide_ = Glide(goal_, sitting_posture(), kArmsDown);
       } else if (has_bent_knees(measured_)) {  // else one is held, and soft legs would not carry it
         begin(GuardState::sitting);
+      } else {
+        let_go_at_last();
       }
       return;
     case GuardState::sitting:
@@ -208,8 +212,16 @@ void Guard::decide(WantedPosture wanted) {
   }
 }
 
+/// Somebody holds the robot, and the guard is to end: what it told last holds on after it, so that is not to be a stiff
+/// leg in somebody's hands.
+void Guard::let_go_at_last() {
+  const bool is_held = upright_within_ >= kUpright || state_ == GuardState::sitting_down;
+  if (finishing_ && is_held && !has(kBlind | kForeignBody) && ++held_ > kLetsGoAfter) begin(GuardState::soft);
+}
+
 void Guard::begin(GuardState state) {
   state_ = state;
+  held_ = 0;
   walks_ = false;
   const auto stiffen = [this] {
     for (std::size_t joint = 0; joint < kJoints; ++joint) stiff_[joint] = stiffness_of(joint);
@@ -263,6 +275,8 @@ void Guard::follow(const std::optional<WalkTargets>& walk, double age) {
 /// Where the head is to be in this cycle, limits aside.
 void Guard::hold_head(const std::optional<BodyRequest>& request, double age) {
   const bool has_head = state_ == GuardState::standing || state_ == GuardState::sitting;
+  // Nobody knows for how many hours nobody will ask.
+  if (state_ == GuardState::sitting) stiff_[kHeadYaw] = stiff_[kHeadPitch] = age > kSitsDown ? 0.0f : kHead;
   if (has_head && request && request->moves_head != 0 && age <= kHeadStops) {
     move_head(*request);
   } else if (has_head) {

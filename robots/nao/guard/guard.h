@@ -39,6 +39,7 @@ class Guard {
   void look_after(const Measurement& measurement, const std::optional<RobotIdentity>& robot);
   WantedPosture wanted(const std::optional<BodyRequest>& request, double age) const;
   void decide(WantedPosture wanted);
+  void let_go_at_last();
   void begin(GuardState state);
   void hold_head(const std::optional<BodyRequest>& request, double age);
   void follow(const std::optional<WalkTargets>& walk, double age);
@@ -61,6 +62,7 @@ class Guard {
   Glide glide_;
   bool is_crouched_ = false;  // while sitting down: the second part of the way
   bool walks_ = false;        // somebody else moves the joints
+  int held_ = 0;              // cycles for which it could not sit down though it is to end
   JointValues goal_{};        // before limits
   JointValues stiff_{};       // wanted
   JointValues position_{};    // commanded

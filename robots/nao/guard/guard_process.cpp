@@ -151,8 +151,7 @@ void run_guard(const GuardOptions& options, int out) {
   const MappedBody body(options.body, MappedBody::Side::guard);
   struct sigaction action {};
   action.sa_handler = count_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   struct sigaction ignored {};
   ignored.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &ignored, nullptr);
@@ -202,7 +201,8 @@ void run_guard(const GuardOptions& options, int out) {
     if (signals > 0) {
       session.finish();
       if (farewell <= 0.0) farewell = time + kLongestFarewell;
-      if (signals > 1 || time > farewell || session.is_at_rest()) return;
+      const bool is_done = session.is_at_rest() && session.to_send().empty();
+      if (signals > 1 || time > farewell || is_done) return;
     }
     if (!socket.is_open()) {
       if (time >= next_attempt) {

@@ -42,10 +42,23 @@ std::uint64_t SharedBody::news(std::uint64_t seen, std::vector<Measurement>& lat
 
 std::filesystem::path default_body_file() { return "/dev/shm/reorient-nao-" + std::to_string(geteuid()); }
 
+namespace {
+
+/// The lock of the one engine, beside the guard's, which is of another kind: neither hinders the other.
+bool lock_as_engine(int file) {
+  struct flock first_byte {};
+  first_byte.l_type = F_WRLCK;
+  first_byte.l_whence = SEEK_SET;
+  first_byte.l_len = 1;
+  return fcntl(file, F_OFD_SETLK, &first_byte) == 0;
+}
+
+}  // namespace
+
 MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
   const int making = side == Side::guard ? O_CREAT : 0;
   file_ = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | making, 0600);
-  if (file_ < 0 && side == Side::engine && errno == ENOENT) return;
+  if (file_ < 0 && side != Side::guard && errno == ENOENT) return;
   const auto give_up = [&](const std::string& why) {
     close_all();
     throw std::runtime_error(file.string() + ": " + why);
@@ -60,6 +73,8 @@ MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
     if (status.st_size != kSize && ftruncate(file_, kSize) != 0) give_up(std::strerror(errno));
   } else if (status.st_size != kSize) {
     give_up("of another version of the guard; start the one that belongs to this program");
+  } else if (side == Side::engine && !lock_as_engine(file_)) {
+    give_up("another program asks this guard; end it first, as with: systemctl --user stop reorient");
   }
   void* const memory = mmap(nullptr, sizeof(SharedBody), PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0);
   if (memory == MAP_FAILED) give_up(std::strerror(errno));

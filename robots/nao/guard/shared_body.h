@@ -40,10 +40,10 @@ std::filesystem::path default_body_file();
 /// A mapping of the file.
 class MappedBody {
  public:
-  enum class Side { guard, engine };
-  /// The guard makes the file where there is none, and holds it alone. The engine takes what a guard has made; nothing
-  /// is mapped where there is none yet. Throws std::runtime_error with one line: another guard holds it, or it is none
-  /// of ours.
+  enum class Side { guard, engine, walk };
+  /// The guard makes the file where there is none, and holds it alone; an engine is the only one that asks. Engine and
+  /// walk take what a guard has made; nothing is mapped where there is none yet. Throws std::runtime_error with one
+  /// line: another guard holds it, another engine asks, or it is none of ours.
   MappedBody(const std::filesystem::path& file, Side side);
 
   ~MappedBody();
@@ -57,7 +57,7 @@ class MappedBody {
  private:
   void close_all();
 
-  int file_ = -1;  // stays open as long as the mapping: the guard's lock lies on it
+  int file_ = -1;  // stays open as long as the mapping: the guard's and the engine's lock lie on it
   SharedBody* body_ = nullptr;
 };
 

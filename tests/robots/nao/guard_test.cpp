@@ -344,6 +344,34 @@ TEST_F(GuardTest, SitsDownAndLetsGoBeforeItEnds) {
   EXPECT_EQ(body_.falls(), 0);
 }
 
+TEST_F(GuardTest, LetsGoInTheHandsOfWhoeverEndsItWhileItIsTilted) {
+  stand();
+  body_.tilt(0.4f, 0.0f);
+  guard_.finish();
+  run(4.5);
+  EXPECT_EQ(guard_.state(), GuardState::standing) << "it may still be put upright, and would fall";
+  EXPECT_FALSE(body_.is_soft());
+  run(2.0);
+  EXPECT_TRUE(guard_.is_at_rest());
+  EXPECT_TRUE(body_.is_soft());
+}
+
+TEST_F(GuardTest, LetsGoOfTheHeadAsWellWhereNobodyAsks) {
+  stand();
+  engine_lives_ = false;
+  run(5.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+  EXPECT_EQ(last_.stiffness[kHeadYaw], 0.0f);
+  EXPECT_EQ(last_.stiffness[kHeadPitch], 0.0f);
+  engine_lives_ = true;
+  request_.posture = WantedPosture::sit;
+  request_.moves_head = 1;
+  request_.head_yaw = 0.5f;
+  request_.head_speed = 2.0f;
+  run(2.0);
+  EXPECT_NEAR(body_.measurement().position[kHeadYaw], 0.5f, 0.01f) << "it is back";
+}
+
 TEST_F(GuardTest, ShowsThatNobodyAsks) {
   stand();
   engine_lives_ = false;

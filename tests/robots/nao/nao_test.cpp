@@ -35,6 +35,7 @@ class WrittenReferee : public RefereePort {
     waiting.pop_front();
     return now;
   }
+  void heed() override { ++heeded; }
   void answer(std::span<const std::byte> datagram) override { answers.emplace_back(datagram.begin(), datagram.end()); }
 
   void say(int state, int penalty) {
@@ -51,6 +52,7 @@ class WrittenReferee : public RefereePort {
   std::deque<std::vector<std::byte>> waiting;
   std::vector<std::byte> now;
   std::vector<std::vector<std::byte>> answers;
+  int heeded = 0;
 };
 
 class NaoTest : public testing::Test {
@@ -197,12 +199,57 @@ TEST_F(NaoTest, HearsTheRefereeAndAnswersOnceASecond) {
   ASSERT_TRUE(nao_->observe(observation_));
   ASSERT_TRUE(observation_.told.referee);
   EXPECT_EQ(observation_.told.referee->state, GameState::playing);
+  EXPECT_EQ(referee_.heeded, 1);
+  referee_.waiting.push_back({std::byte{'R'}, std::byte{'G'}, std::byte{'m'}, std::byte{'e'}});
+  ASSERT_TRUE(nao_->observe(observation_));
+  EXPECT_EQ(referee_.heeded, 1) << "that one is about another game, or nothing";
   for (int i = 0; i < 8; ++i) {
     referee_.say(3, 4);
     ASSERT_TRUE(run(0.5));
   }
   EXPECT_NEAR(static_cast<double>(referee_.answers.size()), 5.0, 1.0);
   EXPECT_EQ(referee_.answers.front().size(), 32u);
+}
+
+TEST_F(NaoTest, StaysDownWithAnEmptyBatteryUntilSomebodyPressesTheButton) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  world_.body().set_charge(0.04f);
+  ASSERT_TRUE(run(5.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::sitting);
+  world_.body().set_charge(0.9f);
+  ASSERT_TRUE(run(5.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::sitting) << "it is at its charger, and its cable is short";
+  world_.body().press_chest(true);
+  ASSERT_TRUE(run(0.3));
+  world_.body().press_chest(false);
+  ASSERT_TRUE(run(5.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::standing);
+}
+
+TEST_F(NaoTest, StaysDownWhereALegDidNotFollow) {
+  begin();
+  world_.body().block(kLeftKneePitch);
+  ASSERT_TRUE(run(9.0));
+  world_.body().block(kJoints);
+  ASSERT_TRUE(run(6.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::sitting) << "and does not try again for ever";
+}
+
+TEST_F(NaoTest, SaysOfEachOutageWhatIsMissing) {
+  std::vector<Missing> told;
+  NaoSurroundings around = world_.surroundings([this] { return world_.now() > deadline_; });
+  around.tell_missing = [&](Missing missing) { told.push_back(missing); };
+  nao_.emplace(options_, around);
+  ASSERT_TRUE(run(8.0));
+  told.clear();
+  for (int i = 0; i < 2; ++i) {
+    world_.hide_guard(true);
+    EXPECT_FALSE(run(3.0));
+    world_.hide_guard(false);
+    ASSERT_TRUE(run(3.0));
+  }
+  EXPECT_EQ(told, (std::vector<Missing>{Missing::guard, Missing::guard}));
 }
 
 TEST_F(NaoTest, GoesOnWhereTheCameraWasUnplugged) {

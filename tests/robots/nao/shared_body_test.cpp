@@ -78,6 +78,18 @@ TEST_F(SharedBodyTest, HasOneGuard) {
   EXPECT_EQ(refusal(Side::guard), file_.string() + ": another guard holds the body; end it first");
 }
 
+TEST_F(SharedBodyTest, HasOneEngineAndBesideItAWalk) {
+  const MappedBody guard(file_, Side::guard);
+  {
+    const MappedBody engine(file_, Side::engine);
+    EXPECT_EQ(
+        refusal(Side::engine),
+        file_.string() + ": another program asks this guard; end it first, as with: systemctl --user stop reorient");
+    EXPECT_EQ(refusal(Side::walk), "");
+  }
+  EXPECT_EQ(refusal(Side::engine), "") << "it has ended";
+}
+
 TEST_F(SharedBodyTest, OfANewGuardBeginsAnewUnderTheEnginesHands) {
   auto first = std::make_unique<MappedBody>(file_, Side::guard);
   const MappedBody engine(file_, Side::engine);
