@@ -18,17 +18,17 @@ class CameraPairing {
   explicit CameraPairing(double patience = kPatience) : patience_(patience) {}
 
   void put_upper(CameraFrame frame) { upper_ = std::move(frame); }
-  void put_lower(CameraFrame frame) {
-    if (!lower_) waiting_since_ = frame.time;
+  /// `now`: s, when it came, on the clock of is_due(): on its way from its exposure it has spent some time already.
+  void put_lower(CameraFrame frame, double now) {
+    if (!waiting_since_) waiting_since_ = now;
     lower_ = std::move(frame);
   }
 
-  /// Its pixels are gone.
+  /// Its pixels are gone; whoever drops a lower image for a newer one lets that wait no longer.
   void drop_upper() { upper_.reset(); }
   void drop_lower() { lower_.reset(); }
 
-  /// `now`: s, on the cameras' clock.
-  bool is_due(double now) const { return upper_ || (lower_ && now - waiting_since_ >= patience_); }
+  bool is_due(double now) const { return upper_ || (lower_ && now - *waiting_since_ >= patience_); }
 
   /// Moves the images over; the observation's time becomes that of the newest one.
   void take(Observation& observation) {
@@ -37,13 +37,14 @@ class CameraPairing {
     if (observation.upper) observation.time = observation.upper->time;
     if (observation.lower && (!observation.upper || observation.lower->time > observation.time))
       observation.time = observation.lower->time;
+    waiting_since_.reset();
   }
 
  private:
   double patience_;
   std::optional<CameraFrame> upper_;
   std::optional<CameraFrame> lower_;
-  double waiting_since_ = 0.0;  ///< s, exposure of the first lower image since the frame before
+  std::optional<double> waiting_since_;  ///< s, when the first lower image since the frame before came
 };
 
 }  // namespace reorient

@@ -54,13 +54,15 @@ Nao::Nao(NaoOptions options, NaoSurroundings surroundings)
       game_(options_.team, options_.player),
       posture_(options_.stands_at_once ? WantedPosture::stand : WantedPosture::sit) {
   const RobotBody& body = options_.body;
-  upper_.emplace(*around_.upper, camera_model(body.upper_camera, options_.width), HeadCamera::upper);
+  upper_.emplace(*around_.upper, camera_model(body.upper_camera, options_.width), HeadCamera::upper,
+                 around_.run_errand);
   if (around_.lower != nullptr && body.lower_camera)
-    lower_.emplace(*around_.lower, camera_model(*body.lower_camera, options_.width), HeadCamera::lower);
+    lower_.emplace(*around_.lower, camera_model(*body.lower_camera, options_.width), HeadCamera::lower,
+                   around_.run_errand);
 }
 
-Nao::Eye::Eye(VideoDevice& device, const CameraModel& optics, HeadCamera which)
-    : model(optics), camera(device, video_settings(optics, which)) {}
+Nao::Eye::Eye(VideoDevice& device, const CameraModel& optics, HeadCamera which, const RunErrand& run_errand)
+    : model(optics), camera(device, video_settings(optics, which), run_errand) {}
 
 Nao::~Nao() {
   posture_ = WantedPosture::sit;
@@ -195,7 +197,7 @@ void Nao::look(HeadCamera which, double now) {
   if (is_upper) {
     pairing_.put_upper(frame);
   } else {
-    pairing_.put_lower(frame);
+    pairing_.put_lower(frame, engine_time(now));
   }
 }
 
@@ -243,7 +245,7 @@ Nao::Counts Nao::counts() const {
   Counts all = counts_;
   for (const std::optional<Eye>* const eye : {&upper_, &lower_}) {
     if (!*eye) continue;
-    const VideoCamera::Counts& camera = (*eye)->camera.counts();
+    const VideoCamera::Counts camera = (*eye)->camera.counts();
     all.passed_over += camera.passed_over;
     all.damaged += camera.damaged;
     all.begun_anew += camera.begun_anew;

@@ -54,6 +54,7 @@ struct NaoSurroundings {
   /// The memory that is shared with the guard; nullptr: no guard is there now.
   std::function<SharedBody*()> body;
   std::function<void(Missing what)> tell_missing;  ///< for 2 s, and each once until all is there; may be empty
+  RunErrand run_errand = run_at_once;              ///< what a camera may take seconds for
   VideoDevice* upper = nullptr;
   VideoDevice* lower = nullptr;    ///< nullptr: only the upper camera is used
   RefereePort* referee = nullptr;  ///< nullptr: it is not heard
@@ -89,7 +90,7 @@ class Nao : public Robot {
 
  private:
   struct Eye {
-    Eye(VideoDevice& device, const CameraModel& optics, HeadCamera which);
+    Eye(VideoDevice& device, const CameraModel& optics, HeadCamera which, const RunErrand& run_errand);
     CameraModel model;
     VideoCamera camera;
   };

@@ -227,7 +227,7 @@ void Simulator::look(Observation& observation) {
   field_from_camera_ = body_.field_from_camera();
   if (lower_) {
     expose(*lower_, *lower_frame_);
-    pairing_.put_lower(*lower_frame_);
+    pairing_.put_lower(*lower_frame_, observation.time);
   }
   CameraFrame upper = moment(HeadCamera::upper, observation.body);
   upper.time = observation.time;

@@ -13,8 +13,8 @@ CameraFrame at(double time) {
 
 TEST(CameraPairing, IsDueWithAnUpperImageAndTakesTheNewestLowerOneAlong) {
   CameraPairing pairing;
-  pairing.put_lower(at(0.970));
-  pairing.put_lower(at(0.990));
+  pairing.put_lower(at(0.970), 0.975);
+  pairing.put_lower(at(0.990), 0.995);
   EXPECT_FALSE(pairing.is_due(1.0));
   pairing.put_upper(at(1.000));
   ASSERT_TRUE(pairing.is_due(1.0));
@@ -29,7 +29,7 @@ TEST(CameraPairing, IsDueWithAnUpperImageAndTakesTheNewestLowerOneAlong) {
 TEST(CameraPairing, TakesALowerImageThatIsNewerThanTheUpperOne) {
   CameraPairing pairing;
   pairing.put_upper(at(1.000));
-  pairing.put_lower(at(1.010));
+  pairing.put_lower(at(1.010), 1.015);
   Observation observation;
   pairing.take(observation);
   EXPECT_EQ(observation.time, 1.010);
@@ -37,10 +37,12 @@ TEST(CameraPairing, TakesALowerImageThatIsNewerThanTheUpperOne) {
 
 TEST(CameraPairing, LetsALowerImageWaitForAWhileAndThenGoAlone) {
   CameraPairing pairing;
-  pairing.put_lower(at(1.000));
-  EXPECT_FALSE(pairing.is_due(1.040));
-  pairing.put_lower(at(1.033));
-  EXPECT_TRUE(pairing.is_due(1.051)) << "since the first one, or a fast camera would wait for ever";
+  pairing.put_lower(at(1.000), 1.045);
+  EXPECT_FALSE(pairing.is_due(1.090)) << "since it came: it had been on its way for long";
+  pairing.drop_lower();
+  EXPECT_FALSE(pairing.is_due(1.096)) << "there is nothing to show";
+  pairing.put_lower(at(1.033), 1.078);
+  EXPECT_TRUE(pairing.is_due(1.096)) << "since the first one, or a fast camera would wait for ever";
   Observation observation;
   pairing.take(observation);
   EXPECT_FALSE(observation.upper);
@@ -50,7 +52,7 @@ TEST(CameraPairing, LetsALowerImageWaitForAWhileAndThenGoAlone) {
 TEST(CameraPairing, ThatWaitsForNothingGivesEachAtOnce) {
   CameraPairing pairing(0.0);
   EXPECT_FALSE(pairing.is_due(1.0));
-  pairing.put_lower(at(1.0));
+  pairing.put_lower(at(1.0), 1.0);
   EXPECT_TRUE(pairing.is_due(1.0));
 }
 

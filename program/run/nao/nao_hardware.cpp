@@ -51,6 +51,7 @@ nao::NaoSurroundings NaoHardware::surroundings(std::function<bool()> is_over,
   around.is_over = std::move(is_over);
   around.tell_missing = [tell = std::move(tell)](nao::Missing missing) { tell(told_of(missing)); };
   around.body = [this] { return guards_memory(monotonic_clock()); };
+  around.run_errand = nao::run_apart;
   around.upper = &upper_;
   around.lower = both_cameras_ ? &lower_ : nullptr;
   around.referee = referee_.get();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <utility>
 
 #include <linux/usb/video.h>
@@ -29,19 +30,76 @@ std::array<std::uint8_t, 5> register_address(std::size_t gain) {
 
 }  // namespace
 
-VideoCamera::VideoCamera(VideoDevice& device, VideoSettings settings)
-    : device_(device), settings_(std::move(settings)) {}
+std::future<bool> run_at_once(const std::function<bool()>& errand) {
+  std::promise<bool> result;
+  result.set_value(errand());
+  return result.get_future();
+}
 
-VideoCamera::~VideoCamera() { end(); }
+std::future<bool> run_apart(std::function<bool()> errand) { return std::async(std::launch::async, std::move(errand)); }
+
+VideoCamera::VideoCamera(VideoDevice& device, VideoSettings settings, RunErrand run)
+    : device_(device), settings_(std::move(settings)), run_(std::move(run)) {}
+
+VideoCamera::~VideoCamera() {
+  if (errand_.valid()) errand_.wait();
+  end();
+}
+
+void VideoCamera::run(Errand what, double now) {
+  what_ = what;
+  is_the_devices_ = what != Errand::lock_colors;
+  errand_ = run_([this, what] {
+    switch (what) {
+      case Errand::begin:
+        if (begin()) return true;
+        break;
+      case Errand::lock_colors:
+        return lock_colors();
+      case Errand::end:
+        break;
+    }
+    end();
+    return false;
+  });
+  is_busy(now);  // it may be over
+}
+
+/// Whether an errand is under way still.
+bool VideoCamera::is_busy(double now) {
+  if (!errand_.valid()) return false;
+  if (errand_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return true;
+  is_the_devices_ = false;
+  is_done(what_, errand_.get(), now);
+  return false;
+}
+
+void VideoCamera::is_done(Errand what, bool succeeded, double now) {
+  switch (what) {
+    case Errand::begin:
+      next_attempt_ = now + kPause;
+      if (!succeeded) return;
+      begun_ = last_image_ = now;
+      state_ = has_settled_ ? VideoState::running : VideoState::settling;
+      return;
+    case Errand::end:
+      next_attempt_ = now + kPause;
+      return;
+    case Errand::lock_colors:
+      next_step_ = now + kRegisterPause;
+      if (!succeeded) return;
+      has_settled_ = true;
+      state_ = VideoState::running;
+      return;
+  }
+}
 
 std::optional<VideoCamera::Image> VideoCamera::look(double now) {
+  const bool busy = is_busy(now);
   if (state_ == VideoState::closed) {
-    if (now < next_attempt_) return std::nullopt;
-    if (!begin(now)) {
-      end();
-      next_attempt_ = now + kPause;
-      return std::nullopt;
-    }
+    if (busy || now < next_attempt_) return std::nullopt;
+    run(Errand::begin, now);
+    if (state_ == VideoState::closed) return std::nullopt;
   }
   std::optional<Image> newest;
   bool lost = false;  // unplugged, or its driver is at its end
@@ -84,16 +142,18 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
 
   const double patience = last_image_ <= begun_ ? kFirstImage : kNextImage;
   if (lost || now - last_image_ > patience) {
-    end();
+    if (busy) return std::nullopt;  // it hangs in that, and is ended afterwards
     ++counts_.begun_anew;
-    next_attempt_ = now + kPause;
+    state_ = VideoState::closed;
+    run(Errand::end, now);
     return std::nullopt;
   }
-  if (state_ == VideoState::settling && now - begun_ > settings_.settling) lock_colors(now);
+  const bool has_found = state_ == VideoState::settling && now - begun_ > settings_.settling;
+  if (has_found && !busy && now >= next_step_) run(Errand::lock_colors, now);
   return newest;
 }
 
-bool VideoCamera::begin(double now) {
+bool VideoCamera::begin() {
   if (!device_.open(settings_.path) || !set_format() || !map_buffers()) return false;
   for (std::uint32_t i = 0; i < kBuffers; ++i) {
     if (!queue(i)) return false;
@@ -106,14 +166,12 @@ bool VideoCamera::begin(double now) {
   set_controls();  // some only count while it streams
   held_.reset();
   asked_ = false;
-  begun_ = last_image_ = now;
-  if (has_settled_) {
+  if (has_colors_) {
     write_colors();
-    state_ = VideoState::running;
+    write_exposure();
   } else {
     gains_ = {};
     locked_ = 0;
-    state_ = VideoState::settling;
   }
   return true;
 }
@@ -167,7 +225,6 @@ void VideoCamera::end() {
   }
   held_.reset();
   device_.close();
-  state_ = VideoState::closed;
 }
 
 bool VideoCamera::queue(std::uint32_t index) {
@@ -197,7 +254,7 @@ void VideoCamera::set_control(std::uint32_t control, int value) {
   if (this->control(control) == wanted.value) return;
   if (device_.control(VIDIOC_S_CTRL, &wanted) != 0 ||
       this->control(control) != std::clamp(value, range.minimum, range.maximum))
-    ++counts_.refused_controls;
+    ++refused_controls_;
 }
 
 std::optional<int> VideoCamera::control(std::uint32_t control) {
@@ -221,15 +278,13 @@ void VideoCamera::flip() {
   constexpr std::uint8_t kHorizontal = 0x0c, kVertical = 0x0d;
   for (const std::uint8_t selector : {kHorizontal, kVertical}) {
     std::array<std::uint8_t, 2> data{static_cast<std::uint8_t>(settings_.upside_down ? 1 : 0), 0};
-    if (!extension(UVC_SET_CUR, selector, data)) ++counts_.refused_controls;
+    if (!extension(UVC_SET_CUR, selector, data)) ++refused_controls_;
   }
 }
 
 /// The room's colours are known by their histograms: from here on a colour stays what it is. Of each of the sensor's
-/// registers first the address is told, and some time later the value is there.
-void VideoCamera::lock_colors(double now) {
-  if (now < next_step_) return;
-  next_step_ = now + kRegisterPause;
+/// registers first the address is told, and some time later the value is there. True: it is done.
+bool VideoCamera::lock_colors() {
   if (asked_) {
     std::array<std::uint8_t, 5> data{};
     if (extension(UVC_GET_CUR, kRegister, data)) gains_[locked_] = static_cast<std::uint16_t>(data[3] << 8 | data[4]);
@@ -239,13 +294,13 @@ void VideoCamera::lock_colors(double now) {
   if (locked_ < gains_.size()) {
     std::array<std::uint8_t, 5> data = register_address(locked_);
     asked_ = extension(UVC_SET_CUR, kRegister, data);
-    if (asked_) return;
+    if (asked_) return false;
     locked_ = gains_.size();  // another camera, without such registers
   }
   write_colors();
   bound_exposure();
-  has_settled_ = true;
-  state_ = VideoState::running;
+  has_colors_ = true;
+  return true;
 }
 
 /// As they were found: of a camera that is begun anew as well, since what was learned of the room was learned with
@@ -258,19 +313,27 @@ void VideoCamera::write_colors() {
     data[0] = 1;
     data[3] = static_cast<std::uint8_t>(*gains_[i] >> 8);
     data[4] = static_cast<std::uint8_t>(*gains_[i] & 0xff);
-    if (!extension(UVC_SET_CUR, kRegister, data)) ++counts_.refused_controls;
+    if (!extension(UVC_SET_CUR, kRegister, data)) ++refused_controls_;
   }
 }
 
 /// Where the light asks for a longer exposure than a moving head allows, that is fixed, and the gain makes up for it.
+/// Else it goes on following the light, and so does what the room's colours are compared with.
 void VideoCamera::bound_exposure() {
   const std::optional<int> exposure = control(V4L2_CID_EXPOSURE_ABSOLUTE), gain = control(V4L2_CID_GAIN);
   if (!exposure || !gain || *exposure <= settings_.longest_exposure) return;
-  set_control(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL);
-  set_control(V4L2_CID_EXPOSURE_ABSOLUTE, settings_.longest_exposure);
   constexpr int kMostGain = 1023;
   const double wanted = static_cast<double>(std::max(*gain, 1)) * *exposure / settings_.longest_exposure;
-  set_control(V4L2_CID_GAIN, static_cast<int>(std::min<double>(wanted, kMostGain)));
+  fixed_ = Exposure{settings_.longest_exposure, static_cast<int>(std::min<double>(wanted, kMostGain))};
+  write_exposure();
+}
+
+/// As it was fixed, of a camera that is begun anew as well.
+void VideoCamera::write_exposure() {
+  if (!fixed_) return;
+  set_control(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL);
+  set_control(V4L2_CID_EXPOSURE_ABSOLUTE, fixed_->exposure);
+  set_control(V4L2_CID_GAIN, fixed_->gain);
 }
 
 }  // namespace reorient::nao

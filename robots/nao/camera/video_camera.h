@@ -1,11 +1,14 @@
 // One of a NAO's cameras through V4L2: opened, set up, read and, where it fails, begun anew, without ever waiting for
-// it. Numbers and their order: what RoboCup teams published of this camera (OV5640 behind a USB bridge), B-Human and
-// HULKs above all.
+// it: what may take long is an errand that somebody else runs. Numbers and their order: what RoboCup teams published of
+// this camera (OV5640 behind a USB bridge), B-Human and HULKs above all.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <future>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,9 +30,15 @@ struct VideoSettings {
 /// What it is about.
 enum class VideoState { closed, settling, running };
 
+/// Runs what it is given, now or in a thread of its own, and hands its result over.
+using RunErrand = std::function<std::future<bool>(std::function<bool()>)>;
+std::future<bool> run_at_once(const std::function<bool()>& errand);
+std::future<bool> run_apart(std::function<bool()> errand);
+
 class VideoCamera {
  public:
-  VideoCamera(VideoDevice& device, VideoSettings settings);
+  VideoCamera(VideoDevice& device, VideoSettings settings, RunErrand run = run_at_once);
+  /// Waits for what is under way.
   ~VideoCamera();
   VideoCamera(const VideoCamera&) = delete;
   VideoCamera& operator=(const VideoCamera&) = delete;
@@ -45,7 +54,8 @@ class VideoCamera {
   std::optional<Image> look(double now);
 
   VideoState state() const { return state_; }
-  int descriptor() const { return device_.descriptor(); }
+  /// -1: there is nothing to wait for.
+  int descriptor() const { return is_the_devices_ ? -1 : device_.descriptor(); }
 
   struct Counts {
     std::uint64_t images = 0;
@@ -54,7 +64,11 @@ class VideoCamera {
     std::uint64_t begun_anew = 0;        ///< the stream, or the device
     std::uint64_t refused_controls = 0;  ///< that did not take their value
   };
-  const Counts& counts() const { return counts_; }
+  Counts counts() const {
+    Counts all = counts_;
+    all.refused_controls = refused_controls_;
+    return all;
+  }
 
  private:
   static constexpr std::size_t kBuffers = 3;
@@ -63,35 +77,57 @@ class VideoCamera {
     std::size_t length = 0;
   };
 
-  bool begin(double now);
+  enum class Errand { begin, end, lock_colors };
+  void run(Errand what, double now);
+  bool is_busy(double now);
+  void is_done(Errand what, bool succeeded, double now);
+
+  // Errands, and their parts.
+  bool begin();
   bool set_format();
   bool map_buffers();
   void end();
+  bool lock_colors();
+
   bool queue(std::uint32_t index);
   void set_controls();
   void set_control(std::uint32_t control, int value);
   std::optional<int> control(std::uint32_t control);
   void flip();
-  void lock_colors(double now);
   void write_colors();
   void bound_exposure();
+  void write_exposure();
   bool extension(std::uint8_t query, std::uint8_t selector, std::span<std::uint8_t> data);
 
   VideoDevice& device_;
   VideoSettings settings_;
-  std::array<Buffer, kBuffers> buffers_;
+  RunErrand run_;
   VideoState state_ = VideoState::closed;
-  bool streams_ = false;
-  std::optional<std::uint32_t> held_;                  // the buffer of the last image
-  double begun_ = 0.0;                                 // s, the stream
-  double last_image_ = 0.0;                            // s
-  double next_attempt_ = 0.0;                          // s
-  std::array<std::optional<std::uint16_t>, 6> gains_;  // of the sensor's registers, while they are read
-  std::size_t locked_ = 0;                             // how many were read
-  bool has_settled_ = false;                           // once
-  bool asked_ = false;                                 // for the next one
-  double next_step_ = 0.0;                             // s
+  double begun_ = 0.0;         // s, the stream
+  double last_image_ = 0.0;    // s
+  double next_attempt_ = 0.0;  // s
+  double next_step_ = 0.0;     // s
+  bool has_settled_ = false;   // once
   Counts counts_;
+  std::future<bool> errand_;  // that is under way
+  Errand what_ = Errand::begin;
+  bool is_the_devices_ = false;  // the errand opens or closes the device: nothing else is to be asked of it
+
+  // While an errand begins or ends the stream they are its own.
+  std::array<Buffer, kBuffers> buffers_;
+  bool streams_ = false;
+  std::optional<std::uint32_t> held_;  // the buffer of the last image
+
+  // Only errands know them, and each is over before the next begins.
+  struct Exposure {
+    int exposure, gain;  // in the camera's units
+  };
+  std::array<std::optional<std::uint16_t>, 6> gains_;  // of the sensor's registers
+  std::size_t locked_ = 0;                             // how many were read
+  bool asked_ = false;                                 // for the next one
+  bool has_colors_ = false;                            // they are known, and so is whether the exposure is fixed
+  std::optional<Exposure> fixed_;
+  std::atomic<std::uint64_t> refused_controls_ = 0;
 };
 
 }  // namespace reorient::nao

@@ -7,7 +7,8 @@
 
 namespace reorient::nao {
 
-/// Each call does what the system's of the same name does, and never waits.
+/// Each call does what the system's of the same name does. Images are taken and given back at once; all else asks the
+/// camera over its USB, which takes seconds where that hangs.
 class VideoDevice {
  public:
   virtual ~VideoDevice() = default;

@@ -1,10 +1,15 @@
 #include "robots/nao/camera/video_camera.h"
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <linux/uvcvideo.h>
 #include <linux/videodev2.h>
 
 #include "tests/robots/nao/twin/fake_video.h"
@@ -131,6 +136,91 @@ TEST_F(VideoCameraTest, LeavesAnExposureThatIsShortEnough) {
   begin();
   images_in(settings_.settling + 1.2);
   EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_AUTO), static_cast<int>(V4L2_EXPOSURE_AUTO));
+}
+
+TEST_F(VideoCameraTest, KeepsAFixedExposureWhereItIsBegunAnew) {
+  begin();
+  camera_->look(now_);
+  device_.drift(V4L2_CID_EXPOSURE_ABSOLUTE, 4000);
+  device_.drift(V4L2_CID_GAIN, 20);
+  images_in(settings_.settling + 1.2);
+  device_.is_plugged = false;
+  images_in(1.0);
+  device_.is_plugged = true;
+  images_in(1.5);
+  ASSERT_EQ(camera_->state(), VideoState::running);
+  EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_AUTO), static_cast<int>(V4L2_EXPOSURE_MANUAL));
+  EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_ABSOLUTE), settings_.longest_exposure);
+  EXPECT_EQ(device_.value_of(V4L2_CID_GAIN), 80);
+}
+
+/// A call of its choice hangs until the test lets it go on; one call at a time, as of a driver.
+class HangingVideo : public FakeVideo {
+ public:
+  std::atomic<unsigned long> hanging_request = 0;
+  std::atomic<bool> hangs = false;  // at the moment
+
+  int control(unsigned long request, void* argument) override {
+    constexpr int kLongest = 20000;  // ms, so that a test that fails ends
+    for (int i = 0; request == hanging_request && i < kLongest; ++i) {
+      hangs = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    hangs = false;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return FakeVideo::control(request, argument);
+  }
+
+ private:
+  std::mutex mutex_;
+};
+
+TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
+  HangingVideo device;
+  VideoCamera camera(device, settings_, run_apart);
+  const auto look_until = [&](const auto& is_so) {
+    constexpr int kMost = 20000;
+    for (int i = 0; i < kMost && !is_so(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      camera.look(now_);
+    }
+    return is_so();
+  };
+  // It is begun,
+  device.hanging_request = VIDIOC_S_FMT;
+  EXPECT_FALSE(camera.look(now_));
+  ASSERT_TRUE(look_until([&] { return device.hangs.load(); }));
+  EXPECT_FALSE(camera.look(now_));
+  EXPECT_EQ(camera.descriptor(), -1);
+  device.hanging_request = 0;
+  ASSERT_TRUE(look_until([&] { return camera.state() == VideoState::settling; }));
+  // its colours are locked,
+  device.hanging_request = UVCIOC_CTRL_QUERY;
+  now_ += 0.4;
+  device.expose(picture(10), now_ - 0.01);
+  camera.look(now_);
+  for (int i = 0; i < 100; ++i) {
+    now_ += kPeriod;
+    device.expose(picture(20), now_ - 0.01);
+    EXPECT_TRUE(camera.look(now_)) << "images go on";
+  }
+  ASSERT_TRUE(look_until([&] { return device.hangs.load(); }));
+  device.hanging_request = 0;
+  ASSERT_TRUE(look_until(
+      [&] { return now_ += 0.01, device.expose(picture(30), now_), camera.state() == VideoState::running; }));
+  // and it is ended.
+  while (camera.look(now_)) {
+  }
+  device.hanging_request = VIDIOC_STREAMOFF;
+  now_ += 2.0;
+  EXPECT_FALSE(camera.look(now_));
+  EXPECT_EQ(camera.state(), VideoState::closed);
+  ASSERT_TRUE(look_until([&] { return device.hangs.load(); }));
+  now_ += 5.0;
+  EXPECT_FALSE(camera.look(now_)) << "it is not opened while it is being closed";
+  device.hanging_request = 0;
+  ASSERT_TRUE(look_until([&] { return now_ += 0.01, camera.state() == VideoState::running; })) << "with its colours";
+  EXPECT_EQ(device.opened(), 2);
 }
 
 TEST_F(VideoCameraTest, WaitsForACameraThatIsNotThereYet) {
