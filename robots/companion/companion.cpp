@@ -180,14 +180,22 @@ void Companion::take_frame(std::span<const std::byte> body) {
   ++counts_.frames;
   command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
   if (told_.hear(arrived_.message)) command_.withdraw();
-  if (nonsense_in(arrived_.message) != nullptr) {
-    ++counts_.unusable;
-    return;
-  }
+  if (const std::string nonsense = nonsense_in(arrived_.message); !nonsense.empty())
+    return leave_out(arrived_.message.frame.number, nonsense);
   arrived_.at = options_.now();
   if (has_newest_) ++counts_.superseded;
   std::swap(arrived_, newest_);
   has_newest_ = true;
+}
+
+/// A frame that is of no use has no answer that could say so.
+void Companion::leave_out(std::uint64_t number, const std::string& why) {
+  constexpr double kPause = 1.0;  // s: who sends one wrong frame sends many
+  ++counts_.unusable;
+  if (options_.now() < next_complaint_) return;
+  next_complaint_ = options_.now() + kPause;
+  tell_note(NoteKind::fault, "frame " + std::to_string(number) + " is of no use: " + why);
+  send_waiting();
 }
 
 void Companion::take_sample(std::span<const std::byte> body) {
@@ -226,10 +234,9 @@ bool Companion::use_newest(Observation& observation) {
     told_.begin_axes();
   }
   observation = {};
-  if (!moment || !take_images(message, moment->time, observation)) {
-    ++counts_.unusable;
-    return false;
-  }
+  if (!moment) return leave_out(frame.number, "its time is not after that of the frame before"), false;
+  if (!take_images(message, moment->time, observation))
+    return leave_out(frame.number, "its image was written over before it was looked at"), false;
   observation.time = moment->time;
   observation.odometry = moment->odometry;
   observation.body = with_load(body_sample(frame, moment->time), frame.has);

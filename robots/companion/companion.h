@@ -47,6 +47,8 @@ class Companion : public Robot, private Receiver {
   /// An engine that was made for `greeting` stands behind this from now on. `goes_on`: it knows what one before it
   /// knew.
   void begin(const Greeting& greeting, bool goes_on, int behaviors);
+  /// There can be no engine for this client: it is told why, and gone.
+  void refuse(const std::string& why) { connection_.refuse(why, *this); }
 
   /// False: it is over, or a frame has come of a client that is another robot (has_other_robot()): it waits for the
   /// engine that is made for that one.
@@ -94,6 +96,7 @@ class Companion : public Robot, private Receiver {
   void take_samples(double time, bool has_time);
   bool take_images(const FrameMessage& message, double time, Observation& observation);
   void meet();
+  void leave_out(std::uint64_t number, const std::string& why);
   void send_waiting();
 
   CompanionOptions options_;
@@ -118,6 +121,7 @@ class Companion : public Robot, private Receiver {
   double last_arrival_ = 0.0;             ///< s, on our clock, of the frame that was looked at last, of use or not
   std::vector<reorient_sample> samples_;  ///< no frame has come yet that was exposed after them
   double last_time_ = 0.0;                ///< s, the engine's, of the frame before
+  double next_complaint_ = 0.0;           ///< s, on our clock
 
   // What the observation looks at, until the next one.
   std::array<Image, 2> images_;

@@ -77,9 +77,22 @@ Connection::Connection(std::filesystem::path path, std::function<double()> now)
   constexpr int kWaiting = 4;
   if (bound != 0 || ::listen(listener_.get(), kWaiting) != 0)
     throw std::runtime_error("--socket " + path_.string() + ": " + strerror(bound != 0 ? why : errno));
+  lstat(path_.c_str(), &made_);
 }
 
-Connection::~Connection() { unlink(path_.c_str()); }
+/// Somebody else may listen there by now.
+Connection::~Connection() {
+  struct stat status {};
+  const bool is_ours =
+      lstat(path_.c_str(), &status) == 0 && status.st_dev == made_.st_dev && status.st_ino == made_.st_ino;
+  if (is_ours) unlink(path_.c_str());
+}
+
+void Connection::refuse(const std::string& why, Receiver& receiver) {
+  if (!client_) return;
+  refuse(client_, why);
+  drop(receiver);
+}
 
 void Connection::listen(double seconds, Receiver& receiver) {
   if (std::exchange(gone_, false)) drop(receiver);

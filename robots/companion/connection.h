@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
+
 #include "robots/companion/message.h"
 #include "robots/companion/shared_images.h"
 
@@ -40,6 +42,8 @@ class Connection {
   void listen(double seconds, Receiver& receiver);
 
   bool has_client() const { return static_cast<bool>(client_); }
+  /// The client is told why, and gone.
+  void refuse(const std::string& why, Receiver& receiver);
   /// False: there is no client, or it has not read what was sent before; then all of it is left out.
   template <typename Message>
   bool send(std::uint16_t kind, const Message& message) {
@@ -58,6 +62,7 @@ class Connection {
   bool flush();
 
   std::filesystem::path path_;
+  struct stat made_ {};  // the socket's file
   std::function<double()> now_;
   OwnedDescriptor listener_;
   OwnedDescriptor client_;

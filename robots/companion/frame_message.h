@@ -21,8 +21,8 @@ struct FrameMessage {
 /// Throws BadMessage where it is none: its size, how many particles or messages there are, what is no posture.
 void read_frame(std::span<const std::byte> bytes, FrameMessage& message);
 
-/// Why its numbers make no sense; nullptr: they do. Such a frame is left out, and the client stays.
-const char* nonsense_in(const FrameMessage& message);
+/// Why its numbers make no sense, and what would; empty: they do. Such a frame is left out, and the client stays.
+std::string nonsense_in(const FrameMessage& message);
 
 /// Of a part that counts even where the rest makes no sense.
 bool is_odometry_sound(const reorient_frame& frame);

@@ -124,6 +124,9 @@ Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& know
   if (!bytes.empty()) throw BadMessage("the hello is longer than it should be");
   if (hello.way != REORIENT_OWN_LOCALIZATION && hello.way != REORIENT_OUR_LOCALIZATION)
     throw BadMessage("hello: way is " + std::to_string(hello.way) + ", and can be 1 (your localization) or 2 (ours)");
+  if (hello.client == 0)
+    throw BadMessage(
+        "hello: client is 0; draw it by lot when your process begins, so that a new one is told from the old");
   Greeting greeting;
   greeting.client = hello.client;
   greeting.own_localization = hello.way == REORIENT_OWN_LOCALIZATION;
@@ -165,10 +168,19 @@ CameraModel camera_model(const reorient_camera& camera) {
 }
 
 std::vector<std::byte> identity_of(const Greeting& greeting) {
+  RobotBody body = greeting.body;
+  // What a calibration changes: a frame's cameras are those of the client's hello, whatever the engine began with.
+  for (CameraMount* const mount : {&body.dimensions.upper, &body.dimensions.lower}) mount->tilt = 0.0;
+  const auto leave_out = [](CameraOptics& optics) {
+    optics.field_of_view_horizontal = optics.field_of_view_vertical = 1.0;
+    optics.k1 = optics.k2 = 0.0;
+  };
+  leave_out(body.upper_camera);
+  if (body.lower_camera) leave_out(*body.lower_camera);
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
   out(greeting.own_localization, greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up,
-      greeting.body, greeting.field);
+      body, greeting.field);
   return bytes;
 }
 

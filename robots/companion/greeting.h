@@ -39,8 +39,8 @@ Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& know
 
 CameraModel camera_model(const reorient_camera& camera);
 
-/// All that an engine is made for: the robot, its field, what it carries out and whose localization counts. Where two
-/// are equal, an engine can go on from the one with the other.
+/// All that an engine is made for: the robot, its field, what it carries out and whose localization counts; not how its
+/// cameras are calibrated. Where two are equal, an engine can go on from the one with the other.
 std::vector<std::byte> identity_of(const Greeting& greeting);
 
 }  // namespace reorient

@@ -156,7 +156,7 @@ struct reorient_image {
   uint32_t present;  /* 0: this camera has no new image; 1: it has, and the joints say where the camera was;
                         2: it has, and the pose below says so */
   uint64_t sequence; /* of the slot, even */
-  double age;        /* s that it is older than the frame's time */
+  double age;        /* s that it is older than the frame's time, 0 to 1 */
   double pose[12];   /* robot from camera, three rows of four; origin on the ground below the torso, x along the
                         optical axis, y to the left, z up */
 };
@@ -180,7 +180,7 @@ struct reorient_frame {
   double belief[3];         /* x, y, rotation */
   double covariance[6];     /* of it: xx, xy, x rotation, yy, y rotation, rotation rotation */
   double told_pose[3];      /* where the team is sure to be */
-  double told_deviation[2]; /* m, rad */
+  double told_deviation[2]; /* m, rad: above 0 */
   struct reorient_image images[2];
 };
 
@@ -322,6 +322,8 @@ static inline size_t reorient_image_bytes(const struct reorient_camera* camera) 
 #include <sys/un.h>
 #include <unistd.h>
 
+enum { REORIENT_TOLD_FRAMES = 60 };
+
 struct reorient_client {
   struct reorient_hello hello;
   struct sockaddr_un address;
@@ -330,19 +332,23 @@ struct reorient_client {
   int memory[2]; /* memfd of each camera, or -1 */
   unsigned char* slots[2];
   uint32_t slot_size[2];
-  uint32_t slot[2];     /* that is written to */
-  uint64_t sequence[2]; /* of the image that was written last */
-  uint64_t number;      /* of the last frame */
-  uint64_t lost;        /* frames that could not be sent */
-  uint64_t server;      /* 0: no welcome yet */
+  uint32_t slot[2];      /* that is written to */
+  uint64_t sequence[2];  /* of the image that was written last */
+  uint64_t number;       /* of the last frame */
+  uint64_t lost;         /* frames that could not be sent */
+  uint64_t server;       /* 0: no welcome yet */
+  uint64_t first_number; /* of the first frame of this connection */
   uint64_t done_server;
   uint32_t done; /* the last command that was carried out */
-  /* A told pose of which no answer says yet that it was heard. It goes with the robot. */
+  /* A told pose of which nobody can be sure yet that it was heard, and kept. It goes with the robot. */
   int keeps_told;
   int told_is_sent;     /* on this connection */
+  int told_frames;      /* for so many frames more, since it was answered; 0: it was not */
+  uint64_t told_server; /* that has answered it */
   uint64_t told_number; /* of the last frame that brought one */
   uint32_t told_half;   /* REORIENT_OTHER_HALF: its axes are those */
   double told_pose[3], told_deviation[2];
+  double told_drift[2];    /* of the deviation: what has been added since it was told */
   double told_odometry[3]; /* where the robot was there */
   size_t out_size, out_sent, in_size;
   unsigned char out[sizeof(struct reorient_header) + REORIENT_LONGEST_BODY];
@@ -497,6 +503,7 @@ static inline int reorient_connect(struct reorient_client* client) {
     reorient_disconnect(client);
     return 0;
   }
+  client->first_number = client->number;
   reorient_begin(client, REORIENT_HELLO, sizeof client->hello);
   reorient_append(client, &client->hello, sizeof client->hello);
   if (reorient_flush(client) && reorient_send_memory(client, 0) && reorient_send_memory(client, 1)) return 1;
@@ -523,30 +530,38 @@ static inline void reorient_image_written(struct reorient_client* client, int ca
   if (frame->images[camera].present == 0) frame->images[camera].present = 1;
 }
 
-/* A told pose waits until it was heard. Meanwhile it goes with the robot and into the axes of the other half; odometry
+/* A told pose waits until it was heard, and for some frames more: a server that is killed within these has not kept it,
+ * and the next one is told again. Meanwhile it goes with the robot and into the axes of the other half; odometry
  * is taken to be wrong by a tenth, and what nobody can be sure of any more is forgotten. */
 static inline void reorient_keep_told(struct reorient_client* client, const struct reorient_frame* frame) {
   const double pi = 3.14159265358979323846, drift = 0.1, unsure[2] = {2.0, 1.0}; /* m, rad */
   const double* now = frame->odometry;
+  double added[2];
   double *pose = client->told_pose, *before = client->told_odometry, *deviation = client->told_deviation;
   if (frame->has & REORIENT_HAS_TOLD_POSE) {
     memcpy(pose, frame->told_pose, sizeof client->told_pose);
     memcpy(deviation, frame->told_deviation, sizeof client->told_deviation);
     client->keeps_told = 1;
-    client->told_is_sent = 0;
+    client->told_is_sent = client->told_frames = 0;
+    client->told_drift[0] = client->told_drift[1] = 0.0;
   } else if (client->keeps_told) {
     const double x = now[0] - before[0], y = now[1] - before[1], turn = pose[2] - before[2];
     pose[0] += cos(turn) * x - sin(turn) * y;
     pose[1] += sin(turn) * x + cos(turn) * y;
     pose[2] += now[2] - before[2];
-    deviation[0] += drift * sqrt(x * x + y * y);
-    deviation[1] += drift * fabs(remainder(now[2] - before[2], 2.0 * pi));
+    added[0] = drift * sqrt(x * x + y * y);
+    added[1] = drift * fabs(remainder(now[2] - before[2], 2.0 * pi));
+    deviation[0] += added[0];
+    deviation[1] += added[1];
+    client->told_drift[0] += added[0];
+    client->told_drift[1] += added[1];
     if ((frame->has & REORIENT_OTHER_HALF) != client->told_half) {
       pose[0] = -pose[0];
       pose[1] = -pose[1];
       pose[2] = remainder(pose[2] + pi, 2.0 * pi);
     }
-    if (!(deviation[0] < unsure[0] && deviation[1] < unsure[1])) client->keeps_told = 0;
+    if (!(client->told_drift[0] < unsure[0] && client->told_drift[1] < unsure[1])) client->keeps_told = 0;
+    if (client->told_frames > 0 && --client->told_frames == 0) client->keeps_told = 0;
   }
   memcpy(before, now, sizeof client->told_odometry);
   client->told_half = frame->has & REORIENT_OTHER_HALF;
@@ -568,7 +583,7 @@ static inline int reorient_send_frame(struct reorient_client* client, struct reo
   ready = frame->particles <= REORIENT_MOST_PARTICLES && frame->messages <= REORIENT_MOST_MESSAGES &&
           reorient_connect(client) && reorient_flush(client);
   sent = *frame;
-  if (client->keeps_told && !client->told_is_sent) {
+  if (client->keeps_told && !client->told_is_sent && client->told_frames == 0) {
     memcpy(sent.told_pose, client->told_pose, sizeof sent.told_pose);
     memcpy(sent.told_deviation, client->told_deviation, sizeof sent.told_deviation);
     sent.has |= REORIENT_HAS_TOLD_POSE;
@@ -638,8 +653,16 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
     if (client->in_size == wanted && wanted > sizeof header) {
       memcpy(event, client->in + sizeof header, header.size);
       client->in_size = 0;
-      if (header.kind == REORIENT_WELCOME) client->server = event->welcome.server;
-      if (header.kind == REORIENT_ANSWER && event->answer.number >= client->told_number) client->keeps_told = 0;
+      if (header.kind == REORIENT_WELCOME) {
+        client->server = event->welcome.server;
+        if (client->told_frames > 0 && client->told_server != client->server)
+          client->told_frames = client->told_is_sent = 0;
+      }
+      if (header.kind == REORIENT_ANSWER && client->keeps_told && client->told_frames == 0 && client->told_is_sent &&
+          event->answer.number >= client->told_number) {
+        client->told_frames = REORIENT_TOLD_FRAMES;
+        client->told_server = client->server;
+      }
       if (header.kind == REORIENT_REFUSAL) {
         event->refusal.why[sizeof event->refusal.why - 1] = 0;
         reorient_disconnect(client);
@@ -666,13 +689,16 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
   return 0;
 }
 
-/* The kind of the command to be carried out now, 0: none. Each is told once, however often it is repeated; none where
- * the team was told another pose meanwhile, since it was meant for the belief before. */
+/* The kind of the command to be carried out now, 0: none. Each is told once, however often it is repeated; none of an
+ * answer from before this connection, and none where the team was told another pose meanwhile, since it was meant for
+ * the belief before. */
 static inline int reorient_take_command(struct reorient_client* client, const struct reorient_answer* answer) {
   const int again = client->done_server == client->server && answer->command <= client->done;
-  if (client->server == 0 || answer->command == 0 || again || answer->number < client->told_number) return 0;
+  if (client->server == 0 || answer->command == 0 || again) return 0;
+  if (answer->number < client->first_number || answer->number < client->told_number) return 0;
   client->done_server = client->server;
   client->done = answer->command;
+  client->keeps_told = 0; /* the belief is another one now */
   return (int)answer->command_kind;
 }
 

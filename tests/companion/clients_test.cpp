@@ -191,6 +191,8 @@ TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanion
 }
 
 TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
+  const std::filesystem::path link = folder_.path() / "link";
+  std::filesystem::create_symlink(folder_.path() / "precious", link);
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "turned_round", "--robot", "companion"}, "--robot companion plays no scenario"},
       {{"run", "--robot", "companion", "--room", "hall.hdr"}, "--room: the companion would not heed it"},
@@ -201,6 +203,10 @@ TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
        "there is a file of this name"},
       {{"run", "--robot", "companion", "--socket", socket(), "--state", "/nowhere/state"}, "--state"},
       {{"run", "--robot", "unicorn"}, "--robot"},
+      {{"run", "--robot", "companion", "--socket", socket(), "--behaviors", "orientatoin"}, "orientatoin"},
+      {{"run", "--robot", "companion", "--socket", socket(), "--set", "pose_filter.particles=-1"},
+       "pose_filter.particles"},
+      {{"run", "--robot", "companion", "--socket", socket(), "--state", link.string()}, "that is a link"},
   };
   for (const auto& [words, why] : mistakes) {
     ChildProgram program(folder_.path(), words);
@@ -209,6 +215,60 @@ TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
     EXPECT_NE(err.find(why), std::string::npos) << err;
     EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
   }
+}
+
+TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServed) {
+  const std::string model = (folder_.path() / "hall.model").string();
+  {
+    ChildProgram other(folder_.path(), {"run", "turned_round", "--width", "160", "--seconds", "20", "--body",
+                                        "booster-k1", "--model", model});
+    other.wait();
+    ASSERT_TRUE(std::filesystem::exists(model)) << other.err();
+  }
+  std::vector<std::string> words = server();
+  words.insert(words.end(), {"--model", model});
+  ChildProgram companion(folder_.path(), words);
+  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+  std::string why;
+  for (int i = 0; i < 3; ++i) {  // a client of another height comes again and again
+    RawClient client(socket());
+    client.introduce(small_hello(1));
+    why.clear();
+    for (int j = 0; j < 500 && why.empty(); ++j) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      why = client.refusal();
+    }
+    EXPECT_NE(why.find("--model " + model), std::string::npos) << why;
+  }
+  EXPECT_TRUE(companion.await("--model " + model)) << companion.err();
+  const Setting setting{"", kC, "ours", "booster-k1", "middle"};
+  EXPECT_EQ(std::system(play(setting, socket(), 15, 10).c_str()), 0) << companion.out() << companion.err();
+  companion.kill(SIGTERM);
+  companion.wait();
+  const std::string err = companion.err();
+  EXPECT_EQ(err.find("--model"), err.rfind("--model")) << "it is told once\n" << err;
+}
+
+TEST_F(CompanionClient, BeginsAnewWhereTheSidesHaveChanged) {
+  const std::string model = (folder_.path() / "hall.model").string();
+  const auto begin = [&](bool sides_changed) {
+    std::vector<std::string> words = server();
+    words.insert(words.end(), {"--model", model});
+    if (sides_changed) words.emplace_back("--sides-changed");
+    return words;
+  };
+  const auto welcomed = [&](bool sides_changed) {
+    ChildProgram companion(folder_.path(), begin(sides_changed));
+    EXPECT_TRUE(companion.await("no client has come yet")) << companion.err();
+    const std::optional<bool> knew = goes_on(socket(), small_hello(1));
+    companion.kill(SIGTERM);
+    companion.wait();
+    return knew;
+  };
+  EXPECT_EQ(welcomed(false), false);
+  EXPECT_EQ(welcomed(false), true);
+  EXPECT_EQ(welcomed(true), false) << "its state is in the axes of before";
+  EXPECT_EQ(welcomed(true), true);
 }
 
 TEST_F(CompanionClient, IsServedUntilSomebodyEndsTheCompanion) {

@@ -62,11 +62,13 @@ KnownRobots known_robots() {
           }};
 }
 
-/// What a process that goes on from another one's state must have in common with it.
-std::string circumstances_of(const Greeting& greeting, const FrameSetup& setup) {
+/// What a process that goes on from another one's state must have in common with it. In the axes of which half the
+/// state is, --sides-changed says, and so the model's file would be saved in others.
+std::string circumstances_of(const Greeting& greeting, const FrameSetup& setup, const RunOptions& options) {
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
-  out(std::string(REORIENT_VERSION), identity_of(greeting), setup.room_awareness, setup.behaviors, setup.parameters);
+  out(std::string(REORIENT_VERSION), identity_of(greeting), setup.room_awareness, setup.behaviors, setup.parameters,
+      options.model.string(), options.sides_changed);
   Digest digest;
   digest.add(bytes);
   return digest.hex();
@@ -113,17 +115,40 @@ class CompanionReport : public Observer {
   Companion& companion_;
 };
 
+/// What is known before anybody comes. Throws std::runtime_error with one line.
+FrameSetup setup_for(const Greeting& greeting, const RunOptions& options, const ScriptTexts& scripts) {
+  FrameSetup setup;
+  setup.body = greeting.body;
+  setup.field = greeting.field;
+  setup.seed = options.seed;
+  setup.room_awareness = options.room_awareness;
+  setup.scripts = scripts;
+  setup.parameters = overrides_of(options.parameters);
+  const Abilities abilities{greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up};
+  const std::vector<std::string> wanted = options.behaviors.empty() ? behaviors_for(abilities) : options.behaviors;
+  for (const std::string& name : wanted) setup.behaviors.push_back(behavior_file(options.scripts, scripts, name));
+  return setup;
+}
+
+/// What is wrong with options and scripts is told now, not to the first client.
+void try_out(const RunOptions& options, const ScriptTexts& scripts) {
+  Greeting somebody;
+  somebody.carries_out_head = somebody.carries_out_walk = somebody.carries_out_get_up = true;
+  const FrameLoop engine(setup_for(somebody, options, scripts));
+}
+
 }  // namespace
 
 int run_companion(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   ScriptEdits edits(options.scripts);
-  const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
+  try_out(options, edits.texts());
   if (!options.model.empty()) require_writable_file(options.model, "--model");
   std::optional<SavedModel> model = model_to_begin_with(options);
   const std::filesystem::path socket = options.socket.empty() ? default_socket_path() : options.socket;
   const std::filesystem::path state = options.state.empty() ? socket.string() + ".state" : options.state.string();
   require_writable_file(state, "--state");
+  require_no_link(state);
   const std::optional<RecorderOptions> recording_options = recorder_options(options, "");
 
   // What the prompt looks at changes with each client that is another robot.
@@ -140,34 +165,42 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
 
   bool fresh = options.fresh;
+  std::vector<std::string> failures;
+  std::string told_mistake;
   while (const Greeting* const greeting_now = companion.wait_for_greeting()) {
     const Greeting greeting = *greeting_now;
-    FrameSetup setup;
-    setup.body = greeting.body;
-    setup.field = greeting.field;
-    setup.seed = options.seed;
-    setup.room_awareness = options.room_awareness;
-    setup.scripts = edits.texts();
-    setup.parameters = overrides;
-    setup.model = model;
-    const Abilities abilities{greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up};
-    const std::vector<std::string> wanted = options.behaviors.empty() ? behaviors_for(abilities) : options.behaviors;
-    for (const std::string& name : wanted)
-      setup.behaviors.push_back(behavior_file(options.scripts, setup.scripts, name));
-    StateKeeper keeper(state, circumstances_of(greeting, setup));
-    std::string why_not;
-    std::unique_ptr<FrameLoop> engine = fresh ? nullptr : keeper.restore(companion, why_not);
-    const bool goes_on = engine != nullptr;
-    if (goes_on) edits.add_missed(engine->scripts());
-    if (!why_not.empty()) spdlog::warn("{} is not gone on from: {}", state.string(), why_not);
-    if (!engine) engine = std::make_unique<FrameLoop>(std::move(setup));
+    std::optional<StateKeeper> kept;
+    std::unique_ptr<FrameLoop> engine;
+    std::size_t behaviors = 0;
+    bool goes_on = false;
+    try {
+      FrameSetup setup = setup_for(greeting, options, edits.texts());
+      setup.model = model;
+      behaviors = setup.behaviors.size();
+      kept.emplace(state, circumstances_of(greeting, setup, options));
+      std::string why_not;
+      if (!fresh) engine = kept->restore(companion, why_not);
+      goes_on = engine != nullptr;
+      if (goes_on) edits.add_missed(engine->scripts());
+      if (!why_not.empty()) spdlog::warn("{} is not gone on from: {}", state.string(), why_not);
+      if (!engine) engine = std::make_unique<FrameLoop>(std::move(setup));
+    } catch (const std::exception& error) {
+      // A model of another wall, or a script that was damaged since the start: others may come, and it may be mended.
+      const bool is_models = dynamic_cast<const UnfitModel*>(&error) != nullptr;
+      const std::string mistake = (is_models ? "--model " + options.model.string() + ": " : "") + error.what();
+      if (std::exchange(told_mistake, mistake) != mistake) err << "reorient: " << mistake << "\n" << std::flush;
+      companion.refuse(mistake);
+      continue;
+    }
+    told_mistake.clear();
+    StateKeeper& keeper = *kept;
     fresh = false;
     engine_now = engine.get();
-    companion.begin(greeting, goes_on, static_cast<int>(wanted.size()));
+    companion.begin(greeting, goes_on, static_cast<int>(behaviors));
     err << fmt::format(
                "reorient: a client has come: {}, field of {:.1f} x {:.1f} m, {} localization, {} behaviours, {}\n",
                greeting.body.name, greeting.field.length, greeting.field.width,
-               greeting.own_localization ? "its own" : "our", wanted.size(),
+               greeting.own_localization ? "its own" : "our", behaviors,
                goes_on ? "going on from before" : "beginning anew")
         << std::flush;
 
@@ -194,8 +227,10 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     if (robot->any_frame()) keeper.finish(*engine, companion);
     recording.end(out);
     if (model_keeper) {
-      model_keeper->save();
-      model = model_to_begin_with(options);
+      const std::size_t before = failures.size();
+      try_to_write(failures, [&] { model_keeper->save(); });
+      try_to_write(failures, [&] { model = model_to_begin_with(options); });
+      for (std::size_t i = before; i < failures.size(); ++i) err << "reorient: " << failures[i] << "\n" << std::flush;
     }
     engine_now = nullptr;
     if (is_over() || !companion.has_other_robot()) break;
@@ -204,6 +239,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   out << fmt::format(
       "{} frames of {} clients; {} not looked at since a newer one had come, {} of no use, {} answers not taken\n",
       counts.frames, counts.clients, counts.superseded, counts.unusable, counts.unanswered);
+  if (!failures.empty()) return kBadInput;
   return Interruption::signal() != 0 ? exit_code_of(Interruption::signal()) : kSuccess;
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -47,6 +48,13 @@ std::optional<std::string> read_own_file(const std::filesystem::path& file, std:
 
 }  // namespace
 
+void require_no_link(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_symlink(file, error))
+    throw std::runtime_error("--state " + file.string() +
+                             ": that is a link, and could be anybody's; name the file itself");
+}
+
 StateKeeper::StateKeeper(std::filesystem::path file, std::string circumstances)
     : file_(std::move(file)), circumstances_(std::move(circumstances)) {}
 
@@ -83,6 +91,7 @@ void StateKeeper::begin_writing(const FrameLoop& engine, Companion& companion) {
   std::error_code failed;  // then it is written over
   if (std::exchange(is_of_another_, false)) std::filesystem::rename(file_, aside(), failed);
   writing_.start([bytes = bytes_of(engine, companion), file = file_] {
+    require_no_link(file);
     write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   });
 }

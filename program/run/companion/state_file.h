@@ -15,6 +15,10 @@
 
 namespace reorient {
 
+/// In a folder that is everybody's a link may be anybody's, and lead to what must not be written over. Throws
+/// std::runtime_error with one line.
+void require_no_link(const std::filesystem::path& file);
+
 /// Saves once a second, and at once what a client says only once. A disk is slow: no frame waits for it.
 class StateKeeper {
  public:

@@ -129,13 +129,16 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   parts.stop = is_over;
   RunLoop(std::move(parts)).run();
   narration.progress.end();
-  if (model_keeper) model_keeper->save();
   recording.end(out);
+  std::vector<std::string> failures;
+  if (model_keeper) try_to_write(failures, [&] { model_keeper->save(); });
+  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
   const Nao::Counts counts = itself.counts();
   out << fmt::format(
       "{} frames; {} images not looked at since a newer one had come, {} of which nobody knows where the head was, {} "
       "damaged; cameras begun anew {} times\n",
       counts.frames, counts.passed_over, counts.unplaced, counts.damaged, counts.begun_anew);
+  if (!failures.empty()) return kBadInput;
   return Interruption::signal() != 0 ? exit_code_of(Interruption::signal()) : kSuccess;
 }
 

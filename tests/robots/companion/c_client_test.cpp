@@ -129,13 +129,49 @@ TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
   ASSERT_TRUE(observation && observation->told.initial_pose);
   answer();
   EXPECT_TRUE(heard(REORIENT_ANSWER));
-  companion_.reset();
-  EXPECT_FALSE(heard(REORIENT_ANSWER));
+  // It was heard, but whether it is on the disk nobody knows: one that is killed now tells the next one nothing of it.
+  const auto begin_anew = [&] {
+    companion_.reset();
+    EXPECT_FALSE(heard(REORIENT_ANSWER));
+    begin_companion();
+    EXPECT_TRUE(send(0.5));
+    observation = observed();
+    ASSERT_TRUE(observation);
+    EXPECT_FALSE(observation->told.initial_pose) << "it may be the same one";
+    answer();
+    EXPECT_TRUE(heard(REORIENT_ANSWER));
+    EXPECT_TRUE(send(0.5));
+    observation = observed();
+    ASSERT_TRUE(observation);
+  };
+  begin_anew();
+  ASSERT_TRUE(observation->told.initial_pose);
+  EXPECT_NEAR(observation->told.initial_pose->pose.position.x(), -1.5, 1e-9);
+  for (int i = 0; i <= REORIENT_TOLD_FRAMES; ++i) {
+    answer();
+    EXPECT_TRUE(heard(REORIENT_ANSWER));
+    EXPECT_TRUE(send(0.5));
+    observation = observed();
+    ASSERT_TRUE(observation);
+    EXPECT_FALSE(observation->told.initial_pose) << "once, as long as that one is there";
+  }
+  begin_anew();
+  EXPECT_FALSE(observation->told.initial_pose) << "it has been kept long ago";
+}
+
+TEST_F(CClient, TakesAnUnsureToldPoseAlongAsWell) {
+  reorient_frame frame{};
+  frame.has = REORIENT_HAS_TIME | REORIENT_HAS_TOLD_POSE;
+  frame.told_deviation[0] = 0.1;
+  frame.told_deviation[1] = 3.2;  // where it is, but not which way it looks
+  frame.time = time_ += 0.1;
+  EXPECT_FALSE(reorient_send_frame(&client_, &frame, nullptr, nullptr));
+  EXPECT_FALSE(send());
   begin_companion();
   EXPECT_TRUE(send());
-  observation = observed();
-  ASSERT_TRUE(observation);
-  EXPECT_FALSE(observation->told.initial_pose) << "an answer has shown that it was heard";
+  const auto observation = observed();
+  ASSERT_TRUE(observation && observation->told.initial_pose);
+  EXPECT_NEAR(observation->told.initial_pose->rotation_deviation, 3.2, 1e-9);
 }
 
 TEST_F(CClient, CarriesNoCommandOutThatWasMeantForTheBeliefBeforeAToldPose) {
@@ -154,6 +190,23 @@ TEST_F(CClient, CarriesNoCommandOutThatWasMeantForTheBeliefBeforeAToldPose) {
   ASSERT_TRUE(event);
   EXPECT_EQ(reorient_take_command(&client_, &event->answer), int{REORIENT_FLIP});
   EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0);
+}
+
+TEST_F(CClient, CarriesNoCommandOutTwiceWhereAnAnswerIsLookedAtAgainUnderAnotherServer) {
+  begin_companion();
+  EXPECT_TRUE(send());
+  ASSERT_TRUE(observed());
+  answer(Reorientation::flip_pose);
+  const auto event = heard(REORIENT_ANSWER);
+  ASSERT_TRUE(event);
+  EXPECT_EQ(reorient_take_command(&client_, &event->answer), int{REORIENT_FLIP});
+  companion_.reset();
+  EXPECT_FALSE(heard(REORIENT_ANSWER));
+  begin_companion();
+  EXPECT_TRUE(send());
+  ASSERT_TRUE(observed());
+  EXPECT_TRUE(heard(REORIENT_WELCOME));
+  EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0) << "that was another server's";
 }
 
 TEST_F(CClient, ReadsARefusalThoughSendingFails) {

@@ -661,5 +661,54 @@ TEST_F(CompanionTest, SaysWhyItCannotListen) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "socket"));
 }
 
+TEST_F(CompanionTest, LeavesTheSocketOfWhoeverListensThereByNow) {
+  std::filesystem::remove(folder_.path() / "socket");
+  const Companion other(options());
+  companion_.reset();
+  EXPECT_TRUE(RawClient(folder_.path() / "socket").is_connected());
+}
+
+TEST_F(CompanionTest, SaysWhyAFrameIsOfNoUseButNotOfEach) {
+  RawClient client = greeted();
+  const auto notes_after = [&](const auto& spoil) {
+    now_ += 0.033;
+    static std::uint64_t number = 100;
+    ++number;
+    reorient_frame frame = standing_frame(number, 0.1 * static_cast<double>(number), client.paint(1));
+    spoil(frame);
+    client.send(REORIENT_FRAME, frame);
+    EXPECT_FALSE(observed());
+    std::vector<std::string> notes;
+    for (const RawClient::Heard& one : client.hear()) {
+      if (one.kind == REORIENT_NOTE) notes.emplace_back(text_of(one.as<reorient_note>().text));
+    }
+    return notes;
+  };
+  const auto has_young_image = [](reorient_frame& frame) { frame.images[0].age = -0.005; };
+  const std::vector<std::string> first = notes_after(has_young_image);
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_NE(first[0].find("frame 101 is of no use: images[0].age is -0.005000 s, and can be 0 to 1"), std::string::npos)
+      << first[0];
+  EXPECT_TRUE(notes_after(has_young_image).empty()) << "who sends one sends many";
+  now_ += 1.0;
+  const std::vector<std::string> later = notes_after([](reorient_frame& frame) {
+    frame.has |= REORIENT_HAS_TOLD_POSE;
+    frame.told_deviation[0] = 0.0;
+  });
+  ASSERT_EQ(later.size(), 1u);
+  EXPECT_NE(later[0].find("the told pose makes no sense: its deviations are above 0"), std::string::npos) << later[0];
+}
+
+TEST_F(CompanionTest, TellsAClientForWhichThereIsNoEngineWhyAndServesTheNext) {
+  RawClient client(folder_.path() / "socket");
+  client.introduce(small_hello());
+  ASSERT_NE(companion_->wait_for_greeting(), nullptr);
+  companion_->refuse("its model is of another wall");
+  EXPECT_EQ(client.refusal(), "its model is of another wall");
+  RawClient next = greeted();
+  next.send_frame(1.0, 1);
+  EXPECT_TRUE(observed());
+}
+
 }  // namespace
 }  // namespace reorient

@@ -64,7 +64,14 @@ TEST(Greeting, OfTheSameRobotMayCalibrateAnew) {
   reorient_hello hello = small_hello(1);
   const Greeting one = read_greeting(bytes_of(hello), nobody_known());
   hello.client = 2;
+  hello.cameras[0].tilt += 0.003;
+  hello.cameras[0].focal[0] += 0.7;
+  hello.cameras[0].center[1] -= 1.5;
+  hello.cameras[0].distortion[0] = 0.01;
   EXPECT_EQ(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+  hello.cameras[0].width *= 2;
+  EXPECT_NE(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+  hello = small_hello(1);
   hello.way = REORIENT_OWN_LOCALIZATION;
   EXPECT_NE(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
   hello = small_hello(1);
@@ -76,6 +83,7 @@ TEST(Greeting, WithAMistakeIsRefusedWithWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<std::function<void(reorient_hello&)>, const char*> mistakes[] = {
       {[](auto& hello) { hello.way = 0; }, "way is 0"},
+      {[](auto& hello) { hello.client = 0; }, "client is 0; draw it by lot"},
       {[](auto& hello) { hello.delay = -1.0; }, "delay is -1"},
       {[&](auto& hello) { hello.delay = nan; }, "delay is"},
       {[](auto& hello) { hello.cameras[0].format = 0; }, "the first camera is missing"},

@@ -1,0 +1,141 @@
+"""A client of Reorient's companion in Python's standard library alone (3.9 or later): what reorient_companion.h is in C, for one
+camera. A file to copy; docs/companion.md says what the numbers mean."""
+import cmath
+import fcntl
+import math
+import mmap
+import os
+import socket
+import struct
+
+HELLO, MEMORY, FRAME, WELCOME, REFUSAL, ANSWER = 1, 2, 3, 101, 102, 103
+HAS_TIME, HAS_BODY, HAS_FOOT_LOAD, HAS_TOLD_POSE, OTHER_HALF = 1, 30, 32, 128, 512  # body: head, attitude, rates, acceleration
+ANSWER_POSE, ANSWER_HEAD, ANSWER_WALK, ANSWER_GET_UP = 1, 2, 4, 8
+FLIP, PURGE, RESET, YUYV, OWN, OURS = 1, 2, 3, 1, 1, 2
+SLOTS, SLOT_HEADER, VERSION, WANTS = 3, 64, 2, 1 + 2 + 4  # wants: head, walk, get up
+TOLD_FRAMES = 60
+
+
+class Companion:
+    """The connection. It is made anew when it is gone; nothing here waits. `camera`: focal, center, distortion, position and
+    tilt of the one camera, 10 numbers; `body`: the name of a robot that Reorient knows, as bytes."""
+
+    def __init__(self, path, way, body, width, height, camera):
+        self.path, self.socket, self.broken = path, None, False
+        self.number = self.told = self.sequence = self.slot = 0
+        self.server, self.done = 0, (0, 0)  # the server, and the last command of which server
+        # A told pose of which nobody can be sure yet that it was heard, and kept: the pose, its deviations, the odometry and
+        # the half there; for how many frames more, once it was answered, and by which server.
+        self.kept, self.kept_frames, self.kept_server, self.told_sent = None, 0, 0, False
+        self.image_bytes = 2 * width * height
+        self.slot_size = (SLOT_HEADER + self.image_bytes + 63) // 64 * 64
+        self.memory = os.memfd_create("reorient", os.MFD_ALLOW_SEALING)
+        os.ftruncate(self.memory, SLOTS * self.slot_size)
+        fcntl.fcntl(self.memory, 1033, 2)  # F_ADD_SEALS, F_SEAL_SHRINK
+        self.images = mmap.mmap(self.memory, SLOTS * self.slot_size)
+        self.hello = (os.urandom(8) + struct.pack("<IId", way, WANTS, 0.0) +
+                      struct.pack("<HHI10d", width, height, YUYV, *camera) + bytes(88) +
+                      struct.pack("<32s136x", body) + bytes(160))
+
+    def connect(self):
+        if self.socket and not self.broken:
+            return True
+        self.server, self.broken, self.told_sent, self.rest_out, self.rest_in = 0, False, False, b"", b""
+        try:
+            self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+            self.socket.setblocking(False)
+            self.socket.connect(self.path)
+            peer = struct.unpack("3i", self.socket.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12))[1]
+            if peer not in (0, os.geteuid()):
+                raise PermissionError  # anybody may listen in a folder that is everybody's
+            self.socket.sendall(struct.pack("<IHH", len(self.hello), HELLO, VERSION) + self.hello)
+            message = struct.pack("<IHHII", 8, MEMORY, VERSION, 0, self.slot_size)
+            self.socket.sendmsg([message], [(socket.SOL_SOCKET, socket.SCM_RIGHTS, struct.pack("i", self.memory))])
+        except OSError:
+            self.broken = True  # what has come is still to be read: a refusal, perhaps
+        return not self.broken
+
+    def image(self, pixels):
+        self.slot = (self.slot + 1) % SLOTS
+        at = self.slot * self.slot_size
+        self.images[at:at + 8] = struct.pack("<Q", self.sequence + 1)  # odd: it is being written
+        self.images[at + SLOT_HEADER:at + SLOT_HEADER + len(pixels)] = pixels
+        self.sequence += 2
+        self.images[at:at + 8] = struct.pack("<Q", self.sequence)
+
+    def send(self, time, has, numbers, particles):
+        """True: it is on its way. Else it is lost, since there is no server or it is slow. `numbers`: the 28 of reorient_frame
+        from odometry on. A told pose goes with the next frame then, and once more to the next server where the one that
+        answered it ends within two seconds."""
+        self.number += 1
+        if has & HAS_TOLD_POSE:
+            self.kept = (numbers[23:26], numbers[26:], numbers[:3], has & OTHER_HALF)
+            self.kept_frames, self.kept_server, self.told_sent = 0, 0, False
+        ready = self.connect() and self.flush()
+        if self.kept:
+            self.move_kept(numbers, has)
+        if self.kept and not self.kept_server and not self.told_sent:
+            numbers, has, self.told = numbers[:23] + self.kept[0] + self.kept[1], has | HAS_TOLD_POSE, self.number
+        body = (struct.pack("<QdIIIIIIQ", self.number, time, has, 0, 0, len(particles), 0, self.done[1], self.done[0]) +
+                struct.pack("<28dIIQd216x", *numbers, self.slot, 1, self.sequence, 0.0) +
+                b"".join(struct.pack("<4f", *one) for one in particles))
+        if ready:
+            self.rest_out = struct.pack("<IHH", len(body), FRAME, VERSION) + body
+            self.flush()
+            self.told_sent = not self.broken
+        return ready and not self.broken
+
+    def move_kept(self, numbers, has):
+        """A told pose goes with the robot and into the axes of the other half; odometry is wrong by a tenth."""
+        (x, y, rotation), deviations, (from_x, from_y, before), half = self.kept
+        way = complex(numbers[0] - from_x, numbers[1] - from_y)
+        turned, turn = way * cmath.rect(1, rotation - before), numbers[2] - before
+        pose = (x + turned.real, y + turned.imag, rotation + turn)
+        if has & OTHER_HALF != half:
+            pose = (-pose[0], -pose[1], pose[2] + math.pi)
+        deviations = (deviations[0] + 0.1 * abs(way), deviations[1] + 0.1 * abs(math.remainder(turn, 2 * math.pi)))
+        self.kept = (pose, deviations, numbers[:3], has & OTHER_HALF)
+        self.kept_frames -= self.kept_frames > 0
+        if self.kept_frames == 0 and self.kept_server:
+            self.kept, self.kept_server = None, 0
+
+    def flush(self):
+        try:
+            while self.rest_out:
+                self.rest_out = self.rest_out[self.socket.send(self.rest_out, socket.MSG_NOSIGNAL):]
+        except BlockingIOError:
+            pass
+        except OSError:
+            self.broken = True
+        return not self.broken and not self.rest_out
+
+    def receive(self):
+        while self.socket:
+            try:
+                piece = self.socket.recv(65536)
+            except BlockingIOError:
+                return
+            except OSError:
+                piece = b""
+            self.rest_in += piece
+            self.socket = self.socket if piece else None  # it is gone
+            while len(self.rest_in) >= 8:
+                size, kind = struct.unpack_from("<IH", self.rest_in)
+                if len(self.rest_in) < 8 + size:
+                    break
+                body, self.rest_in = self.rest_in[8:8 + size], self.rest_in[8 + size:]
+                first = struct.unpack_from("<Q", body)[0] if len(body) >= 8 else 0
+                if kind == WELCOME:
+                    self.server = first
+                    if self.kept_server and self.kept_server != self.server:
+                        # Whether it knows what the other was told, nobody knows.
+                        self.kept_frames, self.kept_server, self.told_sent = 0, 0, False
+                if kind == ANSWER and self.kept and not self.kept_server and first >= self.told:
+                    self.kept_frames, self.kept_server = TOLD_FRAMES, self.server
+                yield kind, body
+
+    def command(self, answered, number, kind):
+        """That is to be carried out now, None: none. Each is told once, and none that is older than a told pose."""
+        if self.server and number and answered >= self.told and (self.done[0] != self.server or self.done[1] < number):
+            self.done, self.kept = (self.server, number), None  # the belief is another one now
+            return kind
