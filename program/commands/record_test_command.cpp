@@ -83,16 +83,24 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
   if (error) throw std::runtime_error("cannot make the folder " + part.parent_path().string() + ": " + error.message());
   const Rewritten done = cut_recording(recording, options.times.from, options.times.to, part, Views::left_out);
   tell_damages(recording, err);
-  write_whole_file(
-      test,
-      fmt::format(R"(--- Recorded: {}, {:.2f} to {:.2f} s. What the robot did then; say here what it should do.
+  const auto write_test = [&] {
+    write_whole_file(
+        test,
+        fmt::format(R"(--- Recorded: {}, {:.2f} to {:.2f} s. What the robot did then; say here what it should do.
 
 test("{} goes on as it did", function()
   replay "recordings/{}.mcap"
 {}  -- expect.as_recorded()  -- every command and motion, while nothing shall change at all
 end)
 )",
-                  options.file.filename().string(), done.first_time, done.last_time, name, name, expectations(part)));
+                    options.file.filename().string(), done.first_time, done.last_time, name, name, expectations(part)));
+  };
+  try {
+    write_test();
+  } catch (const std::exception&) {
+    std::filesystem::remove(part, error);  // or it could not be tried again under this name
+    throw;
+  }
   out << fmt::format("{}: {} frames, {:.1f} MB\n{}\nNext: reorient test {}\n", part.string(), done.frames,
                      1e-6 * static_cast<double>(std::filesystem::file_size(part)), test.string(), test.string());
   return kSuccess;

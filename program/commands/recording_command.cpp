@@ -1,9 +1,9 @@
 // `reorient recording`: what is in a recording, as a table, in pictures; a part of it; one that is damaged, made whole.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -93,9 +93,12 @@ int rewrite(const RecordingOptions& options, std::ostream& out, std::ostream& er
   Recording recording(options.file);
   const Rewritten done = rewrite(recording);
   tell_damages(recording, err);
-  out << fmt::format("{}: {} frames, {:.2f} to {:.2f} s\n", options.out.string(), done.frames, done.first_time,
+  out << fmt::format("{}: {} frames, {:.2f} to {:.2f} s", options.out.string(), done.frames, done.first_time,
                      done.last_time);
-  return kSuccess;
+  if (done.lost > 0) out << fmt::format("; {} frames that were there are lost", done.lost);
+  out << '\n';
+  // Whoever deletes the old one after this must not lose what could be read out of it in another way.
+  return done.lost > 0 ? kWrong : kSuccess;
 }
 
 int export_csv(const RecordingOptions& options, std::ostream& out, std::ostream& err) {
@@ -104,9 +107,12 @@ int export_csv(const RecordingOptions& options, std::ostream& out, std::ostream&
     write_csv(recording, options.csv, out);
   } else {
     require_other_file(options);
-    std::ostringstream text;
+    FileInTheMaking beside(options.out);
+    std::ofstream text(beside.path());
     write_csv(recording, options.csv, text);
-    write_whole_file(options.out, text.str());
+    text.close();
+    if (!text) throw std::runtime_error("cannot write '" + options.out.string() + "': is the disk full?");
+    beside.end();
   }
   tell_damages(recording, err);
   return kSuccess;

@@ -210,6 +210,36 @@ TEST_F(RunThatIsRecorded, IsReadWholeWhateverBitOfItsHeadIsDamaged) {
   }
 }
 
+TEST_F(RunThatIsRecorded, ThatCannotBeWrittenAnewLeavesWhatWasThere) {
+  run_shortly({"--record", file("run.mcap")});
+  const std::string before = read_text(file("run.mcap"));
+  folder_.write("other.mcap", before);
+  folder_.write("kept.mcap", before);
+  for (const char* const command : {"recover", "cut"}) {
+    ChildProgram rewriting(folder_.path(), {"recording", command, file("other.mcap"), "--out", file("kept.mcap")}, [] {
+      const rlimit most{100000, 100000};
+      setrlimit(RLIMIT_FSIZE, &most);
+      std::signal(SIGXFSZ, SIG_IGN);
+    });
+    EXPECT_EQ(rewriting.wait(), 2) << rewriting.err();
+    EXPECT_EQ(read_text(file("kept.mcap")), before) << command;
+  }
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+    files += entry.path().extension() == ".partial" ? 1 : 0;
+  EXPECT_EQ(files, 0);
+}
+
+TEST_F(RunThatIsRecorded, ThatHasAHoleIsRecoveredWithACodeThatSaysSo) {
+  run_shortly({"--record", file("run.mcap")});
+  std::string bytes = read_text(file("run.mcap"));
+  bytes.replace(bytes.size() / 2, 2000, 2000, 'x');
+  folder_.write("hole.mcap", bytes);
+  const ProgramRun recovered = run_reorient({"recording", "recover", file("hole.mcap"), "--out", file("rest.mcap")});
+  EXPECT_EQ(recovered.code, 1) << recovered.err;
+  EXPECT_NE(recovered.out.find(" frames that were there are lost"), std::string::npos) << recovered.out;
+}
+
 TEST_F(RunThatIsRecorded, ThatIsDamagedIsNotReplayedAsIfItWereWhole) {
   run_shortly({"--record", file("run.mcap")});
   std::string bytes = read_text(file("run.mcap"));

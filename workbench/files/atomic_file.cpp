@@ -50,10 +50,30 @@ class OpenFile {
   int descriptor_;
 };
 
+/// The name is on the disk as well, not only what stands behind it. Some file systems know no such thing.
+void sync_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  static_cast<void>(fsync(descriptor));
+  ::close(descriptor);
+}
+
+/// Of no other process and no other call.
+std::filesystem::path fresh_name_beside(const std::filesystem::path& file) {
+  static std::atomic<unsigned> count{0};
+  std::filesystem::path name = file;
+  do {
+    name = file;
+    name += "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".partial";
+  } while (std::filesystem::exists(std::filesystem::symlink_status(name)));
+  return name;
+}
+
 /// Made new beside `file`, and gone again unless it was given that file's name.
 class FileBeside {
  public:
-  explicit FileBeside(const std::filesystem::path& file) : name_(fresh_name(file)), open_(name_, kNew) {}
+  explicit FileBeside(const std::filesystem::path& file) : name_(fresh_name_beside(file)), open_(name_, kNew) {}
   ~FileBeside() {
     if (!kept_) unlink(name_.c_str());
   }
@@ -64,22 +84,12 @@ class FileBeside {
   void rename_to(const std::filesystem::path& file) {
     if (rename(name_.c_str(), file.c_str()) != 0) fail();
     kept_ = true;
+    sync_folder_of(file);
   }
 
  private:
   /// O_EXCL: whoever put something there before, be it a link to elsewhere, is not written to.
   static constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL;
-
-  /// Of no other process and no other call.
-  static std::filesystem::path fresh_name(const std::filesystem::path& file) {
-    static std::atomic<unsigned> count{0};
-    std::filesystem::path name = file;
-    do {
-      name = file;
-      name += "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".partial";
-    } while (std::filesystem::exists(std::filesystem::symlink_status(name)));
-    return name;
-  }
 
   std::filesystem::path name_;
   OpenFile open_;
@@ -137,6 +147,37 @@ void write_whole_file(const std::filesystem::path& file, std::string_view bytes)
   } catch (const std::system_error& error) {
     throw std::runtime_error("cannot write '" + file.string() + "': " + error.code().message());
   }
+}
+
+FileInTheMaking::FileInTheMaking(std::filesystem::path file)
+    : file_(std::move(file)), target_(behind_links(file_)), path_(target_) {
+  if (is_special(target_)) return;
+  path_ = fresh_name_beside(target_);
+  try {
+    const OpenFile made(path_, O_WRONLY | O_CREAT | O_EXCL);
+    struct stat before {};
+    if (stat(target_.c_str(), &before) == 0) made.set_mode(before.st_mode & 07777U);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("cannot write '" + file_.string() + "': " + error.code().message());
+  }
+}
+
+FileInTheMaking::~FileInTheMaking() {
+  if (!is_ended_ && path_ != target_) unlink(path_.c_str());
+}
+
+void FileInTheMaking::end() {
+  if (path_ == target_) return;
+  try {
+    OpenFile written(path_, O_WRONLY);
+    written.sync();
+    written.close();
+    if (rename(path_.c_str(), target_.c_str()) != 0) fail();
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("cannot write '" + file_.string() + "': " + error.code().message());
+  }
+  is_ended_ = true;
+  sync_folder_of(target_);
 }
 
 void try_to_write(std::vector<std::string>& failures, const std::function<void()>& write) {

@@ -13,6 +13,27 @@ namespace reorient {
 /// Throws std::runtime_error with one line; then the file is as it was before.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// What is not written in one go: a file beside, for whoever writes it, that takes the place of `file` once it is
+/// whole.
+class FileInTheMaking {
+ public:
+  /// Throws std::runtime_error with one line.
+  explicit FileInTheMaking(std::filesystem::path file);
+  /// Nothing stays of what was not ended.
+  ~FileInTheMaking();
+  FileInTheMaking(const FileInTheMaking&) = delete;
+  FileInTheMaking& operator=(const FileInTheMaking&) = delete;
+
+  /// Where to write; a pipe or a device stands for itself.
+  const std::filesystem::path& path() const { return path_; }
+  /// It is whole, and closed. Throws std::runtime_error with one line.
+  void end();
+
+ private:
+  std::filesystem::path file_, target_, path_;
+  bool is_ended_ = false;
+};
+
 /// One of several outputs, whatever becomes of the others: where `write` throws, `failures` gets one line more.
 void try_to_write(std::vector<std::string>& failures, const std::function<void()>& write);
 

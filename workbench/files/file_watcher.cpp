@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <set>
 #include <utility>
 
 #include <sys/inotify.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include "engine/script/script_texts.h"
@@ -17,20 +19,31 @@ namespace {
 
 constexpr std::uint32_t kEvents = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO |
                                   IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
+constexpr auto kSkip = std::filesystem::directory_options::skip_permission_denied;
+
+/// What somebody else changes there, no event tells: NFS, CIFS, SMB, FUSE (sshfs), 9p (a virtual machine's host).
+/// Numbers: statfs(2).
+bool is_of_another_machine(const std::filesystem::path& folder) {
+  struct statfs status {};
+  if (statfs(folder.c_str(), &status) != 0) return false;
+  constexpr std::array<std::uint32_t, 5> kTypes{0x6969, 0xff534d42, 0xfe534d42, 0x65735546, 0x01021997};
+  return std::find(kTypes.begin(), kTypes.end(), static_cast<std::uint32_t>(status.f_type)) != kTypes.end();
+}
 
 }  // namespace
 
 FileWatcher::FileWatcher(std::filesystem::path root, Means means) : root_(std::move(root)) {
-  if (means == Means::automatic) begin_watching();
-  if (descriptor_ >= 0 && watched_.empty()) {
-    close(descriptor_);
-    descriptor_ = -1;
-  }
+  if (means == Means::automatic && !is_of_another_machine(root_)) begin_watching();
+  if (watched_.empty()) stop_watching();
   signature_ = signature();
 }
 
-FileWatcher::~FileWatcher() {
+FileWatcher::~FileWatcher() { stop_watching(); }
+
+/// From now on files are compared.
+void FileWatcher::stop_watching() {
   if (descriptor_ >= 0) close(descriptor_);
+  descriptor_ = -1;
 }
 
 std::optional<FileWatcher::Identity> FileWatcher::identity() const {
@@ -41,7 +54,7 @@ std::optional<FileWatcher::Identity> FileWatcher::identity() const {
 
 /// Anew: of what was watched before, nothing is heard any more.
 void FileWatcher::begin_watching() {
-  if (descriptor_ >= 0) close(descriptor_);
+  stop_watching();
   descriptor_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
   watched_.clear();
   watched_root_ = identity();
@@ -65,10 +78,11 @@ void FileWatcher::watch_directories() {
   const auto watch = [this](const std::filesystem::path& directory) {
     const int watch_id = inotify_add_watch(descriptor_, directory.c_str(), kEvents);
     if (watch_id >= 0) watched_[watch_id] = directory;
+    has_all_ &= watch_id >= 0 || errno == ENOENT || errno == EACCES;
     return watch_id;
   };
   root_watch_ = watch(root_);
-  for (std::filesystem::recursive_directory_iterator entry(root_, error), end; !error && entry != end;
+  for (std::filesystem::recursive_directory_iterator entry(root_, kSkip, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code gone;
     if (entry->is_directory(gone)) watch(entry->path());
@@ -98,7 +112,7 @@ bool FileWatcher::read_events() {
 std::uint64_t FileWatcher::signature() const {
   std::set<std::string> lines;
   std::error_code error;
-  for (std::filesystem::recursive_directory_iterator entry(root_, error), end; !error && entry != end;
+  for (std::filesystem::recursive_directory_iterator entry(root_, kSkip, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code gone;
     if (!entry->is_regular_file(gone)) continue;
@@ -121,6 +135,7 @@ bool FileWatcher::poll(double time) {
   if (uses_inotify()) {
     changed = read_events();
     changed |= is_due && follow_root();
+    if (!has_all_) stop_watching();  // the user has no more watches (fs.inotify.max_user_watches)
   } else if (is_due || pending_) {
     changed = compare_files();
   }

@@ -10,7 +10,8 @@
 
 namespace reorient {
 
-/// Watches the directories with inotify; where that is not to be had, compares times and sizes now and then. Where the
+/// Watches the directories with inotify; where that is not to be had for all of them, or tells nothing of what other
+/// machines change, compares times and sizes now and then. Where the
 /// folder itself gives way to another, by a rename or as a symbolic link, that one is watched.
 class FileWatcher {
  public:
@@ -36,6 +37,7 @@ class FileWatcher {
 
   std::optional<Identity> identity() const;
   void begin_watching();
+  void stop_watching();
   bool follow_root();
   void watch_directories();
   bool read_events();
@@ -46,6 +48,7 @@ class FileWatcher {
   int descriptor_ = -1;
   std::map<int, std::filesystem::path> watched_;
   int root_watch_ = -1;
+  bool has_all_ = true;                   // folders that there are could be watched
   std::optional<Identity> watched_root_;  ///< nothing: the folder is gone
   double first_change_ = -1.0;
   double last_change_ = -1.0;

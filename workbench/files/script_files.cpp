@@ -49,7 +49,9 @@ ScriptTexts read_scripts(const std::filesystem::path& root) {
     throw std::runtime_error(root.string() + ": there is no such folder of scripts");
   ScriptTexts texts(root.string());
   std::size_t entries = 0;
-  for (std::filesystem::recursive_directory_iterator entry(root, error), end; !error && entry != end;
+  // A folder that is not ours to read holds no scripts of ours, and hides none of the others.
+  constexpr auto kSkip = std::filesystem::directory_options::skip_permission_denied;
+  for (std::filesystem::recursive_directory_iterator entry(root, kSkip, error), end; !error && entry != end;
        entry.increment(error)) {
     if (++entries > kMostEntries)
       throw std::runtime_error(root.string() + ": more than " + std::to_string(kMostEntries) +
@@ -58,6 +60,7 @@ ScriptTexts read_scripts(const std::filesystem::path& root) {
     if (!is_script(file)) continue;
     if (std::optional<ScriptText> text = read_script(root, file)) texts.apply({file, std::move(text)});
   }
+  if (error) throw std::runtime_error(root.string() + ": not all of it can be read: " + error.message());
   return texts;
 }
 

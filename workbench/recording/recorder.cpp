@@ -127,7 +127,11 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
     item.entry.has_image[camera] = seen && !seen->image.empty();
     item.entry.image_is_exact[camera] = item.entry.has_image[camera] && wanted && !is_slow;
     item.is_viewed[camera] = item.entry.has_image[camera] && has_views;
-    if (item.has_pixels(camera)) copy_pixels(seen->image, item.images[camera]);
+    if (item.has_pixels(camera)) {
+      copy_pixels(seen->image, item.images[camera]);
+    } else {
+      item.images[camera] = Image();  // what no bytes() counts takes no memory
+    }
   }
   item.entry.inputs.clear();
   write_inputs_without_pixels(inputs, item.entry.inputs);
@@ -293,7 +297,8 @@ void Recorder::write_items(Shared& shared) {
     shared.counts.files = files;
     if (item) {
       shared.waiting -= item->bytes();
-      shared.free.push_back(std::move(item));
+      constexpr std::size_t kMostFree = 8;  // those of a jam that is over
+      if (shared.free.size() < kMostFree) shared.free.push_back(std::move(item));
     }
     if (trouble.empty()) continue;
     shared.trouble = "the recording ends here: " + trouble;

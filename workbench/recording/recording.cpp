@@ -133,7 +133,12 @@ bool Recording::next_message(mcap::Message& message) {
       }
       if (chunk_ >= contents_.chunks.size()) return false;
       messages_.reset();
-      messages_.emplace(*source_, contents_.chunks[chunk_++]);
+      const mcap::ChunkPlace& chunk = contents_.chunks[chunk_++];
+      if (chunk.after_gap) {
+        drop_pending();
+        is_cut_ = true;
+      }
+      messages_.emplace(*source_, chunk);
     } catch (const mcap::Damage& damage) {  // the rest of the chunk is lost, and what belonged to its last frame
       damages_.emplace_back(damage.what());
       messages_.reset();

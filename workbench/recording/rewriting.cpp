@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/frame.h"
+#include "workbench/files/atomic_file.h"
 #include "workbench/recording/recording_file.h"
 #include "workbench/recording/replay.h"
 
@@ -18,22 +19,28 @@ namespace {
 class Copy {
  public:
   Copy(const Recording& recording, const std::filesystem::path& file)
-      : file_(file, recording.about(), recording.view_topics()) {}
+      : beside_(file), file_(std::in_place, beside_.path(), recording.about(), recording.view_topics()) {}
 
   void add(const RecordedFrame& frame) {
-    file_.add(frame.entry, frame.state, {frame.images[0].view(), frame.images[1].view()}, frame.views);
+    file_->add(frame.entry, frame.state, {frame.images[0].view(), frame.images[1].view()}, frame.views);
     if (done_.frames++ == 0) done_.first_time = frame.entry.time;
+    if (done_.frames > 1 && frame.entry.frame > last_ + 1) done_.lost += frame.entry.frame - last_ - 1;
+    last_ = frame.entry.frame;
     done_.last_time = frame.entry.time;
   }
 
   Rewritten finish() {
-    file_.finish();
+    file_->finish();
+    file_.reset();
+    beside_.end();
     return done_;
   }
 
  private:
-  RecordingFile file_;
+  FileInTheMaking beside_;
+  std::optional<RecordingFile> file_;
   Rewritten done_;
+  std::uint64_t last_ = 0;  // frame
 };
 
 /// Stops at the first frame from a time on, with the state of the engine before it, and what lasts to be looked at.
@@ -82,7 +89,15 @@ Rewritten recover_recording(Recording& recording, const std::filesystem::path& f
   Copy copy(recording, file);
   RecordedFrame frame;
   while (recording.next(frame)) copy.add(frame);
-  return copy.finish();
+  Rewritten done = copy.finish();
+  const mcap::Contents& contents = recording.contents();
+  const mcap::Channel* const frames = contents.channel(kFrameTopic);
+  if (contents.statistics && frames != nullptr) {
+    const auto told = contents.statistics->messages_of.find(frames->id);
+    if (told != contents.statistics->messages_of.end() && told->second > done.frames)
+      done.lost = std::max(done.lost, told->second - done.frames);
+  }
+  return done;
 }
 
 Rewritten cut_recording(Recording& recording, double from, double to, const std::filesystem::path& file, Views views) {

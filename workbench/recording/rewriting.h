@@ -11,6 +11,7 @@ namespace reorient {
 struct Rewritten {
   std::uint64_t frames = 0;
   double first_time = 0.0, last_time = 0.0;  ///< s of the robot, of its first and its last frame
+  std::uint64_t lost = 0;                    ///< frames that were there once, between these or as the end tells
 };
 
 /// Whether what is only to be looked at comes along.

@@ -2,6 +2,8 @@
 #include "workbench/files/script_files.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/temporary_folder.h"
 
@@ -58,6 +60,31 @@ TEST_F(ScriptFilesTest, AFolderThatIsNotThereIsSaidInOneLine) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("there is no such folder"), std::string::npos);
   }
+}
+
+/// Root reads everything: so another user reads it, in a child.
+TEST_F(ScriptFilesTest, BesideAFolderThatIsNotOursToReadAreAllRead) {
+  for (const char* const name : {"behaviors/a.lua", "behaviors/zz/b.lua", "lib/c.lua", "scenarios/d.lua"})
+    folder_.write(name, "return {}");
+  const std::filesystem::path secret = folder_.path() / "behaviors" / "private";
+  std::filesystem::create_directories(secret);
+  using std::filesystem::perms;
+  std::filesystem::permissions(secret, perms::none);
+  std::filesystem::permissions(folder_.path(), perms::owner_all | perms::group_read | perms::group_exec |
+                                                   perms::others_read | perms::others_exec);
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(77);
+    const bool is_hidden = access(secret.c_str(), R_OK) != 0;
+    _exit(is_hidden ? static_cast<int>(read().files().size()) : 77);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  std::filesystem::permissions(secret, perms::owner_all);
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "nobody may become somebody else here";
+  EXPECT_EQ(WEXITSTATUS(status), 4);
 }
 
 TEST_F(ScriptFilesTest, AreNamedAsPeopleDo) {

@@ -156,6 +156,44 @@ TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
   EXPECT_GT(lossy, 30);
 }
 
+/// Of a flash's erased block not even the head of a chunk is left.
+TEST_F(RecordedRun, IsReadOnBehindEachChunkThatIsLostWithItsHead) {
+  record(options());
+  const std::string whole = read_whole_file(file()).value();
+  std::vector<std::size_t> heads;
+  {
+    const Recording recording(file());
+    for (const mcap::ChunkPlace& chunk : recording.contents().chunks) heads.push_back(chunk.where);
+  }
+  ASSERT_GT(heads.size(), 5u);
+  const auto read_without = [&](std::size_t first, std::size_t second) {
+    std::string damaged = whole;
+    for (const std::size_t head : {heads[first], heads[second]}) damaged.replace(head, 16, "this is no chunk");
+    SCOPED_TRACE(std::to_string(first) + " and " + std::to_string(second));
+    Recording recording(std::make_unique<mcap::MemorySource>(std::as_bytes(std::span(damaged))));
+    RecordedFrame frame;
+    std::uint64_t last = 0;
+    int frames = 0, gaps = 0;
+    ASSERT_NO_THROW({
+      while (recording.next(frame)) {
+        if (frames++ > 0) {
+          EXPECT_GT(frame.entry.frame, last);
+          EXPECT_EQ(frame.follows, frame.entry.frame == last + 1);
+          gaps += frame.follows ? 0 : 1;
+        }
+        last = frame.entry.frame;
+      }
+    });
+    EXPECT_LT(frames, kFrames);
+    EXPECT_GT(frames, 0);
+    EXPECT_LE(gaps, first == second ? 1 : 2);
+    EXPECT_FALSE(recording.damages().empty());
+  };
+  for (std::size_t i = 0; i < heads.size(); ++i) read_without(i, i);
+  for (std::size_t i = 0; i + 1 < heads.size(); ++i) read_without(i, i + 1);
+  for (std::size_t i = 0; i + 2 < heads.size(); i += 2) read_without(i, i + 2);
+}
+
 TEST_F(RecordedRun, ThatIsRotatedIsManyRecordingsOfWhichEachIsMadeAgain) {
   RecorderOptions rotated = options();
   rotated.rotate_seconds = 6.0;

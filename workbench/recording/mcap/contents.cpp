@@ -126,6 +126,7 @@ ChunkPlace read_chunk_head(const RecordHead& head, std::span<const std::byte> be
   ByteReader in(begin);
   ChunkPlace place;
   place.where = head.where;
+  place.end = head.end();
   in(place.start_time, place.end_time, place.size, place.crc, place.compression, place.data_size);
   const std::uint64_t before_data = begin.size() - in.left();
   place.data = head.content() + before_data;
@@ -324,8 +325,22 @@ std::uint64_t summary_of(const Walk& walk, const Source& source) {
   return where < footer ? where : 0;
 }
 
+/// Whether sound records lead from one place to another, and no chunk is among them, which would be one that was lost.
+bool is_whole_between(const Walk& walk, std::uint64_t from, std::uint64_t to) {
+  try {
+    while (from < to) {
+      const RecordHead head = walk.head_at(from);
+      if (static_cast<Opcode>(head.opcode) == Opcode::chunk) return false;
+      from = head.end();
+    }
+    return from == to;
+  } catch (const Damage&) {
+    return false;
+  }
+}
+
 /// One behind the other: bytes belong to one chunk.
-void put_in_order(std::vector<ChunkPlace>& chunks) {
+void put_in_order(const Walk& walk, std::vector<ChunkPlace>& chunks) {
   std::sort(chunks.begin(), chunks.end(), [](const ChunkPlace& a, const ChunkPlace& b) { return a.where < b.where; });
   std::uint64_t end = 0;
   std::erase_if(chunks, [&](const ChunkPlace& chunk) {
@@ -333,6 +348,11 @@ void put_in_order(std::vector<ChunkPlace>& chunks) {
     end = chunk.data + chunk.data_size;
     return false;
   });
+  std::uint64_t from = kMagic.size();
+  for (ChunkPlace& chunk : chunks) {
+    chunk.after_gap = !is_whole_between(walk, from, chunk.where);
+    from = chunk.end;
+  }
 }
 
 }  // namespace
@@ -379,7 +399,7 @@ Contents read_contents(const Source& source) {
   } catch (const Damage& damage) {
     tell(damage, contents);
   }
-  put_in_order(contents.chunks);
+  put_in_order(walk, contents.chunks);
   return contents;
 }
 

@@ -25,6 +25,8 @@ struct ChunkPlace {
   std::uint32_t crc = 0;                       ///< of those; 0: not told
   std::string compression;
   std::uint64_t data = 0, data_size = 0;  ///< where they lie, and how many bytes that are
+  std::uint64_t end = 0;                  ///< of its record
+  bool after_gap = false;                 ///< what stands before it is damaged: a chunk may have been there
 };
 
 struct AttachmentPlace {

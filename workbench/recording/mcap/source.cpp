@@ -20,7 +20,7 @@ Damage::Damage(std::uint64_t place, const std::string& what)
     : std::runtime_error("at byte " + std::to_string(place) + ": " + what), where(place) {}
 
 FileSource::FileSource(const std::filesystem::path& file)
-    : file_(file), descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : file_(file), descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
   struct stat status {};
   if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw std::runtime_error(failed(file));
   if (!S_ISREG(status.st_mode)) {
