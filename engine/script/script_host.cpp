@@ -51,11 +51,12 @@ void ScriptHost::refuse_taken_names(const ScriptSlot& slot, const Script& script
     for (const ScriptSlot::Running& running : other->machines) {
       for (const MachineDefinition& machine : script.machines()) {
         if (machine.name != running.machine.definition().name) continue;
-        throw ScriptError({machine.file,
-                           machine.position.line,
-                           "'" + machine.name + "' is declared in " + other->file + " too",
-                           {},
-                           machine.position.column});
+        throw ScriptError(
+            {machine.file,
+             machine.position.line,
+             "'" + machine.name + "' is declared in " + other->file + " too; rename one of them, or leave one out",
+             {},
+             machine.position.column});
       }
     }
   }

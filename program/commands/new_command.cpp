@@ -33,7 +33,7 @@ local memory = keep { looks = 0 }   -- survives a reload; local variables do not
 local function is_sure() return confidence.current - confidence.opposite > p.sure end
 
 behavior "NAME" {
-  priority = 30,                    -- greater than that of head_scan: while this one looks, that one waits
+  priority = 22,                    -- greater than that of head_scan: while this one looks, that one waits
   initial = "sure",
 
   state "sure" {
@@ -183,10 +183,12 @@ int make(const NewOptions& options, std::ostream& out) {
     if (error)
       throw std::runtime_error("cannot make the folder " + file.parent_path().string() + ": " + error.message());
   }
+  const std::string where = options.scripts.empty() ? "" : " --scripts " + options.scripts.string();
   write_whole_file(script, named(is_behavior ? kBehavior : kScenario, options.name));
   write_whole_file(test, named(is_behavior ? kBehaviorTest : kScenarioTest, options.name));
   out << script.string() << "\n"
-      << test.string() << "\nNext: reorient check, then reorient test " << test.string() << "\n";
+      << test.string() << "\nNext: reorient check" << where << ", then reorient test " << test.string() << where
+      << "\n";
   return kSuccess;
 }
 

@@ -101,8 +101,9 @@ end)
     std::filesystem::remove(part, error);  // or it could not be tried again under this name
     throw;
   }
-  out << fmt::format("{}: {} frames, {:.1f} MB\n{}\nNext: reorient test {}\n", part.string(), done.frames,
-                     1e-6 * static_cast<double>(std::filesystem::file_size(part)), test.string(), test.string());
+  out << fmt::format("{}: {} frames, {:.1f} MB\n{}\nNext: reorient test {}{}\n", part.string(), done.frames,
+                     1e-6 * static_cast<double>(std::filesystem::file_size(part)), test.string(), test.string(),
+                     options.scripts.empty() ? "" : " --scripts " + options.scripts.string());
   return kSuccess;
 }
 

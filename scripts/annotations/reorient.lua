@@ -27,15 +27,15 @@ clock = {}
 ---What the referee says of the game.
 ---@class reorient.game
 ---@field sides_changed boolean the team plays towards the end that was its own at first; where this changes, so have the field's axes
----@field state string as the rules call it; unknown: nobody has said anything
+---@field state "unknown"|"initial"|"ready"|"set"|"playing"|"finished"|"standby" as the rules call it; unknown: nobody has said anything
 ---@field stopped boolean nobody may move: what a behaviour asks of head and legs is not carried out
----@field kick_off string who kicks off next, or takes the free kick
+---@field kick_off "nobody"|"ours"|"theirs" who kicks off next, or takes the free kick
 game = {}
 
 ---The robot's own body.
 ---@class reorient.robot
----@field posture string how it stands, lies or hangs in somebody's hands
----@field posture_before string the posture before the present one
+---@field posture "upright"|"falling"|"lying"|"getting_up"|"lifted" how it stands, lies or hangs in somebody's hands
+---@field posture_before "upright"|"falling"|"lying"|"getting_up"|"lifted" the posture before the present one
 ---@field posture_for number s, for how long it has had its posture
 ---@field undisturbed_for number s, for how long it has been upright and in the game; 0 while it is not, or is penalized
 ---@field penalized boolean the referee has taken it out of the game
@@ -53,7 +53,7 @@ robot = {}
 ---@field x number m, towards the opponent goal
 ---@field y number m, to the left
 ---@field rotation number rad, 0 looks towards the opponent goal, positive turns left
----@field known boolean somebody told where the robot stands, or the pose filter has found it
+---@field known boolean somebody told where the robot stands, or a flip or purge has confirmed it; a reset takes it back
 ---@field cluster_weight number of all pose particles, in the cluster that is believed
 ---@field reflected_weight number of all pose particles, near the reflection of the believed pose
 ---@field recovery_probability number how much worse than usual the pose particles fit what is seen of the field: 0 as usual, 1 not at all
@@ -71,9 +71,9 @@ pose = {}
 ---@field coverage number share of the wall that is trained well enough to be compared with
 ---@field paired number the same, together with what lies on the other side of the room
 ---@field distinctiveness number how much the room differs from itself turned by half a turn; 0: it looks the same
----@field asymmetry number how much the room differs from itself after half a turn, as share of how much it does after an odd number of eighths: about 1, and below 0.75 where it repeats itself
+---@field asymmetry number how much the room differs from itself after half a turn, as share of how much it does after an odd number of eighths: about 1, and below 0.79 (room_status.asymmetry) where it repeats itself
 ---@field age number s, for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told pose, a flip or a jump of the belief
----@field status string whether the confidences say something about the believed pose; if not, why not
+---@field status "usable"|"off"|"resting"|"unlearned"|"symmetric"|"lost"|"fresh" whether the confidences say something about the believed pose; if not, why not
 ---@field visible_tiles number how many tiles of the wall counted in this frame
 confidence = {}
 
@@ -398,7 +398,7 @@ function param(declarations) end
 ---@return T memory
 function keep(defaults) end
 
----Declares a state machine. `priority`: the greater wins where two want the same. `initial`: the first state. `common`: transitions out of whichever state, not taken while their target is active.
+---Declares a state machine. `priority`: the greater wins where two want the same, and of equal ones the behaviour that was loaded first. `initial`: the first state. `common`: transitions out of whichever state, not taken while their target is active.
 ---@param name string
 ---@return fun(body: reorient.State)
 function behavior(name) end

@@ -16,7 +16,7 @@ param {
   reach_timeout = { 8.0, range = { 0.5, 60 }, unit = "s", doc = "after which time to try the other goal if one cannot be looked at" },
 }
 
-local memory = keep { looks = 0, saw_posts = false }   -- of this search
+local memory = keep { looks = 0, is_there = false, saw_posts = false }   -- of this search; is_there: the head, now
 
 local function opponent_goal() return field.length / 2, 0.0 end
 
@@ -38,10 +38,14 @@ local function is_opponent_goal_nearer() return gaze.angle_to(opponent_goal()) <
 
 local function look_for_posts(x, y)
   gaze.at(x, y)
-  if seen.goal_posts > 0 and gaze.is_at(x, y) then memory.saw_posts = true end
+  memory.is_there = gaze.is_at(x, y)
+  if seen.goal_posts > 0 and memory.is_there then memory.saw_posts = true end
 end
 
-local function note_look() memory.looks = memory.looks + 1 end
+-- A goal that the head does not reach was not looked at, and says nothing of the belief.
+local function note_look()
+  if memory.is_there then memory.looks = memory.looks + 1 end
+end
 
 local function is_belief_worthless() return memory.looks >= 2 and not memory.saw_posts end
 
@@ -70,7 +74,7 @@ behavior "goal_search" {
   state "searching" {
     publishes = "pose_is_searched",
     initial = "choosing",
-    enter = function() memory.looks, memory.saw_posts = 0, false end,
+    enter = function() memory.looks, memory.is_there, memory.saw_posts = 0, false, false end,
     { "resting", when = is_belief_worthless, because = "no goal stands where the belief says" },
     { "resting", when = is_sure, lasting = "hold_time", because = "the room speaks for one pose" },
     { "resting", after = "timeout", because = "the search took too long" },

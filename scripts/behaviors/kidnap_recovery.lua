@@ -14,6 +14,7 @@ local p = param {
   recovery_probability = { 0.1, range = { 0, 1 },              doc = "how lost the pose filter may be: the place must fit, too" },
   timeout        = { 25.0, range = { 1, 120 }, unit = "s",     doc = "how long to search before the orientation is forgotten, and after" },
   no_goal_time   = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long no goal may have been in view then: it might help" },
+  longest        = { 90.0, range = { 5, 600 }, unit = "s",     doc = "how long to search with the believed pose, whatever the room says" },
   turn           = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
 }
 
@@ -33,6 +34,8 @@ local CANNOT_TELL = { off = true, resting = true, unlearned = true, symmetric = 
 
 local function can_room_tell() return not CANNOT_TELL[confidence.status] end
 
+local function can_search() return robot.undisturbed_for > 0.0 and robot.may_walk end
+
 local function is_stuck() return can_room_tell() and not decision.for_either() and seen.goal_posts == 0 end
 
 behavior "kidnap_recovery" {
@@ -46,7 +49,7 @@ behavior "kidnap_recovery" {
 
   state "undisturbed" {},
 
-  -- A penalized robot may not move, and nothing is compared: its search begins when it may play again.
+  -- A robot that may not move, since it is penalized or nobody plays yet, cannot turn: its search begins when it may.
   state "lifted" {
     enter = function() command.pause_training() end,
     exit = function() memory.put_down_at = clock.time end,
@@ -59,11 +62,12 @@ behavior "kidnap_recovery" {
     enter = function() command.pause_training() end,
     update = function() walking.turn(p.turn) end,
     { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
-    { "interrupted", when = function() return robot.undisturbed_for == 0.0 end, because = "the robot cannot search now" },
+    { "interrupted", when = function() return not can_search() end, because = "the robot cannot search now" },
 
     state "with its belief" {
       { "with any orientation", when = is_stuck, lasting = "no_goal_time", after = "timeout", because = "neither pose won" },
       { "lost", when = function() return not can_room_tell() end, after = "timeout", because = "the room cannot tell" },
+      { "lost", after = "longest", because = "the room speaks, but the place does not fit" },
     },
 
     state "with any orientation" {
@@ -72,11 +76,12 @@ behavior "kidnap_recovery" {
     },
   },
 
-  -- It fell, or is penalized: nothing was searched in that time, so none of it counts.
+  -- It fell, is penalized or has to wait for the kick-off: nothing was searched in that time, so none of it counts.
   state "interrupted" {
     publishes = "pose_is_searched",
     enter = function() command.pause_training() end,
-    { "searching", when = function() return robot.undisturbed_for > 0.0 end, because = "the robot can search again" },
+    { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
+    { "searching", when = can_search, because = "the robot can search again" },
   },
 
   state "lost" {

@@ -79,7 +79,10 @@ behavior "orientation" {
       memory.confirm = true
       command.flip_pose()
     end,
-    { "purging", when = function() return pose.reflected_weight > p.lingering end, because = "the flip turned right beliefs round too" },
+    -- A flip that was refused has turned nothing, and a purge would take away what the room has just spoken for.
+    { "purging",
+      when = function() return confidence.evidence < 0 and pose.reflected_weight > p.lingering end,
+      because = "the flip turned right beliefs round too" },
     { "watching", after = "min_time" },
   },
 

@@ -218,6 +218,17 @@ test("ends when no goal stands at either place: the belief is worth nothing", fu
   expect.state("goal_search", "resting")
 end)
 
+test("does not take goals that cannot be looked at for empty ones", function()
+  start()
+  put_down()
+  look_at(0.0)   -- between the two, which the neck does not reach, and nobody turns the body
+  advance(18)
+  expect.state("goal_search", "searching/opponent goal")
+  advance(4)
+  expect.state("goal_search", "resting")
+  expect.reason("goal_search", "the search took too long")
+end)
+
 test("does not take a goal that is seen elsewhere for the one that was looked for", function()
   start()
   put_down()

@@ -171,6 +171,27 @@ for what, interrupted in pairs {
   end)
 end
 
+test("goes on in the end where the room speaks for the pose, but its place never fits", function()
+  put_down()
+  set_world { confidence = { evidence = -9, current = 0.35 } }   -- less than its share
+  advance(88)
+  expect.state("kidnap_recovery", "searching/with its belief")
+  advance(3)
+  expect.state("kidnap_recovery", "lost")
+  expect.no_command()
+end)
+
+test("a robot that nobody lets walk yet neither searches nor forgets, and may recover meanwhile", function()
+  put_down()
+  set_world { game = { state = "set" }, robot = { may_walk = false }, confidence = { evidence = -3 } }
+  advance(60)
+  expect.state("kidnap_recovery", "interrupted")
+  expect.no_command()
+  set_world { confidence = { evidence = -9, current = 0.9 } }
+  advance(3.5)
+  expect.state("kidnap_recovery", "recovered")
+end)
+
 test("begins anew whenever it is lifted", function()
   put_down()
   set_world { confidence = { evidence = -9, current = 0.9 } }

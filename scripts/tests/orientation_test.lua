@@ -206,11 +206,27 @@ end)
 test("purges at once after a flip that turned right beliefs round too", function()
   learned_room()
   set_world { confidence = { evidence = 9 }, pose = { reflected_weight = 0.4 } }
-  advance(0.7)
+  advance(0.3)
   expect.command("flip_pose", "granted")
+  set_world { confidence = { evidence = -9 } }   -- the belief is the other one now
+  advance(0.04)
   expect.command("purge_reflection", "granted")
   expect.state("orientation", "purging")
   expect.reason("orientation", "the flip turned right beliefs round too")
+end)
+
+test("does not purge what the room has just spoken for where its flip was refused", function()
+  set_param("arbiter.flip_cooldown", 20)
+  learned_room()
+  set_world { confidence = { evidence = 9 } }
+  advance(0.3)
+  expect.command("flip_pose", "granted")
+  set_world { confidence = { evidence = -9 } }
+  advance(10)
+  set_world { confidence = { evidence = 30 }, pose = { reflected_weight = 0.4 } }
+  advance(1)
+  expect.command("flip_pose", "too_soon")
+  expect.state("orientation", "correcting")
 end)
 
 test("does nothing while it is carried", function()

@@ -78,7 +78,8 @@ const BoundField kFields[] = {
     {"pose", "y", "m", "to the left", [](World& w) { return &w.pose.pose.position.y(); }},
     {"pose", "rotation", "rad", "0 looks towards the opponent goal, positive turns left",
      [](World& w) { return &w.pose.pose.rotation; }},
-    {"pose", "known", "", "somebody told where the robot stands, or the pose filter has found it",
+    {"pose", "known", "",
+     "somebody told where the robot stands, or a flip or purge has confirmed it; a reset takes it back",
      [](World& w) { return &w.pose_known; }},
     {"pose", "cluster_weight", "", "of all pose particles, in the cluster that is believed",
      [](World& w) { return &w.pose.cluster_weight; }},
@@ -111,7 +112,7 @@ const BoundField kFields[] = {
      [](World& w) { return &w.confidence.distinctiveness; }},
     {"confidence", "asymmetry", "",
      "how much the room differs from itself after half a turn, as share of how much it does after an odd number of "
-     "eighths: about 1, and below 0.75 where it repeats itself",
+     "eighths: about 1, and below 0.79 (room_status.asymmetry) where it repeats itself",
      [](World& w) { return &w.confidence.asymmetry; }},
     {"confidence", "age", "s",
      "for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told "

@@ -285,7 +285,9 @@ TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
 TEST_F(ScriptCheckTest, TellsTwoBehaviorsOfOneName) {
   folder.write("behaviors/a.lua", "behavior \"same\" {}\n");
   folder.write("behaviors/b.lua", "behavior \"same\" {}\n");
-  EXPECT_EQ(findings(), "behaviors/b.lua:1:10: error: 'same' is declared in behaviors/a.lua too\n");
+  EXPECT_EQ(
+      findings(),
+      "behaviors/b.lua:1:10: error: 'same' is declared in behaviors/a.lua too; rename one of them, or leave one out\n");
 }
 
 TEST_F(ScriptCheckTest, CanBeRestrictedToAFile) {

@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/script/language/behavior_language.h"
@@ -74,7 +76,10 @@ void write_world(std::ostream& out) {
     for (const WorldField& field : scenarios().world()) {
       if (field.table != table.name) continue;
       out << "| `" << field.full_name() << "` | " << field.type_name() << " | " << field.unit << " | "
-          << field.description << " |\n";
+          << field.description;
+      const char* before = "; one of ";
+      for (const std::string_view name : field.names) out << std::exchange(before, ", ") << "`" << name << "`";
+      out << " |\n";
     }
     out << "\n";
   }
@@ -178,7 +183,9 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
     out << "---" << table.description << "\n---@class reorient." << table.name << "\n";
     for (const WorldField& field : scenarios().world()) {
       if (field.table != table.name) continue;
-      out << "---@field " << field.name << " " << field.type_name() << " "
+      std::string type(field.names.empty() ? field.type_name() : "");
+      for (const std::string_view name : field.names) type += (type.empty() ? "\"" : "|\"") + std::string(name) + "\"";
+      out << "---@field " << field.name << " " << type << " "
           << (field.unit.empty() ? "" : std::string(field.unit) + ", ") << field.description << "\n";
     }
     out << table.name << " = {}\n\n";

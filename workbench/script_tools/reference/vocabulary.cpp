@@ -20,7 +20,8 @@ constexpr ScriptWord kLanguage[] = {
      "---@generic T: table\n---@param defaults T\n---@return T memory\nfunction keep(defaults) end"},
     {"behavior(name: string): fun(body: reorient.State)",
      "behavior \"name\" { priority = 50, initial = \"watching\", common = { ... }, state \"watching\" { ... } }",
-     "Declares a state machine. `priority`: the greater wins where two want the same. `initial`: the first state. "
+     "Declares a state machine. `priority`: the greater wins where two want the same, and of equal ones the behaviour "
+     "that was loaded first. `initial`: the first state. "
      "`common`: transitions out of whichever state, not taken while their target is active.",
      {}},
     {"state(name: string): fun(body: reorient.State): table",

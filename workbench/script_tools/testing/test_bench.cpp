@@ -315,6 +315,7 @@ void TestBench::step() {
   Behaviors& scripts = behaviors();
   scripts.tick(world_, heard_);
   heard_.clear();
+  arbiter_.set_parameters(arbiter_parameters_);
   const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world_);
   const NameTable& names = *scripts.host().names().table();
   const ScriptOutput& said = scripts.said();
