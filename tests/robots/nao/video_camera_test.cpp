@@ -162,11 +162,12 @@ class HangingVideo : public FakeVideo {
 
   int control(unsigned long request, void* argument) override {
     constexpr int kLongest = 20000;  // ms, so that a test that fails ends
-    for (int i = 0; request == hanging_request && i < kLongest; ++i) {
+    if (request == hanging_request) {  // another call says nothing of it
       hangs = true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      for (int i = 0; request == hanging_request && i < kLongest; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      hangs = false;
     }
-    hangs = false;
     const std::lock_guard<std::mutex> lock(mutex_);
     return FakeVideo::control(request, argument);
   }
