@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
+#include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -36,6 +40,18 @@ OwnedDescriptor new_socket() {
 }
 
 const sockaddr* generic(const sockaddr_un& address) { return reinterpret_cast<const sockaddr*>(&address); }
+
+/// To look who listens, to take away what was left, and to listen is one step for whoever else begins in this folder.
+/// Held as long as the descriptor is open; where another program holds it for long, what is done is no less right than
+/// without, as two seldom begin at once.
+OwnedDescriptor lock_folder_of(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  OwnedDescriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  constexpr int kTries = 100;  // in 1 s
+  for (int i = 0; opened && i < kTries && flock(opened.get(), LOCK_EX | LOCK_NB) != 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return opened;
+}
 
 /// What an earlier process left behind. Throws where it is none of that.
 void remove_left_socket(const std::filesystem::path& path, const sockaddr_un& address) {
@@ -68,20 +84,20 @@ bool has_hung_up(int client) {
 Connection::Connection(std::filesystem::path path, std::function<double()> now)
     : path_(std::move(path)), now_(std::move(now)), listener_(new_socket()) {
   const sockaddr_un address = address_of(path_);
+  const OwnedDescriptor lock = lock_folder_of(path_);
   remove_left_socket(path_, address);
-  // The mode is that of the file from its first moment on.
-  const mode_t mask = umask(0177);
-  const int bound = bind(listener_.get(), generic(address), sizeof(address));
-  const int why = errno;
-  umask(mask);
   constexpr int kWaiting = 4;
-  if (bound != 0 || ::listen(listener_.get(), kWaiting) != 0)
-    throw std::runtime_error("--socket " + path_.string() + ": " + strerror(bound != 0 ? why : errno));
+  // The socket's mode is that of its file from the first moment on (unix(7) names only the umask, which is the
+  // process's).
+  if (fchmod(listener_.get(), 0600) != 0 || bind(listener_.get(), generic(address), sizeof(address)) != 0 ||
+      ::listen(listener_.get(), kWaiting) != 0)
+    throw std::runtime_error("--socket " + path_.string() + ": " + strerror(errno));
   lstat(path_.c_str(), &made_);
 }
 
 /// Somebody else may listen there by now.
 Connection::~Connection() {
+  const OwnedDescriptor lock = lock_folder_of(path_);
   struct stat status {};
   const bool is_ours =
       lstat(path_.c_str(), &status) == 0 && status.st_dev == made_.st_dev && status.st_ino == made_.st_ino;

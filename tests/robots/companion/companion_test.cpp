@@ -1,17 +1,24 @@
 #include "robots/companion/companion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 
 #include "geometry/bytes.h"
+#include "robots/companion/connection.h"
 #include "tests/robots/companion/raw_client.h"
 #include "tests/temporary_folder.h"
 
@@ -659,6 +666,34 @@ TEST_F(CompanionTest, SaysWhyItCannotListen) {
   EXPECT_NE(complaint(folder_.path() / "gone" / "socket").find("No such file"), std::string::npos);
   companion_.reset();
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "socket"));
+}
+
+TEST_F(CompanionTest, IsAloneWhereManyBeginAtOnce) {
+  const std::filesystem::path path = folder_.path() / "contested";
+  for (int round = 0; round < 20; ++round) {
+    // One ended without a word.
+    const OwnedDescriptor left(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.string().copy(address.sun_path, sizeof(address.sun_path) - 1);
+    ASSERT_EQ(bind(left.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+
+    std::array<std::unique_ptr<Connection>, 4> all;  // as many may wait to be accepted
+    std::vector<std::thread> threads;
+    for (std::unique_ptr<Connection>& one : all) {
+      threads.emplace_back([&one, &path] {
+        try {
+          one = std::make_unique<Connection>(path, [] { return 0.0; });
+        } catch (const std::runtime_error&) {  // another one was faster
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const auto& one) { return one != nullptr; }), 1);
+    EXPECT_TRUE(RawClient(path).is_connected());
+    for (std::unique_ptr<Connection>& one : all) one.reset();
+    ASSERT_FALSE(std::filesystem::exists(path));
+  }
 }
 
 TEST_F(CompanionTest, LeavesTheSocketOfWhoeverListensThereByNow) {
