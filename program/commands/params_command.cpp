@@ -7,6 +7,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/frame.h"
+#include "engine/parameters/nearest_name.h"
 #include "program/named_files.h"
 #include "program/options.h"
 #include "program/parameter_modules.h"
@@ -43,6 +44,16 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
     out << fmt::format("{:<{}}  {:>{}}  {:<12}  {}: {}\n", parameter.name, name_width, to_text(parameter.value),
                        value_width, to_string(parameter.origin), range_text(parameter), parameter.description);
   }
+}
+
+/// As somebody may ask for them: whole, or a module as "orientation.".
+std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
+  std::set<std::string> names;
+  for (const Parameter& parameter : parameters) {
+    names.insert(parameter.name);
+    names.insert(parameter.name.substr(0, parameter.name.rfind('.') + 1));
+  }
+  return {names.begin(), names.end()};
 }
 
 /// Of the engine with all behaviours, of all scenarios, and of every robot.
@@ -83,7 +94,8 @@ int params(const ParamsOptions& options, std::ostream& out) {
            (options.changed && parameter.origin == ParameterOrigin::default_value);
   });
   if (wanted.empty() && !options.changed)
-    throw std::runtime_error("no parameter has '" + options.filter + "' in its name; reorient params lists all");
+    throw std::runtime_error("no parameter has '" + options.filter + "' in its name" +
+                             did_you_mean(options.filter, names_of(all)) + "; reorient params lists all");
   list(wanted, out);
   if (!options.save.empty()) save_parameters(all, kept, options.save);
   return kSuccess;

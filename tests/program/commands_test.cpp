@@ -202,6 +202,8 @@ TEST_F(CommandsTest, ParamsTakesThePresetsByTheirNames) {
 
 TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
   EXPECT_EQ(run({"params", "no_such_part"}).code, kBadInput);
+  EXPECT_NE(run({"params", "orientaton."}).err.find("(did you mean 'orientation.'?)"), std::string::npos);
+  EXPECT_NE(run({"params", "lingring"}).err.find("(did you mean 'orientation.lingering'?)"), std::string::npos);
   EXPECT_EQ(run({"params", "--set", "orientation.led=1"}).code, kBadInput);
   EXPECT_EQ(run({"params", "--set", "orientation.lingering=2"}).code, kBadInput);
 }
