@@ -161,7 +161,7 @@ class HangingVideo : public FakeVideo {
   std::atomic<bool> hangs = false;  // at the moment
 
   int control(unsigned long request, void* argument) override {
-    constexpr int kLongest = 20000;  // ms, so that a test that fails ends
+    constexpr int kLongest = 20000;    // ms, so that a test that fails ends
     if (request == hanging_request) {  // another call says nothing of it
       hangs = true;
       for (int i = 0; request == hanging_request && i < kLongest; ++i)
