@@ -63,6 +63,7 @@ MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
     close_all();
     throw std::runtime_error(file.string() + ": " + why);
   };
+  constexpr const char* kOtherVersion = "of another version of the guard; start the one that belongs to this program";
   if (file_ < 0) give_up(std::strerror(errno));
   struct stat status {};
   if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != geteuid())
@@ -71,8 +72,11 @@ MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
   if (side == Side::guard) {
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) give_up("another guard holds the body; end it first");
     if (status.st_size != kSize && ftruncate(file_, kSize) != 0) give_up(std::strerror(errno));
+  } else if (status.st_size == 0) {
+    close_all();  // it is being made
+    return;
   } else if (status.st_size != kSize) {
-    give_up("of another version of the guard; start the one that belongs to this program");
+    give_up(kOtherVersion);
   } else if (side == Side::engine && !lock_as_engine(file_)) {
     give_up("another program asks this guard; end it first, as with: systemctl --user stop reorient");
   }
@@ -81,8 +85,10 @@ MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
   body_ = side == Side::guard ? new (memory) SharedBody : static_cast<SharedBody*>(memory);
   if (side == Side::guard) {
     body_->layout.store(SharedBody::kLayout, std::memory_order_release);
-  } else if (body_->layout.load(std::memory_order_acquire) != SharedBody::kLayout) {
+  } else if (const std::uint64_t layout = body_->layout.load(std::memory_order_acquire); layout == 0) {
     close_all();  // it is being made
+  } else if (layout != SharedBody::kLayout) {
+    give_up(kOtherVersion);
   }
 }
 

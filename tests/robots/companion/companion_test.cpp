@@ -705,9 +705,9 @@ TEST_F(CompanionTest, LeavesTheSocketOfWhoeverListensThereByNow) {
 
 TEST_F(CompanionTest, SaysWhyAFrameIsOfNoUseButNotOfEach) {
   RawClient client = greeted();
+  std::uint64_t number = 100;
   const auto notes_after = [&](const auto& spoil) {
     now_ += 0.033;
-    static std::uint64_t number = 100;
     ++number;
     reorient_frame frame = standing_frame(number, 0.1 * static_cast<double>(number), client.paint(1));
     spoil(frame);

@@ -112,6 +112,21 @@ TEST_F(SharedBodyTest, OfAnotherVersionIsRefused) {
             file_.string() + ": of another version of the guard; start the one that belongs to this program");
 }
 
+TEST_F(SharedBodyTest, OfAnotherLayoutIsRefused) {
+  const MappedBody guard(file_, Side::guard);
+  guard->layout.store(SharedBody::kLayout + 1);
+  EXPECT_NE(refusal(Side::engine).find("of another version of the guard"), std::string::npos);
+}
+
+TEST_F(SharedBodyTest, IsNotThereWhileItIsBeingMade) {
+  std::ofstream(file_) << "";
+  EXPECT_FALSE(MappedBody(file_, Side::engine)) << "it is opened, and has no size yet";
+  const MappedBody guard(file_, Side::guard);
+  EXPECT_TRUE(MappedBody(file_, Side::engine));
+  guard->layout.store(0);
+  EXPECT_FALSE(MappedBody(file_, Side::engine)) << "nothing has begun in it yet";
+}
+
 TEST_F(SharedBodyTest, IsNoLinkToSomethingElse) {
   std::ofstream(folder_.path() / "precious") << "keep me";
   std::filesystem::create_symlink(folder_.path() / "precious", file_);
