@@ -97,15 +97,16 @@ TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
 
 /// SIGHUP: the login from which somebody began it is lost.
 TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
+  const std::string lola = file("lola"), body = file("body"), said = file("said");
+  const auto ended_by = [&](const std::string& signal) {
+    return std::string(REORIENT_LOLA_TWIN) + " " + lola + " " + file("status") +
+           " 60 </dev/null >/dev/null 2>&1 & twin=$!; " + REORIENT_GUARD + " --lola " + lola + " --body " + body +
+           " --priority 0 2>" + said + " & guard=$!; for i in $(seq 300); do grep -q connected " + said +
+           " && break; sleep 0.1; done; kill -" + signal + " $guard; wait $guard; code=$?; kill $twin; exit $code";
+  };
   for (const char* const signal : {"TERM", "HUP"}) {
     SCOPED_TRACE(signal);
-    const std::string lola = file("lola"), body = file("body"), said = file("said");
-    const std::string script =
-        std::string(REORIENT_LOLA_TWIN) + " " + lola + " " + file("status") +
-        " 60 </dev/null >/dev/null 2>&1 & twin=$!; " + REORIENT_GUARD + " --lola " + lola + " --body " + body +
-        " --priority 0 2>" + said + " & guard=$!; for i in $(seq 300); do grep -q connected " + said +
-        " && break; sleep 0.1; done; kill -" + signal + " $guard; wait $guard; code=$?; kill $twin; exit $code";
-    EXPECT_EQ(std::system(script.c_str()), 0) << read_text(said);
+    EXPECT_EQ(std::system(ended_by(signal).c_str()), 0) << read_text(said);
     EXPECT_NE(read_text(said).find("connected to LoLA"), std::string::npos) << read_text(said);
   }
 }

@@ -680,6 +680,7 @@ TEST_F(CompanionTest, IsAloneWhereManyBeginAtOnce) {
 
     std::array<std::unique_ptr<Connection>, 4> all;  // as many may wait to be accepted
     std::vector<std::thread> threads;
+    threads.reserve(all.size());
     for (std::unique_ptr<Connection>& one : all) {
       threads.emplace_back([&one, &path] {
         try {
