@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -193,6 +194,31 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereTheDiskIsFullAndGoesOn) {
   const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
   EXPECT_EQ(replayed.code, 0) << replayed.out;
   EXPECT_EQ(replayed.err, "") << "it is whole";
+}
+
+/// In real time a chunk is small, and what the last one left may be too little for the summary.
+TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereverInAChunkTheDiskIsFull) {
+  std::vector<std::unique_ptr<ChildProgram>> runs;
+  std::vector<std::string> files;
+  for (rlim_t most = 480'000; most < 780'000; most += 25'000) {
+    files.push_back(file((std::to_string(most) + ".mcap").c_str()));
+    runs.push_back(
+        std::make_unique<ChildProgram>(folder_.path(),
+                                       std::vector<std::string>{"run", "--realtime", "--seconds", "2", "--width", "160",
+                                                                "--no-pictures", "--record", files.back()},
+                                       [most] {
+                                         const rlimit limit{most, most};
+                                         setrlimit(RLIMIT_FSIZE, &limit);
+                                         std::signal(SIGXFSZ, SIG_IGN);
+                                       }));
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    EXPECT_EQ(runs[i]->wait(), 1) << runs[i]->err();  // the job takes longer
+    EXPECT_NE(runs[i]->err().find("reorient: the recording ends here: "), std::string::npos) << runs[i]->err();
+    const ProgramRun replayed = run_reorient({"replay", files[i]});
+    EXPECT_EQ(replayed.code, 0) << files[i] << ": " << replayed.out;
+    EXPECT_EQ(replayed.err, "") << files[i] << ": it is whole";
+  }
 }
 
 TEST_F(RunThatIsRecorded, IsReadWholeWhateverBitOfItsHeadIsDamaged) {

@@ -252,8 +252,8 @@ void Recorder::write_items(Shared& shared) {
     if (item.begins_file) {
       std::filesystem::path name = shared.first_file;
       name.replace_extension("." + std::to_string(files + 1) + shared.first_file.extension().string());
-      auto next = std::make_unique<RecordingFile>(name, shared.about, view_topics());
       shared.file->finish();
+      auto next = std::make_unique<RecordingFile>(name, shared.about, view_topics());
       shared.earlier_bytes += shared.file->size();
       shared.file = std::move(next);
       ++files;

@@ -57,10 +57,16 @@ void RecordingFile::write(std::span<const std::byte> bytes) {
   is_dirty_ = true;
   if (!write_all(descriptor_, bytes)) {
     const int error = errno;
-    if (ftruncate(descriptor_, size_) == 0) lseek(descriptor_, size_, SEEK_SET);  // what else could be done about it?
+    is_full_ = error == ENOSPC || error == EDQUOT || error == EFBIG;
+    cut_to(size_);
     throw failure(file_, error);
   }
   size_ += static_cast<off_t>(bytes.size());
+}
+
+void RecordingFile::cut_to(off_t size) {
+  if (ftruncate(descriptor_, size) == 0) lseek(descriptor_, size, SEEK_SET);  // what else could be done about it?
+  size_ = size;
 }
 
 /// So that an empty battery takes no more than the last half second.
@@ -128,15 +134,26 @@ void RecordingFile::keep_up() {
   flush();
 }
 
-/// A full disk has no room for the last chunk, but the more for the summary of all others.
+/// A full disk has no room for the last chunk, nor always for the summary of the others: then it takes the room of
+/// some.
 void RecordingFile::finish() {
+  if (is_finished_) return;
   std::exception_ptr failed;
-  try {
-    writer_->close_chunk();
-  } catch (...) {
-    failed = std::current_exception();
+  const auto attempt = [&](const auto& write) {
+    try {
+      write();
+      return true;
+    } catch (...) {
+      if (!failed) failed = std::current_exception();
+      return false;
+    }
+  };
+  attempt([this] { writer_->close_chunk(); });
+  is_finished_ = attempt([this] { writer_->finish(); });
+  if (!is_finished_ && is_full_ && writer_->make_room()) {
+    cut_to(static_cast<off_t>(writer_->size()));
+    is_finished_ = attempt([this] { writer_->finish(); });
   }
-  writer_->finish();
   flush();
   if (failed) std::rethrow_exception(failed);
 }

@@ -35,6 +35,7 @@ class RecordingFile {
            std::span<const ViewMessage> views);
   /// Writes what is full or old. To be called at least every kFlushEvery.
   void keep_up();
+  /// Nothing may be added any more. Where it throws, the file may be whole all the same, without its last frames.
   void finish();
 
   std::uint64_t size() const { return writer_->size(); }
@@ -47,6 +48,7 @@ class RecordingFile {
   void add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data);
   std::uint16_t channel_of(std::size_t view);
   void write(std::span<const std::byte> bytes);
+  void cut_to(off_t size);
   void flush();
 
   std::filesystem::path file_;
@@ -64,6 +66,8 @@ class RecordingFile {
   std::vector<std::byte> own_;
   std::chrono::steady_clock::time_point flushed_;
   bool is_dirty_ = false;
+  bool is_full_ = false;  // the disk, when it was last written to in vain
+  bool is_finished_ = false;
 };
 
 }  // namespace reorient

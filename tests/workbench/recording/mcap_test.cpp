@@ -222,6 +222,56 @@ TEST(McapWriter, LetsThroughWhatItsSinkThrows) {
       std::runtime_error);
 }
 
+/// Whatever room there is: where it holds the summary and a chunk, the file is whole, and lacks no more than that room.
+TEST(McapWriter, TakesTheRoomOfChunksForTheSummaryWhereThereIsNoOther) {
+  constexpr std::size_t kChunks = 60;
+  int whole = 0, made_room = 0;
+  for (std::size_t most = 500; most < 30000; most += 37) {
+    std::vector<std::byte> file;
+    Writer writer(
+        [&](std::span<const std::byte> bytes) {
+          if (file.size() + bytes.size() > most) throw std::runtime_error("the disk is full");
+          file.insert(file.end(), bytes.begin(), bytes.end());
+        },
+        "a test");
+    writer.add_channel("/bytes", "own", 0);
+    std::size_t closed = 0;
+    bool is_whole = true;
+    try {
+      for (; closed < kChunks; ++closed) {
+        if (closed % 7 == 6) writer.add_channel("/more/" + std::to_string(closed), "own", 0);
+        writer.add_message(0, closed, std::vector<std::byte>(40 + closed % 50, std::byte(closed)));
+        if (closed % 7 == 6) writer.add_message(static_cast<std::uint16_t>(closed / 7 + 1), closed, bytes_of("more"));
+        writer.close_chunk();
+      }
+    } catch (const std::runtime_error&) {
+    }
+    try {
+      writer.finish();
+    } catch (const std::runtime_error&) {
+      is_whole = writer.make_room();
+      if (is_whole) {
+        ++made_room;
+        file.resize(writer.size());
+        writer.finish();
+      }
+    }
+    EXPECT_EQ(file.size(), writer.size());
+    if (!is_whole) continue;
+    ++whole;
+    const MemorySource source(file);
+    const Contents contents = read_contents(source);
+    ASSERT_FALSE(contents.damage) << most << ": " << contents.damage->what();
+    ASSERT_LE(contents.chunks.size(), closed) << most;
+    ASSERT_TRUE(contents.is_complete && contents.statistics) << most;
+    ASSERT_EQ(contents.statistics->chunks, contents.chunks.size()) << most;
+    ASSERT_EQ(contents.statistics->channels, contents.channels.size()) << most;
+    for (std::size_t i = 0; i < contents.chunks.size(); ++i) ASSERT_EQ(contents.chunks[i].start_time, i) << most;
+  }
+  EXPECT_GT(whole, 100);
+  EXPECT_GT(made_room, 50);
+}
+
 TEST(McapReader, ListsATopicThatIsNamedTwiceOnceAndRefusesTensOfThousands) {
   std::vector<std::byte> bytes;
   mcap::Writer writer([&](std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); },

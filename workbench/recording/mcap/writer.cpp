@@ -1,6 +1,7 @@
 #include "workbench/recording/mcap/writer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -86,18 +87,21 @@ void Writer::put_record(Opcode opcode, std::span<const std::byte> content) {
 
 std::uint16_t Writer::add_schema(std::string_view name, std::string_view encoding, std::string_view text) {
   const auto id = static_cast<std::uint16_t>(schemas_.size() + 1);
-  schemas_.push_back({id, std::string(name), std::string(encoding), std::string(text)});
-  put_record(Opcode::schema, content_of(schemas_.back()));
-  ++statistics_.schemas;
+  const std::uint64_t where = offset_;
+  std::vector<std::byte> content = content_of(Schema{id, std::string(name), std::string(encoding), std::string(text)});
+  put_record(Opcode::schema, content);
+  schemas_.push_back({where, std::move(content)});
   return id;
 }
 
 std::uint16_t Writer::add_channel(std::string_view topic, std::string_view encoding, std::uint16_t schema,
                                   const Texts& metadata) {
   const auto id = static_cast<std::uint16_t>(channels_.size());
-  channels_.push_back({{id, schema, std::string(topic), std::string(encoding), metadata}, 0, {}});
-  put_record(Opcode::channel, content_of(channels_.back().channel));
-  ++statistics_.channels;
+  const std::uint64_t where = offset_;
+  std::vector<std::byte> content = content_of(Channel{id, schema, std::string(topic), std::string(encoding), metadata});
+  put_record(Opcode::channel, content);
+  channel_records_.push_back({where, std::move(content)});
+  channels_.emplace_back();
   return id;
 }
 
@@ -133,38 +137,34 @@ void Writer::close_chunk() {
   out.raw(compressed_.data(), compressed);
   const std::uint64_t chunk_length = out_.size();
 
-  Statistics after = statistics_;  // once it is written
-  ++after.chunks;
-  after.first_time = after.messages == 0 ? chunk_start_ : std::min(after.first_time, chunk_start_);
-  after.last_time = std::max(after.last_time, chunk_end_);
+  ClosedChunk closed{{offset_, {}}, chunk_start_, chunk_end_, {}};
   std::vector<std::byte> places;
   ByteWriter place(places);
   std::vector<std::byte> entries, content;
-  for (ChannelState& state : channels_) {
-    if (state.index.empty()) continue;
-    after.messages += state.index.size();
-    after.messages_of[state.channel.id] += state.index.size();
-    place(state.channel.id, offset_ + out_.size());
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    std::vector<IndexEntry>& messages = channels_[i].index;
+    if (messages.empty()) continue;
+    const auto channel = static_cast<std::uint16_t>(i);
+    closed.counts.emplace_back(channel, messages.size());
+    place(channel, offset_ + out_.size());
     entries.clear();
     content.clear();
     ByteWriter writer(entries);
-    for (const IndexEntry& entry : state.index) writer(entry.time, entry.offset);
-    ByteWriter{content}(state.channel.id);
+    for (const IndexEntry& entry : messages) writer(entry.time, entry.offset);
+    ByteWriter{content}(channel);
     append_sized(content, entries);
     append_record(out_, Opcode::message_index, content);
-    state.index.clear();
+    messages.clear();
   }
 
-  std::vector<std::byte> index;
-  ByteWriter writer(index);
+  ByteWriter writer(closed.content);
   writer(chunk_start_, chunk_end_, offset_, chunk_length);
-  append_sized(index, places);
+  append_sized(closed.content, places);
   writer(static_cast<std::uint64_t>(out_.size() - chunk_length), kZstd, static_cast<std::uint64_t>(compressed),
          static_cast<std::uint64_t>(chunk_.size()));
   chunk_.clear();
   put(out_);
-  statistics_ = std::move(after);
-  chunk_indexes_.push_back(std::move(index));
+  chunks_.push_back(std::move(closed));
 }
 
 void Writer::add_metadata(std::string_view name, const Texts& texts) {
@@ -173,9 +173,9 @@ void Writer::add_metadata(std::string_view name, const Texts& texts) {
   append_texts(content, texts);
   const std::uint64_t where = offset_;
   put_record(Opcode::metadata, content);
-  ByteWriter{metadata_indexes_.emplace_back()}(where, static_cast<std::uint64_t>(kRecordHead + content.size()),
-                                               std::string(name));
-  ++statistics_.metadata;
+  metadata_.push_back({where, {}});
+  ByteWriter{metadata_.back().content}(where, static_cast<std::uint64_t>(kRecordHead + content.size()),
+                                       std::string(name));
 }
 
 void Writer::add_attachment(std::string_view name, std::string_view media_type, std::uint64_t time,
@@ -187,51 +187,82 @@ void Writer::add_attachment(std::string_view name, std::string_view media_type, 
   writer(crc_of(0, content));
   const std::uint64_t where = offset_;
   put_record(Opcode::attachment, content);
-  ByteWriter{attachment_indexes_.emplace_back()}(where, static_cast<std::uint64_t>(kRecordHead + content.size()), time,
-                                                 time, static_cast<std::uint64_t>(data.size()), std::string(name),
-                                                 std::string(media_type));
-  ++statistics_.attachments;
+  attachments_.push_back({where, {}});
+  ByteWriter{attachments_.back().content}(where, static_cast<std::uint64_t>(kRecordHead + content.size()), time, time,
+                                          static_cast<std::uint64_t>(data.size()), std::string(name),
+                                          std::string(media_type));
 }
 
-/// Records of one kind lie together, so that a reader can go to those that it wants.
-void Writer::put_summary_group(Opcode opcode, const std::vector<std::vector<std::byte>>& contents) {
-  const std::uint64_t start = offset_;
-  for (const std::vector<std::byte>& content : contents) put_record(opcode, content);
-  if (offset_ > start) groups_.push_back({opcode, start, offset_ - start});
+Statistics Writer::statistics() const {
+  Statistics all;
+  all.schemas = static_cast<std::uint16_t>(schemas_.size());
+  all.channels = static_cast<std::uint32_t>(channel_records_.size());
+  all.attachments = static_cast<std::uint32_t>(attachments_.size());
+  all.metadata = static_cast<std::uint32_t>(metadata_.size());
+  all.chunks = static_cast<std::uint32_t>(chunks_.size());
+  for (const ClosedChunk& chunk : chunks_) {
+    all.first_time = all.messages == 0 ? chunk.start : std::min(all.first_time, chunk.start);
+    all.last_time = std::max(all.last_time, chunk.end);
+    for (const auto& [channel, count] : chunk.counts) {
+      all.messages += count;
+      all.messages_of[channel] += count;
+    }
+  }
+  return all;
+}
+
+std::vector<std::byte> Writer::end_of_file() const {
+  std::vector<std::byte> end, content;
+  constexpr std::uint32_t kUnknown = 0;
+  ByteWriter{content}(knows_crc_ ? crc_ : kUnknown);
+  append_record(end, Opcode::data_end, content);
+  const std::size_t before_summary = end.size();
+
+  // Records of one kind lie together, so that a reader can go to those that it wants.
+  std::vector<std::byte> groups;
+  const auto append_group = [&](Opcode opcode, const auto& records) {
+    const std::uint64_t start = offset_ + end.size();
+    for (const Placed& record : records) append_record(end, opcode, record.content);
+    const std::uint64_t length = offset_ + end.size() - start;
+    if (length == 0) return;
+    content.clear();
+    ByteWriter{content}(opcode, start, length);
+    append_record(groups, Opcode::summary_offset, content);
+  };
+  append_group(Opcode::schema, schemas_);
+  append_group(Opcode::channel, channel_records_);
+  append_group(Opcode::statistics, std::vector<Placed>{{0, content_of(statistics())}});
+  append_group(Opcode::chunk_index, chunks_);
+  append_group(Opcode::attachment_index, attachments_);
+  append_group(Opcode::metadata_index, metadata_);
+  const std::uint64_t offsets_start = offset_ + end.size();
+  append(end, groups);
+
+  // The checksum ends in the middle of the footer, before itself.
+  constexpr std::uint64_t kFooter = 8 + 8 + 4;
+  ByteWriter footer(end);
+  footer(Opcode::footer, kFooter, offset_ + before_summary, offsets_start);
+  footer(crc_of(0, std::span(end).subspan(before_summary)));
+  footer.raw(kMagic.data(), kMagic.size());
+  return end;
 }
 
 void Writer::finish() {
   close_chunk();
-  std::vector<std::byte> content;
-  ByteWriter{content}(crc_);
-  put_record(Opcode::data_end, content);
+  put(end_of_file());
+}
 
-  const std::uint64_t summary_start = offset_;
-  crc_ = 0;
-  std::vector<std::vector<std::byte>> schemas, channels;
-  for (const Schema& schema : schemas_) schemas.push_back(content_of(schema));
-  for (const ChannelState& state : channels_) channels.push_back(content_of(state.channel));
-  put_summary_group(Opcode::schema, schemas);
-  put_summary_group(Opcode::channel, channels);
-  put_summary_group(Opcode::statistics, {content_of(statistics_)});
-  put_summary_group(Opcode::chunk_index, chunk_indexes_);
-  put_summary_group(Opcode::attachment_index, attachment_indexes_);
-  put_summary_group(Opcode::metadata_index, metadata_indexes_);
-  const std::uint64_t offsets_start = offset_;
-  for (const Group& group : groups_) {
-    content.clear();
-    ByteWriter{content}(group.opcode, group.start, group.length);
-    put_record(Opcode::summary_offset, content);
-  }
-
-  // The checksum ends in the middle of the footer, before itself.
-  constexpr std::uint64_t kFooter = 8 + 8 + 4;
-  out_.clear();
-  ByteWriter footer(out_);
-  footer(Opcode::footer, kFooter, summary_start, offsets_start);
-  footer(crc_of(crc_, out_));
-  footer.raw(kMagic.data(), kMagic.size());
-  put(out_);
+bool Writer::make_room() {
+  const std::uint64_t needed = end_of_file().size();
+  const auto first = std::find_if(chunks_.rbegin(), chunks_.rend(),
+                                  [&](const ClosedChunk& chunk) { return offset_ - chunk.offset >= needed; });
+  if (first == chunks_.rend()) return false;
+  offset_ = first->offset;
+  chunks_.erase(std::prev(first.base()), chunks_.end());
+  for (std::vector<Placed>* records : {&schemas_, &channel_records_, &attachments_, &metadata_})
+    std::erase_if(*records, [&](const Placed& record) { return record.offset >= offset_; });
+  knows_crc_ = false;
+  return true;
 }
 
 }  // namespace reorient::mcap

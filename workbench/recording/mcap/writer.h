@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "workbench/recording/mcap/format.h"
@@ -45,11 +46,14 @@ class Writer {
   void add_attachment(std::string_view name, std::string_view media_type, std::uint64_t time,
                       std::span<const std::byte> data);
 
-  /// Closes the chunk, and writes the summary. Nothing may be added any more.
+  /// Closes the chunk, and writes the summary at once. Nothing may be added any more. Where the sink has no room for
+  /// it, it may be tried again.
   void finish();
+  /// Forgets as many of the last chunks as the summary takes room, and whatever was written behind them: the file ends
+  /// where they began, at size(), and only finish() may follow. False: the chunks take less than the summary; all stay.
+  bool make_room();
 
-  const Statistics& statistics() const { return statistics_; }
-  std::uint64_t size() const { return offset_; }  ///< bytes that the sink has got
+  std::uint64_t size() const { return offset_; }  ///< bytes that the sink has got, without what is forgotten
 
  private:
   struct IndexEntry {
@@ -57,31 +61,34 @@ class Writer {
     std::uint64_t offset;
   };
   struct ChannelState {
-    Channel channel;
     std::uint32_t sequence = 0;
     std::vector<IndexEntry> index;  // of the open chunk
   };
-  struct Group {
-    Opcode opcode;
-    std::uint64_t start, length;
+  struct Placed {
+    std::uint64_t offset;            // of the record in the file
+    std::vector<std::byte> content;  // that tells of it in the summary
+  };
+  struct ClosedChunk : Placed {
+    std::uint64_t start, end;                                     // ns
+    std::vector<std::pair<std::uint16_t, std::uint64_t>> counts;  // of its messages by channel
   };
 
   void put(std::span<const std::byte> bytes);
   void put_record(Opcode opcode, std::span<const std::byte> content);
-  void put_summary_group(Opcode opcode, const std::vector<std::vector<std::byte>>& contents);
+  Statistics statistics() const;
+  std::vector<std::byte> end_of_file() const;
 
   Sink sink_;
   std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> compressor_;
   std::uint64_t offset_ = 0;
-  std::uint32_t crc_ = 0;  // of all that the sink has got, or of the summary
+  std::uint32_t crc_ = 0;  // of all that the sink has got
+  bool knows_crc_ = true;  // not where something of it is forgotten
 
-  std::vector<Schema> schemas_;
   std::vector<ChannelState> channels_;
   std::vector<std::byte> chunk_, compressed_, out_;
   std::uint64_t chunk_start_ = 0, chunk_end_ = 0;  // ns
-  std::vector<std::vector<std::byte>> chunk_indexes_, attachment_indexes_, metadata_indexes_;
-  std::vector<Group> groups_;
-  Statistics statistics_;
+  std::vector<Placed> schemas_, channel_records_, attachments_, metadata_;
+  std::vector<ClosedChunk> chunks_;
 };
 
 }  // namespace reorient::mcap
