@@ -91,6 +91,16 @@ TEST_F(ScriptCheckTest, WarnsOfAnInitialStateWhenEveryWayInLeadsPastIt) {
   EXPECT_EQ(findings(), "behaviors/odd.lua:4:64: warning: state 'two/early' is never reached\n");
 }
 
+TEST_F(ScriptCheckTest, WarnsOfACopyThatKeptItsName) {
+  folder.write("behaviors/near/second.lua", "\nbehavior \"first\" { state \"a\" {} }\n");
+  folder.write("scenarios/evening.lua", "scenario \"morning\" { state \"a\" {} }\n");
+  EXPECT_EQ(findings(),
+            "behaviors/near/second.lua:2:10: warning: this behavior is called 'first' and its file 'second'; one name "
+            "for both\n"
+            "scenarios/evening.lua:1:10: warning: this scenario is called 'morning' and its file 'evening'; one name "
+            "for both\n");
+}
+
 TEST_F(ScriptCheckTest, WarnsOfATransitionIntoAStateAroundIt) {
   folder.write("behaviors/odd.lua", R"(behavior "odd" {
   initial = "outer",
@@ -283,11 +293,11 @@ TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
 }
 
 TEST_F(ScriptCheckTest, TellsTwoBehaviorsOfOneName) {
-  folder.write("behaviors/a.lua", "behavior \"same\" {}\n");
-  folder.write("behaviors/b.lua", "behavior \"same\" {}\n");
+  folder.write("behaviors/a.lua", "behavior \"a\" {}\n");
+  folder.write("behaviors/b.lua", "behavior \"a\" {}\n");
   EXPECT_EQ(
       findings(),
-      "behaviors/b.lua:1:10: error: 'same' is declared in behaviors/a.lua too; rename one of them, or leave one out\n");
+      "behaviors/b.lua:1:10: error: 'a' is declared in behaviors/a.lua too; rename one of them, or leave one out\n");
 }
 
 TEST_F(ScriptCheckTest, CanBeRestrictedToAFile) {

@@ -1,6 +1,7 @@
 #include "workbench/script_tools/check/machine_warnings.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace reorient {
 namespace {
@@ -45,6 +46,13 @@ bool has_way_out(const MachineDefinition& machine, int state) {
 std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine) {
   const std::vector<bool> reached = reached_states(machine);
   std::vector<DeclarationError> found;
+  // Mostly a copy that kept its name. Command lines name the file, other scripts and recordings the machine.
+  if (const std::string stem = std::filesystem::path(machine.file).stem().string(); stem != machine.name) {
+    found.push_back({machine.position,
+                     "this " + std::string(machine.is_scenario ? "scenario" : "behavior") + " is called '" +
+                         machine.name + "' and its file '" + stem + "'; one name for both",
+                     machine.file});
+  }
   for (std::size_t i = 1; i < machine.states.size(); ++i) {
     const StateDefinition& state = machine.states[i];
     if (!reached[i]) {
