@@ -111,7 +111,11 @@ function(reorient_add_tests name)
   reorient_add_program(${name}
     SOURCES ${TESTS_SOURCES} LINKS ${TESTS_LINKS} test_support GTest::gtest GTest::gtest_main rapidcheck)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is as fast as ever; a third less to wait
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  set(timeout 300)
+  if(CMAKE_CROSSCOMPILING_EMULATOR)
+    set(timeout 3600)  # an emulated program takes ten times as long
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${timeout})
 endfunction()
 
 # reorient_add_benchmark(NAME LINKS target...): benchmarks/NAME_benchmark.cpp as the program NAME_benchmark. ./test looks only

@@ -1,4 +1,5 @@
 // Experiments that cannot be meant: refused in one line before anything is run or written.
+#include <algorithm>
 #include <string>
 #include <vector>
 

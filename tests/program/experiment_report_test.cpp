@@ -79,7 +79,7 @@ TEST_F(ExperimentReport, LosesNothingElseWhereOneOutputCannotBeWritten) {
   const ProgramRun done = run({"--report", path("report"), "--json", path("rows.json")});
   EXPECT_EQ(done.code, kBadInput);
   EXPECT_NE(done.err.find("reorient: cannot write '" + path("report/trials.csv")), std::string::npos) << done.err;
-  EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+  EXPECT_EQ(complaints(done), 1) << done.err;
   for (const char* name : {"report/index.html", "report/trials.json", "report/rows.json", "rows.json"})
     EXPECT_TRUE(std::filesystem::is_regular_file(path(name))) << name;
 }
