@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,6 +21,14 @@ namespace reorient {
 inline std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// For a program none of whose files may become larger, as where a disk is full.
+inline std::function<void()> files_up_to(rlim_t bytes) {
+  return [bytes] {
+    const rlimit most{bytes, bytes};
+    setrlimit(RLIMIT_FSIZE, &most);
+  };
 }
 
 class ChildProgram {

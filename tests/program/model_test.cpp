@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "program/model/model_file.h"
@@ -150,10 +149,8 @@ TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
   ASSERT_GT(before.size(), 16u * 1024u);
   const std::string json = (folder.path() / "run.json").string();
   ChildProgram run(folder.path(),
-                   {"run", "--model", good, "--no-pictures", "--seconds", "3", "--width", "160", "--json", json}, [] {
-                     const rlimit small{16 * 1024, 16 * 1024};
-                     setrlimit(RLIMIT_FSIZE, &small);
-                   });
+                   {"run", "--model", good, "--no-pictures", "--seconds", "3", "--width", "160", "--json", json},
+                   files_up_to(16 * 1024));
   EXPECT_EQ(run.wait(), kBadInput);
   EXPECT_NE(run.err().find("reorient: cannot write '" + good + "': File too large\n"), std::string::npos) << run.err();
   EXPECT_NE(run.out().find("model: " + good + " (not saved)\n"), std::string::npos) << run.out();
@@ -255,10 +252,7 @@ TEST_F(ModelCommand, LeavesWhatIsThereWhereItsOutputCannotBeWritten) {
   for (const auto& words :
        {std::vector<std::string>{"model", "merge", one, other, "--out", out}, {"model", one, "--picture", out}}) {
     folder.write("out", "what was here");
-    ChildProgram run(folder.path(), words, [] {
-      const rlimit small{4 * 1024, 4 * 1024};
-      setrlimit(RLIMIT_FSIZE, &small);
-    });
+    ChildProgram run(folder.path(), words, files_up_to(4 * 1024));
     EXPECT_EQ(run.wait(), kBadInput) << words[1];
     EXPECT_NE(run.err().find("reorient: cannot write '" + out + "': File too large\n"), std::string::npos) << run.err();
     EXPECT_EQ(read_text(out), "what was here");

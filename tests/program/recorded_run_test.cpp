@@ -14,7 +14,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include "geometry/random.h"
 #include "program/recording/run_recording.h"
@@ -181,11 +180,8 @@ TEST_F(RunThatIsRecorded, IsOnTheDiskItselfWithinHalfASecond) {
 TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereTheDiskIsFullAndGoesOn) {
   // No file may become larger than 2 MB; a run of 10 s would take 8.
   ChildProgram run(folder_.path(),
-                   {"run", "--seconds", "10", "--width", "160", "--no-pictures", "--record", file("run.mcap")}, [] {
-                     const rlimit most{2'000'000, 2'000'000};
-                     setrlimit(RLIMIT_FSIZE, &most);
-                     std::signal(SIGXFSZ, SIG_IGN);
-                   });
+                   {"run", "--seconds", "10", "--width", "160", "--no-pictures", "--record", file("run.mcap")},
+                   files_up_to(2'000'000));
   EXPECT_EQ(run.wait(), 1) << run.err();  // the job takes longer
   EXPECT_NE(run.err().find("reorient: the recording ends here: " + file("run.mcap") + ": it cannot be written: "),
             std::string::npos)
@@ -206,11 +202,7 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereverInAChunkTheDiskIsFull) {
         std::make_unique<ChildProgram>(folder_.path(),
                                        std::vector<std::string>{"run", "--realtime", "--seconds", "2", "--width", "160",
                                                                 "--no-pictures", "--record", files.back()},
-                                       [most] {
-                                         const rlimit limit{most, most};
-                                         setrlimit(RLIMIT_FSIZE, &limit);
-                                         std::signal(SIGXFSZ, SIG_IGN);
-                                       }));
+                                       files_up_to(most)));
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     EXPECT_EQ(runs[i]->wait(), 1) << runs[i]->err();  // the job takes longer
@@ -242,11 +234,8 @@ TEST_F(RunThatIsRecorded, ThatCannotBeWrittenAnewLeavesWhatWasThere) {
   folder_.write("other.mcap", before);
   folder_.write("kept.mcap", before);
   for (const char* const command : {"recover", "cut"}) {
-    ChildProgram rewriting(folder_.path(), {"recording", command, file("other.mcap"), "--out", file("kept.mcap")}, [] {
-      const rlimit most{100000, 100000};
-      setrlimit(RLIMIT_FSIZE, &most);
-      std::signal(SIGXFSZ, SIG_IGN);
-    });
+    ChildProgram rewriting(folder_.path(), {"recording", command, file("other.mcap"), "--out", file("kept.mcap")},
+                           files_up_to(100000));
     EXPECT_EQ(rewriting.wait(), 2) << rewriting.err();
     EXPECT_EQ(read_text(file("kept.mcap")), before) << command;
   }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "tests/program/less_of_a_user.h"
@@ -66,10 +65,7 @@ TEST_F(UnwritableOutput, WritesTheRestWhereNobodyReadsWhatItPrints) {
 }
 
 TEST_F(UnwritableOutput, WritesWhatIsSmallWhereFilesMayNotGrow) {
-  ChildProgram run(folder.path(), words({"--seconds", "1"}), [] {
-    const rlimit small{16 * 1024, 16 * 1024};
-    setrlimit(RLIMIT_FSIZE, &small);
-  });
+  ChildProgram run(folder.path(), words({"--seconds", "1"}), files_up_to(16 * 1024));
   EXPECT_EQ(run.wait(), kBadInput);
   EXPECT_NE(run.err().find("world_view.png': File too large"), std::string::npos) << run.err();
   EXPECT_EQ(json()["scenario"], "patrol");
