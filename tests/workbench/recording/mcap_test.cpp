@@ -222,7 +222,8 @@ TEST(McapWriter, LetsThroughWhatItsSinkThrows) {
       std::runtime_error);
 }
 
-/// Whatever room there is: where it holds the summary and a chunk, the file is whole, and lacks no more than that room.
+/// Whatever room there is: where the chunks take more of it than the summary, the file is whole, and begins with what
+/// it was told first.
 TEST(McapWriter, TakesTheRoomOfChunksForTheSummaryWhereThereIsNoOther) {
   constexpr std::size_t kChunks = 60;
   int whole = 0, made_room = 0;

@@ -145,7 +145,7 @@ void Writer::close_chunk() {
     std::vector<IndexEntry>& messages = channels_[i].index;
     if (messages.empty()) continue;
     const auto channel = static_cast<std::uint16_t>(i);
-    closed.counts.emplace_back(channel, messages.size());
+    closed.counts.emplace_back(channel, static_cast<std::uint32_t>(messages.size()));
     place(channel, offset_ + out_.size());
     entries.clear();
     content.clear();

@@ -70,7 +70,7 @@ class Writer {
   };
   struct ClosedChunk : Placed {
     std::uint64_t start, end;                                     // ns
-    std::vector<std::pair<std::uint16_t, std::uint64_t>> counts;  // of its messages by channel
+    std::vector<std::pair<std::uint16_t, std::uint32_t>> counts;  // of its messages by channel
   };
 
   void put(std::span<const std::byte> bytes);
