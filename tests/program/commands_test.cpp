@@ -322,7 +322,7 @@ TEST_F(CommandsTest, TestTellsTheCoverageAlsoWhereTheReportCannotBeWritten) {
 }
 
 TEST(ShippedScripts, PassTheirOwnTestsOnTheSimulatorToo) {
-  const ProgramRun tested = run_reorient({"test", "--simulator"});
+  const ProgramRun tested = run_reorient(patiently({"test", "--simulator"}));
   EXPECT_EQ(tested.code, kSuccess) << tested.out;
   EXPECT_NE(tested.out.find(" passed, 0 failed\n"), std::string::npos) << tested.out;
 }

@@ -97,9 +97,7 @@ class Guide : public ::testing::TestWithParam<const char*> {
     std::vector<std::string> words;
     std::istringstream in(block.lines[0].substr(prompt.size()));
     for (std::string word; in >> word;) words.push_back(word);
-#ifdef REORIENT_EMULATOR
-    if (words.at(0) == "test") words.insert(words.end(), {"--timeout", "3600"});  // what a minute is enough for
-#endif
+    if (words.at(0) == "test") words = patiently(words);
     words.insert(words.begin(), {"--log", "off"});
     const bool reads_scripts = std::none_of(words.begin(), words.end(), [](const std::string& word) {
       return word == "compare" || word == "replay" || word == "recording";

@@ -29,6 +29,15 @@ inline ProgramRun run_reorient(const std::vector<std::string>& words) {
   return {code, out.str(), err.str()};
 }
 
+/// `words` of `reorient test`, with the time that scripted tests take under an emulator: there a minute each is not
+/// enough.
+inline std::vector<std::string> patiently(std::vector<std::string> words) {
+#ifdef REORIENT_EMULATOR
+  words.insert(words.end(), {"--timeout", "3600"});
+#endif
+  return words;
+}
+
 /// A short run in small images that writes nothing, with more options behind.
 inline ProgramRun run_shortly(const std::vector<std::string>& more) {
   std::vector<std::string> words{"run", "--seconds", "3", "--width", "160", "--no-pictures", "--log", "off"};

@@ -18,6 +18,7 @@
 #include "geometry/random.h"
 #include "program/recording/run_recording.h"
 #include "tests/program/child_program.h"
+#include "tests/program/less_of_a_user.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
 #include "workbench/recording/recording.h"
@@ -210,6 +211,36 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereverInAChunkTheDiskIsFull) {
     const ProgramRun replayed = run_reorient({"replay", files[i]});
     EXPECT_EQ(replayed.code, 0) << files[i] << ": " << replayed.out;
     EXPECT_EQ(replayed.err, "") << files[i] << ": it is whole";
+  }
+}
+
+/// Before the first part has its end, between two parts, in the second: all that is there can be replayed, and what it
+/// tells is what is there.
+TEST_F(RunThatIsRecorded, EndsEveryPartWholeWhereverTheDiskIsFull) {
+  for (int size = 1180; size < 1300; size += 12) {
+    const std::filesystem::path disk = folder_.path() / ("disk" + std::to_string(size)), kept = disk.string() + "-kept";
+    std::filesystem::create_directory(disk);
+    ChildProgram run(folder_.path(),
+                     {"run", "--seconds", "3", "--width", "160", "--no-pictures", "--record",
+                      (disk / "run.mcap").string(), "--record-rotate", "1s"},
+                     [&] { put_a_small_disk(disk, kept, (std::to_string(size) + "k").c_str()); });
+    const int code = run.wait();
+    if (code == kCannot) GTEST_SKIP() << "this user may not have a disk of its own (user namespaces)";
+    EXPECT_EQ(code, 1) << run.err();  // the job takes longer
+    EXPECT_NE(run.err().find("No space left on device"), std::string::npos) << size << run.err();
+    std::uint64_t frames = 0;
+    int parts = 0;
+    for (const auto& part : std::filesystem::directory_iterator(kept)) {
+      const ProgramRun replayed = run_reorient({"replay", part.path().string()});
+      EXPECT_EQ(replayed.code, 0) << size << part.path() << replayed.out;
+      EXPECT_EQ(replayed.err, "") << size << part.path() << ": it is whole";
+      Recording recording(part.path());
+      for (RecordedFrame frame; recording.next(frame);) ++frames;
+      ++parts;
+    }
+    const std::string told = "run.mcap" + (parts > 1 ? " and " + std::to_string(parts - 1) + " more, " : ", ") +
+                             std::to_string(frames) + " frames, ";
+    EXPECT_NE(run.out().find(told), std::string::npos) << size << ": " << told << '\n' << run.out();
   }
 }
 

@@ -7,10 +7,12 @@
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <pthread.h>
@@ -74,7 +76,7 @@ struct Recorder::Shared {
   const std::filesystem::path first_file;
   const mcap::Texts about;
   std::unique_ptr<RecordingFile> file;
-  std::uint64_t earlier_bytes = 0;  // of the files before
+  std::uint64_t earlier_bytes = 0, earlier_frames = 0;  // of the files before
   ViewerMessages viewer;
   std::vector<ViewMessage> views;
 
@@ -194,7 +196,6 @@ void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
     lacks_views = shared_->counts.views_left_out > 0;
     shared_->waiting += bytes;
     shared_->queue.push_back(std::move(item_));
-    ++shared_->counts.frames;
   }
   shared_->wake.notify_one();
   if (lacks_views && !std::exchange(told_no_views_, true))
@@ -248,6 +249,7 @@ void Recorder::write_items(Shared& shared) {
   const sched_param none{};
   pthread_setschedparam(pthread_self(), SCHED_BATCH, &none);
   int files = 1;
+  bool is_given_up = false;  // the last of them
   const auto write = [&](Item& item) {
     if (item.begins_file) {
       std::filesystem::path name = shared.first_file;
@@ -255,6 +257,7 @@ void Recorder::write_items(Shared& shared) {
       shared.file->finish();
       auto next = std::make_unique<RecordingFile>(name, shared.about, view_topics());
       shared.earlier_bytes += shared.file->size();
+      shared.earlier_frames += shared.file->frames();
       shared.file = std::move(next);
       ++files;
     }
@@ -270,6 +273,13 @@ void Recorder::write_items(Shared& shared) {
           {static_cast<std::size_t>(topic), nanoseconds(item.entry.time), {bytes.begin(), bytes.end()}});
     });
     shared.file->add(item.entry, item.state, {item.images[0].view(), item.images[1].view()}, shared.views);
+  };
+
+  const auto count = [&] {
+    shared.file_bytes = is_given_up ? 0 : shared.file->size();
+    shared.counts.bytes = shared.earlier_bytes + shared.file_bytes;
+    shared.counts.frames = shared.earlier_frames + shared.file->frames();
+    shared.counts.files = files;
   };
 
   std::unique_lock lock(shared.mutex);
@@ -292,9 +302,7 @@ void Recorder::write_items(Shared& shared) {
       trouble = error.what();
     }
     lock.lock();
-    shared.file_bytes = shared.file->size();
-    shared.counts.bytes = shared.earlier_bytes + shared.file_bytes;
-    shared.counts.files = files;
+    count();
     if (item) {
       shared.waiting -= item->bytes();
       constexpr std::size_t kMostFree = 8;  // those of a jam that is over
@@ -312,8 +320,13 @@ void Recorder::write_items(Shared& shared) {
   } catch (const std::exception& error) {  // what is there can be read all the same
     trouble = error.what();
   }
+  if (files > 1 && shared.file->frames() == 0) {  // a further part of which nothing could be written
+    std::error_code failed;
+    is_given_up = std::filesystem::remove(shared.file->path(), failed);
+    files -= is_given_up ? 1 : 0;
+  }
   lock.lock();
-  shared.counts.bytes = shared.earlier_bytes + shared.file->size();
+  count();
   if (!trouble.empty() && shared.trouble.empty()) shared.trouble = "the recording lacks its end: " + trouble;
   shared.is_over = true;
   shared.over.notify_one();

@@ -34,7 +34,7 @@ struct RecorderOptions {
 class Recorder : public Observer {
  public:
   struct Counts {
-    std::uint64_t frames = 0;
+    std::uint64_t frames = 0;           ///< in the files, so far
     std::uint64_t images_left_out = 0;  ///< as the disk was slow: frames whose exact images are not there
     std::uint64_t views_left_out = 0;   ///< the same, frames whose images to look at are not there
     std::uint64_t bytes = 0;            ///< of all files, so far

@@ -6,6 +6,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -46,6 +47,8 @@ RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Text
     for (ViewTopic& view : views) views_.push_back({std::move(view), {}});
   } catch (...) {
     close(descriptor_);
+    std::error_code failed;
+    if (std::filesystem::is_regular_file(file_, failed)) std::filesystem::remove(file_, failed);
     throw;
   }
 }

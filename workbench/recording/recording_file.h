@@ -22,8 +22,8 @@ namespace reorient {
 
 class RecordingFile {
  public:
-  /// `views`: what there may be to look at. Throws std::runtime_error with one line: what cannot be written, and why.
-  /// So do all others.
+  /// `views`: what there may be to look at. Throws std::runtime_error with one line: what cannot be written, and why;
+  /// then there is no such file. So do all others, but that what was written stays.
   RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views);
   ~RecordingFile();
   RecordingFile(const RecordingFile&) = delete;
@@ -38,7 +38,9 @@ class RecordingFile {
   /// Nothing may be added any more. Where it throws, the file may be whole all the same, without its last frames.
   void finish();
 
+  const std::filesystem::path& path() const { return file_; }
   std::uint64_t size() const { return writer_->size(); }
+  std::uint64_t frames() const { return writer_->messages_of(frames_); }  ///< that it has got
 
   static constexpr std::chrono::milliseconds kFlushEvery{250};
 

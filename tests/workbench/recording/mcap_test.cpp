@@ -267,6 +267,7 @@ TEST(McapWriter, TakesTheRoomOfChunksForTheSummaryWhereThereIsNoOther) {
     ASSERT_TRUE(contents.is_complete && contents.statistics) << most;
     ASSERT_EQ(contents.statistics->chunks, contents.chunks.size()) << most;
     ASSERT_EQ(contents.statistics->channels, contents.channels.size()) << most;
+    ASSERT_EQ(writer.messages_of(0), contents.chunks.size()) << most;
     for (std::size_t i = 0; i < contents.chunks.size(); ++i) ASSERT_EQ(contents.chunks[i].start_time, i) << most;
   }
   EXPECT_GT(whole, 100);

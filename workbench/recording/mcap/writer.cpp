@@ -164,6 +164,7 @@ void Writer::close_chunk() {
          static_cast<std::uint64_t>(chunk_.size()));
   chunk_.clear();
   put(out_);
+  for (const auto& [channel, count] : closed.counts) channels_[channel].closed += count;
   chunks_.push_back(std::move(closed));
 }
 
@@ -258,7 +259,10 @@ bool Writer::make_room() {
                                   [&](const ClosedChunk& chunk) { return offset_ - chunk.offset >= needed; });
   if (first == chunks_.rend()) return false;
   offset_ = first->offset;
-  chunks_.erase(std::prev(first.base()), chunks_.end());
+  const auto forgotten = std::prev(first.base());
+  for (auto chunk = forgotten; chunk != chunks_.end(); ++chunk)
+    for (const auto& [channel, count] : chunk->counts) channels_[channel].closed -= count;
+  chunks_.erase(forgotten, chunks_.end());
   for (std::vector<Placed>* records : {&schemas_, &channel_records_, &attachments_, &metadata_})
     std::erase_if(*records, [&](const Placed& record) { return record.offset >= offset_; });
   knows_crc_ = false;

@@ -53,7 +53,9 @@ class Writer {
   /// where they began, at size(), and only finish() may follow. False: the chunks take less than the summary; all stay.
   bool make_room();
 
-  std::uint64_t size() const { return offset_; }  ///< bytes that the sink has got, without what is forgotten
+  // What the sink has got, without what is forgotten.
+  std::uint64_t size() const { return offset_; }  ///< bytes
+  std::uint64_t messages_of(std::uint16_t channel) const { return channels_.at(channel).closed; }
 
  private:
   struct IndexEntry {
@@ -62,6 +64,7 @@ class Writer {
   };
   struct ChannelState {
     std::uint32_t sequence = 0;
+    std::uint64_t closed = 0;       // messages in the chunks
     std::vector<IndexEntry> index;  // of the open chunk
   };
   struct Placed {
