@@ -121,8 +121,7 @@ TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
   {
     const mcap::FileSource source(file());
     const std::vector<mcap::ChunkPlace> chunks = mcap::read_contents(source).chunks;
-    // States are at 5 and 10 s. Where a chunk ends is a matter of time: one that ends at a state leaves nothing to
-    // pass.
+    // States are at 5 and 10 s. Chunks end as time goes by: one that ends at a state leaves nothing to pass over.
     constexpr std::uint64_t kBetween = 7'500'000'000;
     const auto chunk = std::find_if(chunks.rbegin(), chunks.rend(),
                                     [](const mcap::ChunkPlace& place) { return place.end_time < kBetween; });
