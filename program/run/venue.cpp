@@ -30,6 +30,12 @@ std::vector<std::string> candidates(const std::filesystem::path& folder, std::sp
   return names;
 }
 
+std::string listed(std::span<const std::string> names) {
+  std::string all;
+  for (const std::string& name : names) all.append(all.empty() ? "" : ", ").append(name);
+  return all;
+}
+
 /// Throws where it is none, with what may have been meant.
 std::filesystem::path existing_file(std::string_view what, std::string_view assets, const std::filesystem::path& named,
                                     std::span<const std::string_view> extensions) {
@@ -44,8 +50,9 @@ std::filesystem::path existing_file(std::string_view what, std::string_view asse
   std::vector<std::string> known = candidates(file.has_parent_path() ? file.parent_path() : ".", extensions);
   const std::vector<std::string> shipped = asset_names(assets, extensions);
   known.insert(known.end(), shipped.begin(), shipped.end());
-  throw std::runtime_error(std::string(what) + " '" + named.string() + "' does not exist" +
-                           did_you_mean(file.filename().string(), known));
+  std::string meant = did_you_mean(file.filename().string(), known);
+  if (meant.empty() && !shipped.empty()) meant = "; name a file, or one of " + listed(shipped);
+  throw std::runtime_error(std::string(what) + " '" + named.string() + "' does not exist" + meant);
 }
 
 }  // namespace
@@ -71,9 +78,7 @@ std::filesystem::path field_file(const std::filesystem::path& named, const Robot
 }
 
 std::string known_bodies() try {
-  std::string all;
-  for (const std::string& name : asset_names("robots", kTomlFiles)) all.append(all.empty() ? "" : ", ").append(name);
-  return all;
+  return listed(asset_names("robots", kTomlFiles));
 } catch (const std::runtime_error&) {  // a help text is no place to tell that there is no home
   return "none found";
 }

@@ -194,6 +194,7 @@ TEST_F(BadInput, TheNearestRightFileIsNamed) {
   expect_refused_run({"--room", folder_.path().string()}, {"as in", "hall_of_the_north.hdr"});
   expect_refused_run({"--room", path("hall_of_the_nroth.hdr")}, {"did you mean 'hall_of_the_north.hdr'?"});
   expect_refused_run({"--field", "slp"}, {"did you mean 'spl'?"});
+  expect_refused_run({"--body", "unicorn"}, {"'unicorn' does not exist", "one of booster-k1, booster-t1, nao-v6"});
   expect_refused_run({"--params", "papre"}, {"did you mean 'paper'?"});
   expect_refused_run({"--params", "light/hrad"}, {"did you mean 'light/hard'?"});
   expect_refused_run({"--json", path("gone/run.json")}, {"No such file or directory"});
