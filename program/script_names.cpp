@@ -21,13 +21,6 @@ std::string name_of(const Kind& kind, const std::string& file) {
   return std::filesystem::path(file).lexically_relative(kind.folder).replace_extension().generic_string();
 }
 
-std::string list_of(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 12;
-  std::string list;
-  for (std::size_t i = 0; i < names.size() && i < kMost; ++i) list += (i > 0 ? ", " : "") + names[i];
-  return list + (names.size() > kMost ? ", ..." : "");
-}
-
 std::string named(const Kind& kind, const Kind& other, const std::filesystem::path& root, const ScriptTexts& texts,
                   const std::string& name) {
   std::string file = script_file(kind.folder, script_named(root, name));

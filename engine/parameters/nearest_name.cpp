@@ -79,4 +79,11 @@ std::string did_you_mean(std::string_view wanted, std::span<const std::string> k
   return name ? " (did you mean '" + *name + "'?)" : std::string();
 }
 
+std::string list_of(std::span<const std::string> names) {
+  constexpr std::size_t kMost = 12;
+  std::string list;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i) list += (i > 0 ? ", " : "") + names[i];
+  return list + (names.size() > kMost ? ", ..." : "");
+}
+
 }  // namespace reorient

@@ -1,4 +1,4 @@
-// "Did you mean ...?"
+// "Did you mean ...?", and what else there is.
 #pragma once
 
 #include <optional>
@@ -16,5 +16,8 @@ std::optional<std::string> nearest_name(std::string_view wanted, std::span<const
 
 /// " (did you mean 'x'?)", or nothing.
 std::string did_you_mean(std::string_view wanted, std::span<const std::string> known);
+
+/// "a, b, c": the first dozen, and that there are more.
+std::string list_of(std::span<const std::string> names);
 
 }  // namespace reorient

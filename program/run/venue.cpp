@@ -30,12 +30,6 @@ std::vector<std::string> candidates(const std::filesystem::path& folder, std::sp
   return names;
 }
 
-std::string listed(std::span<const std::string> names) {
-  std::string all;
-  for (const std::string& name : names) all.append(all.empty() ? "" : ", ").append(name);
-  return all;
-}
-
 /// Throws where it is none, with what may have been meant.
 std::filesystem::path existing_file(std::string_view what, std::string_view assets, const std::filesystem::path& named,
                                     std::span<const std::string_view> extensions) {
@@ -51,7 +45,7 @@ std::filesystem::path existing_file(std::string_view what, std::string_view asse
   const std::vector<std::string> shipped = asset_names(assets, extensions);
   known.insert(known.end(), shipped.begin(), shipped.end());
   std::string meant = did_you_mean(file.filename().string(), known);
-  if (meant.empty() && !shipped.empty()) meant = "; name a file, or one of " + listed(shipped);
+  if (meant.empty() && !shipped.empty()) meant = "; name a file, or one of " + list_of(shipped);
   throw std::runtime_error(std::string(what) + " '" + named.string() + "' does not exist" + meant);
 }
 
@@ -78,7 +72,7 @@ std::filesystem::path field_file(const std::filesystem::path& named, const Robot
 }
 
 std::string known_bodies() try {
-  return listed(asset_names("robots", kTomlFiles));
+  return list_of(asset_names("robots", kTomlFiles));
 } catch (const std::runtime_error&) {  // a help text is no place to tell that there is no home
   return "none found";
 }

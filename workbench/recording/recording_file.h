@@ -23,7 +23,7 @@ namespace reorient {
 class RecordingFile {
  public:
   /// `views`: what there may be to look at. Throws std::runtime_error with one line: what cannot be written, and why;
-  /// then there is no such file. So do all others, but that what was written stays.
+  /// then a file that it has opened is gone. So do all others, but that what was written stays.
   RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views);
   ~RecordingFile();
   RecordingFile(const RecordingFile&) = delete;

@@ -201,13 +201,15 @@ Statistics Writer::statistics() const {
   all.attachments = static_cast<std::uint32_t>(attachments_.size());
   all.metadata = static_cast<std::uint32_t>(metadata_.size());
   all.chunks = static_cast<std::uint32_t>(chunks_.size());
+  if (!chunks_.empty()) all.first_time = chunks_.front().start;
   for (const ClosedChunk& chunk : chunks_) {
-    all.first_time = all.messages == 0 ? chunk.start : std::min(all.first_time, chunk.start);
+    all.first_time = std::min(all.first_time, chunk.start);
     all.last_time = std::max(all.last_time, chunk.end);
-    for (const auto& [channel, count] : chunk.counts) {
-      all.messages += count;
-      all.messages_of[channel] += count;
-    }
+  }
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (channels_[i].closed == 0) continue;
+    all.messages += channels_[i].closed;
+    all.messages_of[static_cast<std::uint16_t>(i)] = channels_[i].closed;
   }
   return all;
 }
