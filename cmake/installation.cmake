@@ -16,6 +16,7 @@ set(module_of_nlohmann_json::nlohmann_json nlohmann_json)
 set(module_of_tomlplusplus::tomlplusplus tomlplusplus)
 
 get_property(rooms GLOBAL PROPERTY REORIENT_ROOMS)
+set_property(GLOBAL PROPERTY REORIENT_INSTALLED_ROOMS ${rooms})
 set(headers)
 set(components)  # for the package: what each component needs, itself last
 foreach(room ${rooms})

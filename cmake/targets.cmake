@@ -57,9 +57,10 @@ function(reorient_add_room name)
     endforeach()
   endif()
   if(ROOM_SOURCES)
+    reorient_unity_sources(ROOM_SOURCES ${name} ${ROOM_SOURCES})
     add_library(${name} STATIC ${ROOM_SOURCES})
     set_target_properties(${name} PROPERTIES OUTPUT_NAME reorient_${name})
-    target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE})
+    target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE} ${REORIENT_UNITY_FLAGS})
     target_compile_features(${name} PUBLIC cxx_std_20)
     target_link_libraries(${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
     reorient_include_root(${name} PUBLIC ${ROOM_HEADERS})
@@ -78,53 +79,12 @@ endfunction()
 # reorient_add_program(NAME SOURCES file... LINKS target...)
 function(reorient_add_program name)
   cmake_parse_arguments(PROGRAM "" "" "SOURCES;LINKS" ${ARGN})
+  reorient_unity_sources(PROGRAM_SOURCES ${name} ${PROGRAM_SOURCES})
   add_executable(${name} ${PROGRAM_SOURCES})
-  target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE})
+  target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE} ${REORIENT_UNITY_FLAGS})
   target_link_libraries(${name} PRIVATE ${PROGRAM_LINKS})
-  target_compile_definitions(${name} PRIVATE REORIENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(CMAKE_CROSSCOMPILING_EMULATOR)
     list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
     target_compile_definitions(${name} PRIVATE REORIENT_EMULATOR="${emulator}")
-  endif()
-endfunction()
-
-# reorient_runnable(VARIABLE TARGET): the path by which a test starts a program. Where that is for another kind of processor, a
-# script which hands it to the emulator.
-function(reorient_runnable variable target)
-  set(${variable} "$<TARGET_FILE:${target}>" PARENT_SCOPE)
-  if(CMAKE_CROSSCOMPILING_EMULATOR)
-    list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
-    set(script "${PROJECT_BINARY_DIR}/emulated/${target}")
-    get_target_property(has_script ${target} REORIENT_SCRIPT)
-    if(NOT has_script)  # tests of several folders start the same program
-      file(GENERATE OUTPUT "${script}" CONTENT "#!/bin/sh\nexec ${emulator} '$<TARGET_FILE:${target}>' \"$@\"\n"
-        FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-      set_target_properties(${target} PROPERTIES REORIENT_SCRIPT "${script}")
-    endif()
-    set(${variable} "${script}" PARENT_SCOPE)
-  endif()
-endfunction()
-
-# reorient_add_tests(NAME SOURCES file... LINKS target...): one GoogleTest program, each of its tests known to CTest.
-function(reorient_add_tests name)
-  cmake_parse_arguments(TESTS "" "" "SOURCES;LINKS" ${ARGN})
-  reorient_add_program(${name}
-    SOURCES ${TESTS_SOURCES} LINKS ${TESTS_LINKS} test_support GTest::gtest GTest::gtest_main rapidcheck)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is as fast as ever; a third less to wait
-  set(timeout 300)
-  if(CMAKE_CROSSCOMPILING_EMULATOR)
-    set(timeout 3600)  # an emulated program takes ten times as long
-  endif()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${timeout})
-endfunction()
-
-# reorient_add_benchmark(NAME LINKS target...): benchmarks/NAME_benchmark.cpp as the program NAME_benchmark. ./test looks only
-# whether it still runs.
-function(reorient_add_benchmark name)
-  cmake_parse_arguments(BENCHMARK "" "" "LINKS" ${ARGN})
-  reorient_add_program(${name}_benchmark
-    SOURCES ${name}_benchmark.cpp LINKS ${BENCHMARK_LINKS} benchmark::benchmark benchmark::benchmark_main)
-  if(REORIENT_TESTS)
-    add_test(NAME benchmarks.${name}_runs COMMAND ${name}_benchmark --benchmark_min_time=0)
   endif()
 endfunction()

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
+
 #include "engine/parameters/nearest_name.h"
 #include "program/run/venue.h"
 #include "workbench/files/home.h"

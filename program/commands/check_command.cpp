@@ -3,6 +3,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
+
 #include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "engine/parameters/utf8.h"
 #include "program/experiment/outputs/rows_comparison.h"
 #include "program/options.h"

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 

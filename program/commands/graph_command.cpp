@@ -5,6 +5,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
+
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/script_host.h"

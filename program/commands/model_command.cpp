@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <spdlog/fmt/chrono.h>
 #include <sys/stat.h>
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/frame.h"

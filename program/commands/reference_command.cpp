@@ -2,6 +2,8 @@
 #include <memory>
 #include <ostream>
 
+#include <CLI/CLI.hpp>
+
 #include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"

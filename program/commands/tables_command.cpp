@@ -4,6 +4,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
+
 #include "engine/parameters/utf8.h"
 #include "program/experiment/outputs/page_tables.h"
 #include "program/options.h"

@@ -4,6 +4,8 @@
 #include <ostream>
 #include <sstream>
 
+#include <CLI/CLI.hpp>
+
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/options.h"

@@ -1,6 +1,8 @@
 // `reorient version`.
 #include <ostream>
 
+#include <CLI/CLI.hpp>
+
 #include "program/program.h"
 #include "program/subcommand.h"
 

@@ -3,9 +3,11 @@
 
 #include <limits>
 
-#include <CLI/CLI.hpp>
-
 #include "workbench/recording/recording.h"
+
+namespace CLI {
+class App;
+}
 
 namespace reorient {
 

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "geometry/image.h"
 #include "program/named_files.h"
 #include "program/robots.h"

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/robots/companion/raw_client.h"
 #include "tests/temporary_folder.h"
@@ -18,11 +19,11 @@
 namespace reorient {
 namespace {
 
-const std::string kSource = REORIENT_SOURCE_DIR;
+const std::string kSource = kSourceFolder;
 
 struct Setting {
   const char* name;
-  const char* client;
+  std::string client;
   const char* way;
   const char* body;
   const char* field;
@@ -35,8 +36,8 @@ class CompanionClient : public ::testing::TestWithParam<Setting> {
 
   /// The main job with a client: `learn` seconds to learn the room, then `after` in which the belief has to come right.
   static std::string play(const Setting& setting, const std::string& socket, int learn, int after, int pace = 1000) {
-    return std::string(setting.client) + " " + socket + " " + setting.way + " " + REORIENT_TEST_ROBOT + " " + kSource +
-           "/assets/robots/" + setting.body + ".toml " + kSource + "/assets/fields/" + setting.field + ".toml 1 160 " +
+    return setting.client + " " + socket + " " + setting.way + " " + kTestRobot + " " + kSource + "/assets/robots/" +
+           setting.body + ".toml " + kSource + "/assets/fields/" + setting.field + ".toml 1 160 " +
            std::to_string(learn) + " " + std::to_string(after) + " " + std::to_string(pace) + " 2>&1";
   }
 
@@ -61,8 +62,8 @@ TEST_P(CompanionClient, EndsRightAfterItsRobotWasTurnedRound) {
   EXPECT_NE(replay.out().find("all frames are the same as recorded"), std::string::npos) << replay.out();
 }
 
-constexpr const char* kC = REORIENT_C_CLIENT;
-constexpr const char* kPython = "python3 " REORIENT_SOURCE_DIR "/examples/companion/client.py";
+const std::string kC = kCompanionClient;
+const std::string kPython = "python3 " + kSource + "/examples/companion/client.py";
 
 INSTANTIATE_TEST_SUITE_P(All, CompanionClient,
                          ::testing::Values(Setting{"CWithItsOwnLocalization", kC, "own", "nao-v6", "spl"},

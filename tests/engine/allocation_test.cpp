@@ -7,6 +7,7 @@
 
 #include "engine/frame.h"
 #include "robots/simulator/simulator.h"
+#include "tests/paths.h"
 #include "workbench/files/script_files.h"
 
 namespace {
@@ -44,7 +45,7 @@ class SteadyState : public testing::TestWithParam<Cameras> {
     parameters.width = 160;
     parameters.cameras = GetParam();
     FrameSetup setup;
-    setup.scripts = read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts");
+    setup.scripts = read_scripts(std::filesystem::path(kSourceFolder) / "scripts");
     setup.behaviors = {"orientation", "background_training", "kidnap_recovery", "goal_search",
                        "wall_gaze",   "head_scan",           "get_up",          "penalty_marks"};
     const Pose2 start(-2.0, 1.0, 0.5);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/parameters/parameter_registry.h"
+#include "tests/paths.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
 
@@ -25,7 +26,7 @@ TEST(CoreParameters, AreTheDefaultsForANaoOnItsField) {
 }
 
 TEST(CoreParameters, OfEachShippedRobotLieInTheirRanges) {
-  const std::filesystem::path assets = std::filesystem::path(REORIENT_SOURCE_DIR) / "assets";
+  const std::filesystem::path assets = std::filesystem::path(kSourceFolder) / "assets";
   for (const char* robot : {"nao-v6", "booster-k1", "booster-t1"}) {
     const RobotBody body = load_body(assets / "robots" / (std::string(robot) + ".toml"));
     const FieldDimensions field = load_field(assets / "fields" / (body.field + ".toml"));

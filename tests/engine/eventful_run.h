@@ -10,13 +10,14 @@
 #include "engine/frame.h"
 #include "engine/record/input_bytes.h"
 #include "robots/simulator/simulator.h"
+#include "tests/paths.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
 
 using Bytes = std::vector<std::byte>;
 
-inline const std::filesystem::path kShippedScripts = std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts";
+inline const std::filesystem::path kShippedScripts = std::filesystem::path(kSourceFolder) / "scripts";
 
 /// A behaviour that keeps something, rolls dice and fails now and then.
 inline constexpr const char* kRestless = R"(local memory = keep { count = 0, seen = {} }

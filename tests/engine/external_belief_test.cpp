@@ -9,6 +9,7 @@
 
 #include "robots/simulator/simulator.h"
 #include "tests/engine/frame_fixture.h"
+#include "tests/paths.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -138,7 +139,7 @@ TEST(ExternalBelief, OfARobotThatIsTurnedRoundIsCorrectedByItsOwnLocalization) {
   SimulatorParameters parameters;
   parameters.width = 160;
   FrameSetup setup;
-  setup.scripts = read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts");
+  setup.scripts = read_scripts(std::filesystem::path(kSourceFolder) / "scripts");
   setup.behaviors = {"orientation", "background_training", "head_scan", "penalty_marks"};
   Simulator simulator(parameters, RobotBody(), setup.field, procedural_hall(1, {}), Pose2(-2.0, 1.0, 0.5), 1);
   OwnLocalization robot(simulator);

@@ -22,6 +22,7 @@
 #include "engine/script/machine/machine_definition.h"
 #include "engine/script/script_error.h"
 #include "tests/fuzz/promises.h"
+#include "tests/paths.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
@@ -285,7 +286,7 @@ std::string with_another_number(std::string text) {
 
 const std::string& library() {
   static const std::string text = [] {
-    std::ifstream in(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts" / "lib" / "walk.lua");
+    std::ifstream in(std::filesystem::path(kSourceFolder) / "scripts" / "lib" / "walk.lua");
     std::ostringstream all;
     all << in.rdbuf();
     if (!in) std::abort();

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tests/fuzz/promises.h"
+#include "tests/paths.h"
 #include "workbench/files/script_files.h"
 #include "workbench/script_tools/testing/junit_report.h"
 #include "workbench/script_tools/testing/test_runner.h"
@@ -37,7 +38,7 @@ void look_at(const TestCase& test) {
 }
 
 void try_tests(std::string_view text) {
-  static const std::string root = REORIENT_SOURCE_DIR "/scripts";
+  static const std::string root = std::string(kSourceFolder) + "/scripts";
   static const ScriptTexts scripts = read_scripts(root);
   int asked = 0;
   TestRun run;

@@ -10,6 +10,7 @@
 #include "engine/frame.h"
 #include "robots/nao/nao.h"
 #include "robots/simulator/simulator.h"
+#include "tests/paths.h"
 #include "workbench/files/script_files.h"
 #include "workbench/run/run_loop.h"
 #include "workbench/scenario/scenario_host.h"
@@ -47,7 +48,7 @@ struct Flips : Observer {
 /// Plays the scenario; its verdict.
 inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t seed, Flips& flips,
                                            Observer* another = nullptr) {
-  const ScriptTexts scripts = read_scripts(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts");
+  const ScriptTexts scripts = read_scripts(std::filesystem::path(kSourceFolder) / "scripts");
   RecordedBehaviors behaviors;
   ScenarioHost scenario(scripts, "scenarios/turned_round.lua", {}, behaviors, seed);
   FrameSetup setup;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/angle.h"
+#include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/calibration_file.h"
@@ -87,7 +88,7 @@ TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
   };
   for (const auto& [words, why] : mistakes) {
     const std::string err = file("err");
-    const int status = std::system((std::string(REORIENT_GUARD) + " " + words + " 2>" + err).c_str());
+    const int status = std::system((std::string(kGuard) + " " + words + " 2>" + err).c_str());
     EXPECT_EQ(WEXITSTATUS(status), 2) << words;
     const std::string said = read_text(err);
     EXPECT_NE(said.find(why), std::string::npos) << said;
@@ -99,10 +100,10 @@ TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
 TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
   const std::string lola = file("lola"), body = file("body"), said = file("said");
   const auto ended_by = [&](const std::string& signal) {
-    return std::string(REORIENT_LOLA_TWIN) + " " + lola + " " + file("status") +
-           " 60 </dev/null >/dev/null 2>&1 & twin=$!; " + REORIENT_GUARD + " --lola " + lola + " --body " + body +
-           " --priority 0 2>" + said + " & guard=$!; for i in $(seq 300); do grep -q connected " + said +
-           " && break; sleep 0.1; done; kill -" + signal + " $guard; wait $guard; code=$?; kill $twin; exit $code";
+    return std::string(kLolaTwin) + " " + lola + " " + file("status") + " 60 </dev/null >/dev/null 2>&1 & twin=$!; " +
+           kGuard + " --lola " + lola + " --body " + body + " --priority 0 2>" + said +
+           " & guard=$!; for i in $(seq 300); do grep -q connected " + said + " && break; sleep 0.1; done; kill -" +
+           signal + " $guard; wait $guard; code=$?; kill $twin; exit $code";
   };
   for (const char* const signal : {"TERM", "HUP"}) {
     SCOPED_TRACE(signal);
@@ -114,7 +115,7 @@ TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
 /// The whole job takes a robot's time: nao_real_time_job GUARD. Here it stands up.
 TEST_F(NaoProcesses, AndTheTwinsOfLolaAndV4l2WorkTogetherInRealTime) {
   const std::string command =
-      std::string(REORIENT_REAL_TIME_JOB) + " " + REORIENT_GUARD + " 1 320 30 >" + file("out") + " 2>" + file("err");
+      std::string(kRealTimeJob) + " " + kGuard + " 1 320 30 >" + file("out") + " 2>" + file("err");
   EXPECT_EQ(std::system(command.c_str()), 0) << read_text(file("out")) << read_text(file("err"));
 }
 

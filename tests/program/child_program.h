@@ -16,6 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/paths.h"
+
 namespace reorient {
 
 inline std::string read_text(const std::filesystem::path& file) {
@@ -37,7 +39,7 @@ class ChildProgram {
   ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& words,
                const std::function<void()>& prepare = {})
       : folder_(folder) {
-    std::vector<std::string> all{REORIENT_PROGRAM};
+    std::vector<std::string> all{kProgram};
     all.insert(all.end(), words.begin(), words.end());
     std::vector<char*> argv;
     argv.reserve(all.size() + 1);
@@ -47,7 +49,7 @@ class ChildProgram {
     for (const std::string& old : {out, err}) std::filesystem::remove(old);  // or it would be read as this one's
     process_ = fork();
     if (process_ != 0) return;
-    setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
+    setenv("REORIENT_HOME", kSourceFolder, 1);
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);

@@ -10,6 +10,7 @@
 
 #include "program/experiment/session.h"
 #include "program/experiment/task_results.h"
+#include "tests/paths.h"
 #include "tests/program/less_of_a_user.h"
 #include "tests/program/short_experiment.h"
 
@@ -233,7 +234,7 @@ TEST_F(ResultsTest, OfTheOthersAreThereWhereATrialCrashes) {
 
   const std::size_t command = told.find("reorient experiment ");
   const std::string line = told.substr(command, told.find('\n', command) - command);
-  const std::string shell = "REORIENT_HOME='" REORIENT_SOURCE_DIR "' '" REORIENT_PROGRAM "' --log off ";
+  const std::string shell = std::string("REORIENT_HOME='") + kSourceFolder + "' '" + kProgram + "' --log off ";
   EXPECT_EQ(std::system((shell + line.substr(std::string("reorient ").size())).c_str()), 0) << line;
   EXPECT_EQ(table("out", {"--resume"}), all);
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/random.h"
+#include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/short_experiment.h"
 
@@ -41,8 +42,8 @@ TEST_F(ExperimentTest, GivesTheSameJsonWhoeverRunsIt) {
   EXPECT_EQ(plan.code, kSuccess) << plan.err;
   EXPECT_EQ(std::count(plan.out.begin(), plan.out.end(), '\n'), 4);
   // As GNU parallel or a Slurm array would: each line by itself, in any order.
-  const std::string script = "set -e\nexport REORIENT_HOME='" REORIENT_SOURCE_DIR "'\nreorient() { '" REORIENT_PROGRAM
-                             "' --log off \"$@\"; }\n";
+  const std::string script = std::string("set -e\nexport REORIENT_HOME='") + kSourceFolder + "'\nreorient() { '" +
+                             kProgram + "' --log off \"$@\"; }\n";
   const std::filesystem::path shell = folder.write("lines.sh", script + backwards(plan.out));
   ASSERT_EQ(std::system(("sh " + shell.string()).c_str()), 0);
   EXPECT_EQ(table("lines", {"--resume"}), alone);

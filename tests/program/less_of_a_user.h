@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/paths.h"
+
 namespace reorient {
 
 inline constexpr int kCannot = 77;  // what a child ends with where it may not do what the test needs
@@ -22,7 +24,8 @@ inline void become_an_ordinary_user() {
   constexpr uid_t kNobody = 65534;
   if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(kCannot);
   prctl(PR_SET_DUMPABLE, 1);  // or its files in /proc stay root's
-  if (access(REORIENT_PROGRAM, X_OK) != 0 || access(REORIENT_SOURCE_DIR "/scripts", R_OK) != 0) _exit(kCannot);
+  if (access(kProgram, X_OK) != 0 || access((std::string(kSourceFolder) + "/scripts").c_str(), R_OK) != 0)
+    _exit(kCannot);
 }
 
 /// Writes into a file of /proc; a child that may not ends.

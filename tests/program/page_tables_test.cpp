@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
@@ -113,7 +114,7 @@ TEST(PageTables, NameTheLineOfAMistake) {
 
 /// REORIENT_REGENERATE in the environment makes them anew instead of comparing them.
 TEST(GeneratedFiles, TheTablesOfTheEvidenceAreThoseOfTheStoredResults) {
-  const std::filesystem::path docs = std::filesystem::path(REORIENT_SOURCE_DIR) / "docs";
+  const std::filesystem::path docs = std::filesystem::path(kSourceFolder) / "docs";
   const std::filesystem::path committed = docs / "evidence.md";
   const TemporaryFolder folder;
   const bool regenerate = std::getenv("REORIENT_REGENERATE") != nullptr;

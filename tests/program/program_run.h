@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "program/program.h"
+#include "tests/paths.h"
 
 namespace reorient {
 
@@ -17,11 +18,11 @@ struct ProgramRun {
   std::string err;
 };
 
-inline const std::filesystem::path kProjectFolder = REORIENT_SOURCE_DIR;
+inline const std::filesystem::path kProjectFolder = kSourceFolder;
 
 /// `words`: what stands behind the program's name.
 inline ProgramRun run_reorient(const std::vector<std::string>& words) {
-  setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
+  setenv("REORIENT_HOME", kSourceFolder, 1);
   std::vector<const char*> argv{"reorient"};
   for (const std::string& word : words) argv.push_back(word.c_str());
   std::ostringstream out, err;

@@ -17,6 +17,7 @@
 
 #include "geometry/random.h"
 #include "program/recording/run_recording.h"
+#include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/less_of_a_user.h"
 #include "tests/program/program_run.h"
@@ -162,7 +163,7 @@ TEST_F(RunThatIsRecorded, IsOnTheDiskItselfWithinHalfASecond) {
       folder_.path(),
       {"run", "--realtime", "--seconds", "4", "--width", "160", "--no-pictures", "--record", file("run.mcap")}, [&] {
         setenv("REORIENT_SYNC_REPORT", report.c_str(), 1);
-        setenv("LD_PRELOAD", REORIENT_SYNC_SHIM, 1);
+        setenv("LD_PRELOAD", kSyncShim, 1);
       });
   EXPECT_EQ(run.wait(), 1) << run.err();  // the job takes longer
   std::istringstream in(read_text(report));

@@ -7,13 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "program/experiment/trial_runner.h"
+#include "tests/paths.h"
 #include "workbench/experiments/condition/experiment_file.h"
 #include "workbench/experiments/plan/plan.h"
 
 namespace reorient {
 namespace {
 
-const std::filesystem::path kSource = REORIENT_SOURCE_DIR;
+const std::filesystem::path kSource = kSourceFolder;
 
 Experiment shipped(const std::string& name) {
   return read_experiment(kSource / "assets/experiments" / (name + ".toml"), [](const std::string& condition) {

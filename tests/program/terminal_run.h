@@ -15,6 +15,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "tests/paths.h"
+
 namespace reorient {
 
 class TerminalRun {
@@ -29,7 +31,7 @@ class TerminalRun {
     process_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (process_ != 0) return;
     std::signal(SIGINT, SIG_DFL);  // whoever runs the tests in the background has it ignored
-    setenv("REORIENT_HOME", REORIENT_SOURCE_DIR, 1);
+    setenv("REORIENT_HOME", kSourceFolder, 1);
     setenv("XDG_STATE_HOME", state.c_str(), 1);
     setenv("TERM", "xterm", 1);
     execv(argv[0], argv.data());

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/terminal_run.h"
 #include "tests/temporary_folder.h"
@@ -13,8 +14,7 @@
 namespace reorient {
 namespace {
 
-const std::vector<std::string> kPatrol{REORIENT_PROGRAM, "run", "patrol",       "--realtime",
-                                       "--width",        "160", "--no-pictures"};
+const std::vector<std::string> kPatrol{kProgram, "run", "patrol", "--realtime", "--width", "160", "--no-pictures"};
 
 class AtATerminal : public ::testing::Test {
  protected:

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
@@ -22,7 +23,7 @@ class House : public testing::Test {
     write("ground/stone.h", "#pragma once\n#include <vector>\n");
     write("upper/beam.h", "#pragma once\n#include \"ground/stone.h\"\n");
     std::filesystem::create_directories(folder.path() / "tools");
-    std::filesystem::copy(std::filesystem::path(REORIENT_SOURCE_DIR) / "tools" / "arrows",
+    std::filesystem::copy(std::filesystem::path(kSourceFolder) / "tools" / "arrows",
                           folder.path() / "tools" / "arrows");
   }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
@@ -17,8 +18,7 @@ class Pages : public testing::Test {
  protected:
   Pages() {
     std::filesystem::create_directories(folder.path() / "tools");
-    std::filesystem::copy(std::filesystem::path(REORIENT_SOURCE_DIR) / "tools" / "links",
-                          folder.path() / "tools" / "links");
+    std::filesystem::copy(std::filesystem::path(kSourceFolder) / "tools" / "links", folder.path() / "tools" / "links");
     write("docs/guide.md", "# A guide\n## Step 1: `go`\n");
   }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
@@ -19,7 +20,7 @@ class Tree : public testing::Test {
     write_program("dpkg-query", "echo installed bash");
     write_program("apt-get", "exit 1");
     folder.write("tools/packages", "# what is needed\nbash\n");
-    std::filesystem::copy(std::filesystem::path(REORIENT_SOURCE_DIR) / "tools" / "prepare",
+    std::filesystem::copy(std::filesystem::path(kSourceFolder) / "tools" / "prepare",
                           folder.path() / "tools" / "prepare");
   }
 
@@ -35,7 +36,7 @@ class Tree : public testing::Test {
 
   /// What a build says, and then how cmake was called.
   std::string build() {
-    const std::string at = "cd '" + folder.path().string() + "' && PATH=\"$PWD/bin:$PATH\" ";
+    const std::string at = "cd '" + folder.path().string() + "' && export PATH=\"$PWD/bin:$PATH\" REORIENT_JOBS=3 && ";
     const std::string command = at + "bash -euo pipefail -c '. tools/prepare; build all' 2>&1; cat '" +
                                 (folder.path() / "calls").string() + "'";
     std::string text;
@@ -49,7 +50,7 @@ class Tree : public testing::Test {
   TemporaryFolder folder;
 };
 
-constexpr const char* kBuilds = "cmake --build --preset release --target all\n";
+constexpr const char* kBuilds = "cmake --build --preset release -j 3 --target all\n";
 
 TEST_F(Tree, IsConfiguredWhereThereIsNoBuild) {
   EXPECT_EQ(build(), std::string("reorient: building (a few minutes, once)\ncmake --preset release\n") + kBuilds);

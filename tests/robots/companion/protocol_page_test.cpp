@@ -9,12 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "robots/companion/reorient_companion.h"
+#include "tests/paths.h"
 
 namespace reorient {
 namespace {
 
-const std::string kHeader = std::string(REORIENT_SOURCE_DIR) + "/robots/companion/reorient_companion.h";
-const std::string kPage = std::string(REORIENT_SOURCE_DIR) + "/docs/companion.md";
+const std::string kHeader = std::string(kSourceFolder) + "/robots/companion/reorient_companion.h";
+const std::string kPage = std::string(kSourceFolder) + "/docs/companion.md";
 
 std::string text_of_file(const std::string& file) {
   std::ostringstream text;

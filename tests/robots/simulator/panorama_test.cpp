@@ -15,6 +15,7 @@
 #include <turbojpeg.h>
 
 #include "robots/simulator/room/room.h"
+#include "tests/paths.h"
 
 namespace reorient {
 namespace {
@@ -112,7 +113,7 @@ TEST(Panorama, RefusesAJpegOfAThousandScans) {
 }
 
 TEST(Panorama, RefusesSizesForWhichThereAreTooFewBytes) {
-  const std::string seeds = REORIENT_SOURCE_DIR "/tests/fuzz/seeds/room/";
+  const std::string seeds = std::string(kSourceFolder) + "/tests/fuzz/seeds/room/";
   EXPECT_NE(message_of([&] { read_panorama(seeds + "declares_huge_size.png"); }).find("again"), std::string::npos);
   EXPECT_NE(message_of([&] { read_panorama(seeds + "bomb.png"); }).find("ends too early"), std::string::npos);
   for (const std::string size : {"-Y 1073741824 +X 2147483647", "-Y 99999999999 +X 199999999998", "-Y -16 +X -32"}) {

@@ -7,13 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "geometry/bytes.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/field_file.h"
 
 namespace reorient {
 namespace {
 
-const std::filesystem::path kAssets = std::filesystem::path(REORIENT_SOURCE_DIR) / "assets";
+const std::filesystem::path kAssets = std::filesystem::path(kSourceFolder) / "assets";
 
 std::string nao_text() {
   std::ostringstream text;

@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
 namespace {
 
-const std::filesystem::path kFields = std::filesystem::path(REORIENT_SOURCE_DIR) / "assets" / "fields";
+const std::filesystem::path kFields = std::filesystem::path(kSourceFolder) / "assets" / "fields";
 
 std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;

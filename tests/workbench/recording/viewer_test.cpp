@@ -17,6 +17,7 @@
 
 #include "engine/script/language/world_fields.h"
 #include "tests/engine/eventful_run.h"
+#include "tests/paths.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/viewer/base64.h"
 #include "workbench/recording/viewer/foxglove.h"
@@ -208,8 +209,7 @@ void expect_path(const std::string& path, char separator) {
 }
 
 TEST(ViewerTopics, StandOnThePageAboutRecordings) {
-  const std::string page =
-      read_whole_file(std::filesystem::path(REORIENT_SOURCE_DIR) / "docs" / "recordings.md").value();
+  const std::string page = read_whole_file(std::filesystem::path(kSourceFolder) / "docs" / "recordings.md").value();
   for (const ViewerTopicInfo& row : kViewerTopics) {
     const std::string line = "| `" + std::string(row.name) + "` | `" + std::string(row.schema) + "` | " +
                              std::string(row.description) + " |\n";
@@ -218,7 +218,7 @@ TEST(ViewerTopics, StandOnThePageAboutRecordings) {
 }
 
 TEST(ViewerLayouts, NameTopicsAndFieldsThatThereAre) {
-  const std::filesystem::path folder = std::filesystem::path(REORIENT_SOURCE_DIR) / "assets" / "views";
+  const std::filesystem::path folder = std::filesystem::path(kSourceFolder) / "assets" / "views";
   const Json layout = Json::parse(read_whole_file(folder / "lichtblick.json").value());
   int paths = 0;
   const std::function<void(const Json&)> visit = [&](const Json& json) {

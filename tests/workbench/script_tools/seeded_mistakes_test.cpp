@@ -12,6 +12,7 @@
 #include "engine/core_parameters.h"
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/script_host.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/script_files.h"
 #include "workbench/script_tools/check/script_check.h"
@@ -43,7 +44,7 @@ int wanted_mistakes() {
 class SeededMistakes : public ::testing::Test {
  protected:
   SeededMistakes() {
-    const std::filesystem::path shipped = std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts";
+    const std::filesystem::path shipped = std::filesystem::path(kSourceFolder) / "scripts";
     for (const char* folder : {"behaviors", "lib", "scenarios"})
       std::filesystem::copy(shipped / folder, folder_.path() / folder, std::filesystem::copy_options::recursive);
     texts_ = read_scripts(folder_.path());

@@ -12,6 +12,7 @@
 #include "engine/parameters/parameter_registry.h"
 #include "engine/script/behaviors.h"
 #include "engine/script/script_host.h"
+#include "tests/paths.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/behavior_page.h"
@@ -20,7 +21,7 @@
 namespace reorient {
 namespace {
 
-const std::filesystem::path kScripts = std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts";
+const std::filesystem::path kScripts = std::filesystem::path(kSourceFolder) / "scripts";
 
 std::string read(const std::filesystem::path& file) {
   std::ifstream in(file);
@@ -41,7 +42,7 @@ void expect_committed(const std::filesystem::path& file, const std::string& gene
 std::vector<LibraryModule> shipped_libraries() { return library_modules(read_scripts(kScripts)); }
 
 TEST(GeneratedFiles, TheReferenceIsThatOfTheBindingsAndTheLibraries) {
-  expect_committed(std::filesystem::path(REORIENT_SOURCE_DIR) / "docs" / "script-reference.md",
+  expect_committed(std::filesystem::path(kSourceFolder) / "docs" / "script-reference.md",
                    script_reference(shipped_libraries()));
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/script/behaviors.h"
 #include "engine/script/script_error.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 #include "tests/workbench/script_tools/script_generator.h"
 #include "workbench/files/script_files.h"
@@ -17,7 +18,7 @@
 namespace reorient {
 namespace {
 
-const std::filesystem::path kProject = REORIENT_SOURCE_DIR;
+const std::filesystem::path kProject = kSourceFolder;
 
 /// REORIENT_GENERATED_SCRIPTS in the environment asks for more of them.
 std::uint64_t wanted_scripts() {

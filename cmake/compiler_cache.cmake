@@ -1,0 +1,38 @@
+# Objects that were compiled before, in this clone or another one of the same user, come from ccache where it is installed
+# (tools/packages). Its folder survives a clean clone: ${XDG_CACHE_HOME:-~/.cache}/reorient/ccache. It holds at most
+# REORIENT_CACHE_SIZE, several builds may use it at once, and the compiler's version is part of every key.
+option(REORIENT_CCACHE "Take objects from ccache where it is installed" ON)
+set(REORIENT_CACHE_SIZE "5G" CACHE STRING "How much ccache may hold")
+if(NOT REORIENT_CCACHE OR CMAKE_CXX_COMPILER_LAUNCHER)
+  return()
+endif()
+find_program(REORIENT_CCACHE_PROGRAM ccache)
+mark_as_advanced(REORIENT_CCACHE_PROGRAM)
+if(NOT REORIENT_CCACHE_PROGRAM)
+  return()
+endif()
+
+set(folder "$ENV{XDG_CACHE_HOME}")
+if(NOT IS_ABSOLUTE "${folder}")  # an empty or relative one is to be ignored, says the XDG specification
+  set(folder "$ENV{HOME}/.cache")
+endif()
+set(folder "${folder}/reorient/ccache")
+# ccache would fail where it cannot write; a build must not.
+execute_process(COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+if(failed OR NOT IS_ABSOLUTE "${folder}")
+  message(STATUS "No compiler cache: ${folder} cannot be made")
+  return()
+endif()
+execute_process(COMMAND test -w "${folder}" RESULT_VARIABLE failed)
+if(failed)
+  message(STATUS "No compiler cache: ${folder} cannot be written")
+  return()
+endif()
+
+# pch_defines, time_macros: what ccache asks for with precompiled headers. BASEDIR, NOHASHDIR: paths below the tree count as
+# relative, so that every clone has the same keys.
+set(CMAKE_CXX_COMPILER_LAUNCHER
+  "${CMAKE_COMMAND}" -E env
+  "CCACHE_DIR=${folder}" "CCACHE_MAXSIZE=${REORIENT_CACHE_SIZE}" "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
+  "CCACHE_SLOPPINESS=pch_defines,time_macros" "CCACHE_COMPILERCHECK=%compiler% -v" --
+  "${REORIENT_CCACHE_PROGRAM}")
