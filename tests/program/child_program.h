@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -39,7 +40,8 @@ class ChildProgram {
   ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& words,
                const std::function<void()>& prepare = {})
       : folder_(folder) {
-    std::vector<std::string> all{kProgram};
+    const char* const other = std::getenv("REORIENT_TEST_PROGRAM");  // for another processor than the tests
+    std::vector<std::string> all{other != nullptr ? other : kProgram};
     all.insert(all.end(), words.begin(), words.end());
     std::vector<char*> argv;
     argv.reserve(all.size() + 1);
