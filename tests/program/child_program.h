@@ -1,7 +1,6 @@
 // The program as a process of its own, to be interrupted, starved and killed.
 #pragma once
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -9,7 +8,6 @@
 #include <functional>
 #include <iterator>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fcntl.h>
@@ -18,6 +16,7 @@
 #include <unistd.h>
 
 #include "tests/paths.h"
+#include "tests/waiting.h"
 
 namespace reorient {
 
@@ -72,25 +71,31 @@ class ChildProgram {
   void kill(int signal) const {
     if (process_ > 0) ::kill(process_, signal);  // to signal -1 would be to signal everybody
   }
+  /// Stops the program. Signals that are sent after that reach it together, when it continues.
+  void stop() const {
+    kill(SIGSTOP);
+    siginfo_t stopped{};
+    waitid(P_PID, static_cast<id_t>(process_), &stopped, WSTOPPED | WEXITED | WNOWAIT);
+  }
+  bool has_ended() const {
+    siginfo_t ended{};
+    waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
+    return ended.si_pid != 0;
+  }
   pid_t id() const { return process_; }
   std::string out() const { return read_text(folder_ / "out.txt"); }
   std::string err() const { return read_text(folder_ / "err.txt"); }
 
-  /// Until it has said `text`, on either way; false: it ended, or half a minute passed, under an emulator five.
+  /// Waits until the program has printed `text` to its output or its errors. False: it ended without, or kWaitLimit
+  /// passed.
   bool await(const std::string& text) const {
-#ifdef REORIENT_EMULATOR
-    constexpr int kPatience = 30'000;
-#else
-    constexpr int kPatience = 3'000;
-#endif
-    for (int i = 0; i < kPatience; ++i) {
-      if (err().find(text) != std::string::npos || out().find(text) != std::string::npos) return true;
-      siginfo_t ended{};
-      waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
-      if (ended.si_pid != 0) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
+    bool is_printed = false;
+    reorient::await([&] {
+      const bool has_ended = this->has_ended();  // first, as it may print the text and end in between
+      is_printed = err().find(text) != std::string::npos || out().find(text) != std::string::npos;
+      return is_printed || has_ended;
+    });
+    return is_printed;
   }
 
   /// Its exit code; minus the signal that ended it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "tests/paths.h"
+#include "tests/waiting.h"
 
 namespace reorient {
 
@@ -53,6 +55,12 @@ class TerminalRun {
   void kill(int signal) const {
     if (process_ > 0) ::kill(process_, signal);
   }
+  /// Stops the run. Signals that are sent after that reach it together, when it continues.
+  void stop() const {
+    kill(SIGSTOP);
+    siginfo_t stopped{};
+    waitid(P_PID, static_cast<id_t>(process_), &stopped, WSTOPPED | WEXITED | WNOWAIT);
+  }
   /// Whether the terminal edits lines and shows what is typed itself, as it was found.
   bool is_as_found() const {
     termios modes{};
@@ -60,23 +68,31 @@ class TerminalRun {
     return tcgetattr(terminal_, &modes) == 0 && (modes.c_lflag & kUsual) == kUsual;
   }
 
-  /// Whether it is so within half a minute: what is drawn may be seen before the modes are.
-  bool is_soon_as_found(bool wanted) {
-    for (int i = 0; i < 3000 && is_as_found() != wanted; ++i) read_some(10);
-    return is_as_found() == wanted;
+  /// Waits until is_as_found() is `wanted`. The modes may change before or after the text that tells of the change.
+  bool await_as_found(bool wanted) {
+    const auto is_so = [&] {
+      if (is_as_found() == wanted) return true;
+      read_some(10);
+      return false;
+    };
+    return reorient::await(is_so, kNoPause);
   }
 
-  /// Whether `text` is shown within half a minute, after what was awaited before.
+  /// Waits until `text` is shown, behind the text of the wait before. False: the run ended without, or kWaitLimit
+  /// passed.
   bool await(const std::string& text) {
-    for (int i = 0; i < 3000; ++i) {
-      if (const std::size_t place = shown_.find(text); place != std::string::npos) {
-        passed_ = shown_.substr(0, place);
-        shown_.erase(0, place + text.size());
-        return true;
-      }
-      if (!read_some(10)) return false;  // the run has ended
-    }
-    return false;
+    bool is_shown = false;
+    reorient::await(
+        [&] {
+          const std::size_t place = shown_.find(text);
+          is_shown = place != std::string::npos;
+          if (!is_shown) return !read_some(10);  // then the run has ended
+          passed_ = shown_.substr(0, place);
+          shown_.erase(0, place + text.size());
+          return true;
+        },
+        kNoPause);
+    return is_shown;
   }
   /// What was shown before that.
   const std::string& passed() const { return passed_; }
@@ -91,6 +107,8 @@ class TerminalRun {
   }
 
  private:
+  static constexpr std::chrono::milliseconds kNoPause{0};  // read_some() pauses
+
   bool read_some(int milliseconds) {
     pollfd waiting{terminal_, POLLIN, 0};
     if (poll(&waiting, 1, milliseconds) != 1) return true;

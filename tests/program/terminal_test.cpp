@@ -26,6 +26,7 @@ class AtATerminal : public ::testing::Test {
   void open() {
     run->type("\n");
     ASSERT_TRUE(run->await("> "));
+    ASSERT_TRUE(run->await_as_found(false)) << "a line of the timeline has \"> \", too";
   }
   /// Types, and sees what must come of it.
   void expect(const std::string& keys, const std::string& shown) {
@@ -43,7 +44,7 @@ TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunGoesOn) {
     open();
     run->type("\x04");
     ASSERT_TRUE(run->await("real time")) << i;  // the progress line is back
-    EXPECT_TRUE(run->is_as_found());
+    EXPECT_TRUE(run->await_as_found(true));
   }
   expect("states\n", "penalty_marks");
   expect("quit\n", "digest: ");
@@ -62,7 +63,7 @@ TEST_F(AtATerminal, EditsTheLine) {
   expect("\x1B[5~für\x7F\x7F\x7Fundo\r",
          "orientation.lingering = 0.4\r\n");  // a key that means nothing; letters, not bytes
   expect("\x1B\r", "real time");              // Escape waits for nothing
-  EXPECT_TRUE(run->is_as_found());
+  EXPECT_TRUE(run->await_as_found(true));
 }
 
 TEST_F(AtATerminal, CompletesWords) {
@@ -152,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, EndedBy, ::testing::Values(SIGTERM, SIGQUIT, S
 
 TEST_F(AtATerminal, TheSecondSignalLeavesTheTerminalAsItWas) {
   open();
-  run->kill(SIGSTOP);  // so that both have come before it can do anything
+  run->stop();  // so that both have come before it can do anything
   run->kill(SIGINT);
   run->kill(SIGTERM);
   run->kill(SIGCONT);
@@ -174,7 +175,7 @@ TEST_F(AtATerminal, CtrlZGivesTheTerminalBackUntilTheRunGoesOn) {
   EXPECT_NE(run->passed().find(" icanon"), std::string::npos) << run->passed();
   EXPECT_NE(run->passed().find(" echo "), std::string::npos) << run->passed();
   ASSERT_TRUE(run->await("> states")) << "is drawn again";
-  EXPECT_TRUE(run->is_soon_as_found(false));
+  EXPECT_TRUE(run->await_as_found(false));
   expect("\r", "penalty_marks");
   expect("quit\r", "digest: ");
   run->wait();
