@@ -183,7 +183,7 @@ TEST_F(ExperimentTest, GoesOnWhereItWasKilled) {
     const std::string out = "killed" + std::to_string(i);
     {
       ChildProgram program(folder.path(), words({"--out", path(out), "--jobs", "2"}));
-      std::this_thread::sleep_for(std::chrono::duration<double>(random.uniform(0.0, 2.0)));
+      let_time_pass(random.uniform(0.0, 2.0));
       program.kill(i % 3 == 0 ? SIGINT : SIGKILL);
       const int code = program.wait();
       EXPECT_TRUE(code == 0 || code == 130 || code == -SIGKILL || code == -SIGINT) << code << program.err();

@@ -1,10 +1,11 @@
 // What is left of a run that somebody or something ends.
-#include <chrono>
+#include <array>
 #include <csignal>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
 #include "tests/program/program_run.h"
 #include "tests/program/run_with_all_outputs.h"
@@ -13,6 +14,25 @@ namespace reorient {
 namespace {
 
 using InterruptedRun = RunWithAllOutputs;
+
+/// Notices when a program opens a file.
+class OpenedFile {
+ public:
+  explicit OpenedFile(const std::filesystem::path& file) : watch_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+    if (inotify_add_watch(watch_, file.c_str(), IN_OPEN) < 0) ADD_FAILURE() << "no watch of " << file;
+  }
+  ~OpenedFile() { close(watch_); }
+  OpenedFile(const OpenedFile&) = delete;
+  OpenedFile& operator=(const OpenedFile&) = delete;
+
+  bool await() const {
+    std::array<char, 4096> events;
+    return reorient::await([&] { return read(watch_, events.data(), events.size()) > 0; });
+  }
+
+ private:
+  int watch_;
+};
 
 class InterruptedBy : public InterruptedRun, public ::testing::WithParamInterface<int> {};
 
@@ -37,17 +57,21 @@ TEST_P(InterruptedBy, TellsAndWritesWhatThereIs) {
 }
 
 TEST_P(InterruptedBy, TellsTheTestsThatRan) {
-  folder.write("a_test.lua", R"(test("a", function() advance(1) end)
+  const std::filesystem::path opened = folder.write("opened.mcap", "no recording");
+  folder.write("a_test.lua", "local opened = '" + opened.string() + "'\n" + R"(test("a", function() advance(1) end)
 test("b", function()
+  pcall(replay, opened)
   load_behavior "head_scan"
   load_behavior "penalty_marks"
   while true do advance(0) end
 end)
 test("c", function() end))");
+  const OpenedFile b_runs(opened);
   ChildProgram tests(folder.path(), {"test", (folder.path() / "a_test.lua").string(), "--junit",
                                      (folder.path() / "junit.xml").string()});
   ASSERT_TRUE(tests.await("a_test.lua: a\n"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the next test is on its way, but says nothing
+  ASSERT_TRUE(b_runs.await()) << "the second test prints nothing, but opens a file";
+  let_time_pass(0.1);  // so that the signal usually meets its loop; it may meet what is before
   tests.kill(GetParam());
   EXPECT_EQ(tests.wait(), 128 + GetParam());
   EXPECT_NE(tests.out().find("1 passed, 1 failed, interrupted before the rest\n"), std::string::npos) << tests.out();
@@ -63,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, InterruptedBy, ::testing::Values(SIGINT, SIGTE
 TEST_F(InterruptedRun, EndsAtOnceWhereItIsAskedTwice) {
   ChildProgram run(folder.path(), words());
   ASSERT_TRUE(run.await("patrol: "));
-  run.kill(SIGSTOP);  // so that both have come before it can do anything
+  run.stop();  // so that both have come before it can do anything
   run.kill(SIGINT);
   run.kill(SIGTERM);
   run.kill(SIGCONT);

@@ -1,9 +1,7 @@
 // `reorient run --model` and `reorient model`: a room that is known from one run to the next.
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -17,6 +15,7 @@
 #include "tests/program/less_of_a_user.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
+#include "tests/waiting.h"
 
 namespace reorient {
 namespace {
@@ -160,7 +159,8 @@ TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
 }
 
 TEST_F(RunWithAModel, SavesItWhereItIsInterrupted) {
-  ChildProgram run(folder.path(), {"run", "--model", file, "--no-pictures", "--width", "160"});
+  // Ten minutes of the robot: the run does not end before the signal.
+  ChildProgram run(folder.path(), {"run", "patrol", "--model", file, "--no-pictures", "--width", "160"});
   ASSERT_TRUE(run.await("  10.0 s  current")) << run.err();
   run.kill(SIGTERM);
   EXPECT_EQ(run.wait(), 128 + SIGTERM);
@@ -188,12 +188,13 @@ TEST_F(ModelKeeperTest, LosesLittleWhereTheRobotIsSwitchedOff) {
   const auto saved = [this] { return std::filesystem::exists(file) ? read_model_file(file).learned : 0.0; };
   const SavedModel model = some_model(1);
   ModelKeeper keeper(file, std::nullopt, false);
-  for (int frame = 0; frame < 3000 && saved() < model.learned + 30.0; ++frame) {  // a disk takes its time
-    const double time = 0.5 * frame;
+  double time = 0.0;
+  const auto is_saved_after_a_frame = [&] {
     keeper.observe(frame_of(longer_learned(model, time), time), StageRecord());
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  EXPECT_GE(saved(), model.learned + 30.0) << "and nobody said that the run is over";
+    time += 0.5;
+    return saved() >= model.learned + 30.0;
+  };
+  EXPECT_TRUE(await(is_saved_after_a_frame)) << "the run has not ended";
 }
 
 TEST_F(ModelKeeperTest, KeepsTheAxesOfTheFileWhateverTheTeamsDo) {

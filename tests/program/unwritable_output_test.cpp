@@ -43,9 +43,10 @@ TEST_F(UnwritableOutput, WritesTheRestWhereOnePictureCannotBe) {
 }
 
 TEST_F(UnwritableOutput, TellsEachOutputThatVanishedWithItsFolder) {
-  ChildProgram run(folder.path(), words({"--seconds", "12"}));
+  ChildProgram run(folder.path(), words());
   ASSERT_TRUE(run.await("patrol: "));
   std::filesystem::remove_all(folder.path() / "pictures");
+  run.kill(SIGTERM);  // the run lasts until the folder is gone, however long that takes
   EXPECT_EQ(run.wait(), kBadInput);
   for (const char* picture : kPictures) EXPECT_NE(run.err().find(picture), std::string::npos) << run.err();
   EXPECT_EQ(json()["scenario"], "patrol");
@@ -119,9 +120,10 @@ TEST_F(UnwritableOutput, IsToldBeforeTheRunWhereAFolderMayNotBeWritten) {
 
 TEST_F(UnwritableOutput, TellsEachPictureWhereItsFolderMayNoLongerBeWritten) {
   allow(std::filesystem::perms::all);
-  ChildProgram run(folder.path(), words({"--seconds", "12"}), become_an_ordinary_user);
+  ChildProgram run(folder.path(), words(), become_an_ordinary_user);
   const bool began = run.await("patrol: ");
   allow(kOnlyToRead);
+  run.kill(SIGTERM);  // the run lasts until then, however long that takes
   const int code = run.wait();
   if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not write everywhere";
   ASSERT_TRUE(began) << run.err();
