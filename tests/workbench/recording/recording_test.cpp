@@ -20,6 +20,7 @@
 #include "geometry/random.h"
 #include "tests/engine/eventful_run.h"
 #include "tests/temporary_folder.h"
+#include "tests/waiting.h"
 #include "tests/workbench/recording/replayed.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/packed_image.h"
@@ -89,6 +90,29 @@ TEST_F(RecordedRun, IsTheSameAsOneThatIsNotAndIsMadeAgainFrameByFrame) {
   EXPECT_EQ(again.different, 0u);
   EXPECT_EQ(again.stretches, 1u);
   EXPECT_EQ(again.digest, digest);
+}
+
+/// A few frames fill no chunk. They reach the file all the same, while the recorder waits for the next one.
+TEST_F(RecordedRun, IsInItsFileThoughNoFrameFollows) {
+  constexpr std::size_t kFew = 5;
+  Recorder recorder(options(), [this](const std::string& line) { told_.push_back(line); });
+  FrameLoop engine(eventful_setup());
+  for (std::size_t i = 0; i < kFew; ++i) {
+    const StoredInputs stored(run().at(i));
+    recorder.before(stored.inputs(), engine);
+    recorder.observe(engine.step(stored.inputs(), Topics{Topic::images} | recorder.wanted()), {});
+  }
+  const auto frames_in_file = [this] {
+    std::size_t frames = 0;
+    try {
+      Recording recording(file());
+      for (RecordedFrame frame; recording.next(frame);) ++frames;
+    } catch (const std::runtime_error&) {  // its head is not written yet
+    }
+    return frames;
+  };
+  EXPECT_TRUE(await([&] { return frames_in_file() == kFew; })) << frames_in_file();
+  EXPECT_TRUE(told_.empty());
 }
 
 TEST_F(RecordedRun, BeginsAtAnyStateThatIsInIt) {
