@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <future>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,6 +18,7 @@
 #include "tests/program/child_program.h"
 #include "tests/robots/companion/raw_client.h"
 #include "tests/temporary_folder.h"
+#include "tests/waiting.h"
 
 namespace reorient {
 namespace {
@@ -73,29 +77,73 @@ INSTANTIATE_TEST_SUITE_P(All, CompanionClient,
                                            Setting{"PythonWithOurs", kPython, "ours", "nao-v6", "spl"}),
                          [](const auto& one) { return std::string(one.param.name); });
 
+/// Beside a client that plays the main job. Its robot goes on learning until the test has it lifted, or has ended: the
+/// job lasts as long as the test needs, on any machine.
+class HeldRobot {
+ public:
+  explicit HeldRobot(const std::filesystem::path& folder) : lift_(folder / "lift"), heartbeat_(folder / "heartbeat") {}
+  ~HeldRobot() { lift(); }
+  HeldRobot(const HeldRobot&) = delete;
+  HeldRobot& operator=(const HeldRobot&) = delete;
+
+  /// To stand before the command in a shell.
+  std::string environment() const {
+    return "REORIENT_LIFT_WHEN=" + lift_.string() + " REORIENT_HEARTBEAT=" + heartbeat_.string() + " ";
+  }
+  void lift() const { std::ofstream(lift_) << '\n'; }
+  /// Its client has handed a frame back, whether there is a companion or not.
+  bool await_frame() const {
+    return await([this] { return std::filesystem::exists(heartbeat_); });
+  }
+
+ private:
+  std::filesystem::path lift_, heartbeat_;
+};
+
+/// When the companion has saved its state; the least time: never.
+std::filesystem::file_time_type saved_at(const std::string& socket) {
+  std::error_code missing;
+  return std::filesystem::last_write_time(socket + ".state", missing);
+}
+
+/// Waits until the companion has begun and ended a save. One save may have begun before; a second one has not.
+bool await_whole_save(const std::string& socket) {
+  const auto await_save = [&] {
+    const auto before = saved_at(socket);
+    return await([&] { return saved_at(socket) != before; });
+  };
+  return await_save() && await_save();
+}
+
 TEST_F(CompanionClient, GoesOnWithACompanionThatWasKilledAndBegunAgain) {
   const Setting setting{"", kC, "ours", "nao-v6", "spl"};
   std::future<int> client;
+  const HeldRobot robot(folder_.path());
+  const std::string job = robot.environment() + play(setting, socket(), 40, 15, 8);
   {
     const ChildProgram companion(folder_.path(), server());
     ASSERT_TRUE(companion.await("no client has come yet"));
-    client = std::async(std::launch::async, [&] { return std::system(play(setting, socket(), 40, 15, 8).c_str()); });
+    client = std::async(std::launch::async, [&] { return std::system(job.c_str()); });
     ASSERT_TRUE(companion.await("trusting/")) << companion.out();  // the room is learned
-    std::this_thread::sleep_for(std::chrono::milliseconds(1200));  // and kept
+    ASSERT_TRUE(await_whole_save(socket())) << companion.err();    // and kept
     companion.kill(SIGKILL);
   }
   const ChildProgram companion(folder_.path(), server());
   EXPECT_TRUE(companion.await("going on from before")) << companion.err();
+  robot.lift();
   EXPECT_EQ(client.get(), 0) << companion.out() << companion.err();
 }
 
 TEST_F(CompanionClient, FindsItsWayToACompanionThatComesLater) {
   const Setting setting{"", kC, "ours", "nao-v6", "spl"};
-  std::future<int> client =
-      std::async(std::launch::async, [&] { return std::system(play(setting, socket(), 20, 10, 20).c_str()); });
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  std::future<int> client;
+  const HeldRobot robot(folder_.path());
+  const std::string job = robot.environment() + play(setting, socket(), 20, 10, 20);
+  client = std::async(std::launch::async, [&] { return std::system(job.c_str()); });
+  ASSERT_TRUE(robot.await_frame());
   const ChildProgram companion(folder_.path(), server());
   EXPECT_TRUE(companion.await("a client has come")) << companion.err();
+  robot.lift();
   client.wait();
 }
 
@@ -104,15 +152,17 @@ std::optional<bool> goes_on(const std::string& socket, const reorient_hello& hel
   RawClient client(socket);
   client.introduce(hello);
   std::optional<bool> welcomed;
-  for (int i = 1; i < 1000; ++i) {
-    client.send_frame(0.1 * i, static_cast<std::uint64_t>(i));
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  std::uint64_t number = 0;
+  const auto is_answered = [&] {
     for (const RawClient::Heard& one : client.hear()) {
       if (one.kind == REORIENT_WELCOME) welcomed = one.as<reorient_welcome>().goes_on != 0;
-      if (one.kind == REORIENT_ANSWER) return welcomed;
+      if (one.kind == REORIENT_ANSWER) return true;
     }
-  }
-  return std::nullopt;
+    ++number;
+    client.send_frame(0.1 * static_cast<double>(number), number);
+    return false;
+  };
+  return await(is_answered, std::chrono::milliseconds(30)) ? welcomed : std::nullopt;
 }
 
 TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
@@ -155,12 +205,19 @@ std::optional<Pose2> pose_after(RawClient& client, double time, std::uint64_t nu
     frame.told_deviation[0] = frame.told_deviation[1] = 0.05;
   }
   if (!client.send(REORIENT_FRAME, frame)) return std::nullopt;
-  for (int i = 0; i < 1000; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::optional<Pose2> pose;
+  await([&] {
     const std::optional<reorient_answer> answer = client.answer();
-    if (answer && answer->number == number) return Pose2(answer->pose[0], answer->pose[1], answer->pose[2]);
-  }
-  return std::nullopt;
+    if (answer && answer->number == number) pose = Pose2(answer->pose[0], answer->pose[1], answer->pose[2]);
+    return pose.has_value();
+  });
+  return pose;
+}
+
+std::ptrdiff_t threads_of(const ChildProgram& program) {
+  std::error_code gone;
+  return std::distance(std::filesystem::directory_iterator("/proc/" + std::to_string(program.id()) + "/task", gone),
+                       {});
 }
 
 TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanionWasKilled) {
@@ -169,17 +226,21 @@ TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanion
   {
     const ChildProgram companion(folder_.path(), server());
     ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+    const std::ptrdiff_t threads = threads_of(companion);
     RawClient client(socket());
     client.introduce(hello);
-    std::uint64_t number = 0;
-    for (; number < 3; ++number) {
-      ASSERT_TRUE(pose_after(client, 0.1 * static_cast<double>(number), number + 1, std::nullopt)) << companion.err();
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    const std::optional<Pose2> pose = pose_after(client, 0.1 * static_cast<double>(number), number + 1, told);
+    // The companion looks once after each frame whether to save. After the first it does, in a thread of its own.
+    ASSERT_TRUE(pose_after(client, 0.0, 1, std::nullopt)) << companion.err();
+    const auto never = std::filesystem::file_time_type::min();
+    ASSERT_TRUE(await([&] { return saved_at(socket()) != never && threads_of(companion) == threads; }));
+    // It saves what is told only once at most ten times a second, and all else once a second. So this frame is saved
+    // at the one look that follows it; on a starved machine a second may have passed anyway.
+    let_time_pass(0.11);
+    const auto before = saved_at(socket());
+    const std::optional<Pose2> pose = pose_after(client, 0.1, 2, told);
     ASSERT_TRUE(pose) << companion.err();
     EXPECT_LT((pose->position - told.position).norm(), 0.3);
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // much less than a second
+    ASSERT_TRUE(await([&] { return saved_at(socket()) != before; })) << "no other frame follows";
     companion.kill(SIGKILL);
   }
   const ChildProgram companion(folder_.path(), server());
@@ -234,11 +295,7 @@ TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServ
   for (int i = 0; i < 3; ++i) {  // a client of another height comes again and again
     RawClient client(socket());
     client.introduce(small_hello(1));
-    why.clear();
-    for (int j = 0; j < 500 && why.empty(); ++j) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      why = client.refusal();
-    }
+    await([&] { return !(why = client.refusal()).empty(); });
     EXPECT_NE(why.find("--model " + model), std::string::npos) << why;
   }
   EXPECT_TRUE(companion.await("--model " + model)) << companion.err();

@@ -3,7 +3,7 @@
 // it is; in the end it judges what the client believes.
 //   test_robot BODY.toml FIELD.toml SEED WIDTH [LEARN] [AFTER] [PACE]
 // PACE: at most so many times as fast as a real one. $REORIENT_HEARTBEAT: a file that says how many of its frames were
-// answered.
+// answered. $REORIENT_LIFT_WHEN: a file; the robot goes on learning until the file exists, however long that takes.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -82,6 +82,7 @@ int play(const RobotBody& body, const FieldDimensions& field, std::uint64_t seed
   Observation observation;
   bool is_lifted = false, is_down = false, is_told = false;
   const char* const heartbeat = std::getenv("REORIENT_HEARTBEAT");
+  const char* const lift_when = std::getenv("REORIENT_LIFT_WHEN");
   std::uint64_t answered = 0;
   const auto begin = std::chrono::steady_clock::now();
   double distance = 0.0, turn = 0.0;  // of the belief in the end
@@ -104,7 +105,8 @@ int play(const RobotBody& body, const FieldDimensions& field, std::uint64_t seed
     }
     const double time = observation.time;
     std::this_thread::sleep_until(begin + std::chrono::duration<double>(time / pace));
-    if (!is_lifted && time >= learn) {
+    if (!is_lifted && time >= learn && (lift_when == nullptr || access(lift_when, F_OK) == 0)) {
+      if (lift_when != nullptr) learn = time;
       simulator.pick_up();
       is_lifted = true;
     } else if (is_lifted && !is_down && time >= learn + kCarry) {
@@ -114,7 +116,7 @@ int play(const RobotBody& body, const FieldDimensions& field, std::uint64_t seed
     }
     pipe_frame frame{};
     frame.time = time;
-    frame.is_over = time > learn + kCarry + after ? 1 : 0;
+    frame.is_over = is_lifted && time > learn + kCarry + after ? 1 : 0;
     const BodySample& felt = observation.body;
     const Pose2& odometry = observation.odometry;
     set(frame.odometry, {odometry.position.x(), odometry.position.y(), odometry.rotation});
