@@ -13,6 +13,7 @@
 #include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/temporary_folder.h"
+#include "tests/waiting.h"
 #include "workbench/files/calibration_file.h"
 
 namespace reorient {
@@ -99,11 +100,12 @@ TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
 /// SIGHUP: the login from which somebody began it is lost.
 TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
   const std::string lola = file("lola"), body = file("body"), said = file("said");
+  const std::string limit = std::to_string(kWaitLimit.count()), tries = std::to_string(10 * kWaitLimit.count());
   const auto ended_by = [&](const std::string& signal) {
-    return std::string(kLolaTwin) + " " + lola + " " + file("status") + " 60 </dev/null >/dev/null 2>&1 & twin=$!; " +
-           kGuard + " --lola " + lola + " --body " + body + " --priority 0 2>" + said +
-           " & guard=$!; for i in $(seq 300); do grep -q connected " + said + " && break; sleep 0.1; done; kill -" +
-           signal + " $guard; wait $guard; code=$?; kill $twin; exit $code";
+    return std::string(kLolaTwin) + " " + lola + " " + file("status") + " " + limit +
+           " </dev/null >/dev/null 2>&1 & twin=$!; " + kGuard + " --lola " + lola + " --body " + body +
+           " --priority 0 2>" + said + " & guard=$!; for i in $(seq " + tries + "); do grep -q connected " + said +
+           " && break; sleep 0.1; done; kill -" + signal + " $guard; wait $guard; code=$?; kill $twin; exit $code";
   };
   for (const char* const signal : {"TERM", "HUP"}) {
     SCOPED_TRACE(signal);
@@ -112,10 +114,10 @@ TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
   }
 }
 
-/// The whole job takes a robot's time: nao_real_time_job GUARD. Here it stands up.
+/// The whole job takes a robot's time: nao_real_time_job GUARD. Here it ends as soon as the robot stands.
 TEST_F(NaoProcesses, AndTheTwinsOfLolaAndV4l2WorkTogetherInRealTime) {
-  const std::string command =
-      std::string(kRealTimeJob) + " " + kGuard + " 1 320 30 >" + file("out") + " 2>" + file("err");
+  const std::string command = std::string(kRealTimeJob) + " " + kGuard + " 1 320 " +
+                              std::to_string(kWaitLimit.count()) + " >" + file("out") + " 2>" + file("err");
   EXPECT_EQ(std::system(command.c_str()), 0) << read_text(file("out")) << read_text(file("err"));
 }
 

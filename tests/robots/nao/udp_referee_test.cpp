@@ -11,6 +11,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "tests/waiting.h"
+
 namespace reorient::nao {
 namespace {
 
@@ -45,10 +47,17 @@ class Speaker {
     EXPECT_EQ(sendto(socket_, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to)),
               static_cast<ssize_t>(text.size()));
   }
+  /// What has come; empty: nothing has.
   std::string heard() const {
     char text[64];
     const ssize_t size = recv(socket_, text, sizeof(text), MSG_DONTWAIT);
     return {text, static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
+  }
+  /// The next that comes. The kernel may deliver it a moment after it was sent.
+  std::string await_heard() const {
+    std::string text;
+    await([&] { return !(text = heard()).empty(); });
+    return text;
   }
 
  private:
@@ -62,6 +71,11 @@ class UdpRefereeTest : public testing::Test {
     const std::span<const std::byte> datagram = referee_.receive();
     return {reinterpret_cast<const char*>(datagram.data()), datagram.size()};
   }
+  std::string await_heard() {
+    std::string text;
+    await([&] { return !(text = hear()).empty(); });
+    return text;
+  }
 
   double now_ = 100.0;
   std::uint16_t port_ = free_port();
@@ -71,29 +85,29 @@ class UdpRefereeTest : public testing::Test {
 
 TEST_F(UdpRefereeTest, HearsEverybodyUntilOneIsHeededAndThenThatOneAlone) {
   others_.say("RGme, of another field", port_);
-  EXPECT_EQ(hear(), "RGme, of another field");
+  EXPECT_EQ(await_heard(), "RGme, of another field");
   ours_.say("RGme, of ours", port_);
-  EXPECT_EQ(hear(), "RGme, of ours") << "the first is not heeded";
+  EXPECT_EQ(await_heard(), "RGme, of ours") << "the first is not heeded";
   referee_.heed();
   others_.say("RGme, of another field", port_);
   EXPECT_EQ(hear(), "");
   now_ += 9.0;
   others_.say("RGme, of another field", port_);
   ours_.say("RGme, again", port_);
-  EXPECT_EQ(hear(), "RGme, again");
+  EXPECT_EQ(await_heard(), "RGme, again");
   referee_.heed();
   now_ += 11.0;
   others_.say("RGme, another machine", port_);
-  EXPECT_EQ(hear(), "RGme, another machine") << "ours is silent";
+  EXPECT_EQ(await_heard(), "RGme, another machine") << "ours is silent";
 }
 
 TEST_F(UdpRefereeTest, AnswersWhomItHeard) {
   ours_.say("nothing of a referee", port_);
   ours_.say("RGme", port_);
-  EXPECT_EQ(hear(), "RGme");
+  EXPECT_EQ(await_heard(), "RGme");
   const std::string text = "here I am";
   referee_.answer(std::as_bytes(std::span(text)));
-  EXPECT_EQ(ours_.heard(), text);
+  EXPECT_EQ(ours_.await_heard(), text);
   EXPECT_EQ(others_.heard(), "");
 }
 

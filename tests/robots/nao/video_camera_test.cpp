@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,6 +12,7 @@
 #include <linux/videodev2.h>
 
 #include "tests/robots/nao/twin/fake_video.h"
+#include "tests/waiting.h"
 
 namespace reorient::nao {
 namespace {
@@ -154,6 +154,8 @@ TEST_F(VideoCameraTest, KeepsAFixedExposureWhereItIsBegunAnew) {
   EXPECT_EQ(device_.value_of(V4L2_CID_GAIN), 80);
 }
 
+constexpr std::chrono::milliseconds kOften{1};
+
 /// A call of its choice hangs until the test lets it go on; one call at a time, as of a driver.
 class HangingVideo : public FakeVideo {
  public:
@@ -161,11 +163,9 @@ class HangingVideo : public FakeVideo {
   std::atomic<bool> hangs = false;  // at the moment
 
   int control(unsigned long request, void* argument) override {
-    constexpr int kLongest = 20000;    // ms, so that a test that fails ends
     if (request == hanging_request) {  // another call says nothing of it
       hangs = true;
-      for (int i = 0; request == hanging_request && i < kLongest; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      await([&] { return request != hanging_request; }, kOften);
       hangs = false;
     }
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -180,12 +180,12 @@ TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
   HangingVideo device;
   VideoCamera camera(device, settings_, run_apart);
   const auto look_until = [&](const auto& is_so) {
-    constexpr int kMost = 20000;
-    for (int i = 0; i < kMost && !is_so(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const auto looks = [&] {
+      if (is_so()) return true;
       camera.look(now_);
-    }
-    return is_so();
+      return false;
+    };
+    return await(looks, kOften);
   };
   // It is begun,
   device.hanging_request = VIDIOC_S_FMT;
