@@ -32,7 +32,8 @@ class TerminalRun {
     const winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
     process_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (process_ != 0) return;
-    std::signal(SIGINT, SIG_DFL);  // whoever runs the tests in the background has it ignored
+    // A shell without job control starts tests in the background with these ignored.
+    for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
     setenv("REORIENT_HOME", kSourceFolder, 1);
     setenv("XDG_STATE_HOME", state.c_str(), 1);
     setenv("TERM", "xterm", 1);
