@@ -14,24 +14,8 @@
 
 namespace reorient {
 
-/// Seconds instead of minutes, in small images.
-inline constexpr const char* kShort = R"(title = "Who is right?"
-trials = 2
-[condition]
-scenario = "turned_round"
-width = 160
-seconds = 3
-measured_from = "learning"
-limit = 0.5
-hold = 0.5
-[[axis]]
-name = "mode"
-[[axis.choice]]
-name = "default"
-[[axis.choice]]
-name = "none"
-room_awareness = false
-)";
+/// Seconds instead of minutes, in small images. The scripts same_on_parallel and same_on_slurm run it, too.
+inline const std::string kShort = read_text(REORIENT_SOURCE_DIR "/tests/program/short_experiment.toml");
 
 /// Lines that are no progress, which a slow machine is told of after ten seconds.
 inline int complaints(const ProgramRun& run) {
