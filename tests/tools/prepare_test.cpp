@@ -1,32 +1,23 @@
 // What ./reorient and ./test do before they build, with programs that only say how they were called.
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "tests/paths.h"
 #include "tests/temporary_folder.h"
+#include "tests/tools/tool_tree.h"
 
 namespace reorient {
 namespace {
 
-class Tree : public testing::Test {
+class Tree : public testing::Test, protected ToolTree {
  protected:
   Tree() {
     write_program("cmake", "echo \"cmake $*\" >>\"$PWD/calls\"");
     write_program("dpkg-query", "echo installed bash");
     write_program("apt-get", "exit 1");
     folder.write("tools/packages", "# what is needed\nbash\n");
-    std::filesystem::copy(std::filesystem::path(kSourceFolder) / "tools" / "prepare",
-                          folder.path() / "tools" / "prepare");
-  }
-
-  void write_program(const std::string& name, const std::string& text) {
-    const std::filesystem::path file = folder.write("bin/" + name, "#!/bin/sh\n" + text + "\n");
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    copy("tools/prepare");
   }
 
   void configured_for(const std::filesystem::path& home) {
@@ -35,19 +26,14 @@ class Tree : public testing::Test {
   }
 
   /// What a build says, and then how cmake was called.
-  std::string build() {
-    const std::string at = "cd '" + folder.path().string() + "' && export PATH=\"$PWD/bin:$PATH\" REORIENT_JOBS=3 && ";
-    const std::string command = at + "bash -euo pipefail -c '. tools/prepare; build all' 2>&1; cat '" +
-                                (folder.path() / "calls").string() + "'";
-    std::string text;
-    FILE* const pipe = popen(command.c_str(), "r");
-    std::array<char, 256> buffer;
-    while (fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) text += buffer.data();
-    pclose(pipe);
-    return text;
-  }
+  std::string build() { return run("export REORIENT_JOBS=3; . tools/prepare; build all; cat calls").text; }
 
-  TemporaryFolder folder;
+  std::string install_optional_packages() {
+    folder.write("tools/packages-all", "# more\nbash\none\ntwo cmake\nthree command-that-is-missing\n");
+    const Result result = run(". tools/prepare; install_optional_packages tools/packages-all");
+    EXPECT_EQ(result.code, 0);
+    return result.text;
+  }
 };
 
 constexpr const char* kBuilds = "cmake --build --preset release -j 3 --target all\n";
@@ -73,6 +59,28 @@ TEST_F(Tree, IsConfiguredAfreshWhereItIsACopy) {
   configured_for(original.path());
   EXPECT_EQ(build(), "reorient: this tree was at " + original.path().string() +
                          "; building anew (a few minutes, once)\ncmake --fresh --preset release\n" + kBuilds);
+}
+
+TEST_F(Tree, InstallsOptionalPackagesWhoseCommandIsMissing) {
+  write_program("id", "echo 0");
+  write_program("apt-get", "for last; do :; done; echo \"$last\" >>\"$PWD/calls\"");
+  EXPECT_EQ(install_optional_packages(), "reorient: installing with apt: one three\n");
+  EXPECT_NE(run("cat calls").text.find("\none\nthree\n"), std::string::npos);
+}
+
+TEST_F(Tree, ContinuesWithoutAnOptionalPackageThatAptDoesNotKnow) {
+  write_program("id", "echo 0");
+  write_program("apt-get", "for last; do :; done; [ \"$last\" != one ]");
+  EXPECT_EQ(install_optional_packages(),
+            "reorient: installing with apt: one three\n"
+            "reorient: apt could not install: one (tests that need them are skipped)\n");
+}
+
+TEST_F(Tree, ContinuesWithoutOptionalPackagesWhereThereIsNoRoot) {
+  write_program("id", "echo 1000");
+  write_program("sudo", "exit 1");
+  EXPECT_EQ(install_optional_packages(),
+            "reorient: not installed, because this needs root or sudo: one three (tests that need them are skipped)\n");
 }
 
 }  // namespace

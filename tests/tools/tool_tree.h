@@ -17,7 +17,7 @@ class ToolTree {
   /// Copies a file of the project to the same path in this folder.
   void copy(const std::filesystem::path& file) const {
     std::filesystem::create_directories((folder.path() / file).parent_path());
-    std::filesystem::copy(std::filesystem::path(REORIENT_SOURCE_DIR) / file, folder.path() / file);
+    std::filesystem::copy(std::filesystem::path(kSourceFolder) / file, folder.path() / file);
   }
 
   /// A program of the search path, as the text of a shell script.
