@@ -1,6 +1,6 @@
 // Images of real NAOs on real fields (SOURCES.md beside them). Where the cameras were was not recorded: the pitch of
 // each was estimated from what is in the image (the centre circle's size, a goal's height, a robot's height).
-#include <cstdlib>
+#include <cmath>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -9,14 +9,10 @@
 #include "perception/field/field_features.h"
 #include "tests/perception/field/percept_in.h"
 #include "tests/perception/field/picture_file.h"
+#include "tests/shared_data.h"
 
 namespace reorient {
 namespace {
-
-std::filesystem::path shared_images() {
-  const char* shared = std::getenv("REORIENT_SHARED");
-  return shared == nullptr ? std::filesystem::path() : std::filesystem::path(shared) / "images";
-}
 
 struct RealImage {
   Image image;
@@ -40,15 +36,13 @@ int points_along(const FieldPercept& percept, double x0, double y0, double x1, d
   return count;
 }
 
-class RealImages : public testing::Test {
+class RealImages : public SharedDataTest {
  protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(shared_images())) GTEST_SKIP() << "REORIENT_SHARED does not hold real images";
-  }
+  RealImages() : SharedDataTest("images") {}
 };
 
 TEST_F(RealImages, ShowTheCentreCircleInADimHall) {
-  const RealImage real = old_robot(shared_images() / "nao-v4-top-640x480-a.png", 20.7);
+  const RealImage real = old_robot(folder() / "nao-v4-top-640x480-a.png", 20.7);
   FieldFeatures features({}, {});
   const FieldPercept percept = percept_in(features, real.image.view(), real.camera, real.robot_from_camera);
   EXPECT_GE(points_along(percept, 0, 103, 150, 95, 4), 5);  // halfway line
@@ -61,7 +55,7 @@ TEST_F(RealImages, ShowTheCentreCircleInADimHall) {
 }
 
 TEST_F(RealImages, ShowTouchlineHalfwayLineAndTheGoalBehind) {
-  const RealImage real = old_robot(shared_images() / "nao-v4-top-640x480-b.png", 10.1);
+  const RealImage real = old_robot(folder() / "nao-v4-top-640x480-b.png", 10.1);
   FieldFeatureParameters parameters;
   parameters.post_range = 9.0;
   FieldFeatures features(parameters, {});
@@ -77,7 +71,7 @@ TEST_F(RealImages, ShowTouchlineHalfwayLineAndTheGoalBehind) {
 }
 
 TEST_F(RealImages, ShowACircleATouchlineAndARobotOnGrass) {
-  const Image large = read_yuyv(shared_images() / "nao-v6-top-1280x960.yuyv.raw", 1280, 960, 36);
+  const Image large = read_yuyv(folder() / "nao-v6-top-1280x960.yuyv.raw", 1280, 960, 36);
   const auto attitude = robot_from_camera({}, {0.0, from_degrees(17.4)}, {}, RobotDimensions{}.torso_height);
   for (Image image = large; image.width() >= 160; image = halved(image.view())) {
     SCOPED_TRACE(image.width());

@@ -1,7 +1,6 @@
 #include "robots/simulator/room/panorama.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,6 +15,7 @@
 
 #include "robots/simulator/room/room.h"
 #include "tests/paths.h"
+#include "tests/shared_data.h"
 
 namespace reorient {
 namespace {
@@ -147,11 +147,14 @@ TEST(Panorama, RefusesFilesThatCannotBeRead) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Panorama, OfEveryRealRoomBecomesARoom) {
-  const char* shared = std::getenv("REORIENT_SHARED");
-  if (shared == nullptr) GTEST_SKIP() << "set REORIENT_SHARED to the folder that holds rooms/*.hdr";
+class RealRooms : public SharedDataTest {
+ protected:
+  RealRooms() : SharedDataTest("rooms") {}
+};
+
+TEST_F(RealRooms, AreReadAsPanoramas) {
   int rooms = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(shared) / "rooms")) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder())) {
     if (entry.path().extension() != ".hdr") continue;
     const LinearImage image = read_panorama(entry.path());
     EXPECT_EQ(image.width, 1024) << entry.path();
@@ -159,7 +162,7 @@ TEST(Panorama, OfEveryRealRoomBecomesARoom) {
     for (const LinearColor& color : image.pixels) ASSERT_TRUE(color.isFinite().all() && color.minCoeff() >= 0.0f);
     ++rooms;
   }
-  EXPECT_GT(rooms, 0);
+  EXPECT_GT(rooms, 0) << "no *.hdr in " << folder();
 }
 
 }  // namespace
