@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
@@ -15,7 +16,7 @@
 namespace reorient {
 
 /// Seconds instead of minutes, in small images. The scripts same_on_parallel and same_on_slurm run it, too.
-inline const std::string kShort = read_text(REORIENT_SOURCE_DIR "/tests/program/short_experiment.toml");
+inline const std::string kShort = read_text(std::string(kSourceFolder) + "/tests/program/short_experiment.toml");
 
 /// Lines that are no progress, which a slow machine is told of after ten seconds.
 inline int complaints(const ProgramRun& run) {

@@ -8,6 +8,7 @@
 
 #include <sys/wait.h>
 
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
