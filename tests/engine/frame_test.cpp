@@ -69,11 +69,11 @@ TEST(Frame, BelievesTheRobotsOwnSoftwareAsWell) {
   EXPECT_TRUE(loop.world().referee.penalized) << "until the referee says otherwise";
 }
 
-constexpr const char* kRestless = R"(behavior "restless" { initial = "on", state "on" {
+constexpr const char* kWalking = R"(behavior "restless" { initial = "on", state "on" {
   update = function() head.look(0.5, 0.1, 1) walk.velocity(0.1, 0, 0) end } })";
 
 TEST(Frame, NobodyWalksUnlessTheRefereeLetsHim) {
-  HandFedLoop loop(kRestless);
+  HandFedLoop loop(kWalking);
   const std::pair<RefereeState, bool> cases[] = {
       {{}, true},
       {{false, GameState::initial}, false},

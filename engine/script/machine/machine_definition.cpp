@@ -33,10 +33,10 @@ std::vector<std::string> state_names(const MachineDefinition& machine) {
   return names;
 }
 
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
+std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
 std::string title(const StateDefinition& state) {
-  return state.path.empty() ? "the machine" : "state " + quoted(state.path);
+  return state.path.empty() ? "the machine" : "state " + in_quotes(state.path);
 }
 
 std::string derived_reason(const TransitionDefinition& transition) {
@@ -66,7 +66,7 @@ void resolve_initial(MachineDefinition& machine, StateDefinition& state, std::ve
   std::vector<std::string> names;
   for (const int child : state.children) names.push_back(machine.states[child].name);
   errors.push_back({state.position,
-                    title(state) + " begins in " + quoted(state.initial_name) + ", which is not one of its states" +
+                    title(state) + " begins in " + in_quotes(state.initial_name) + ", which is not one of its states" +
                         did_you_mean(state.initial_name, names),
                     state.file});
 }
@@ -77,7 +77,7 @@ void check_duplicates(const MachineDefinition& machine, const StateDefinition& s
     const StateDefinition& child = machine.states[state.children[i]];
     for (std::size_t j = 0; j < i; ++j) {
       if (machine.states[state.children[j]].name != child.name) continue;
-      errors.push_back({child.position, "there are two states " + quoted(child.path), child.file});
+      errors.push_back({child.position, "there are two states " + in_quotes(child.path), child.file});
       break;
     }
   }
@@ -92,15 +92,15 @@ void resolve_transition(MachineDefinition& machine, TransitionDefinition& transi
     constexpr std::size_t kMostHints = 20;  // to look for similar names among many takes long
     const std::string hint =
         errors.size() < kMostHints ? did_you_mean(transition.target, state_names(machine)) : std::string();
-    errors.push_back(
-        {transition.position, from + " leads to " + quoted(transition.target) + ", which is not a state" + hint, file});
+    errors.push_back({transition.position,
+                      from + " leads to " + in_quotes(transition.target) + ", which is not a state" + hint, file});
   }
   const bool timed = transition.after.kind != Dwell::Kind::none;
   if (transition.when == LUA_NOREF && transition.lasting.kind != Dwell::Kind::none) {
     errors.push_back({transition.position, from + ": 'lasting' needs a 'when'; for a time alone write 'after'", file});
   } else if (transition.when == LUA_NOREF && !timed) {
     errors.push_back({transition.position,
-                      from + " leads to " + quoted(transition.target) + " on no condition: give 'when' or 'after'",
+                      from + " leads to " + in_quotes(transition.target) + " on no condition: give 'when' or 'after'",
                       file});
   }
   if (transition.because.empty()) transition.because = derived_reason(transition);

@@ -11,7 +11,7 @@ namespace reorient::pictures {
 namespace {
 
 // Of the two panels, below title and legend; the picture's own numbers.
-constexpr int kTop = 170;
+constexpr int kPanelTop = 170;
 constexpr int kMiddle = 750;
 
 ReorientationPanels flip() {
@@ -22,13 +22,13 @@ ReorientationPanels flip() {
 TEST(ReorientationView, shows_the_belief_jump_to_the_truth) {
   const Picture picture = draw_reorientation_view({}, {flip()});
   const auto believed = [&](int left, int right) {
-    return count(picture, palette::belief, left, kTop, right, picture.height);
+    return count(picture, palette::belief, left, kPanelTop, right, picture.height);
   };
   EXPECT_GT(believed(36, 386), 60);  // before: on the left of the first panel
   EXPECT_EQ(believed(400, kMiddle), 0);
   EXPECT_EQ(believed(kMiddle + 20, 1100), 0);  // after: on the right of the second one
   EXPECT_GT(believed(1114, 1464), 60);
-  EXPECT_GT(count(picture, palette::truth, 400, kTop, kMiddle, picture.height), 100);
+  EXPECT_GT(count(picture, palette::truth, 400, kPanelTop, kMiddle, picture.height), 100);
 }
 
 TEST(ReorientationView, gives_each_command_a_line) {

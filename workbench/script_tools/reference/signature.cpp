@@ -6,7 +6,7 @@
 namespace reorient {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_spaces(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
   return text;
@@ -17,10 +17,10 @@ ArgumentDoc read_argument(std::string_view text, std::string_view signature) {
   if (colon == std::string_view::npos || colon == 0)
     throw std::invalid_argument("an argument is 'name: type', not '" + std::string(text) + "' in " +
                                 std::string(signature));
-  std::string_view name = trimmed(text.substr(0, colon));
+  std::string_view name = without_spaces(text.substr(0, colon));
   const bool may_be_left_out = name.ends_with('?');
   if (may_be_left_out) name.remove_suffix(1);
-  return {std::string(name), std::string(trimmed(text.substr(colon + 1))) + (may_be_left_out ? "?" : "")};
+  return {std::string(name), std::string(without_spaces(text.substr(colon + 1))) + (may_be_left_out ? "?" : "")};
 }
 
 /// Where the bracket that opens at `open` closes.
@@ -46,10 +46,10 @@ std::vector<std::string_view> split_type(std::string_view text, char separator) 
     if (c == '(' || c == '{' || c == '<') ++depth;
     if (c == ')' || c == '}' || c == '>') --depth;
     if (c != separator || depth > 0 || is_quoted) continue;
-    parts.push_back(trimmed(text.substr(begin, i - begin)));
+    parts.push_back(without_spaces(text.substr(begin, i - begin)));
     begin = i + 1;
   }
-  if (!trimmed(text.substr(begin)).empty()) parts.push_back(trimmed(text.substr(begin)));
+  if (!without_spaces(text.substr(begin)).empty()) parts.push_back(without_spaces(text.substr(begin)));
   return parts;
 }
 
@@ -64,8 +64,8 @@ Signature read_signature(std::string_view text) {
   signature.name = dot == std::string_view::npos ? name : name.substr(dot + 1);
   for (const std::string_view argument : split_type(text.substr(open + 1, close - open - 1), ','))
     signature.arguments.push_back(read_argument(argument, text));
-  const std::string_view rest = trimmed(text.substr(close + 1));
-  if (rest.starts_with(':')) signature.result = trimmed(rest.substr(1));
+  const std::string_view rest = without_spaces(text.substr(close + 1));
+  if (rest.starts_with(':')) signature.result = without_spaces(rest.substr(1));
   return signature;
 }
 

@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // s: times of frames are sums of rounded steps
+constexpr double kTimeTolerance = 1e-6;  // s: times of frames are sums of rounded steps
 
 }  // namespace
 
@@ -67,7 +67,7 @@ bool TestBench::step_replay() {
 /// advance_to(43.5): up to the last frame that is not after this time of the recording.
 void TestBench::advance_to(double time) {
   if (!replay_) throw std::runtime_error("advance_to goes on in a recording: replay \"FILE\" comes first");
-  if (!(time >= world_.time - kTolerance))
+  if (!(time >= world_.time - kTimeTolerance))
     throw std::runtime_error("advance_to: this replay is at " + std::to_string(world_.time) + " s already");
   begin_advance();
   while (world_.time + 0.5 * world_.time_step <= time) {

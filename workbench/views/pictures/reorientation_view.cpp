@@ -15,9 +15,9 @@ constexpr int kSheetWidth = 1500;
 constexpr std::size_t kMost = 10;
 constexpr double kMargin = 36.0;
 constexpr double kHeader = 112.0;
-constexpr double kGap = 28.0;
+constexpr double kPanelGap = 28.0;
 constexpr double kTitle = 58.0;
-constexpr double kPanelWidth = (kSheetWidth - 2.0 * kMargin - kGap) / 2.0;
+constexpr double kPanelWidth = (kSheetWidth - 2.0 * kMargin - kPanelGap) / 2.0;
 
 double panel_height(const FieldDimensions& field) {
   const double ratio = (field.width + 2.0 * field.border) / (field.length + 2.0 * field.border);
@@ -58,7 +58,7 @@ void draw_row(Canvas& canvas, double top, const FieldDimensions& field, const Re
     canvas.text({left + kPanelWidth, top + kTitle - 16.0}, error_of(snapshot),
                 {.size = 19.0, .color = palette::faint_ink, .align = Align::right});
     draw_panel(canvas, {left, top + kTitle, kPanelWidth, panel_height(field)}, field, snapshot);
-    left += kPanelWidth + kGap;
+    left += kPanelWidth + kPanelGap;
   }
 }
 
