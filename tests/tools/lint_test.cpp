@@ -146,6 +146,15 @@ TEST_F(Lint, ReadsSourcesThatNoTargetCompiles) {
             "tools/lint: 1 finding\nexit 1");
 }
 
+TEST_F(Lint, AcceptsEqualNamesInDifferentTargets) {
+  tree.write("CMakeLists.txt",
+             "cmake_minimum_required(VERSION 3.25)\nproject(small LANGUAGES CXX)\n"
+             "add_library(one STATIC part/a.cpp)\nadd_library(two STATIC part/b.cpp)\n");
+  tree.write("part/a.cpp", "int first = 1, same = 2;\n");
+  tree.write("part/b.cpp", "int second = 1, same = 2;\n");
+  EXPECT_EQ(tree.lint(), "tools/lint: clang-tidy reads 2 sources\nexit 0");
+}
+
 TEST_F(Lint, ReadsWithSinceOnlyWhatChanged) {
   tree.write(".gitignore", "/build/\n");
   EXPECT_EQ(tree.run("git init -q && git add . && git -c user.name=a -c user.email=a@b commit -qm first"), "exit 0");
