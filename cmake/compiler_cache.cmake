@@ -29,10 +29,10 @@ if(failed)
   return()
 endif()
 
-# pch_defines, time_macros: what ccache asks for with precompiled headers. BASEDIR, NOHASHDIR: paths below the tree count as
+# DEPEND: a miss costs no run of the preprocessor. pch_defines, time_macros: what ccache asks for with precompiled headers. BASEDIR, NOHASHDIR: paths below the tree count as
 # relative, so that every clone has the same keys.
 set(CMAKE_CXX_COMPILER_LAUNCHER
   "${CMAKE_COMMAND}" -E env
-  "CCACHE_DIR=${folder}" "CCACHE_MAXSIZE=${REORIENT_CACHE_SIZE}" "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
+  "CCACHE_DIR=${folder}" "CCACHE_MAXSIZE=${REORIENT_CACHE_SIZE}" "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
   "CCACHE_SLOPPINESS=pch_defines,time_macros" "CCACHE_COMPILERCHECK=%compiler% -v" --
   "${REORIENT_CCACHE_PROGRAM}")

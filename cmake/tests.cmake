@@ -1,7 +1,7 @@
 # How tests are declared. Every test belongs to a tier, which is a label that CTest knows:
 #   gate      what an ordinary change can break: ./test runs it
 #   extended  what is expensive and rarely breaks: ./test --all runs it. Its label is extended.GROUP.
-#             ./test --groups NAME,... and .ci/run run some groups; tools/check-groups lists them and the files of each
+#             ./test --groups NAME,... and .ci/run run some groups; CONTRIBUTING.md lists them and the files of each
 # The targets `gate` and `extended.GROUP` build what the tests of a tier or a group need.
 add_custom_target(gate)
 set(REORIENT_TEST_FLAGS $<$<CONFIG:Release>:-O1>)  # what is tested is as fast as ever; a third less to wait
@@ -31,11 +31,12 @@ function(reorient_needs tier)
   add_dependencies(${tier} ${ARGN})
 endfunction()
 
-# reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]...): one GoogleTest program,
-# each of its tests known to CTest. PATTERN, as in --gtest_filter: tests of that group; all others belong to the gate.
-# NEEDS: programs that the tests start. Those that link rapidcheck have its header precompiled.
+# reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]... [UNSANITIZED]): one
+# GoogleTest program, each of its tests known to CTest. PATTERN, as in --gtest_filter: tests of that group; all others belong to the gate.
+# NEEDS: programs that the tests start. UNSANITIZED: the tests only start programs that are not ours. Those that link rapidcheck
+# have its header precompiled.
 function(reorient_add_tests name)
-  cmake_parse_arguments(TESTS "" "" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
+  cmake_parse_arguments(TESTS UNSANITIZED "" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
   reorient_add_program(${name}
     SOURCES ${TESTS_SOURCES} LINKS ${TESTS_LINKS} test_support GTest::gtest GTest::gtest_main)
   target_compile_options(${name} PRIVATE ${REORIENT_TEST_FLAGS})
@@ -61,7 +62,7 @@ function(reorient_add_tests name)
     reorient_needs(extended.${group} ${name})
     string(APPEND others ":${pattern}")
   endwhile()
-  if(NOT TESTS_NEEDS)
+  if(NOT TESTS_NEEDS AND NOT TESTS_UNSANITIZED)
     string(REGEX REPLACE "^:" "*-" filter "${others}")
     if(NOT filter)
       set(filter "*")

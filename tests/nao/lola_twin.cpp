@@ -80,7 +80,7 @@ class Twin {
 
   void obey() {
     std::array<char, 256> bytes{};
-    const ssize_t size = read(STDIN_FILENO, bytes.data(), bytes.size() - 1);
+    const ssize_t size = ::read(STDIN_FILENO, bytes.data(), bytes.size() - 1);
     if (size <= 0) return;
     const std::string words(bytes.data(), static_cast<std::size_t>(size));
     const auto has = [&words](const char* word) { return words.find(word) != std::string::npos; };
