@@ -112,7 +112,8 @@ bool await_whole_save(const std::string& socket) {
     const auto before = saved_at(socket);
     return await([&] { return saved_at(socket) != before; });
   };
-  return await_save() && await_save();
+  if (!await_save()) return false;
+  return await_save();
 }
 
 TEST_F(CompanionClient, GoesOnWithACompanionThatWasKilledAndBegunAgain) {
