@@ -26,7 +26,7 @@ constexpr const char* kArchitecture = R"(<!-- arrows: begin -->
 constexpr const char* kGroups = R"(<!-- groups: begin -->
 | group | concerned by | what it covers |
 |---|---|---|
-| `runs` | `engine/`, `scripts/`, `tests/runs/` | x |
+| `runs` | `engine/`, `scripts/`, `tests/runs/`, `*.hpp` | x |
 | `bundles` | `program/` | x |
 | `sanitizers` | `program/`, `tests/engine/` | x |
 | `gate` | `docs/`, `tests/`, `README.md` | x |
@@ -99,6 +99,8 @@ TEST_F(ChooseChecks, LeavesOutWhatDoesNotDependOnIt) {
 TEST_F(ChooseChecks, KnowsTheFilesOutsideOfTheArchitecture) {
   EXPECT_EQ(chosen_after("scripts/scan.lua"), "runs code 0\n");
 }
+
+TEST_F(ChooseChecks, KnowsTheEndingsOfFiles) { EXPECT_EQ(chosen_after("docs/a.hpp"), "runs code 0\n"); }
 
 TEST_F(ChooseChecks, RunsNoMoreThanTheGateForADocument) { EXPECT_EQ(chosen_after("docs/frame.md"), "code 0\n"); }
 
