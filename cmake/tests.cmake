@@ -33,8 +33,8 @@ endfunction()
 
 # reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]... [UNSANITIZED]): one
 # GoogleTest program, each of its tests known to CTest. PATTERN, as in --gtest_filter: tests of that group; all others belong to the gate.
-# NEEDS: programs that the tests start. UNSANITIZED: the tests only start programs that are not ours. Those that link rapidcheck
-# have its header precompiled.
+# NEEDS: programs that the tests start. UNSANITIZED: the sanitizers have nothing to find, as the tests only start programs that are
+# not ours, or count allocations with operators of their own. Those that link rapidcheck have its header precompiled.
 function(reorient_add_tests name)
   cmake_parse_arguments(TESTS UNSANITIZED "" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
   reorient_add_program(${name}
