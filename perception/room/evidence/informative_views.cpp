@@ -38,7 +38,8 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
   views_ = {};
   const Eigen::Vector2d axis = robot_from_camera.linear().col(0).head<2>();
   const Eigen::Vector2d camera = belief * Eigen::Vector2d(robot_from_camera.translation().head<2>());
-  const double outermost = parameters.reach + parameters.half_width;
+  // A body may be set up with a neck that turns by less than nothing, or by what is not a number.
+  const double outermost = std::max(0.0, parameters.reach) + parameters.half_width;
   if (!axis.allFinite() || !std::isfinite(belief.rotation) ||
       !look_around(wall, belief, camera, outermost, least_incidence))
     return views_;

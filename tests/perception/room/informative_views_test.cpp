@@ -50,6 +50,14 @@ TEST(ViewChooser, LooksWhereTheRoomDiffersFromItsReflection) {
   EXPECT_GT(room.choose(0.0).telling_worth, 5.0);
 }
 
+TEST(ViewChooser, LooksAheadWhereItsReachIsNegativeOrNotANumber) {
+  for (const double reach : {0.0, -1.0, -1e300, std::nan("")}) {
+    GreyRoom room(0.0, 0.4);
+    room.parameters.reach = reach;
+    EXPECT_LE(std::abs(room.choose(0.0).telling), room.parameters.half_width) << reach;
+  }
+}
+
 TEST(ViewChooser, LooksElsewhereOnceAPlaceWasLookedAt) {
   GreyRoom room(-2.0, 2.0);
   const double first = room.choose(0.0).telling;
