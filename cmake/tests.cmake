@@ -78,7 +78,7 @@ function(reorient_add_tests name)
   endif()
 endfunction()
 
-# One seed for RapidCheck: what passed once passes again. Other cases are tried by tools/test-sanitizers, and by a program that is
+# One seed for RapidCheck: what passed once passes again. Other cases are tried by tools/deep-run, and by a program that is
 # started by hand.
 function(reorient_discover name filter timeout labels)
   set(filter_of)
