@@ -4,7 +4,7 @@
 #             ./test --groups NAME,... and .ci/run run some groups; CONTRIBUTING.md lists them and the files of each
 # The targets `gate` and `extended.GROUP` build what the tests of a tier or a group need.
 add_custom_target(gate)
-set(REORIENT_TEST_FLAGS $<$<CONFIG:Release>:-O1>)  # what is tested is as fast as ever; a third less to wait
+set(REORIENT_TEST_FLAGS $<$<CONFIG:Release>:-O1>)  # of the tests alone, not of what they test
 
 # Headers that most tests include are compiled once, not once a source: without RapidCheck and with it. The preset `debug` compiles
 # without them, so that no include goes missing unseen.

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(All, CompanionClient,
                                            Setting{"PythonWithOurs", kPython, "ours", "nao-v6", "spl"}),
                          [](const auto& one) { return std::string(one.param.name); });
 
-/// Beside a client that plays the main job. Its robot goes on learning until the test has it lifted, or has ended: the
+/// Beside a client that plays the main job. Its robot keeps learning until the test has it lifted, or has ended: the
 /// job lasts as long as the test needs, on any machine.
 class HeldRobot {
  public:

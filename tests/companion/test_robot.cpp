@@ -3,7 +3,7 @@
 // it is; in the end it judges what the client believes.
 //   test_robot BODY.toml FIELD.toml SEED WIDTH [LEARN] [AFTER] [PACE]
 // PACE: at most so many times as fast as a real one. $REORIENT_HEARTBEAT: a file that says how many of its frames were
-// answered. $REORIENT_LIFT_WHEN: a file; the robot goes on learning until the file exists, however long that takes.
+// answered. $REORIENT_LIFT_WHEN: a file; the robot keeps learning until the file exists, however long that takes.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
