@@ -234,8 +234,8 @@ TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanion
     ASSERT_TRUE(pose_after(client, 0.0, 1, std::nullopt)) << companion.err();
     const auto never = std::filesystem::file_time_type::min();
     ASSERT_TRUE(await([&] { return saved_at(socket()) != never && threads_of(companion) == threads; }));
-    // It saves what is told only once at most ten times a second, and all else once a second. So this frame is saved
-    // at the one look that follows it; on a starved machine a second may have passed anyway.
+    // It saves what the client sends only once at most ten times a second, and all else once a second. So this frame is
+    // saved at the one look that follows it; on a starved machine a second may have passed anyway.
     let_time_pass(0.11);
     const auto before = saved_at(socket());
     const std::optional<Pose2> pose = pose_after(client, 0.1, 2, told);

@@ -124,7 +124,7 @@ TEST_F(RunThatIsRecorded, BecomesTablesAndPicturesOfAnyMoment) {
 /// What a recording holds so far, perhaps while a program still writes it.
 struct Recorded {
   int frames = 0;
-  double until = -1.0;  ///< s of the robot, of the last frame; -1: there is none
+  double until = -1.0;  ///< s of the robot, of the last frame; -1: no frame yet
 };
 
 Recorded recorded_in(const std::string& file) {
@@ -137,7 +137,7 @@ Recorded recorded_in(const std::string& file) {
   return recorded;
 }
 
-/// s of the robot, of the last whole line of the timeline; -1: there is none.
+/// s of the robot, of the last whole line of the timeline; -1: no line yet.
 double last_reported(const std::string& out) {
   double time = -1.0;
   std::istringstream lines(out.substr(0, out.rfind('\n') + 1));

@@ -87,7 +87,7 @@ TEST_F(UdpRefereeTest, HearsEverybodyUntilOneIsHeededAndThenThatOneAlone) {
   others_.say("RGme, of another field", port_);
   EXPECT_EQ(await_heard(), "RGme, of another field");
   ours_.say("RGme, of ours", port_);
-  EXPECT_EQ(await_heard(), "RGme, of ours") << "the first is not heeded";
+  EXPECT_EQ(await_heard(), "RGme, of ours") << "the first is ignored";
   referee_.heed();
   others_.say("RGme, of another field", port_);
   EXPECT_EQ(hear(), "");
