@@ -10,14 +10,31 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
-#include "robots/companion/image_formats.h"
-
 // It does not see fences. The one below is between two processes, of which it sees one.
 #ifdef __SANITIZE_THREAD__
 #pragma GCC diagnostic ignored "-Wtsan"
 #endif
 
 namespace reorient {
+namespace {
+
+/// Of a camera whose image size is not 0, so that its format is known.
+PixelFormat format_of(const reorient_camera& camera) {
+  switch (camera.format) {
+    case REORIENT_YUYV:
+      return PixelFormat::yuyv;
+    case REORIENT_NV12:
+      return PixelFormat::nv12;
+    case REORIENT_RGB:
+      return PixelFormat::rgb;
+    case REORIENT_BGR:
+      return PixelFormat::bgr;
+    default:
+      return PixelFormat::gray;
+  }
+}
+
+}  // namespace
 
 OwnedDescriptor::~OwnedDescriptor() {
   if (descriptor_ >= 0) close(descriptor_);
@@ -36,7 +53,7 @@ int OwnedDescriptor::release() { return std::exchange(descriptor_, -1); }
 SharedImages::SharedImages(const OwnedDescriptor& memory, const reorient_memory& layout, const reorient_camera& camera)
     : size_(std::size_t{REORIENT_SLOTS} * layout.slot_size),
       slot_size_(layout.slot_size),
-      format_(camera.format),
+      format_(format_of(camera)),
       image_bytes_(reorient_image_bytes(&camera)) {
   constexpr std::size_t kAligned = 64;
   if (image_bytes_ == 0) throw BadMessage("memory for a camera that the hello does not have");

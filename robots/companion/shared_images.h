@@ -8,6 +8,7 @@
 
 #include "geometry/image.h"
 #include "robots/companion/message.h"
+#include "robots/image_formats.h"
 
 namespace reorient {
 
@@ -42,7 +43,7 @@ class SharedImages {
   const std::byte* base_ = nullptr;
   std::size_t size_;
   std::size_t slot_size_;
-  std::uint32_t format_;
+  PixelFormat format_;
   std::size_t image_bytes_;
 };
 

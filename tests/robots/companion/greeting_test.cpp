@@ -120,5 +120,15 @@ TEST(Greeting, OfAnotherSizeIsRefused) {
   EXPECT_THROW(read_greeting(longer, nobody_known()), BadMessage);
 }
 
+TEST(Greeting, ImagesOfAnUnknownFormatHaveNoSize) {
+  for (const std::uint32_t format : {0u, 6u, 4000000000u}) {
+    reorient_camera camera{};
+    camera.width = 64;
+    camera.height = 64;
+    camera.format = format;
+    EXPECT_EQ(reorient_image_bytes(&camera), 0u);
+  }
+}
+
 }  // namespace
 }  // namespace reorient

@@ -1,9 +1,7 @@
-#include "robots/companion/image_formats.h"
+#include "robots/image_formats.h"
 
 #include <algorithm>
 #include <cstring>
-
-#include "robots/companion/reorient_companion.h"
 
 namespace reorient {
 namespace {
@@ -15,12 +13,12 @@ int luma_of(int red, int green, int blue) { return (19595 * red + 38470 * green 
 int cb_of(int red, int green, int blue) { return 128 + ((-11059 * red - 21709 * green + 32768 * blue + 32768) >> 16); }
 int cr_of(int red, int green, int blue) { return 128 + ((32768 * red - 27439 * green - 5329 * blue + 32768) >> 16); }
 
-/// `red`, `blue`: where in a pixel of three bytes they are.
+/// `red`, `blue`: their offsets in a pixel of three bytes.
 void convert_rgb(const std::uint8_t* from, std::size_t red, std::size_t blue, Image& image) {
   for (int y = 0; y < image.height(); ++y) {
     std::uint8_t* to = image.row(y);
     for (int x = 0; x < image.width(); x += 2, from += 6, to += 4) {
-      // Both pixels of a pair share their chroma: that of their mean.
+      // Both pixels of a pair share the chroma of their mean.
       const int r = (from[red] + from[3 + red] + 1) / 2;
       const int g = (from[1] + from[4] + 1) / 2;
       const int b = (from[blue] + from[3 + blue] + 1) / 2;
@@ -32,7 +30,7 @@ void convert_rgb(const std::uint8_t* from, std::size_t red, std::size_t blue, Im
   }
 }
 
-/// A plane of luma, then rows of pairs of chroma, each of which belongs to two rows of luma.
+/// Each row of chroma pairs belongs to two rows of luma.
 void convert_nv12(const std::uint8_t* luma, Image& image) {
   const auto width = static_cast<std::size_t>(image.width());
   const std::uint8_t* const chroma = luma + width * static_cast<std::size_t>(image.height());
@@ -48,7 +46,7 @@ void convert_nv12(const std::uint8_t* luma, Image& image) {
   }
 }
 
-void convert_grey(const std::uint8_t* from, Image& image) {
+void convert_gray(const std::uint8_t* from, Image& image) {
   constexpr std::uint8_t kNoColor = 128;
   for (int y = 0; y < image.height(); ++y) {
     std::uint8_t* to = image.row(y);
@@ -61,22 +59,22 @@ void convert_grey(const std::uint8_t* from, Image& image) {
 
 }  // namespace
 
-void convert_image(std::span<const std::uint8_t> bytes, std::uint32_t format, Image& image) {
+void convert_image(std::span<const std::uint8_t> bytes, PixelFormat format, Image& image) {
   switch (format) {
-    case REORIENT_YUYV: {
+    case PixelFormat::yuyv: {
       const std::size_t row = 2 * static_cast<std::size_t>(image.width());
       for (int y = 0; y < image.height(); ++y)
         std::memcpy(image.row(y), bytes.data() + static_cast<std::size_t>(y) * row, row);
       return;
     }
-    case REORIENT_NV12:
+    case PixelFormat::nv12:
       return convert_nv12(bytes.data(), image);
-    case REORIENT_RGB:
+    case PixelFormat::rgb:
       return convert_rgb(bytes.data(), 0, 2, image);
-    case REORIENT_BGR:
+    case PixelFormat::bgr:
       return convert_rgb(bytes.data(), 2, 0, image);
-    default:
-      return convert_grey(bytes.data(), image);
+    case PixelFormat::gray:
+      return convert_gray(bytes.data(), image);
   }
 }
 
