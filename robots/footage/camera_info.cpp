@@ -1,0 +1,83 @@
+#include "robots/footage/camera_info.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "robots/footage/messages/bad_message.h"
+
+namespace reorient {
+namespace {
+
+/// The only place that knows the names of distortion models.
+void set_distortion(const messages::CameraInfo& info, CameraModel& camera) {
+  const std::vector<double>& d = info.d;
+  const bool is_zero = std::all_of(d.begin(), d.end(), [](double each) { return each == 0.0; });
+  if (is_zero) return;
+  const std::string& model = info.distortion_model;
+  if (model != "plumb_bob" && model != "rational_polynomial") {
+    throw BadFootage("distortion model: expected plumb_bob, or coefficients that are 0, found " +
+                     messages::in_quotes(model));
+  }
+  constexpr std::size_t kRadial = 2;  // of k1, k2, p1, p2, k3 ...
+  if (d.size() < kRadial || std::any_of(d.begin() + kRadial, d.end(), [](double each) { return each != 0.0; })) {
+    throw BadFootage("distortion model " + model + ": expected no coefficients but k1 and k2, found others in D (" +
+                     std::to_string(d.size()) + " numbers)");
+  }
+  if (!std::isfinite(d[0]) || !std::isfinite(d[1]))
+    throw BadFootage("distortion model " + model + ": expected finite coefficients, found another in D");
+  camera.k1 = d[0];
+  camera.k2 = d[1];
+}
+
+std::string size_text(std::int64_t width, std::int64_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+}  // namespace
+
+CameraModel camera_at(const CameraModel& camera, int width, int height) {
+  if (camera.width == width && camera.height == height) return camera;
+  if (camera.width == width + 1 && camera.width % 2 == 1 && camera.height == height) {
+    CameraModel cropped = camera;
+    cropped.width = width;
+    return cropped;
+  }
+  const std::int64_t difference = std::int64_t{camera.width} * height - std::int64_t{camera.height} * width;
+  if (std::abs(difference) > std::max({camera.width, camera.height, width, height})) {
+    throw BadFootage("camera calibration: expected the aspect ratio of the image, " + size_text(width, height) +
+                     ", found " + size_text(camera.width, camera.height));
+  }
+  return camera.scaled_to(width, height);
+}
+
+CameraModel camera_of(const messages::CameraInfo& info, int width, int height, bool rectified) {
+  constexpr std::uint32_t kLargest = 65536;
+  const auto& region = info.region;
+  const bool has_region = region.width > 0 && region.height > 0;
+  for (const std::uint32_t size : {info.width, info.height, region.width, region.height}) {
+    if (size > kLargest)
+      throw BadFootage("camera calibration: expected at most 65536 pixels, found " + std::to_string(size));
+  }
+  if (info.width == 0 || info.height == 0)
+    throw BadFootage("camera calibration: expected a width and a height, found " + size_text(info.width, info.height));
+  CameraModel camera;
+  camera.width = static_cast<int>(has_region ? region.width : info.width);
+  camera.height = static_cast<int>(has_region ? region.height : info.height);
+  if (rectified && info.p[0] != 0.0) {
+    camera.focal = {info.p[0], info.p[5]};
+    camera.center = {info.p[2], info.p[6]};
+  } else {
+    camera.focal = {info.k[0], info.k[4]};
+    camera.center = {info.k[2], info.k[5]};
+  }
+  if (!(camera.focal.minCoeff() > 0.0) || !camera.focal.allFinite() || !camera.center.allFinite())
+    throw BadFootage("camera calibration: expected positive focal lengths, found " + std::to_string(camera.focal.x()) +
+                     " and " + std::to_string(camera.focal.y()) + " (0: not calibrated)");
+  if (!rectified) set_distortion(info, camera);
+  if (has_region) camera.center -= Eigen::Vector2d(region.x_offset, region.y_offset);
+  return camera_at(camera, width, height);
+}
+
+}  // namespace reorient

@@ -1,0 +1,28 @@
+// The errors of the decoders: one line with the byte, the value, what was expected and what was found.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "robots/footage/footage.h"
+
+namespace reorient::messages {
+
+[[noreturn]] inline void fail_at(std::size_t byte, const std::string& problem) {
+  throw BadFootage("byte " + std::to_string(byte) + ": " + problem);
+}
+
+/// `text` of a file for a line of an error message: control characters and bytes beyond ASCII become '?', a long text
+/// is cut.
+inline std::string printable(std::string_view text) {
+  constexpr std::size_t kLongest = 200;
+  std::string line;
+  for (const char letter : text.substr(0, kLongest)) line += letter >= ' ' && letter < 0x7F ? letter : '?';
+  if (text.size() > kLongest) line += "...";
+  return line;
+}
+
+inline std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
+
+}  // namespace reorient::messages

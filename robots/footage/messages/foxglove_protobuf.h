@@ -1,0 +1,20 @@
+// Messages of Foxglove's schemas in Protocol Buffers. Each function throws BadFootage with the byte and the field at
+// which a message is not what its schema defines. As in all Protocol Buffers a missing field has its default, and
+// unknown fields are ignored.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "robots/footage/messages/messages.h"
+
+namespace reorient::messages::foxglove_protobuf {
+
+RawImage raw_image(std::span<const std::byte> message);
+CompressedImage compressed_image(std::span<const std::byte> message);
+CameraInfo camera_calibration(std::span<const std::byte> message);
+Transforms frame_transform(std::span<const std::byte> message);
+Transforms frame_transforms(std::span<const std::byte> message);
+Pose pose_in_frame(std::span<const std::byte> message);
+
+}  // namespace reorient::messages::foxglove_protobuf
