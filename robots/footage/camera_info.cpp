@@ -1,7 +1,9 @@
 #include "robots/footage/camera_info.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -31,6 +33,12 @@ void set_distortion(const messages::CameraInfo& info, CameraModel& camera) {
   camera.k2 = d[1];
 }
 
+std::string number_text(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", number);
+  return text.data();
+}
+
 std::string size_text(std::int64_t width, std::int64_t height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
@@ -45,7 +53,7 @@ CameraModel camera_at(const CameraModel& camera, int width, int height) {
     return cropped;
   }
   const std::int64_t difference = std::int64_t{camera.width} * height - std::int64_t{camera.height} * width;
-  if (std::abs(difference) > std::max({camera.width, camera.height, width, height})) {
+  if (width <= 0 || height <= 0 || std::abs(difference) > std::max({camera.width, camera.height, width, height})) {
     throw BadFootage("camera calibration: expected the aspect ratio of the image, " + size_text(width, height) +
                      ", found " + size_text(camera.width, camera.height));
   }
@@ -72,9 +80,14 @@ CameraModel camera_of(const messages::CameraInfo& info, int width, int height, b
     camera.focal = {info.k[0], info.k[4]};
     camera.center = {info.k[2], info.k[5]};
   }
-  if (!(camera.focal.minCoeff() > 0.0) || !camera.focal.allFinite() || !camera.center.allFinite())
-    throw BadFootage("camera calibration: expected positive focal lengths, found " + std::to_string(camera.focal.x()) +
-                     " and " + std::to_string(camera.focal.y()) + " (0: not calibrated)");
+  constexpr double kLargestLength = 1e6;  // pixels
+  const bool is_finite = camera.focal.allFinite() && camera.center.allFinite();
+  if (!is_finite || camera.focal.minCoeff() <= 0.0 || camera.focal.maxCoeff() > kLargestLength ||
+      camera.center.cwiseAbs().maxCoeff() > kLargestLength) {
+    throw BadFootage("camera calibration: expected positive focal lengths and a center, found focal lengths " +
+                     number_text(camera.focal.x()) + " and " + number_text(camera.focal.y()) + ", center " +
+                     number_text(camera.center.x()) + " and " + number_text(camera.center.y()));
+  }
   if (!rectified) set_distortion(info, camera);
   if (has_region) camera.center -= Eigen::Vector2d(region.x_offset, region.y_offset);
   return camera_at(camera, width, height);

@@ -37,7 +37,9 @@ std::optional<Eigen::Matrix3d> rotation_of(const messages::Quaternion& quaternio
 
 std::optional<Isometry3> isometry_of(const messages::Motion& motion) {
   const std::optional<Eigen::Matrix3d> rotation = rotation_of(motion.rotation);
+  constexpr double kFarthest = 1e8;  // m; map coordinates may be those of a whole country
   if (!rotation || !motion.translation.allFinite()) return std::nullopt;
+  if (motion.translation.cwiseAbs().maxCoeff() > kFarthest) return std::nullopt;
   Isometry3 isometry = Isometry3::Identity();
   isometry.linear() = *rotation;
   isometry.translation() = motion.translation;

@@ -14,7 +14,7 @@
 
 namespace reorient {
 
-/// Empty: a number is not finite, or the quaternion has no direction.
+/// Empty: a number is not finite or absurdly large, or the quaternion is not of length 1.
 std::optional<Isometry3> isometry_of(const messages::Motion& motion);
 std::optional<Eigen::Matrix3d> rotation_of(const messages::Quaternion& quaternion);
 

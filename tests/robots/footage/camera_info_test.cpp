@@ -71,8 +71,9 @@ TEST(CameraInfo, ThatCannotBeUsedIsRefusedWithOneLine) {
             "camera calibration: expected the aspect ratio of the image, 640x360, found 640x480");
   messages::CameraInfo info = info_of(640, 480);
   info.k = {};
-  EXPECT_EQ(error_of(info),
-            "camera calibration: expected positive focal lengths, found 0.000000 and 0.000000 (0: not calibrated)");
+  EXPECT_EQ(
+      error_of(info),
+      "camera calibration: expected positive focal lengths and a center, found focal lengths 0 and 0, center 0 and 0");
   info = info_of(0, 480);
   EXPECT_EQ(error_of(info), "camera calibration: expected a width and a height, found 0x480");
   info = info_of(640, 480);
