@@ -1,7 +1,7 @@
 # Every library that is not ours is found here or in libraries.cmake, nowhere else.
 include(libraries)
 reorient_find(missing
-  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG zlib::zlib zstd::zstd tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json
+  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG lz4::lz4 zlib::zlib zstd::zstd tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json
   opencv::core opencv::imgproc)
 if(missing)
   message(FATAL_ERROR "reorient: ${missing}")

@@ -10,6 +10,7 @@
 
 #include "geometry/bytes.h"
 #include "workbench/recording/mcap/checksum.h"
+#include "workbench/recording/mcap/records.h"
 
 namespace reorient::mcap {
 namespace {
@@ -21,25 +22,6 @@ struct RecordHead {
   std::uint64_t content() const { return where + kRecordHead; }
   std::uint64_t end() const { return content() + length; }
 };
-
-/// A map or an array, behind its length in bytes.
-template <typename Each>
-void read_sized(ByteReader& in, Each each) {
-  std::uint32_t size = 0;
-  in(size);
-  check_bytes(size <= in.left(), "a list is longer than its record");
-  for (const std::size_t end = in.left() - size; in.left() > end;) each(in);
-}
-
-Texts read_texts(ByteReader& in) {
-  Texts texts;
-  read_sized(in, [&](ByteReader& entries) {
-    std::string key, value;
-    entries(key, value);
-    texts[key] = value;
-  });
-  return texts;
-}
 
 /// Goes from record to record of a source that nobody trusts.
 class Walk {
@@ -87,19 +69,6 @@ class Walk {
  private:
   const Source& source_;
 };
-
-Schema read_schema(ByteReader in) {
-  Schema schema;
-  in(schema.id, schema.name, schema.encoding, schema.text);
-  return schema;
-}
-
-Channel read_channel(ByteReader in) {
-  Channel channel;
-  in(channel.id, channel.schema, channel.topic, channel.encoding);
-  channel.metadata = read_texts(in);
-  return channel;
-}
 
 Metadata read_metadata(ByteReader in) {
   Metadata metadata;
@@ -149,6 +118,29 @@ AttachmentPlace read_attachment_head(const RecordHead& head, std::span<const std
   return place;
 }
 
+/// Messages outside of chunks are grouped, so that their number does not matter. What is too short to be one is
+/// ignored.
+void add_loose_message(const Walk& walk, const RecordHead& head, std::vector<ChunkPlace>& loose) {
+  constexpr std::uint64_t kBeforeData = 2 + 4 + 8 + 8, kLargestGroup = 4u << 20;
+  if (head.length < kBeforeData || head.end() - head.where > kLargestChunk) return;
+  const std::vector<std::byte> content = walk.content_of(head, kBeforeData);
+  std::uint16_t channel = 0;
+  std::uint32_t sequence = 0;
+  std::uint64_t time = 0;
+  ByteReader{content}(channel, sequence, time);
+  if (loose.empty() || head.end() - loose.back().where > kLargestGroup) {
+    ChunkPlace group;
+    group.where = group.data = head.where;
+    group.start_time = group.end_time = time;
+    loose.push_back(group);
+  }
+  ChunkPlace& group = loose.back();
+  group.start_time = std::min(group.start_time, time);
+  group.end_time = std::max(group.end_time, time);
+  group.end = head.end();
+  group.size = group.data_size = group.end - group.where;
+}
+
 constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of a chunk's or an attachment's head, names included
 
 /// What was met, and at which byte. A writer may say again what it has said.
@@ -185,6 +177,9 @@ bool read_record(const Walk& walk, const RecordHead& head, Known& known, Content
     case Opcode::metadata:
       contents.metadata.push_back(read_metadata(ByteReader(walk.content_of(head))));
       known.metadata.emplace(head.where, contents.metadata.size() - 1);
+      return true;
+    case Opcode::message:
+      add_loose_message(walk, head, contents.loose);
       return true;
     case Opcode::chunk:
       contents.chunks.push_back(read_chunk_head(head, walk.content_of(head, kMostBeforeData)));

@@ -47,6 +47,7 @@ struct Contents {
   std::vector<Schema> schemas;
   std::vector<Channel> channels;
   std::vector<ChunkPlace> chunks;
+  std::vector<ChunkPlace> loose;  ///< records with messages outside of chunks, as chunks without compression
   std::vector<AttachmentPlace> attachments;
   std::vector<Metadata> metadata;
   std::optional<Statistics> statistics;  ///< as the summary tells them

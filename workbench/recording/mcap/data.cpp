@@ -1,9 +1,11 @@
 #include "workbench/recording/mcap/data.h"
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include <lz4frame.h>
 #include <zstd.h>
 
 #include "geometry/bytes.h"
@@ -11,30 +13,63 @@
 
 namespace reorient::mcap {
 
+namespace {
+
+constexpr std::size_t kStep = 1u << 20;  // bytes: how long a chunk is claimed to be may be wrong
+
+std::vector<std::byte> unpack_zstd(std::span<const std::byte> stored, const ChunkPlace& place) {
+  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  if (!context) throw std::runtime_error("zstd gives no memory to read with");
+  std::vector<std::byte> records;
+  ZSTD_inBuffer in{stored.data(), stored.size(), 0};
+  while (in.pos < in.size && records.size() <= place.size) {
+    const std::size_t before = records.size();
+    records.resize(before + kStep);
+    ZSTD_outBuffer out{records.data() + before, kStep, 0};
+    const std::size_t result = ZSTD_decompressStream(context.get(), &out, &in);
+    if (ZSTD_isError(result) != 0)
+      throw Damage(place.where, std::string("a chunk is damaged: ") + ZSTD_getErrorName(result));
+    records.resize(before + out.pos);
+    if (result == 0) break;  // the frame is whole
+    if (out.pos == 0 && in.pos == in.size) break;
+  }
+  return records;
+}
+
+std::vector<std::byte> unpack_lz4(std::span<const std::byte> stored, const ChunkPlace& place) {
+  LZ4F_dctx* made = nullptr;
+  const LZ4F_errorCode_t failure = LZ4F_createDecompressionContext(&made, LZ4F_VERSION);
+  const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> context(made, LZ4F_freeDecompressionContext);
+  if (LZ4F_isError(failure) != 0) throw std::runtime_error("lz4 gives no memory to read with");
+  std::vector<std::byte> records;
+  while (records.size() <= place.size) {
+    const std::size_t before = records.size();
+    records.resize(before + kStep);
+    std::size_t written = kStep, consumed = stored.size();
+    const std::size_t result =
+        LZ4F_decompress(context.get(), records.data() + before, &written, stored.data(), &consumed, nullptr);
+    if (LZ4F_isError(result) != 0)
+      throw Damage(place.where, std::string("a chunk is damaged: ") + LZ4F_getErrorName(result));
+    records.resize(before + written);
+    stored = stored.subspan(consumed);
+    if (result == 0 || (written == 0 && consumed == 0)) break;  // the frame is whole, or cut
+  }
+  return records;
+}
+
+}  // namespace
+
 ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : where_(place.where) {
   std::vector<std::byte> stored(static_cast<std::size_t>(place.data_size));
   source.read(place.data, stored);
   if (place.compression.empty()) {
     records_ = std::move(stored);
   } else if (place.compression == "zstd") {
-    // Not all at once: how long it is claimed to be, anybody can write.
-    const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-    if (!context) throw std::runtime_error("zstd gives no memory to read with");
-    ZSTD_inBuffer in{stored.data(), stored.size(), 0};
-    constexpr std::size_t kStep = 1u << 20;
-    while (in.pos < in.size && records_.size() <= place.size) {
-      const std::size_t before = records_.size();
-      records_.resize(before + kStep);
-      ZSTD_outBuffer out{records_.data() + before, kStep, 0};
-      const std::size_t result = ZSTD_decompressStream(context.get(), &out, &in);
-      if (ZSTD_isError(result) != 0)
-        throw Damage(where_, std::string("a chunk is damaged: ") + ZSTD_getErrorName(result));
-      records_.resize(before + out.pos);
-      if (result == 0) break;  // the frame is whole
-      if (out.pos == 0 && in.pos == in.size) break;
-    }
+    records_ = unpack_zstd(stored, place);
+  } else if (place.compression == "lz4") {
+    records_ = unpack_lz4(stored, place);
   } else {
-    throw Damage(where_, "a chunk is compressed by '" + place.compression + "', which is not read here");
+    throw Damage(where_, "a chunk's compression is unknown (expected lz4, zstd or none)");
   }
   if (records_.size() != place.size) {
     throw Damage(
@@ -43,21 +78,33 @@ ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : wh
   if (place.crc != 0 && crc_of(0, records_) != place.crc) throw Damage(where_, "a chunk's checksum is another one");
 }
 
+bool ChunkMessages::next(ChunkRecord& record) {
+  if (at_ == records_.size()) return false;
+  const std::span<const std::byte> rest = std::span(records_).subspan(at_);
+  try {
+    ByteReader in(rest);
+    std::uint8_t opcode = 0;
+    std::uint64_t length = 0;
+    in(opcode, length);
+    check_bytes(length <= in.left(), "a message is longer than its chunk");
+    record.opcode = static_cast<Opcode>(opcode);
+    record.content = rest.subspan(kRecordHead, static_cast<std::size_t>(length));
+    at_ += kRecordHead + static_cast<std::size_t>(length);
+    return true;
+  } catch (const BadBytes& bad) {
+    at_ = records_.size();
+    throw Damage(where_, bad.what());
+  }
+}
+
 bool ChunkMessages::next(Message& message) {
-  while (at_ < records_.size()) {
-    const std::span<const std::byte> rest = std::span(records_).subspan(at_);
+  for (ChunkRecord record; next(record);) {
+    if (record.opcode != Opcode::message) continue;
     try {
-      ByteReader in(rest);
-      std::uint8_t opcode = 0;
-      std::uint64_t length = 0;
-      in(opcode, length);
-      check_bytes(length <= in.left(), "a message is longer than its chunk");
-      at_ += kRecordHead + static_cast<std::size_t>(length);
-      if (static_cast<Opcode>(opcode) != Opcode::message) continue;
-      ByteReader content(rest.subspan(kRecordHead, static_cast<std::size_t>(length)));
+      ByteReader content(record.content);
       std::uint64_t published = 0;
       content(message.channel, message.sequence, message.time, published);
-      message.data = rest.subspan(kRecordHead + static_cast<std::size_t>(length) - content.left(), content.left());
+      message.data = record.content.last(content.left());
       return true;
     } catch (const BadBytes& bad) {
       at_ = records_.size();

@@ -18,6 +18,12 @@ struct Message {
   std::span<const std::byte> data;
 };
 
+/// A record of a chunk: a message, a schema, a channel.
+struct ChunkRecord {
+  Opcode opcode{};
+  std::span<const std::byte> content;
+};
+
 /// The messages of one chunk, in their order.
 class ChunkMessages {
  public:
@@ -26,6 +32,8 @@ class ChunkMessages {
 
   /// False: there are no more. Throws Damage.
   bool next(Message& message);
+  /// The same for records of all kinds.
+  bool next(ChunkRecord& record);
 
  private:
   std::uint64_t where_;

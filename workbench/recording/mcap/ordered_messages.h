@@ -1,0 +1,58 @@
+// The messages of some topics of a file, in the order of their log times, however the file stores them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <queue>
+#include <set>
+#include <vector>
+
+#include "workbench/recording/mcap/contents.h"
+#include "workbench/recording/mcap/data.h"
+#include "workbench/recording/mcap/source.h"
+
+namespace reorient::mcap {
+
+class OrderedMessages {
+ public:
+  static constexpr std::uint64_t kMostMemory = 512u << 20;  // bytes of chunks that are open at once
+
+  /// Reads the chunks of `places` when their time has come. `source` must outlive this.
+  OrderedMessages(const Source& source, std::vector<ChunkPlace> places, std::set<std::uint16_t> channels,
+                  std::uint64_t most_memory = kMostMemory);
+
+  /// The next message, valid until the next call; of the same time in the order of the file. False: there are no more.
+  /// Throws Damage, for chunks that overlap in time and need more than `most_memory` together, too.
+  bool next(Message& message);
+
+ private:
+  struct OpenChunk {
+    OpenChunk(const Source& source, const ChunkPlace& place) : records(source, place), where(place.where) {}
+
+    ChunkMessages records;
+    std::uint64_t where;
+    std::uint64_t size = 0;         // bytes
+    std::vector<Message> messages;  // by time
+    std::size_t at = 0;
+    std::uint64_t time() const { return messages[at].time; }
+  };
+  struct Later {
+    bool operator()(const std::unique_ptr<OpenChunk>& a, const std::unique_ptr<OpenChunk>& b) const {
+      return a->time() != b->time() ? a->time() > b->time() : a->where > b->where;
+    }
+  };
+
+  bool must_open_next() const;
+  void open_next();
+
+  const Source& source_;
+  std::vector<ChunkPlace> places_;  // by start time
+  std::size_t next_place_ = 0;
+  std::set<std::uint16_t> channels_;
+  std::uint64_t most_memory_, memory_ = 0;
+  std::vector<std::unique_ptr<OpenChunk>> open_;  // a heap; the earliest message first
+  std::unique_ptr<OpenChunk> current_;            // of the message that was handed out
+};
+
+}  // namespace reorient::mcap
