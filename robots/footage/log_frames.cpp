@@ -105,7 +105,7 @@ void LogFrames::add_image(LogMessage&& message) {
     waiting.time = compressed->header.time;
     waiting.bytes = compressed->data.size();
   }
-  if (waiting.time == 0) waiting.time = waiting.message.log_time;
+  images_have_times_ |= waiting.time != 0;
   waiting_bytes_ += waiting.bytes;
   const auto it = std::upper_bound(waiting_.begin(), waiting_.end(), waiting.time,
                                    [](Time time, const WaitingImage& other) { return time < other.time; });
@@ -131,12 +131,9 @@ bool LogFrames::next(FootageFrame& frame) {
     WaitingImage image = std::move(waiting_.front());
     waiting_.pop_front();
     waiting_bytes_ -= image.bytes;
-    if (last_frame_ && image.time <= *last_frame_) {
-      ++counts_.out_of_order;
-      continue;
-    }
+    if (!images_have_times_) image.time = image.message.log_time;
     try {
-      if (!make_frame(image, frame)) continue;
+      if (is_late(image) || !make_frame(image, frame)) continue;
     } catch (const BadFootage& bad) {
       throw BadFootage(image.message.where + ": " + bad.what());
     }
@@ -147,11 +144,29 @@ bool LogFrames::next(FootageFrame& frame) {
   return false;
 }
 
+bool LogFrames::is_late(const WaitingImage& image) {
+  if (!last_frame_ || image.time > *last_frame_) return false;
+  constexpr Time kLatest = 10 * messages::kSecond;  // beyond this a clock was set, not a message delayed
+  if (image.time < *last_frame_ - kLatest) {
+    throw BadFootage("expected times that increase, found one that is " +
+                     std::to_string((*last_frame_ - image.time) / messages::kSecond) +
+                     " s before that of the frame before");
+  }
+  ++counts_.out_of_order;
+  return true;
+}
+
+std::string LogFrames::camera_frame_of(const WaitingImage& waiting) const {
+  if (!options_.camera_frame.empty()) return options_.camera_frame;
+  const std::string_view frame = frame_of(waiting.message.message);
+  if (frame.empty() && !calibrations_.empty()) return calibrations_.back().info.header.frame;
+  return std::string(frame);
+}
+
 std::optional<Isometry3> LogFrames::base_from_camera(const WaitingImage& waiting) const {
   if (options_.base_from_camera) return options_.base_from_camera;
-  const std::string_view frame =
-      options_.camera_frame.empty() ? frame_of(waiting.message.message) : std::string_view(options_.camera_frame);
-  std::optional<Isometry3> motion = transforms_.find(options_.base_frame, frame, waiting.time, options_.limits);
+  std::optional<Isometry3> motion =
+      transforms_.find(options_.base_frame, camera_frame_of(waiting), waiting.time, options_.limits);
   if (motion && options_.camera_axes == CameraAxes::optical) *motion = *motion * body_from_optical().inverse();
   return motion;
 }
@@ -206,8 +221,7 @@ bool LogFrames::make_frame(WaitingImage& waiting, FootageFrame& frame) {
   const std::optional<Isometry3> mount = base_from_camera(waiting);
   if (!mount) {
     ++counts_.without_camera_pose;
-    missing_camera_frame_ =
-        options_.camera_frame.empty() ? std::string(frame_of(waiting.message.message)) : options_.camera_frame;
+    missing_camera_frame_ = camera_frame_of(waiting);
     return false;
   }
   if (!options_.camera && calibrations_.empty()) {

@@ -34,7 +34,7 @@ struct LogFrameOptions {
   std::string field_frame = "map";
   std::string odometry_frame = "odom";
   std::string base_frame = "base_link";  ///< of the robot; x forward
-  std::string camera_frame;              ///< empty: the frame that each image names
+  std::string camera_frame;              ///< empty: the frame that each image names, else its calibration
   CameraAxes camera_axes = CameraAxes::optical;
 
   std::optional<CameraModel> camera;          ///< instead of the log's calibration
@@ -72,7 +72,10 @@ struct LogMessage {
 /// from the odometry. A pose without any roll and pitch counts as planar: then the attitude comes from the Imu, and
 /// where the height is 0 as well, it is `base_height`.
 ///
-/// An image is left out, and counted, where the log has no calibration yet or no transform from its camera to the base.
+/// The torso's attitude is that of the Imu, else roll and pitch of the pose.
+///
+/// An image is left out, and counted, where the log has no calibration yet or no transform from its camera to the base,
+/// and where it comes too late. Images without a time have that of their recording, if no image has a time.
 class LogFrames {
  public:
   explicit LogFrames(LogFrameOptions options) : options_(std::move(options)) {}
@@ -105,9 +108,11 @@ class LogFrames {
   };
 
   void add_image(LogMessage&& message);
+  bool is_late(const WaitingImage& image);
   void add_pose(const messages::Pose& pose, Posed& posed);
   bool make_frame(WaitingImage& waiting, FootageFrame& frame);
   bool set_camera(const WaitingImage& waiting, int width, int height, FootageFrame& frame) const;
+  std::string camera_frame_of(const WaitingImage& waiting) const;
   std::optional<Isometry3> base_from_camera(const WaitingImage& waiting) const;
   std::optional<Isometry3> posed_at(const Posed& posed, messages::Time time) const;
   std::optional<Isometry3> field_from_base(messages::Time time) const;
@@ -118,6 +123,7 @@ class LogFrames {
   LogCounts counts_;
   bool finished_ = false;
   messages::Time newest_log_time_ = 0;
+  bool images_have_times_ = false;
   std::optional<messages::Time> last_frame_;
 
   std::deque<WaitingImage> waiting_;  // by time

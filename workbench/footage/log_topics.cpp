@@ -168,6 +168,7 @@ ChosenTopics choose_topics(const mcap::Contents& contents, const LogTopics& want
       return;
     }
     std::set<std::string> candidates = chooser.topics_of(content);
+    if (content == Content::odometry && wanted.pose) candidates.erase(*wanted.pose);
     if (content == Content::pose) std::erase_if(candidates, [](const std::string& topic) { return is_goal(topic); });
     if (candidates.size() == 1) {
       chooser.use(*candidates.begin(), content);

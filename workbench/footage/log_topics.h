@@ -40,8 +40,8 @@ struct ChosenTopics {
 };
 
 /// Chooses topics that have messages: all with transforms, the camera info in the namespace of the image, else the only
-/// one, and the only one of each other kind. The topics of goals (goal_pose, initialpose) are never chosen as poses.
-/// Several pose topics beside transforms: none is chosen.
+/// one, and the only one of each other kind; what is named as pose is not chosen as odometry. The topics of goals
+/// (goal_pose, initialpose) are never chosen as poses. Several pose topics beside transforms: none is chosen.
 ///
 /// Throws BadFootage with a list where there are several others of a kind, where a topic is named that does not fit, or
 /// where image or camera info (`needs_camera_info`) are missing.

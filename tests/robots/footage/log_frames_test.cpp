@@ -250,6 +250,36 @@ TEST(LogFrames, LeaveOutAnImageThatComesAfterALaterFrame) {
   EXPECT_EQ(frames.counts().out_of_order, 1u);
 }
 
+TEST(LogFrames, RefuseAClockThatWasSetBack) {
+  LogFrameOptions options;
+  options.base_from_camera = Isometry3::Identity();
+  LogFrames frames(options);
+  frames.add(camera_info(99.0));
+  frames.add(image(100.0));
+  frames.add(camera_info(101.0));
+  FootageFrame frame;
+  EXPECT_TRUE(frames.next(frame));
+  frames.add(image(60.0, 102.0));
+  frames.finish();
+  EXPECT_THROW(frames.next(frame), BadFootage);
+}
+
+TEST(LogFrames, WithoutTimesHaveThoseOfTheirRecording) {
+  LogFrameOptions options;
+  options.base_from_camera = Isometry3::Identity();
+  const auto times_of = [&](const std::vector<double>& stamps) {
+    LogFrames frames(options);
+    frames.add(camera_info(100.0));
+    for (std::size_t i = 0; i < stamps.size(); ++i) frames.add(image(stamps[i], 100.0 + static_cast<double>(i)));
+    frames.finish();
+    std::vector<double> times;
+    for (const FootageFrame& frame : frames_of(frames)) times.push_back(frame.time);
+    return times;
+  };
+  EXPECT_EQ(times_of({0.0, 0.0, 0.0}), (std::vector<double>{100.0, 101.0, 102.0}));
+  EXPECT_EQ(times_of({0.0, 0.1, 0.2}), (std::vector<double>{0.0, 0.1, 0.2})) << "simulated time begins at 0";
+}
+
 TEST(LogFrames, DecodeCompressedImagesByTheGivenFunction) {
   LogFrameOptions options;
   options.base_from_camera = Isometry3::Identity();

@@ -106,7 +106,7 @@ TEST(LogTopics, OfOneMessageTypeServeAsPoseAndOdometry) {
       contents_of({{"/image", kImage}, {"/camera_info", kInfo}, {"/odom", kOdometry}, {"/truth", kOdometry}}), wanted,
       true);
   EXPECT_EQ(chosen.channels.at(4).uses, std::vector{Content::pose});
-  wanted.odometry = "";
+  wanted.odometry.reset();
   EXPECT_EQ(
       choose_topics(contents_of({{"/image", kImage}, {"/camera_info", kInfo}, {"/truth", kOdometry}}), wanted, true)
           .channels.at(3)
