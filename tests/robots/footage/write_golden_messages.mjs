@@ -1,9 +1,12 @@
 // write_golden_messages.mjs FOLDER: writes one message of each type that robots/footage/messages/ decodes, as the libraries of
 // others serialize it: NAME.cdr (ROS 2), NAME.pb (Foxglove, Protocol Buffers) and NAME.json (Foxglove, JSON). The values are
-// those that golden_messages_test.cpp expects.
+// those that golden_messages_test.cpp expects. Also logs of ROS 2 by the MCAP project's own writer: NAME.mcap, for
+// mcap_log_test.cpp.
 import rosDefinitions from "@foxglove/rosmsg-msgs-common";
 import { MessageWriter } from "@foxglove/rosmsg2-serialization";
 import foxglove from "@foxglove/schemas/internal.js";
+import zstd from "@foxglove/wasm-zstd";
+import { McapWriter } from "@mcap/core";
 import protobuf from "protobufjs";
 import { writeFileSync } from "node:fs";
 
@@ -45,11 +48,61 @@ const ros = {
     linear_acceleration: translation, linear_acceleration_covariance: sequence(9) }],
 };
 ros.imu_without_orientation = ["sensor_msgs/Imu", { ...ros.imu[1], orientation_covariance: [-1, ...sequence(8)] }];
-for (const [name, [type, message]] of Object.entries(ros)) {
+const serialized = (type, message) => {
   const others = Object.values(ros2humble).filter((definition) => definition.name !== type);
-  const writer = new MessageWriter([{ definitions: ros2humble[type].definitions }, ...others]);
-  writeFileSync(`${folder}/${name}.cdr`, writer.writeMessage(message));
-}
+  return new MessageWriter([{ definitions: ros2humble[type].definitions }, ...others]).writeMessage(message);
+};
+for (const [name, [type, message]] of Object.entries(ros))
+  writeFileSync(`${folder}/${name}.cdr`, serialized(type, message));
+
+// Logs: three times a transform, a calibration and an image.
+const writeLog = async (name, options) => {
+  const parts = [];
+  let size = 0n;
+  const writable = {
+    position: () => size,
+    write: async (bytes) => {
+      parts.push(Buffer.from(bytes));
+      size += BigInt(bytes.byteLength);
+    },
+  };
+  const writer = new McapWriter({ writable, ...options });
+  await writer.start({ profile: "ros2", library: "golden" });
+  const channels = {};
+  for (const [topic, type] of [
+    ["/tf", "tf2_msgs/TFMessage"], ["/camera/camera_info", "sensor_msgs/CameraInfo"], ["/camera/image_raw", "sensor_msgs/Image"]]) {
+    const schemaId = await writer.registerSchema({
+      name: type.replace("/", "/msg/"), encoding: "ros2msg", data: new Uint8Array() });
+    const id = await writer.registerChannel({ schemaId, topic, messageEncoding: "cdr", metadata: new Map() });
+    channels[topic] = { id, type, sequence: 0 };
+  }
+  const add = async (topic, nanoseconds, message) => {
+    const { id, type, sequence } = channels[topic];
+    channels[topic].sequence += 1;
+    const time = 1700000000000000000n + BigInt(nanoseconds);
+    const data = serialized(type, message);
+    await writer.addMessage({ channelId: id, sequence, logTime: time, publishTime: time, data });
+  };
+  for (let i = 0; i < 3; ++i) {
+    const at = (frame_id) => ({ stamp: { sec: stamp.sec + i, nanosec: 0 }, frame_id });
+    const [, info] = ros.camera_info;
+    const roi = { x_offset: 0, y_offset: 0, height: 0, width: 0, do_rectify: false };
+    const turned = { translation: { x: i, y: 2, z: 0 }, rotation: { x: 0, y: 0, z: 0.6, w: 0.8 } };
+    const mount = { translation: { x: 0, y: 0, z: 0.5 }, rotation: { x: -0.5, y: 0.5, z: -0.5, w: 0.5 } };
+    await add("/camera/image_raw", i * 1e9 + 3e6, { ...ros.image[1], header: at("camera_optical") });
+    await add("/camera/camera_info", i * 1e9 + 2e6, { ...info, header: at("camera_optical"), width: 4, height: 2, roi });
+    await add("/tf", i * 1e9 + 1e6, { transforms: [
+      { header: at("map"), child_frame_id: "base_link", transform: turned },
+      { header: at("base_link"), child_frame_id: "camera_optical", transform: mount }] });
+  }
+  await writer.end();
+  writeFileSync(`${folder}/${name}.mcap`, Buffer.concat(parts));
+};
+await zstd.isLoaded;
+const compressChunk = (data) => ({ compression: "zstd", compressedData: zstd.compress(data) });
+await writeLog("chunks_zstd", { chunkSize: 1500, compressChunk });
+await writeLog("chunks_without_repeated_topics", { chunkSize: 1500, repeatSchemas: false, repeatChannels: false });
+await writeLog("without_chunks", { useChunks: false });
 
 // Foxglove
 const root = new protobuf.Root();

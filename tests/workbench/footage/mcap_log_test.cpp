@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/paths.h"
 #include "tests/robots/footage/ros_messages.h"
 #include "tests/temporary_folder.h"
 #include "tests/workbench/footage/ros_log_writer.h"
@@ -205,6 +206,27 @@ TEST(McapLog, WithADamagedMessageGivesTheFramesBeforeIt) {
   ASSERT_FALSE(found.frames.empty());
   EXPECT_NEAR(found.frames[0].robot_from_camera.translation().z(), 0.5, 1e-9)
       << "the default of logs without transforms";
+}
+
+TEST(McapLog, ByTheWriterOfTheMcapProjectIsRead) {
+  for (const char* const name : {"chunks_zstd", "chunks_without_repeated_topics", "without_chunks"}) {
+    McapLog log(std::filesystem::path(kSourceFolder) / "tests/robots/footage/golden" / (std::string(name) + ".mcap"),
+                {});
+    FootageFrame frame;
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_TRUE(log.next(frame)) << name;
+      EXPECT_EQ(frame.time, 1700000000.0 + i);
+      EXPECT_EQ(frame.image.width(), 4);
+      EXPECT_EQ(frame.camera.focal, Eigen::Vector2d(100.0, 104.0));
+      ASSERT_TRUE(frame.pose);
+      EXPECT_EQ(frame.pose->position, Eigen::Vector2d(i, 2.0));
+      EXPECT_NEAR(frame.pose->rotation, 2.0 * std::atan2(0.6, 0.8), 1e-12);
+      EXPECT_FALSE(frame.odometry);
+      EXPECT_NEAR(frame.robot_from_camera.translation().z(), 0.5, 1e-12);
+      EXPECT_TRUE(frame.robot_from_camera.linear().isApprox(Eigen::Matrix3d::Identity(), 1e-12));
+    }
+    EXPECT_FALSE(log.next(frame)) << name;
+  }
 }
 
 TEST(McapLog, OfFoxgloveInJsonIsRead) {
