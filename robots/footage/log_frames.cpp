@@ -26,7 +26,8 @@ bool same_calibration(const messages::CameraInfo& a, const messages::CameraInfo&
 
 /// Rounded once, though times since 1970 in ns have more digits than a double.
 double seconds_of(Time time) {
-  return static_cast<double>(time / messages::kSecond) + static_cast<double>(time % messages::kSecond) / 1e9;
+  const Time whole = time / messages::kSecond, rest = time % messages::kSecond;
+  return static_cast<double>(whole) + static_cast<double>(rest) / 1e9;
 }
 
 /// Position and yaw.
@@ -192,7 +193,7 @@ std::optional<Isometry3> LogFrames::field_from_base(Time time) const {
 }
 
 std::optional<Isometry3> LogFrames::odometry_from_base(Time time) const {
-  const std::optional<Isometry3> from_topic = posed_at(odometry_, time);
+  std::optional<Isometry3> from_topic = posed_at(odometry_, time);
   if (from_topic) return from_topic;
   return transforms_.find(options_.odometry_frame, options_.base_frame, time, options_.limits);
 }

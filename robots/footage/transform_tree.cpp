@@ -58,8 +58,9 @@ void MotionTrack::add(Time time, const Isometry3& motion) {
                                    [](const Sample& sample, Time wanted) { return sample.time < wanted; });
   if (it->time == time) {
     it->motion = motion;
-  } else if (samples_.size() < kMost) {
+  } else {
     samples_.insert(it, {time, motion});
+    if (samples_.size() > kMost) samples_.pop_front();
   }
 }
 

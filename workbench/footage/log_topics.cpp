@@ -60,7 +60,10 @@ class Chooser {
       if (type != nullptr) {
         usable_.push_back({channel.id, channel.topic, type});
       } else if (const std::string encodings = messages::encodings_of(name); !encodings.empty()) {
-        others_.push_back(channel.topic + " (" + name + " in " + channel.encoding + ", expected " + encodings + ")");
+        std::string line = channel.topic;
+        line.append(" (").append(name).append(" in ").append(channel.encoding);
+        line.append(", expected ").append(encodings).append(")");
+        others_.push_back(std::move(line));
       }
     }
   }

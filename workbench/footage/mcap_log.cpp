@@ -62,7 +62,7 @@ void McapLog::open(McapLogOptions options) {
     Isometry3 mount = Isometry3::Identity();
     mount.translation().z() = kDefaultCameraHeight;
     options.frames.base_from_camera = mount;
-    topics_.lines.push_back("transform: none; the camera is level, 0.5 m above the base frame");
+    topics_.lines.emplace_back("transform: none; the camera is level, 0.5 m above the base frame");
   }
   frames_.emplace(std::move(options.frames));
 }
