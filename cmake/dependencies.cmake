@@ -7,6 +7,16 @@ if(missing)
   message(FATAL_ERROR "reorient: ${missing}")
 endif()
 find_package(Threads REQUIRED)
+# Optional: without them, footage has to be MCAP logs with images that are not compressed (workbench/footage/opencv).
+set(REORIENT_FOOTAGE_IMAGES OFF)
+if(REORIENT_DECODE_IMAGES)
+  reorient_find(missing opencv::imgcodecs opencv::videoio)
+  if(missing)
+    message(STATUS "reorient: no images and videos of others: ${missing}")
+  else()
+    set(REORIENT_FOOTAGE_IMAGES ON)
+  endif()
+endif()
 # The C++ build of Lua: an error in a script unwinds C++ destructors. engine/script/lua makes the library of it.
 find_library(LUA_ARCHIVE NAMES liblua5.4-c++.a REQUIRED)
 

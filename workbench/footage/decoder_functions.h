@@ -1,0 +1,36 @@
+/* The door of the library that decodes images and videos of others by OpenCV. Plain C: whoever loads it
+ * (decoder_library.h) needs nothing of OpenCV, and no program that only might need it loads FFmpeg and its kin. */
+#pragma once
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Rows from top to bottom without gaps, three bytes a pixel: blue, green, red. Valid until the next call of the
+ * thread. */
+struct reorient_pixels {
+  int width;
+  int height;
+  const unsigned char* bgr;
+};
+
+/** What a library of another version does not have. */
+#define REORIENT_DECODER_VERSION 1
+int reorient_decoder_version(void);
+
+/** JPEG, PNG, WebP, TIFF and others. 0: it is done; else the bytes are no image, or a damaged one. */
+int reorient_decode_image(const void* bytes, size_t size, struct reorient_pixels* pixels);
+
+/** What FFmpeg reads. NULL: it is no video. */
+void* reorient_open_video(const char* file);
+/** 0: it is done; 1: there is no frame any more. */
+int reorient_next_frame(void* video, struct reorient_pixels* pixels);
+/** As the file says; 0: it does not. */
+double reorient_frames_per_second(void* video);
+void reorient_close_video(void* video);
+
+#ifdef __cplusplus
+}
+#endif

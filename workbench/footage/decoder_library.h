@@ -1,0 +1,12 @@
+// The library that decodes images and videos of others (workbench/footage/opencv/). It is loaded when something is
+// decoded first: REORIENT_DECODER names it, else it lies beside the program or where it is installed.
+#pragma once
+
+#include "workbench/footage/decoder.h"
+
+namespace reorient {
+
+/// What it returns throws BadFootage with one line that says what to install where the library is nowhere.
+ImageDecoder decoder_library();
+
+}  // namespace reorient

@@ -1,0 +1,165 @@
+#include "workbench/footage/open_footage.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension_of(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+bool is_image(const fs::path& file) {
+  constexpr const char* kExtensions[] = {".jpg", ".jpeg", ".png", ".webp", ".bmp", ".tif", ".tiff", ".ppm", ".pgm"};
+  const std::string extension = extension_of(file);
+  return std::any_of(std::begin(kExtensions), std::end(kExtensions), [&](const char* one) { return extension == one; });
+}
+
+/// Nobody waits for a pipe or a device. Throws BadFootage.
+void require_file(const fs::path& file, const std::string& what) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found)
+    throw BadFootage(file.string() + ": expected " + what + ", found nothing of that name");
+  if (status.type() != fs::file_type::regular)
+    throw BadFootage(file.string() + ": expected " + what + ", found something that is no regular file");
+}
+
+std::string read_file(const fs::path& file, const std::string& what) {
+  require_file(file, what);
+  std::optional<std::string> text = read_whole_file(file);
+  if (!text) throw BadFootage(file.string() + ": expected " + what + ", found a file that cannot be read");
+  return std::move(*text);
+}
+
+std::vector<FrameRow> rows_of_folder(const fs::path& folder) {
+  std::error_code error;
+  std::vector<FrameRow> rows;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    if (is_image(entry->path())) rows.emplace_back().image = entry->path().filename().string();
+  }
+  if (error) throw BadFootage(folder.string() + ": expected a folder that can be read; " + error.message());
+  if (rows.empty()) throw BadFootage(folder.string() + ": expected images (JPEG, PNG, ...), found none");
+  std::sort(rows.begin(), rows.end(), [](const FrameRow& a, const FrameRow& b) { return a.image < b.image; });
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].line = static_cast<int>(i) + 1;
+    rows[i].values.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+  return rows;
+}
+
+bool have_times(const std::vector<FrameRow>& rows) { return rows.front().value(FrameColumn::time).has_value(); }
+
+void require_times(const FootageRequest& request, const std::vector<FrameRow>& rows, const fs::path& where) {
+  if (request.times_are_given || have_times(rows)) return;
+  throw BadFootage(where.string() +
+                   ": expected a time for each image (a column time_s), found none; or say how many "
+                   "images a second there are");
+}
+
+std::unique_ptr<FootageSource> open_images(const FootageRequest& request, const fs::path& table,
+                                           std::vector<FrameRow> rows, const ImageDecoder& decoder) {
+  const fs::path folder = fs::is_directory(request.source) ? request.source : table.parent_path();
+  require_times(request, rows, table.empty() ? folder : table);
+  if (rows.front().image.empty())
+    throw BadFootage(table.string() + ":1: expected a column 'image' with a file for each row, found none");
+  const std::string name = table.empty() ? folder.string() : table.string();
+  return std::make_unique<TableFootage>(
+      name, std::move(rows), request.camera,
+      [folder, name, decode = decoder.image](const FrameRow& row, std::size_t, Image& image) {
+        const fs::path file = folder / row.image;
+        const std::string bytes = read_file(file, "the image of " + name + ":" + std::to_string(row.line));
+        image = decode(std::as_bytes(std::span(bytes)), file.string());
+        return true;
+      });
+}
+
+/// The rows of a video without a table: as many as there are frames.
+class VideoFootage : public FootageSource {
+ public:
+  VideoFootage(const FootageRequest& request, std::unique_ptr<FrameReader> video)
+      : name_(request.source.string()),
+        camera_(request.camera),
+        video_(std::move(video)),
+        rate_(video_->frames_per_second()) {
+    if (rate_ > 0.0) return;
+    if (!request.times_are_given)
+      throw BadFootage(name_ +
+                       ": expected a number of frames a second, found none; say how many images a second there are");
+    rate_ = 1.0;
+  }
+
+  bool next(FootageFrame& frame) override {
+    frame = {};
+    if (!video_->next(frame.image)) return false;
+    frame.time = static_cast<double>(frames_) / rate_;
+    frame.name = std::to_string(frames_++);
+    frame.camera = camera_of(camera_, frame.image.width(), frame.image.height());
+    frame.robot_from_camera.translation().z() = camera_.usual_height;
+    return true;
+  }
+
+ private:
+  std::string name_;
+  FootageCamera camera_;
+  std::unique_ptr<FrameReader> video_;
+  double rate_;
+  std::uint64_t frames_ = 0;
+};
+
+std::unique_ptr<FootageSource> open_video(const FootageRequest& request, const fs::path& table,
+                                          const ImageDecoder& decoder) {
+  require_file(request.source, "a folder, a table, a video or a log");
+  std::unique_ptr<FrameReader> owned = decoder.video(request.source);
+  if (table.empty()) return std::make_unique<VideoFootage>(request, std::move(owned));
+  const std::shared_ptr<FrameReader> video = std::move(owned);  // of a function object that can be copied
+  std::vector<FrameRow> rows = parse_frames(read_file(table, "a table"), table.string(), request.headers);
+  if (!have_times(rows) && video->frames_per_second() > 0.0) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i].values[static_cast<std::size_t>(FrameColumn::time)] = static_cast<double>(i) / video->frames_per_second();
+  }
+  require_times(request, rows, table);
+  const std::size_t count = rows.size();
+  return std::make_unique<TableFootage>(
+      table.string(), std::move(rows), request.camera,
+      [video, count, name = request.source.string()](const FrameRow&, std::size_t index, Image& image) {
+        if (!video->next(image)) return false;
+        Image more;
+        if (index + 1 == count && video->next(more))
+          throw BadFootage(name + ": expected " + std::to_string(count) +
+                           " frames, as many as rows of the table, found more");
+        return true;
+      });
+}
+
+}  // namespace
+
+std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const ImageDecoder& decoder) {
+  std::error_code error;
+  const bool is_folder = fs::is_directory(request.source, error);
+  if (!is_folder && !fs::exists(request.source, error))
+    throw BadFootage(request.source.string() +
+                     ": expected a folder, a table, a video or a log, found nothing of that name");
+  fs::path table = request.table;
+  if (table.empty()) {
+    fs::path usual = is_folder ? request.source / "frames.csv" : request.source;
+    if (!is_folder) usual.replace_extension(".csv");
+    if (fs::exists(usual, error)) table = usual;
+  }
+  if (is_folder && table.empty()) return open_images(request, {}, rows_of_folder(request.source), decoder);
+  if (!is_folder && extension_of(request.source) != ".csv") return open_video(request, table, decoder);
+  return open_images(request, table, parse_frames(read_file(table, "a table"), table.string(), request.headers),
+                     decoder);
+}
+
+}  // namespace reorient

@@ -1,0 +1,42 @@
+// Footage of a table (robots/footage/frames_table.h) and of the images that belong to its rows.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robots/footage/frames_table.h"
+#include "robots/robot_body.h"
+
+namespace reorient {
+
+/// How the images of a footage were taken, where nothing else says so.
+struct FootageCamera {
+  CameraOptics optics;  ///< its fields of view are those of images of its aspect; of others, the horizontal one counts
+  double usual_height = 0.5;  ///< m above the ground
+};
+/// The camera at the resolution of an image.
+CameraModel camera_of(const FootageCamera& camera, int width, int height);
+
+class TableFootage : public FootageSource {
+ public:
+  /// Called for row after row. False: there is no image any more. Throws BadFootage.
+  using ReadImage = std::function<bool(const FrameRow& row, std::size_t index, Image& image)>;
+
+  /// `name`: of the table, for messages. Rows without times are a second apart: whoever has none gives images per
+  /// second.
+  TableFootage(std::string name, std::vector<FrameRow> rows, const FootageCamera& camera, ReadImage read_image);
+
+  bool next(FootageFrame& frame) override;
+
+ private:
+  std::string name_;
+  std::vector<FrameRow> rows_;
+  FootageCamera camera_;
+  ReadImage read_image_;
+  std::size_t next_ = 0;
+  int width_ = 0, height_ = 0;  ///< of the first image
+};
+
+}  // namespace reorient
