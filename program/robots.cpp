@@ -48,7 +48,12 @@ struct Maker {
 };
 
 constexpr Maker kMakers[] = {
-    {"simulator", make_simulator, [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
+    {kSimulator, make_simulator, [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
+    {kFootage,
+     [](const RobotOptions&) -> RobotInstance {
+       throw std::runtime_error("footage plays no scenarios: what is in it has happened");
+     },
+     [](const RobotOptions&) { return std::vector<Parameter>(); }},
     {kCompanion,
      [](const RobotOptions&) -> RobotInstance {
        throw std::runtime_error("the companion plays no scenarios: nobody can carry it about");

@@ -37,8 +37,11 @@ struct RobotOptions {
   RoomCache* rooms = nullptr;  ///< nullptr: each robot's room is made anew
 };
 
-/// "simulator", "companion", "nao".
+/// "simulator", "footage", "companion", "nao".
 std::vector<std::string> robot_names();
+inline constexpr const char* kSimulator = "simulator";
+/// That somebody else's images drive: it is made of a source (program/footage/).
+inline constexpr const char* kFootage = "footage";
 /// That another program drives: it is not made, but waited for (program/run/companion/).
 inline constexpr const char* kCompanion = "companion";
 /// Nobody can carry it about either (program/run/nao/).

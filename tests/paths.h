@@ -15,5 +15,6 @@ extern const char* const kRealTimeJob;  ///< nao_real_time_job
 extern const char* const kTestRobot;
 extern const char* const kCompanionClient;  ///< the example client in C
 extern const char* const kSyncShim;         ///< a library to preload
+extern const char* const kDecoder;          ///< the library that decodes images of others; empty: it was not built
 
 }  // namespace reorient

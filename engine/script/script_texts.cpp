@@ -44,6 +44,13 @@ std::uint64_t content_hash(std::string_view text) {
   return hash;
 }
 
+std::uint64_t content_hash(const ScriptTexts& texts) {
+  std::string all;
+  for (const std::string& file : texts.files())
+    all.append(file).append(1, '\0').append(texts.find(file)->text).append(1, '\0');
+  return content_hash(all);
+}
+
 std::optional<std::string> module_file(std::string_view module) {
   constexpr std::size_t kLongest = 100;
   if (module.empty() || module.size() > kLongest) return std::nullopt;

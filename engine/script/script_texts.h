@@ -73,6 +73,8 @@ class ScriptTexts {
 
 /// FNV-1a, 64 bits.
 std::uint64_t content_hash(std::string_view text);
+/// The same of all scripts, with their names.
+std::uint64_t content_hash(const ScriptTexts& texts);
 
 /// "lib.walk" as "lib/walk.lua"; nothing when it is not a name of that kind.
 std::optional<std::string> module_file(std::string_view module);

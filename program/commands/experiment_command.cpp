@@ -1,5 +1,4 @@
 // `reorient experiment`: many trials of an experiment file, in as many processes as are wanted, and what they showed.
-#include <chrono>
 #include <cstring>
 #include <memory>
 #include <numeric>
@@ -8,12 +7,13 @@
 
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include "engine/parameters/utf8.h"
 #include "geometry/image.h"
 #include "program/commands/compare_command.h"
+#include "program/commands/footage_experiment_command.h"
 #include "program/commands/tables_command.h"
+#include "program/experiment/countdown.h"
 #include "program/experiment/outputs/report_folder.h"
 #include "program/experiment/outputs/rows_report.h"
 #include "program/experiment/session.h"
@@ -23,6 +23,7 @@
 #include "program/named_files.h"
 #include "program/program.h"
 #include "program/run/run_scenario.h"
+#include "program/shell_word.h"
 #include "program/subcommand.h"
 #include "workbench/experiments/trial/trial_observer.h"
 #include "workbench/files/atomic_file.h"
@@ -41,19 +42,11 @@ struct ExperimentOptions : SessionOptions {
   std::filesystem::path report;
 };
 
-std::string quoted(const std::string& word) {
-  const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + "'";
-}
-
 /// The experiment with all that its results follow from, for a shell.
 std::string command_of(const ExperimentOptions& options) {
-  std::string line = "reorient experiment " + quoted(options.experiment);
+  std::string line = "reorient experiment " + shell_word(options.experiment);
   const auto add = [&line](const char* option, const std::string& value) {
-    line.append(" ").append(option).append(" ").append(quoted(value));
+    line.append(" ").append(option).append(" ").append(shell_word(value));
   };
   if (options.trials) add("--trials", std::to_string(*options.trials));
   if (options.width) add("--width", std::to_string(*options.width));
@@ -71,54 +64,17 @@ std::string command_of(const ExperimentOptions& options) {
 
 /// What runs one task.
 std::string task_command(const ExperimentOptions& options, const Session& session, int task) {
-  return command_of(options) + " --out " + quoted(session.folder().string()) + " --task " + std::to_string(task);
+  return command_of(options) + " --out " + shell_word(session.folder().string()) + " --task " + std::to_string(task);
 }
 
 Report report_of(const ExperimentOptions& options, const Session& session, std::vector<CellResults> cells) {
   std::string command = command_of(options);
-  if (!options.out.empty()) command += " --out " + quoted(options.out.string());
-  command += " --report " + quoted(options.report.string());
+  if (!options.out.empty()) command += " --out " + shell_word(options.out.string());
+  command += " --report " + shell_word(options.report.string());
   return {session.experiment(), std::move(cells), provenance_here(command), [options](int task) {
             return fmt::format("{} --trial {} --pictures out/trial-{}", command_of(options), task, task);
           }};
 }
-
-/// How far it is, and how long it still takes: a line that a terminal overwrites, else one every ten seconds.
-class Countdown {
- public:
-  Countdown(std::ostream& err, std::size_t tasks) : err_(err), tasks_(tasks), start_(Clock::now()) {}
-  ~Countdown() { clear(); }
-  Countdown(const Countdown&) = delete;
-  Countdown& operator=(const Countdown&) = delete;
-
-  void count() {
-    ++done_;
-    const std::chrono::duration<double> passed = Clock::now() - start_;
-    if (!is_terminal_ && passed.count() < next_) return;
-    next_ = passed.count() + kPause;
-    const double left = passed.count() / static_cast<double>(done_) * static_cast<double>(tasks_ - done_);
-    err_ << (is_terminal_ ? "\r\x1B[K" : "")
-         << fmt::format("{} of {} trials, {:.0f} s, about {:.0f} s left", done_, tasks_, passed.count(), left)
-         << (is_terminal_ ? "" : "\n") << std::flush;
-    is_shown_ = is_terminal_;
-  }
-  /// Somebody else is about to write a line.
-  void clear() {
-    if (std::exchange(is_shown_, false)) err_ << "\r\x1B[K" << std::flush;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr double kPause = 10.0;  // s
-
-  std::ostream& err_;
-  std::size_t tasks_;
-  std::size_t done_ = 0;
-  Clock::time_point start_;
-  double next_ = kPause;  ///< s since the start
-  bool is_terminal_ = isatty(STDERR_FILENO) == 1;
-  bool is_shown_ = false;
-};
 
 struct RunOutcome {
   int crashed = 0;
@@ -258,6 +214,7 @@ Subcommand add_experiment(CLI::App& program) {
       ->check(check_not_empty);
   const Subcommand compare = add_compare(*parser);
   const Subcommand tables = add_tables(*parser);
+  const Subcommand footage = add_footage_experiment(*parser);
   parser->add_option("--trials", options->trials, "of each cell (default: the file's)")
       ->check(CLI::Range(1, kMostTrials));
   parser->add_option("--seed", options->seed, "of the first trial of each cell; the others follow")
@@ -296,9 +253,10 @@ Subcommand add_experiment(CLI::App& program) {
       ->check(check_not_empty)
       ->needs(trial);
   parser->add_flag("--resume", options->resume, "go on where an earlier run ended")->excludes(plan);
-  return {parser, [options, compare, tables](std::ostream& out, std::ostream& err) {
+  return {parser, [options, compare, tables, footage](std::ostream& out, std::ostream& err) {
             if (compare.parser->parsed()) return compare.run(out, err);
             if (tables.parser->parsed()) return tables.run(out, err);
+            if (footage.parser->parsed()) return footage.run(out, err);
             return run_experiment(*options, out, err);
           }};
 }

@@ -92,13 +92,6 @@ Experiment wanted_experiment(const SessionOptions& options) {
   return experiment;
 }
 
-std::uint64_t hash_of(const ScriptTexts& texts) {
-  std::string all;
-  for (const std::string& file : texts.files())
-    all.append(file).append(1, '\0').append(texts.find(file)->text).append(1, '\0');
-  return content_hash(all);
-}
-
 /// Of files, each of which is read once.
 class FileHashes {
  public:
@@ -153,7 +146,7 @@ std::size_t Session::turn_of(const Task& task) const {
 /// What is wrong with one of them is better told now than hours later. What each follows from, but for the seed, is
 /// noted.
 void Session::prepare_conditions() {
-  scripts_hash_ = hash_of(read_scripts(scripts_));
+  scripts_hash_ = content_hash(read_scripts(scripts_));
   FileHashes files;
   origins_.resize(cells_.size());
   for (const Task& task : tasks_) {
@@ -182,7 +175,7 @@ void Session::run(int number) {
   const Task& task = this->task(number);
   const TrialResult result = run_trial(condition_of(task), task.seed, scripts_, rooms_);
   // Each trial reads the scripts: an edit since the session began would be a result of others.
-  if (hash_of(read_scripts(scripts_)) != scripts_hash_)
+  if (content_hash(read_scripts(scripts_)) != scripts_hash_)
     throw std::runtime_error("the scripts in " + scripts_.string() + " have changed since this run began");
   results_.write(number, origin_of(task), result);
 }

@@ -9,6 +9,7 @@
 #include <spdlog/fmt/chrono.h>
 #include <spdlog/fmt/fmt.h>
 
+#include "program/robots.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/mcap/contents.h"
 #include "workbench/recording/mcap/source.h"
@@ -108,7 +109,7 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
   require_writable_file(options.record, "--record");
   require_new_or_recording(options.record, "--record");
   recorder.file = options.record;
-  const bool is_simulated = options.robot == "simulator";
+  const bool is_simulated = options.robot == kSimulator || options.robot == kFootage;
   if (!options.record_rotate.empty()) {
     read_rotation(options.record_rotate, recorder);
     // Nobody has named the further files: they must not be lost, nor look as if they belonged to this run.

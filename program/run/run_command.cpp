@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +12,7 @@
 #include "program/named_files.h"
 #include "program/robots.h"
 #include "program/run/companion/run_companion.h"
+#include "program/run/footage/run_footage.h"
 #include "program/run/nao/run_nao.h"
 #include "program/run/run_scenario.h"
 #include "program/subcommand.h"
@@ -17,7 +21,8 @@ namespace reorient {
 namespace {
 
 void add_options(CLI::App& run, RunOptions& options) {
-  run.add_option("scenario", options.scenario, "scripts/scenarios/NAME.lua, or a path to a file")
+  run.add_option("scenario", options.scenario,
+                 "scripts/scenarios/NAME.lua, or a path to a file; footage: a folder of images, a video or a log")
       ->capture_default_str();
   run.add_option("--robot", options.robot, "the robot that it is played with")
       ->check(CLI::IsMember(robot_names()))
@@ -25,7 +30,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--socket", options.socket, "companion: where it listens (default: in $XDG_RUNTIME_DIR, else in /tmp)")
       ->check(check_not_empty);
   run.add_option("--behaviors", options.behaviors,
-                 "companion, nao: which behaviours run, as in A,B (default: all that the robot can carry out)")
+                 "companion, nao, footage: which behaviors run, as in A,B (default: all that the robot can carry out)")
       ->delimiter(',')
       ->check(check_not_empty);
   run.add_option("--state", options.state,
@@ -34,7 +39,20 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("--fresh", options.fresh, "companion: go on from nothing");
   run.add_option("--guard", options.guard, "nao: the memory that reorient-nao-guard shares (default: where it does)")
       ->check(check_not_empty);
-  run.add_option("--at", options.at, "nao: where it stands, X,Y,DEGREES; told once it stands")->check(check_not_empty);
+  run.add_option("--at", options.at,
+                 "nao: where it stands, X,Y,DEGREES; told once it stands; footage without positions: where it starts")
+      ->check(check_not_empty);
+  add_footage_options(run, options.footage);
+  CLI::Option* const belief = run.add_option("--belief", options.belief,
+                                             "footage: what the robot is told of its pose: right, mirrored, degrees by "
+                                             "which it is wrong, or mirrored:DEGREES")
+                                  ->check(check_not_empty);
+  run.add_option("--belief-at", options.belief_at, "footage: s, when it is told that")
+      ->check(check_moment)
+      ->needs(belief)
+      ->capture_default_str();
+  run.add_flag("--lifted", options.lifted, "footage: it is not told; somebody lifts it then, and puts it down so")
+      ->needs(belief);
   run.add_option("--places", options.places,
                  "nao: file that says where each player stands; told when the referee says that the game is in initial")
       ->check(check_not_empty);
@@ -99,41 +117,82 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_flag("--every-transition", options.every_transition, "show in the timeline what repeats itself, too");
 }
 
-/// Who heeds an option that not every robot does.
+/// Robots that heed an option which not every robot does.
+using Robots = unsigned;
+constexpr Robots kOfSimulator = 1, kOfFootage = 2, kOfCompanion = 4, kOfNao = 8;
+constexpr std::pair<Robots, const char*> kRobots[] = {
+    {kOfSimulator, kSimulator}, {kOfFootage, kFootage}, {kOfCompanion, kCompanion}, {kOfNao, kNao}};
+
 struct Heeding {
   const char* option;
-  bool simulator, companion, nao;
+  Robots robots;
 };
 constexpr Heeding kHeeding[] = {
-    {"--socket", false, true, false},      {"--behaviors", false, true, true},    {"--state", false, true, false},
-    {"--fresh", false, true, false},       {"--guard", false, false, true},       {"--at", false, false, true},
-    {"--places", false, false, true},      {"--calibration", false, false, true}, {"--team", false, false, true},
-    {"--player", false, false, true},      {"--stand", false, false, true},       {"--walk", false, false, true},
-    {"--with", true, false, false},        {"--without", true, false, false},     {"--room", true, false, false},
-    {"--hall-seed", true, false, false},   {"--field", true, false, true},        {"--body", true, false, true},
-    {"--width", true, false, true},        {"--cameras", true, false, true},      {"--realtime", true, false, false},
-    {"--save-params", true, false, false}, {"--out", true, false, false},         {"--json", true, false, false},
-    {"--seconds", true, false, false},     {"--no-pictures", true, false, false},
+    {"--socket", kOfCompanion},
+    {"--behaviors", kOfFootage | kOfCompanion | kOfNao},
+    {"--state", kOfCompanion},
+    {"--fresh", kOfCompanion},
+    {"--guard", kOfNao},
+    {"--at", kOfFootage | kOfNao},
+    {"--places", kOfNao},
+    {"--calibration", kOfNao},
+    {"--team", kOfNao},
+    {"--player", kOfNao},
+    {"--stand", kOfNao},
+    {"--walk", kOfNao},
+    {"--with", kOfSimulator},
+    {"--without", kOfSimulator},
+    {"--room", kOfSimulator},
+    {"--hall-seed", kOfSimulator},
+    {"--field", kOfSimulator | kOfFootage | kOfNao},
+    {"--body", kOfSimulator | kOfFootage | kOfNao},
+    {"--width", kOfSimulator | kOfNao},
+    {"--cameras", kOfSimulator | kOfNao},
+    {"--realtime", kOfSimulator | kOfFootage},
+    {"--save-params", kOfSimulator | kOfFootage},
+    {"--out", kOfSimulator | kOfFootage},
+    {"--json", kOfSimulator | kOfFootage},
+    {"--seconds", kOfSimulator | kOfFootage},
+    {"--no-pictures", kOfSimulator | kOfFootage},
+    {"--frames", kOfFootage},
+    {"--column", kOfFootage},
+    {"--fov-degrees", kOfFootage},
+    {"--images-per-second", kOfFootage},
+    {"--wall", kOfFootage},
+    {"--belief", kOfFootage},
+    {"--belief-at", kOfFootage},
+    {"--lifted", kOfFootage},
 };
 
+/// "--robot companion or nao".
+std::string names_of(Robots robots) {
+  if (robots == kOfSimulator) return "the simulator";
+  std::string names;
+  for (const auto& [robot, name] : kRobots) {
+    if ((robots & robot) != 0) names.append(names.empty() ? "" : " or ").append(name);
+  }
+  return "--robot " + names;
+}
+
 void refuse_in_vain(const CLI::App& run, const std::string& robot) {
-  const bool is_companion = robot == kCompanion, is_nao = robot == kNao;
-  if ((is_companion || is_nao) && run.get_option("scenario")->count() > 0)
+  const bool has_scenario = run.get_option("scenario")->count() > 0;
+  if ((robot == kCompanion || robot == kNao) && has_scenario)
     throw std::runtime_error(
         "--robot " + robot +
         " plays no scenario, since nobody can carry that robot about; leave it out, and choose with "
         "--behaviors");
+  if (robot == kFootage && !has_scenario)
+    throw std::runtime_error("--robot footage: name its source: a folder of images, a video or a log");
+  const auto own =
+      std::find_if(std::begin(kRobots), std::end(kRobots), [&](const auto& one) { return robot == one.second; });
   for (const Heeding& heeding : kHeeding) {
-    const bool heeds = is_companion ? heeding.companion : is_nao ? heeding.nao : heeding.simulator;
-    if (heeds || run.get_option(heeding.option)->count() == 0) continue;
-    if (is_companion && heeding.simulator)
+    if ((heeding.robots & own->first) != 0 || run.get_option(heeding.option)->count() == 0) continue;
+    if (robot == kCompanion && (heeding.robots & kOfSimulator) != 0)
       throw std::runtime_error(std::string(heeding.option) +
                                ": the companion would not heed it; its client says what robot it is");
-    const std::string who = heeding.simulator                  ? "the simulator"
-                            : heeding.companion && heeding.nao ? "--robot companion or nao"
-                            : heeding.companion                ? "--robot companion"
-                                                               : "--robot nao";
-    throw std::runtime_error(std::string(heeding.option) + ": only " + who + " heeds it");
+    // What the simulator heeds, people expect of it.
+    const Robots told = (heeding.robots & kOfSimulator) != 0 ? kOfSimulator : heeding.robots;
+    throw std::runtime_error(std::string(heeding.option) + ": only " + names_of(told) + " heeds it");
   }
 }
 
@@ -146,6 +205,7 @@ void require_different_files(const RunOptions& options) {
   files.reads(options.field, "--field");
   files.reads(options.places, "--places");
   files.reads(options.calibration, "--calibration");
+  files.reads(options.footage.table, "--frames");
   files.writes(options.save_parameters, "--save-params");
   for (const std::filesystem::path& file : parameter_files_of(options.parameters)) files.reads(file, "--params");
   files.writes(options.model, "--model");
@@ -164,6 +224,7 @@ Subcommand add_run(CLI::App& program) {
             options->scripts = scripts_root(options->scripts);
             refuse_in_vain(*parser, options->robot);
             require_different_files(*options);
+            if (options->robot == kFootage) return run_footage(*options, out, err);
             if (options->robot == kCompanion) return run_companion(*options, out, err);
             if (options->robot == kNao) return run_nao(*options, out, err);
             return run_scenario(*options, {}, out, err);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "perception/room/saved_model.h"
+#include "program/footage/footage_arguments.h"
 #include "program/options.h"
 
 namespace reorient {
@@ -52,6 +53,12 @@ struct RunOptions : SimulationOptions {
   int player = 1;
   bool stand = false;  ///< up at once, not when the chest's button is pressed
   bool walk = false;   ///< somebody else's program walks, beside the guard
+  // Of footage (program/run/footage/), whose source `scenario` names.
+  FootageArguments footage;
+  std::string
+      belief;  ///< from `belief_at` on: right, mirrored, degrees or mirrored:DEGREES; empty: right, and nobody says so
+  double belief_at = 0.0;  ///< s
+  bool lifted = false;     ///< the belief changes while somebody lifts the robot
   bool realtime = false;
   std::filesystem::path record;  ///< the recording; empty: none
   std::string record_rotate;     ///< "100MB", "10min"; empty: one file

@@ -40,13 +40,9 @@ void require_writable_outputs(const RunOptions& options) {
 
 }  // namespace
 
-int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostream& out, std::ostream& err) {
-  const Interruption interruption;
-  // Before the scripts are read, so that no edit is missed.
-  std::optional<ScriptEdits> edits;
-  if (options.realtime) edits.emplace(options.scripts);
-  Simulation simulation(options);
-  std::optional<RecorderOptions> recording_options = recorder_options(options, simulation.venue().name());
+int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& guests, std::ostream& out,
+                 std::ostream& err) {
+  std::optional<RecorderOptions> recording_options = recorder_options(options, run.venue);
   // Last, so that a mistake in anything else leaves no empty folder behind.
   require_writable_outputs(options);
 
@@ -56,19 +52,19 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   DigestObserver digest;
   RunPictures pictures;
   LiveConsole console(STDIN_FILENO, out,
-                      {.scenario = &simulation.scenario(),
-                       .parameters = [&] { return simulation.parameters(); },
-                       .kept_parameters = [&] { return simulation.kept_parameters(); },
+                      {.scenario = run.parts.scenario,
+                       .parameters = run.parameters,
+                       .kept_parameters = run.kept_parameters,
                        .scripts = options.scripts},
                       history_path());
   Narration narration(console, options.every_transition, out, err);
 
-  RunParts parts = simulation.parts();
+  RunParts parts = std::move(run.parts);
   parts.observers = {&summary, &commands, &frame_times, &digest, &narration.log, &narration.timeline};
   if (options.pictures) parts.observers.push_back(&pictures);
   std::optional<ModelKeeper> model;
   if (!options.model.empty())
-    parts.observers.push_back(&model.emplace(options.model, simulation.model(), options.sides_changed));
+    parts.observers.push_back(&model.emplace(options.model, run.model, options.sides_changed));
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
   RunRecording recording(
       std::move(recording_options), [&](const std::string& line) { narration.tell(line); },
@@ -78,7 +74,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   parts.in_real_time = options.realtime;
   parts.stop = [&] { return Interruption::signal() != 0 || console.wants_to_quit() || (guests.stop && guests.stop()); };
   if (options.realtime) {
-    parts.sources = {&*edits, &console};
+    parts.sources = {run.edits, &console};
     parts.observers.push_back(&console);
     if (isatty(STDIN_FILENO) == 1)
       err << "saved scripts are taken over at once; Enter opens a prompt (help lists its commands)\n";
@@ -89,7 +85,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
 
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const RunCircumstances circumstances{.scenario = options.scenario,
-                                       .room = simulation.venue().name(),
+                                       .room = run.venue,
                                        .seed = options.seed,
                                        .room_awareness = options.room_awareness,
                                        .wall_seconds = took.count(),
@@ -101,12 +97,11 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   RunSummary result = summary.summary(end);
   if (guests.verdict && Interruption::signal() == 0) guests.verdict(result);
   std::vector<std::string> failures;
+  if (const std::string failure = run.failure ? run.failure() : ""; !failure.empty()) failures.push_back(failure);
   if (!options.json.empty())
     try_to_write(failures, [&] { write_summary(result, commands, circumstances, options.json); });
   if (!options.save_parameters.empty()) {
-    try_to_write(failures, [&] {
-      save_parameters(simulation.parameters(), simulation.kept_parameters(), options.save_parameters);
-    });
+    try_to_write(failures, [&] { save_parameters(run.parameters(), run.kept_parameters(), options.save_parameters); });
   }
   if (model) try_to_write(failures, [&] { model->save(); });
   if (options.pictures) {
@@ -121,6 +116,22 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
   if (!failures.empty()) return kBadInput;
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   return result.succeeded ? kSuccess : kWrong;
+}
+
+int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
+  // Before the scripts are read, so that no edit is missed.
+  std::optional<ScriptEdits> edits;
+  if (options.realtime) edits.emplace(options.scripts);
+  Simulation simulation(options);
+  return run_prepared(options,
+                      {.parts = simulation.parts(),
+                       .venue = simulation.venue().name(),
+                       .parameters = [&] { return simulation.parameters(); },
+                       .kept_parameters = [&] { return simulation.kept_parameters(); },
+                       .model = simulation.model(),
+                       .edits = edits ? &*edits : nullptr},
+                      guests, out, err);
 }
 
 }  // namespace reorient

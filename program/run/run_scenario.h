@@ -3,10 +3,16 @@
 
 #include <functional>
 #include <iosfwd>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "engine/parameters/parameter.h"
+#include "perception/room/saved_model.h"
 #include "program/run/run_options.h"
+#include "program/run/script_edits.h"
 #include "workbench/run/observer.h"
+#include "workbench/run/run_loop.h"
 #include "workbench/run/run_summary.h"
 
 namespace reorient {
@@ -17,6 +23,21 @@ struct RunGuests {
   std::function<bool()> stop;                        ///< asked after each frame; may be empty
   std::function<void(RunSummary& summary)> verdict;  ///< instead of the scenario's; may be empty
 };
+
+/// A robot and an engine that are ready to run, on a simulated clock. What it points to must outlive the run.
+struct PreparedRun {
+  RunParts parts;     ///< without observers and sources
+  std::string venue;  ///< where it takes place, for people
+  std::function<std::vector<Parameter>()> parameters;
+  std::function<std::vector<ParameterChange>()> kept_parameters;  ///< of scripts and robots that are not in this run
+  std::optional<SavedModel> model;                                ///< that it began with
+  ScriptEdits* edits = nullptr;                                   ///< of scripts, where it is in real time
+  std::function<std::string()> failure{};  ///< one line, once it is over: why the robot ended early; may be empty
+};
+
+/// From a prepared run to the outputs that the options ask for. An Interruption must be there. Returns the exit code.
+int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& guests, std::ostream& out,
+                 std::ostream& err);
 
 /// Writes the timeline and the summary to `out`, progress and mistakes to `err`. Returns the exit code. Throws
 /// std::runtime_error (of scripts: ScriptError) with one line on bad input.

@@ -1,0 +1,35 @@
+// How far many trials are, for a person.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <iosfwd>
+
+namespace reorient {
+
+/// How far it is, and how long it still takes: a line that a terminal overwrites, else one every ten seconds.
+class Countdown {
+ public:
+  Countdown(std::ostream& err, std::size_t tasks);
+  ~Countdown() { clear(); }
+  Countdown(const Countdown&) = delete;
+  Countdown& operator=(const Countdown&) = delete;
+
+  void count();
+  /// Somebody else is about to write a line.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr double kPause = 10.0;  // s
+
+  std::ostream& err_;
+  std::size_t tasks_;
+  std::size_t done_ = 0;
+  Clock::time_point start_;
+  double next_ = kPause;  ///< s since the start
+  bool is_terminal_;
+  bool is_shown_ = false;
+};
+
+}  // namespace reorient

@@ -1,0 +1,82 @@
+#include "program/footage/footage_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+#include "engine/parameters/nearest_name.h"
+#include "geometry/angle.h"
+#include "geometry/pinned_math.h"
+#include "program/options.h"
+#include "workbench/footage/decoder_library.h"
+#include "workbench/footage/open_footage.h"
+
+namespace reorient {
+namespace {
+
+ColumnHeaders headers_of(const std::vector<std::string>& columns) {
+  ColumnHeaders headers;
+  const std::vector<std::string> known = frame_column_names();
+  for (const std::string& column : columns) {
+    const std::size_t equals = column.find('=');
+    const std::string name = column.substr(0, equals);
+    if (equals == std::string::npos || equals + 1 == column.size())
+      throw BadFootage("--column: expected NAME=HEADER or NAME=HEADER:UNIT, as in time=stamp:ns, found '" + column +
+                       "'");
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw BadFootage("--column: there is no column '" + name + "'" + did_you_mean(name, known));
+    if (!headers.emplace(name, column.substr(equals + 1)).second)
+      throw BadFootage("--column: " + name + " is named twice");
+  }
+  return headers;
+}
+
+FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body) {
+  FootageCamera camera{body.upper_camera, standing_camera_height(body)};
+  if (!arguments.fov_degrees) return camera;
+  CameraOptics& optics = camera.optics;
+  optics.field_of_view_horizontal = from_degrees(*arguments.fov_degrees);
+  // Square pixels, without distortion: that is the body's camera no more.
+  optics.field_of_view_vertical =
+      2.0 * pinned::atan2(pinned::tan(0.5 * optics.field_of_view_horizontal) * optics.height, 1.0 * optics.width);
+  optics.k1 = optics.k2 = 0.0;
+  return camera;
+}
+
+}  // namespace
+
+void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
+  parser
+      .add_option("--frames", arguments.table,
+                  "footage: CSV with a row for each image (default: frames.csv in the folder)")
+      ->check(check_not_empty);
+  parser
+      .add_option("--column", arguments.columns,
+                  "footage: where the CSV calls a column otherwise: NAME=HEADER[:UNIT], as in time=stamp:ns; may be "
+                  "given again")
+      ->allow_extra_args(false)
+      ->check(check_not_empty);
+  parser
+      .add_option("--fov-degrees", arguments.fov_degrees,
+                  "footage: horizontal field of view of a camera without distortion (default: the body's camera)")
+      ->check(CLI::Range(10.0, 170.0));
+  parser
+      .add_option("--images-per-second", arguments.images_per_second,
+                  "footage: the images are so many a second apart, whatever times were recorded")
+      ->check(CLI::Range(0.01, 1000.0));
+  parser
+      .add_option("--wall", arguments.wall,
+                  "footage: the virtual wall: auto (found in the images), field, or its radius in m")
+      ->check(check_not_empty)
+      ->capture_default_str();
+}
+
+std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
+                                            const RobotBody& body) {
+  return open_footage({.source = source,
+                       .table = arguments.table,
+                       .headers = headers_of(arguments.columns),
+                       .camera = camera_of(arguments, body),
+                       .times_are_given = arguments.images_per_second.has_value()},
+                      decoder_library());
+}
+
+}  // namespace reorient

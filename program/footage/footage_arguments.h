@@ -1,0 +1,33 @@
+// The options of all commands that take footage.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robots/footage/footage.h"
+#include "robots/robot_body.h"
+
+namespace CLI {
+class App;
+}
+
+namespace reorient {
+
+struct FootageArguments {
+  std::filesystem::path table;        ///< CSV; empty: the usual one
+  std::vector<std::string> columns;   ///< NAME=HEADER or NAME=HEADER:UNIT
+  std::optional<double> fov_degrees;  ///< horizontal field of view; nothing: the body's
+  std::optional<double> images_per_second;
+  std::string wall = "auto";  ///< or "field", or a radius in m
+};
+
+void add_footage_options(CLI::App& parser, FootageArguments& arguments);
+
+/// Throws BadFootage with one line.
+std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
+                                            const RobotBody& body);
+
+}  // namespace reorient

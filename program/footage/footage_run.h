@@ -1,0 +1,45 @@
+// The engine behind footage, made ready to run.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/frame.h"
+#include "program/footage/footage_arguments.h"
+#include "program/options.h"
+#include "robots/footage/footage_robot.h"
+#include "workbench/run/run_loop.h"
+
+namespace reorient {
+
+/// What the engine is made of: nobody moves this robot, so the behaviors are those that ask for no motion.
+struct FootageSetup {
+  std::filesystem::path source;
+  FootageArguments footage;
+  std::filesystem::path body, field;   ///< as --body and --field name them
+  std::filesystem::path scripts;       ///< root of the scripts
+  std::vector<std::string> behaviors;  ///< empty: the shipped ones that ask for no motion
+  ParameterOptions parameters;
+  std::uint64_t seed = 1;
+  bool room_awareness = true;
+  std::optional<SavedModel> model;  ///< of the room, learned before
+  std::string at;  ///< X,Y,DEGREES where it starts, where the footage has no positions; empty: nobody knows
+};
+
+struct PreparedFootage {
+  FrameSetup frame;                   ///< with the wall that suits the footage
+  std::vector<ParameterChange> kept;  ///< overrides that belong to scripts which are not in this run
+  std::string wall;                   ///< a line for people
+};
+
+/// Finds mistakes before it looks for the wall, which takes a while. Throws std::runtime_error (of scripts:
+/// ScriptError) with one line.
+PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& scripts);
+
+/// Of the robot, but for what is done to its belief.
+FootageOptions robot_options_of(const FootageSetup& setup);
+
+}  // namespace reorient

@@ -1,0 +1,24 @@
+// Which virtual wall suits a footage: as --wall says, or found in the images.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/parameters/parameter.h"
+#include "geometry/field_dimensions.h"
+#include "robots/footage/footage.h"
+#include "robots/robot_body.h"
+
+namespace reorient {
+
+struct FootageWall {
+  std::vector<ParameterChange> parameters;  ///< before those of the person
+  std::string told;                         ///< a line for people
+};
+
+/// `choice`: "auto", "field" or a radius in m. Reads the source where it is "auto". Throws std::runtime_error with one
+/// line.
+FootageWall footage_wall(FootageSource& source, const std::string& choice, const FieldDimensions& field,
+                         const RobotBody& body);
+
+}  // namespace reorient

@@ -1,0 +1,94 @@
+#include "program/run/footage/run_footage.h"
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "program/footage/footage_run.h"
+#include "program/interruption.h"
+#include "program/run/run_scenario.h"
+#include "program/run/script_edits.h"
+#include "program/run/simulation.h"
+
+namespace reorient {
+namespace {
+
+/// Of --belief: right, mirrored, degrees to the left by which it is wrong, or both, as in mirrored:10.
+std::optional<BeliefChange> belief_change_of(const RunOptions& options) {
+  if (options.belief.empty()) {
+    if (options.lifted) throw std::runtime_error("--lifted: say with --belief what the robot believes afterwards");
+    return std::nullopt;
+  }
+  BeliefChange change;
+  change.at = options.belief_at;
+  change.kind = options.lifted ? BeliefChange::Kind::lifted : BeliefChange::Kind::told;
+  constexpr std::string_view kMirrored = "mirrored";
+  std::string_view rest = options.belief;
+  change.mirrored = rest.starts_with(kMirrored);
+  if (change.mirrored) rest.remove_prefix(kMirrored.size());
+  if (change.mirrored && rest.starts_with(':')) rest.remove_prefix(1);
+  if ((change.mirrored && rest.empty()) || rest == "right") return change;
+  double degrees = 0.0;
+  const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), degrees);
+  if (error != std::errc() || stop != rest.data() + rest.size() || !(std::abs(degrees) <= 180.0))
+    throw std::runtime_error(
+        "--belief: expected right, mirrored, degrees from -180 to 180, or mirrored:DEGREES, found '" + options.belief +
+        "'");
+  change.turned_by = from_degrees(degrees);
+  return change;
+}
+
+}  // namespace
+
+int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
+  ScriptEdits edits(options.scripts);
+  const FootageSetup setup{.source = options.scenario,
+                           .footage = options.footage,
+                           .body = options.body,
+                           .field = options.field,
+                           .scripts = options.scripts,
+                           .behaviors = options.behaviors,
+                           .parameters = options.parameters,
+                           .seed = options.seed,
+                           .room_awareness = options.room_awareness,
+                           .model = model_to_begin_with(options),
+                           .at = options.at};
+  FootageOptions robot_options = robot_options_of(setup);
+  robot_options.change = belief_change_of(options);
+  PreparedFootage prepared = prepare_footage(setup, edits.texts());
+  const RobotBody body = prepared.frame.body;
+  auto robot = std::make_unique<FootageRobot>(open_footage(setup.source, setup.footage, body), robot_options);
+  FootageRobot& itself = *robot;
+  RobotInstance instance{std::move(robot), body, RobotInstance::Clock::simulated, nullptr, nullptr};
+  if (itself.knows_pose()) instance.truth = &itself;
+  FrameLoop engine(std::move(prepared.frame));
+  err << "reorient: " << prepared.wall << '\n';
+  const auto verdict = [&](RunSummary& summary) {
+    if (!itself.failure().empty()) {
+      summary.verdict = "the footage cannot be read any further";
+    } else {
+      summary.verdict = fmt::format("the footage is over after {} images", itself.frames());
+      summary.succeeded = !itself.knows_pose() || summary.correct;
+    }
+  };
+  RunParts parts{instance, engine, nullptr, nullptr, {}, {}, {}, options.seconds, false};
+  return run_prepared(options,
+                      {.parts = std::move(parts),
+                       .venue = setup.source.string(),
+                       .parameters = [&] { return engine.parameters(); },
+                       .kept_parameters = [&] { return prepared.kept; },
+                       .model = setup.model,
+                       .edits = &edits,
+                       .failure = [&] { return itself.failure(); }},
+                      {{}, {}, verdict}, out, err);
+}
+
+}  // namespace reorient

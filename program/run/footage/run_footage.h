@@ -1,0 +1,13 @@
+// `reorient run --robot footage SOURCE`: the engine sees what somebody else recorded.
+#pragma once
+
+#include <iosfwd>
+
+#include "program/run/run_options.h"
+
+namespace reorient {
+
+/// The exit code. Throws std::runtime_error (of a script: ScriptError) with one line on bad input.
+int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err);
+
+}  // namespace reorient

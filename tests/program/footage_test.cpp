@@ -1,0 +1,204 @@
+// `reorient run --robot footage` and `experiment footage` as their user meets them, on images of the simulator that lie
+// in a folder as somebody else's would.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/paths.h"
+#include "tests/program/program_run.h"
+#include "tests/program/simulated_footage.h"
+#include "tests/shared_data.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool can_decode() { return *kDecoder != '\0'; }
+
+class Footage : public testing::Test {
+ protected:
+  static constexpr int kImages = 220;  // 44 s
+
+  /// Once for all tests: to render it takes a while.
+  static const std::filesystem::path& recorded() {
+    static const TemporaryFolder folder;
+    if (!std::filesystem::exists(folder.path() / "frames.csv")) write_simulated_footage(folder.path(), kImages);
+    return folder.path();
+  }
+
+  void SetUp() override {
+    if (!can_decode()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
+    setenv("REORIENT_DECODER", kDecoder, 1);
+  }
+
+  ProgramRun run(const Words& more, const std::filesystem::path& source = recorded()) const {
+    Words words{"run", "--robot", "footage", source.string(), "--no-pictures", "--log", "off"};
+    if (std::find(more.begin(), more.end(), "--wall") == more.end()) words.insert(words.end(), {"--wall", "field"});
+    words.insert(words.end(), more.begin(), more.end());
+    return run_reorient(words);
+  }
+
+  std::string file(const char* name) const { return (folder_.path() / name).string(); }
+
+  /// A copy of the table with one thing changed; the images stay where they are.
+  std::string table_with(const std::string& from, const std::string& to) const {
+    std::ifstream in(recorded() / "frames.csv");
+    std::ostringstream text;
+    text << in.rdbuf();
+    std::string all = text.str();
+    const std::size_t place = all.find(from);
+    EXPECT_NE(place, std::string::npos);
+    all.replace(place, from.size(), to);
+    return folder_.write("other.csv", all).string();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Footage, LeavesARightPoseAlone) {
+  const ProgramRun right = run({"--belief", "right", "--belief-at", "25"});
+  EXPECT_EQ(right.code, 0) << right.out << right.err;
+  EXPECT_NE(right.out.find("0 flips"), std::string::npos) << right.out;
+  EXPECT_NE(right.out.find("the footage is over after 220 images"), std::string::npos) << right.out;
+}
+
+TEST_F(Footage, ShowsAMirroredPoseThatIsThenFlipped) {
+  const ProgramRun mirrored = run({"--belief", "mirrored", "--belief-at", "25", "--json", file("run.json")});
+  EXPECT_EQ(mirrored.code, 0) << mirrored.out << mirrored.err;
+  const auto json = nlohmann::json::parse(std::ifstream(file("run.json")));
+  EXPECT_EQ(json["flips"], 1);
+  EXPECT_EQ(json["correct"], true);
+  EXPECT_NEAR(json["belief_wrong_at_seconds"].get<double>(), 25.0, 0.3);
+  EXPECT_LT(json["corrected_after_seconds"].get<double>(), 10.0);
+}
+
+TEST_F(Footage, MayBeLiftedAndPutDownTurnedRound) {
+  const ProgramRun lifted = run({"--belief", "mirrored", "--belief-at", "25", "--lifted"});
+  EXPECT_EQ(lifted.code, 0) << lifted.out << lifted.err;
+  EXPECT_NE(lifted.out.find("1 flips"), std::string::npos) << lifted.out;
+}
+
+TEST_F(Footage, IsRecordedAndReplayedToTheSameDigest) {
+  const ProgramRun recorded_run = run({"--record", file("run.mcap"), "--belief", "mirrored", "--belief-at", "25"});
+  const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
+  EXPECT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_EQ(digest_of(replayed), digest_of(recorded_run));
+}
+
+TEST_F(Footage, EndsWhereAnImageIsMissingAndKeepsWhatCameBefore) {
+  const std::string table = table_with("images/0100.png", "images/none.png");
+  const ProgramRun ended = run({"--frames", table, "--record", file("run.mcap")});
+  EXPECT_EQ(ended.code, kBadInput);
+  EXPECT_NE(ended.err.find("images/none.png: expected the image of"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.out.find("wrong: the footage cannot be read any further"), std::string::npos) << ended.out;
+  const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
+  EXPECT_EQ(replayed.code, 0);
+  EXPECT_EQ(digest_of(replayed), digest_of(ended));
+  EXPECT_NE(replayed.out.find("100 frames"), std::string::npos) << replayed.out;
+}
+
+TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
+  const std::pair<Words, const char*> cases[] = {
+      {{"--belief", "upside down"}, "--belief: expected right, mirrored, degrees"},
+      {{"--belief", "mirrored:x"}, "--belief: expected right, mirrored, degrees"},
+      {{"--belief", "270"}, "--belief: expected right, mirrored, degrees"},
+      {{"--lifted"}, "--lifted"},
+      {{"--column", "time"}, "--column: expected NAME=HEADER"},
+      {{"--column", "tume=t"}, "there is no column 'tume' (did you mean 'time'?)"},
+      {{"--column", "time=stamp"}, "frames.csv:1: expected a column 'stamp' for time"},
+      {{"--frames", "/nowhere.csv"}, "/nowhere.csv: expected a table, found nothing of that name"},
+      {{"--room", "hall.hdr"}, "--room: only the simulator heeds it"},
+      {{"--width", "320"}, "--width: only the simulator heeds it"},
+      {{"--wall", "far"}, "--wall: expected auto, field or a radius"},
+      {{"--images-per-second", "0"}, "--images-per-second"},
+      {{"--set", "wall.radios=3"}, "wall.radios"},
+  };
+  for (const auto& [words, what] : cases) {
+    const ProgramRun refused = run(words);
+    EXPECT_EQ(refused.code, kBadInput) << what;
+    EXPECT_NE(refused.err.find(what), std::string::npos) << refused.err << "\nexpected: " << what;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+  const ProgramRun nothing = run_reorient({"run", "--robot", "footage"});
+  EXPECT_EQ(nothing.code, kBadInput);
+  EXPECT_NE(nothing.err.find("--robot footage: name its source"), std::string::npos) << nothing.err;
+  const ProgramRun vain = run_reorient({"run", "--images-per-second", "5"});
+  EXPECT_NE(vain.err.find("--images-per-second: only --robot footage heeds it"), std::string::npos) << vain.err;
+}
+
+TEST_F(Footage, IsTriedAtManyMoments) {
+  const Words words{"experiment",   "footage",  recorded().string(), "--wall", "field", "--learn",   "20",
+                    "--watch",      "10",       "--starts",          "4",      "--out", file("out"), "--json",
+                    file("r.json"), "--report", file("report")};
+  const ProgramRun tried = run_reorient(words);
+  ASSERT_EQ(tried.code, 0) << tried.err;
+  const auto rows = nlohmann::json::parse(std::ifstream(file("r.json")));
+  ASSERT_EQ(rows.size(), 6u);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row["trials"], 4);
+    EXPECT_EQ(row["false_flips"], 0) << row["start"] << row["pose"];
+    if (row["pose"] == "mirrored") {
+      EXPECT_EQ(row["failed"], 0.0) << row["start"];
+    }
+  }
+  EXPECT_TRUE(std::filesystem::exists(file("report/index.html")));
+  // What is there is not run again, and says the same.
+  const ProgramRun again = run_reorient(words);
+  EXPECT_EQ(again.out, tried.out);
+}
+
+TEST_F(Footage, GivesATrialTheSameResultAsARunThatLivedThroughEverything) {
+  const ProgramRun tried =
+      run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn", "20", "--watch", "10",
+                    "--starts", "1", "--out", file("out"), "--json", file("r.json")});
+  ASSERT_EQ(tried.code, 0) << tried.err;
+  const auto rows = nlohmann::json::parse(std::ifstream(file("r.json")));
+  const ProgramRun alone = run({"--belief", "mirrored", "--belief-at", "20", "--json", file("run.json")});
+  const auto json = nlohmann::json::parse(std::ifstream(file("run.json")));
+  double flipped_at = -1.0;
+  for (const auto& command : json["commands"])
+    if (command["command"] == "flip_pose" && flipped_at < 0.0) flipped_at = command["time"];
+  for (const auto& row : rows) {
+    if (row["start"] == "told" && row["pose"] == "mirrored") {
+      EXPECT_NEAR(row["outcomes"][0]["mended_after_s"].get<double>(), flipped_at - 20.0, 0.11);
+    }
+  }
+}
+
+/// Real footage of a walking NAO.
+class RealFootage : public SharedDataTest {
+ protected:
+  RealFootage() : SharedDataTest("footage") {}
+};
+
+TEST_F(RealFootage, ShowsMirroredPosesThatAreFound) {
+  if (!can_decode()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
+  setenv("REORIENT_DECODER", kDecoder, 1);
+  const TemporaryFolder out;
+  const ProgramRun tried =
+      run_reorient({"experiment", "footage", (folder() / "nao-canteen-01").string(), "--fov-degrees", "60.97",
+                    "--images-per-second", "5", "--learn", "14", "--watch", "8", "--starts", "20", "--out",
+                    (out.path() / "out").string(), "--json", (out.path() / "r.json").string()});
+  ASSERT_EQ(tried.code, 0) << tried.err;
+  const auto rows = nlohmann::json::parse(std::ifstream(out.path() / "r.json"));
+  for (const auto& row : rows) {
+    if (row["start"] == "told" && row["pose"] == "mirrored") {
+      EXPECT_LE(row["failed"], 0.1);
+    }
+    if (row["start"] == "told" && row["pose"] == "right") {
+      EXPECT_LE(row["false_flips"], 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace reorient
