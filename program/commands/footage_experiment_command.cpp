@@ -121,6 +121,8 @@ std::string shared_options(const FootageExperimentOptions& options) {
   const FootageSetup& setup = options.setup;
   if (!setup.footage.table.empty()) add("--frames", setup.footage.table.string());
   for (const std::string& column : setup.footage.columns) add("--column", column);
+  for (const std::string& topic : setup.footage.topics) add("--topic", topic);
+  for (const std::string& frame : setup.footage.frames) add("--frame", frame);
   if (setup.footage.fov_degrees) add("--fov-degrees", fmt::format("{}", *setup.footage.fov_degrees));
   add("--wall", setup.footage.wall);
   if (setup.footage.images_per_second) add("--images-per-second", fmt::format("{}", *setup.footage.images_per_second));

@@ -1,12 +1,19 @@
 #include "program/footage/footage_arguments.h"
 
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <utility>
+
 #include <CLI/CLI.hpp>
 
 #include "engine/parameters/nearest_name.h"
 #include "geometry/angle.h"
 #include "geometry/pinned_math.h"
+#include "program/footage/recorded_footage.h"
 #include "program/options.h"
 #include "workbench/footage/decoder_library.h"
+#include "workbench/footage/mcap_log.h"
 #include "workbench/footage/open_footage.h"
 
 namespace reorient {
@@ -41,6 +48,54 @@ FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body
   return camera;
 }
 
+/// "KIND=NAME" of an option into the place of that kind.
+void take_names(const char* option, const std::vector<std::string>& words,
+                const std::map<std::string, std::function<void(const std::string&)>>& places) {
+  std::vector<std::string> known;
+  for (const auto& [kind, place] : places) known.push_back(kind);
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos)
+      throw BadFootage(std::string(option) + ": expected KIND=NAME, found '" + word + "'");
+    const auto place = places.find(word.substr(0, equals));
+    if (place == places.end())
+      throw BadFootage(std::string(option) + ": there is no kind '" + word.substr(0, equals) + "'" +
+                       did_you_mean(word.substr(0, equals), known));
+    place->second(word.substr(equals + 1));
+  }
+}
+
+McapLogOptions log_options_of(const FootageArguments& arguments, const RobotBody& body) {
+  McapLogOptions options;
+  LogTopics& topics = options.topics;
+  const auto into = [](std::optional<std::string>& place) {
+    return [&place](const std::string& name) { place = name; };
+  };
+  take_names("--topic", arguments.topics,
+             {{"image", into(topics.image)},
+              {"camera_info", into(topics.camera_info)},
+              {"pose", into(topics.pose)},
+              {"odometry", into(topics.odometry)},
+              {"imu", into(topics.imu)},
+              {"transforms", [&topics](const std::string& name) {
+                 if (!topics.transforms) topics.transforms.emplace();
+                 if (!name.empty()) topics.transforms->push_back(name);
+               }}});
+  LogFrameOptions& frames = options.frames;
+  const auto name = [](std::string& place) { return [&place](const std::string& text) { place = text; }; };
+  take_names("--frame", arguments.frames,
+             {{"field", name(frames.field_frame)},
+              {"odometry", name(frames.odometry_frame)},
+              {"base", name(frames.base_frame)},
+              {"camera", name(frames.camera_frame)}});
+  frames.decode_image = decoder_library().image;
+  if (arguments.fov_degrees) {
+    const FootageCamera camera = camera_of(arguments, body);
+    frames.camera = camera_of(camera, camera.optics.width, camera.optics.height);
+  }
+  return options;
+}
+
 }  // namespace
 
 void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
@@ -63,6 +118,18 @@ void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
                   "footage: the images are so many a second apart, whatever times were recorded")
       ->check(CLI::Range(0.01, 1000.0));
   parser
+      .add_option("--topic", arguments.topics,
+                  "footage from a log: KIND=TOPIC, where there are several or none shall be used: image, camera_info, "
+                  "transforms, pose, odometry, imu; may be given again")
+      ->allow_extra_args(false)
+      ->check(check_not_empty);
+  parser
+      .add_option(
+          "--frame", arguments.frames,
+          "footage from a log: KIND=FRAME: field (map), odometry (odom), base (base_link), camera; may be given again")
+      ->allow_extra_args(false)
+      ->check(check_not_empty);
+  parser
       .add_option("--wall", arguments.wall,
                   "footage: the virtual wall: auto (found in the images), field, or its radius in m")
       ->check(check_not_empty)
@@ -71,6 +138,10 @@ void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
 
 std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
                                             const RobotBody& body) {
+  if (source.extension() == ".mcap") {
+    if (is_recording(source)) return open_recorded_footage(source);
+    return std::make_unique<McapLog>(source, log_options_of(arguments, body));
+  }
   return open_footage({.source = source,
                        .table = arguments.table,
                        .headers = headers_of(arguments.columns),

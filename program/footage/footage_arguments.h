@@ -21,7 +21,9 @@ struct FootageArguments {
   std::vector<std::string> columns;   ///< NAME=HEADER or NAME=HEADER:UNIT
   std::optional<double> fov_degrees;  ///< horizontal field of view; nothing: the body's
   std::optional<double> images_per_second;
-  std::string wall = "auto";  ///< or "field", or a radius in m
+  std::vector<std::string> topics;  ///< of a log: KIND=TOPIC
+  std::vector<std::string> frames;  ///< of a log: KIND=FRAME
+  std::string wall = "auto";        ///< or "field", or a radius in m
 };
 
 void add_footage_options(CLI::App& parser, FootageArguments& arguments);

@@ -158,6 +158,8 @@ constexpr Heeding kHeeding[] = {
     {"--column", kOfFootage},
     {"--fov-degrees", kOfFootage},
     {"--images-per-second", kOfFootage},
+    {"--topic", kOfFootage},
+    {"--frame", kOfFootage},
     {"--wall", kOfFootage},
     {"--belief", kOfFootage},
     {"--belief-at", kOfFootage},

@@ -1,6 +1,7 @@
 #include "robots/footage/footage_robot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace reorient {
@@ -10,6 +11,21 @@ constexpr double kPositionDeviation = 0.1;                // m, of the recorded 
 constexpr double kRotationDeviation = from_degrees(5.0);  // rad
 constexpr double kBodyRate = 50.0;                        // Hz
 constexpr int kMostBodySamples = 100;
+
+/// The same pose comes as numbers with a few digits, as a quaternion, or as a matrix: rounded to what no robot
+/// measures, it is the same pose again, to the last bit.
+double rounded(double value) {
+  constexpr double kSteps = 1 << 30;  // of m, s, rad, pixels
+  return std::round(value * kSteps) / kSteps;
+}
+Pose2 rounded(const Pose2& pose) {
+  return {rounded(pose.position.x()), rounded(pose.position.y()), rounded(pose.rotation)};
+}
+Isometry3 rounded(const Isometry3& pose) {
+  Isometry3 result = pose;
+  result.matrix() = pose.matrix().unaryExpr([](double value) { return rounded(value); });
+  return result;
+}
 
 Eigen::Matrix3d belief_covariance() {
   const Eigen::Vector3d deviation(kPositionDeviation, kPositionDeviation, kRotationDeviation);
@@ -65,8 +81,13 @@ bool FootageRobot::next_frame() {
   }
   if (frames_ == 0) first_time_ = frame_.time;
   time_before_ = time_;
-  time_ = options_.images_per_second ? static_cast<double>(frames_) / *options_.images_per_second
-                                     : frame_.time - first_time_;
+  time_ = rounded(options_.images_per_second ? static_cast<double>(frames_) / *options_.images_per_second
+                                             : frame_.time - first_time_);
+  if (frame_.pose) frame_.pose = rounded(*frame_.pose);
+  if (frame_.odometry) frame_.odometry = rounded(*frame_.odometry);
+  if (frame_.heading) frame_.heading = rounded(*frame_.heading);
+  frame_.torso = {rounded(frame_.torso.roll), rounded(frame_.torso.pitch)};
+  frame_.robot_from_camera = rounded(frame_.robot_from_camera);
   ++frames_;
   if (!frame_.pose && frame_.heading)
     frame_.pose = Pose2(options_.start ? options_.start->position : Eigen::Vector2d::Zero(), *frame_.heading);

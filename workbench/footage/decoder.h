@@ -22,7 +22,7 @@ class FrameReader {
   virtual double frames_per_second() const = 0;
 };
 
-struct ImageDecoder {
+struct FootageDecoder {
   /// `where`: for messages. Throws BadFootage where the bytes are no image.
   std::function<Image(std::span<const std::byte> bytes, const std::string& where)> image;
   /// Throws BadFootage where the file is no video that can be read.

@@ -115,7 +115,7 @@ const Functions& functions() {
 
 }  // namespace
 
-ImageDecoder decoder_library() {
+FootageDecoder decoder_library() {
   return {[](std::span<const std::byte> bytes, const std::string& where) {
             reorient_pixels pixels{};
             if (functions().decode_image(bytes.data(), bytes.size(), &pixels) != 0)

@@ -7,6 +7,6 @@
 namespace reorient {
 
 /// What it returns throws BadFootage with one line that says what to install where the library is nowhere.
-ImageDecoder decoder_library();
+FootageDecoder decoder_library();
 
 }  // namespace reorient

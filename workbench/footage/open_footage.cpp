@@ -68,7 +68,7 @@ void require_times(const FootageRequest& request, const std::vector<FrameRow>& r
 }
 
 std::unique_ptr<FootageSource> open_images(const FootageRequest& request, const fs::path& table,
-                                           std::vector<FrameRow> rows, const ImageDecoder& decoder) {
+                                           std::vector<FrameRow> rows, const FootageDecoder& decoder) {
   const fs::path folder = fs::is_directory(request.source) ? request.source : table.parent_path();
   require_times(request, rows, table.empty() ? folder : table);
   if (rows.front().image.empty())
@@ -118,7 +118,7 @@ class VideoFootage : public FootageSource {
 };
 
 std::unique_ptr<FootageSource> open_video(const FootageRequest& request, const fs::path& table,
-                                          const ImageDecoder& decoder) {
+                                          const FootageDecoder& decoder) {
   require_file(request.source, "a folder, a table, a video or a log");
   std::unique_ptr<FrameReader> owned = decoder.video(request.source);
   if (table.empty()) return std::make_unique<VideoFootage>(request, std::move(owned));
@@ -144,7 +144,7 @@ std::unique_ptr<FootageSource> open_video(const FootageRequest& request, const f
 
 }  // namespace
 
-std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const ImageDecoder& decoder) {
+std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const FootageDecoder& decoder) {
   std::error_code error;
   const bool is_folder = fs::is_directory(request.source, error);
   if (!is_folder && !fs::exists(request.source, error))

@@ -21,6 +21,6 @@ struct FootageRequest {
 };
 
 /// Throws BadFootage with one line.
-std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const ImageDecoder& decoder);
+std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const FootageDecoder& decoder);
 
 }  // namespace reorient

@@ -87,7 +87,7 @@ TEST(FootageRobot, MayBeShownAtAnotherRate) {
   Observation observation;
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(robot.observe(observation));
-    EXPECT_DOUBLE_EQ(observation.time, 0.1 * i);
+    EXPECT_NEAR(observation.time, 0.1 * i, 1e-9);
   }
 }
 

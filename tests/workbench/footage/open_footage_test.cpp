@@ -1,6 +1,5 @@
 // Footage from a disk, whatever somebody's folder holds. The decoder is one for tests: an image is a line "WIDTH HEIGHT
 // LUMA".
-#include "workbench/footage/decoder_library.h"
 #include "workbench/footage/open_footage.h"
 
 #include <cstring>
@@ -15,6 +14,7 @@
 #include <sys/stat.h>
 
 #include "tests/temporary_folder.h"
+#include "workbench/footage/decoder_library.h"
 
 namespace reorient {
 namespace {
