@@ -16,7 +16,7 @@ constexpr int kMostBodySamples = 100;
 /// measures, it is the same pose again, to the last bit.
 double rounded(double value) {
   constexpr double kSteps = 1 << 30;  // of m, s, rad, pixels
-  return std::round(value * kSteps) / kSteps;
+  return std::round(value * kSteps) / kSteps + 0.0;  // no zero has a sign
 }
 Pose2 rounded(const Pose2& pose) {
   return {rounded(pose.position.x()), rounded(pose.position.y()), rounded(pose.rotation)};

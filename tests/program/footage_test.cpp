@@ -10,17 +10,32 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
 
+#include "program/footage/footage_arguments.h"
+#include "program/run/venue.h"
 #include "tests/paths.h"
+#include "tests/program/image_files.h"
 #include "tests/program/program_run.h"
 #include "tests/program/simulated_footage.h"
 #include "tests/shared_data.h"
 #include "tests/temporary_folder.h"
+#include "tests/workbench/footage/ros_log_writer.h"
+#include "workbench/files/body_file.h"
 
 namespace reorient {
 namespace {
 
 using Words = std::vector<std::string>;
+
+/// The frames of the folder, as the program reads them.
+std::vector<FootageFrame> frames_of(const std::filesystem::path& source) {
+  const RobotBody body = load_body(body_file({}));
+  const auto footage = open_footage(source, {}, body);
+  std::vector<FootageFrame> frames;
+  for (FootageFrame frame; footage->next(frame);) frames.push_back(frame);
+  return frames;
+}
 
 bool can_decode() { return *kDecoder != '\0'; }
 
@@ -45,6 +60,20 @@ class Footage : public testing::Test {
     if (std::find(more.begin(), more.end(), "--wall") == more.end()) words.insert(words.end(), {"--wall", "field"});
     words.insert(words.end(), more.begin(), more.end());
     return run_reorient(words);
+  }
+
+  /// A log of ROS 2 with compressed images.
+  void write_log_of_files(const std::string& extension, const char* name) const {
+    RosLogOptions options;
+    options.start = 1000.0;  // numbers of this size hold nanoseconds
+    options.format = extension.substr(1);
+    int next = 0;
+    options.encode = [&](const Image&) { return encoded(image_file(next++), extension); };
+    const std::vector<std::byte> log = ros_log(frames_of(recorded()), options);
+    folder_.write(name, {reinterpret_cast<const char*>(log.data()), log.size()});
+  }
+  static std::filesystem::path image_file(int number) {
+    return recorded() / "images" / fmt::format("{:04}.png", number);
   }
 
   std::string file(const char* name) const { return (folder_.path() / name).string(); }
@@ -172,6 +201,58 @@ TEST_F(Footage, GivesATrialTheSameResultAsARunThatLivedThroughEverything) {
       EXPECT_NEAR(row["outcomes"][0]["mended_after_s"].get<double>(), flipped_at - 20.0, 0.11);
     }
   }
+}
+
+TEST_F(Footage, HasOneDigestWhateverItIsStoredIn) {
+  const Words what{"--belief", "mirrored", "--belief-at", "25"};
+  const std::string digest = digest_of(run(what));
+  ASSERT_NE(digest, "");
+  // A recording of ours.
+  Words words = what;
+  words.insert(words.end(), {"--record", file("run.mcap")});
+  EXPECT_EQ(digest_of(run(words)), digest);
+  EXPECT_EQ(digest_of(run(what, file("run.mcap"))), digest);
+  // A video with the same table.
+  std::vector<std::filesystem::path> images;
+  for (int i = 0; i < kImages; ++i) images.push_back(image_file(i));
+  ASSERT_TRUE(write_lossless_video(images, file("walk.mkv")));
+  words = what;
+  words.insert(words.end(), {"--frames", (recorded() / "frames.csv").string()});
+  EXPECT_EQ(digest_of(run(words, file("walk.mkv"))), digest);
+  // A log of ROS 2, raw images.
+  RosLogOptions log_options;
+  log_options.start = 1000.0;  // numbers of this size hold nanoseconds
+  const std::vector<std::byte> log = ros_log(frames_of(recorded()), log_options);
+  folder_.write("log.mcap", {reinterpret_cast<const char*>(log.data()), log.size()});
+  const std::vector<FootageFrame> in_table = frames_of(recorded()), in_log = frames_of(file("log.mcap"));
+  ASSERT_EQ(in_table.size(), in_log.size());
+  for (std::size_t i = 0; i < in_log.size(); ++i) {
+    EXPECT_EQ(in_table[i].image.bytes(), in_log[i].image.bytes()) << i;
+    EXPECT_LT((in_table[i].pose->position - in_log[i].pose->position).norm(), 1e-12);
+    EXPECT_LT((in_table[i].robot_from_camera.matrix() - in_log[i].robot_from_camera.matrix()).norm(), 1e-12);
+    EXPECT_LT((in_table[i].odometry->position - in_log[i].odometry->position).norm(), 1e-12);
+    EXPECT_LT((in_table[i].camera.focal - in_log[i].camera.focal).norm(), 1e-12) << i;
+    EXPECT_LT((in_table[i].camera.center - in_log[i].camera.center).norm(), 1e-12) << i;
+    EXPECT_EQ(in_table[i].camera.k1, in_log[i].camera.k1) << i;
+    EXPECT_NEAR(in_table[i].time + 1000.0, in_log[i].time, 1e-9) << i;
+    EXPECT_NEAR(in_table[i].torso.pitch, in_log[i].torso.pitch, 1e-12) << i;
+  }
+  const ProgramRun of_log = run(what, file("log.mcap"));
+  EXPECT_EQ(digest_of(of_log), digest) << of_log.out << of_log.err;
+  // The same with files of images in it.
+  write_log_of_files(".png", "png.mcap");
+  EXPECT_EQ(digest_of(run(what, file("png.mcap"))), digest);
+}
+
+TEST_F(Footage, OfImagesThatLostALittleShowsTheSameWithinThreeFrames) {
+  const auto flipped_at = [&](const std::filesystem::path& source) {
+    const ProgramRun mirrored = run({"--belief", "mirrored", "--belief-at", "25", "--json", file("run.json")}, source);
+    EXPECT_EQ(mirrored.code, 0) << mirrored.out << mirrored.err;
+    const auto json = nlohmann::json::parse(std::ifstream(file("run.json")));
+    return json["corrected_after_seconds"].get<double>();
+  };
+  write_log_of_files(".jpg", "jpeg.mcap");
+  EXPECT_NEAR(flipped_at(file("jpeg.mcap")), flipped_at(recorded()), 0.61);
 }
 
 /// Real footage of a walking NAO.
