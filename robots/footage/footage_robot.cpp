@@ -15,7 +15,7 @@ constexpr int kMostBodySamples = 100;
 /// The same pose comes as numbers with a few digits, as a quaternion, or as a matrix: rounded to what no robot
 /// measures, it is the same pose again, to the last bit.
 double rounded(double value) {
-  constexpr double kSteps = 1 << 30;  // of m, s, rad, pixels
+  constexpr double kSteps = 1 << 30;                 // of m, s, rad, pixels
   return std::round(value * kSteps) / kSteps + 0.0;  // no zero has a sign
 }
 Pose2 rounded(const Pose2& pose) {

@@ -1,5 +1,3 @@
-#include "workbench/footage/decoder_functions.h"
-
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -8,6 +6,8 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+
+#include "workbench/footage/decoder_functions.h"
 
 namespace {
 
