@@ -9,6 +9,9 @@
 namespace reorient {
 namespace {
 
+/// s: one image teaches no more of the room than so long a look, however long nothing was seen before it.
+constexpr double kMostTaughtByImage = 0.2;
+
 const FieldDimensions& checked(const FieldDimensions& field) {
   if (const std::string mistake = mistake_in(field); !mistake.empty()) throw std::runtime_error("field: " + mistake);
   return field;
@@ -176,7 +179,7 @@ void FrameLoop::look_at_room() {
                  .covered = covered_,
                  .train = world_.training,
                  .evaluate = world_.evaluating});
-  if (world_.training) world_.trained_seconds += world_.time_step;
+  if (world_.training) world_.trained_seconds += std::min(world_.time_step, kMostTaughtByImage);
 }
 
 void FrameLoop::describe_world() {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSmallWidth = 160;      // pixels
 constexpr double kMostRadius = 40.0;  // m
-constexpr int kRadii = 28;            // that are tried, each a little larger than the one before
+constexpr int kRadii = 40;            // that are tried, each a little larger than the one before
 constexpr std::size_t kMostPairs = 1200;
 constexpr std::size_t kFewestPairs = 12;  // with a match
 constexpr double kLeastBaseline = 0.1;    // m between two cameras
@@ -110,7 +110,8 @@ struct Pair {
   double baseline = 0.0;  ///< m between the cameras
 };
 
-/// That look about the same way from different places; the farther half of them, since the others tell less.
+/// That look about the same way from different places, evenly over the distances between these: near things are found
+/// from places close by, far ones from places far apart.
 std::vector<Pair> pairs_of(std::span<const WallView> views) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -123,7 +124,6 @@ std::vector<Pair> pairs_of(std::span<const WallView> views) {
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.baseline > b.baseline; });
-  pairs.resize((pairs.size() + 1) / 2);
   const std::size_t every = (pairs.size() + kMostPairs - 1) / kMostPairs;
   for (std::size_t i = 0; every > 1 && i * every < pairs.size(); ++i) pairs[i] = pairs[i * every];
   pairs.resize(std::min(pairs.size(), kMostPairs));

@@ -48,7 +48,7 @@ FootageFrame image_at(const Pose2& pose, double radius, double contrast) {
 std::vector<WallView> views_in(double radius, double walked, double contrast) {
   Random random(3);
   std::vector<WallView> views;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 28; ++i) {
     const Pose2 pose(random.uniform(-walked, walked), random.uniform(-walked, walked), random.uniform(-kPi, kPi));
     views.push_back(*wall_view(image_at(pose, radius, contrast)));
   }
