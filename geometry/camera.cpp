@@ -1,7 +1,9 @@
 #include "geometry/camera.h"
 
 #include <cmath>
+#include <sstream>
 
+#include "geometry/angle.h"
 #include "geometry/pinned_math.h"
 
 namespace reorient {
@@ -25,6 +27,16 @@ CameraModel CameraModel::from_fields_of_view(int width, int height, double horiz
   return camera;
 }
 
+CameraModel CameraModel::from_fields_of_view(int width, int height, double horizontal, double vertical,
+                                             const Lens& lens) {
+  CameraModel camera = from_fields_of_view(width, height, horizontal, vertical);
+  static_cast<Lens&>(camera) = lens;
+  if (!lens.is_perspective())
+    camera.focal = {0.5 * width / lens.place_of_angle(0.5 * horizontal),
+                    0.5 * height / lens.place_of_angle(0.5 * vertical)};
+  return camera;
+}
+
 CameraModel CameraModel::scaled_to(int new_width, int new_height) const {
   const Eigen::Vector2d scale(static_cast<double>(new_width) / width, static_cast<double>(new_height) / height);
   const Eigen::Vector2d half(0.5, 0.5);
@@ -37,6 +49,11 @@ CameraModel CameraModel::scaled_to(int new_width, int new_height) const {
 }
 
 std::optional<Eigen::Vector2d> CameraModel::project(const Eigen::Vector3d& point_in_camera) const {
+  if (!is_plain()) {
+    const std::optional<Eigen::Vector2d> place = distort(point_in_camera);
+    if (!place) return std::nullopt;
+    return center + focal.cwiseProduct(*place);
+  }
   constexpr double kNearest = 1e-6;  // m in front of the camera
   if (point_in_camera.x() < kNearest) return std::nullopt;
   const Eigen::Vector2d ideal(-point_in_camera.y() / point_in_camera.x(), -point_in_camera.z() / point_in_camera.x());
@@ -47,6 +64,7 @@ std::optional<Eigen::Vector2d> CameraModel::project(const Eigen::Vector3d& point
 
 Eigen::Vector3d CameraModel::ray(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d distorted = (pixel - center).cwiseQuotient(focal);
+  if (!is_plain()) return undistort(distorted);
   const double distorted_radius = distorted.norm();
   double radius = distorted_radius;
   if (k1 != 0.0 || k2 != 0.0) {
@@ -69,6 +87,32 @@ double CameraModel::horizontal_field_of_view() const {
   const Eigen::Vector3d left = ray({-0.5, center.y()});
   const Eigen::Vector3d right = ray({width - 0.5, center.y()});
   return pinned::atan2(left.y(), left.x()) - pinned::atan2(right.y(), right.x());
+}
+
+bool is_usable(const CameraModel& camera) {
+  return camera.width > 0 && camera.height > 0 && camera.focal.allFinite() && camera.center.allFinite() &&
+         camera.focal.minCoeff() > 0.0 && camera.is_finite();
+}
+
+std::string mistake_in(const CameraModel& camera) {
+  if (!camera.is_finite()) return "expected finite distortion coefficients";
+  if (!is_usable(camera)) return "expected a focal length above 0 and a finite principal point";
+  constexpr int kSteps = 24;
+  constexpr double kAgreement = 0.01;  // pixels
+  for (int j = 0; j <= kSteps; ++j) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const Eigen::Vector2d pixel(i * (camera.width - 1.0) / kSteps, j * (camera.height - 1.0) / kSteps);
+      const Eigen::Vector3d ray = camera.ray(pixel);
+      const auto again = camera.project(ray);
+      if (again && (*again - pixel).norm() < kAgreement) continue;
+      std::ostringstream why;
+      why << "expected one direction for each pixel; pixel (" << std::lround(pixel.x()) << ", "
+          << std::lround(pixel.y()) << ") of " << camera.width << "x" << camera.height
+          << " has none: the distortion folds back, or the image spans too wide an angle";
+      return why.str();
+    }
+  }
+  return {};
 }
 
 }  // namespace reorient

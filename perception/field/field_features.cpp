@@ -6,9 +6,7 @@ namespace reorient {
 namespace {
 
 int highest_row_of_ground(const GroundProjection& view) {
-  const double left = view.horizon(0.0);
-  const double right = view.horizon(view.camera().width - 1.0);
-  return static_cast<int>(std::clamp(std::min(left, right), 0.0, static_cast<double>(view.camera().height)));
+  return static_cast<int>(std::clamp(view.highest_horizon(), 0.0, static_cast<double>(view.camera().height)));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "perception/field/ground_projection.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/angle.h"
@@ -7,11 +8,6 @@
 
 namespace reorient {
 namespace {
-
-bool is_usable(const CameraModel& camera) {
-  return camera.width > 0 && camera.height > 0 && camera.focal.allFinite() && camera.center.allFinite() &&
-         camera.focal.minCoeff() > 0.0 && std::isfinite(camera.k1) && std::isfinite(camera.k2);
-}
 
 bool is_upright(const Isometry3& robot_from_camera) {
   constexpr double kLowest = 0.15;   // m; a lying robot's camera is below
@@ -35,7 +31,11 @@ GroundProjection::GroundProjection(const CameraModel& camera, const Isometry3& r
     : camera_(camera),
       robot_from_camera_(robot_from_camera),
       camera_from_robot_(robot_from_camera.inverse()),
-      down_(-robot_from_camera.linear().row(2).transpose()) {}
+      down_(-robot_from_camera.linear().row(2).transpose()) {
+  if (camera_.is_perspective()) return;
+  for (std::size_t i = 0; i < horizon_.size(); ++i)
+    horizon_[i] = find_horizon(static_cast<double>(i) * (camera_.width - 1.0) / (kHorizonPoints - 1.0));
+}
 
 std::optional<Eigen::Vector2d> GroundProjection::at_height(const Eigen::Vector2d& pixel, double height) const {
   constexpr double kFlattest = 1e-3;  // closer to the horizon, the ground is more than 500 m away
@@ -56,7 +56,38 @@ Eigen::Vector2d GroundProjection::away(const Eigen::Vector2d& point) const {
   return length > 1e-9 ? Eigen::Vector2d(offset / length) : Eigen::Vector2d::Zero();
 }
 
+/// By bisection, since the row is not a simple function of the column: above it rays go up, below it down.
+double GroundProjection::find_horizon(double column) const {
+  constexpr int kIterations = 16;
+  double above = -0.5, below = camera_.height - 0.5;
+  if (camera_.ray({column, above}).dot(down_) > 0.0) return above;
+  if (camera_.ray({column, below}).dot(down_) < 0.0) return below;
+  for (int i = 0; i < kIterations; ++i) {
+    const double middle = 0.5 * (above + below);
+    (camera_.ray({column, middle}).dot(down_) > 0.0 ? below : above) = middle;
+  }
+  return 0.5 * (above + below);
+}
+
+double GroundProjection::highest_horizon() const {
+  if (camera_.is_perspective()) return std::min(horizon(0.0), horizon(camera_.width - 1.0));
+  return *std::min_element(horizon_.begin(), horizon_.end());
+}
+
+double GroundProjection::pixels_per_radian(const Eigen::Vector2d& pixel) const {
+  if (camera_.is_perspective()) return camera_.focal.x();
+  const double angle =
+      (camera_.ray(pixel + Eigen::Vector2d(0.5, 0.0)) - camera_.ray(pixel - Eigen::Vector2d(0.5, 0.0))).norm();
+  return angle > 1e-9 ? 1.0 / angle : camera_.focal.x();
+}
+
 double GroundProjection::horizon(double column) const {
+  if (!camera_.is_perspective()) {
+    const double place = std::clamp(column / (camera_.width - 1.0), 0.0, 1.0) * (kHorizonPoints - 1.0);
+    const std::size_t left = std::min(static_cast<std::size_t>(place), horizon_.size() - 2);
+    const double share = place - static_cast<double>(left);
+    return (1.0 - share) * horizon_[left] + share * horizon_[left + 1];
+  }
   // Rays (1, -u, -v) that are at right angles to gravity; u is found from the column by undoing the distortion.
   constexpr int kIterations = 3;
   const double wanted = (column - camera_.center.x()) / camera_.focal.x();
@@ -78,7 +109,9 @@ double GroundProjection::vertical_slant(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector3d ray = camera_.ray(pixel);
   const auto lower = camera_.project(ray + kStep * down_);
   if (!lower || lower->y() - pixel.y() < 1e-6) return 0.0;
-  return (lower->x() - pixel.x()) / (lower->y() - pixel.y());
+  const double slant = (lower->x() - pixel.x()) / (lower->y() - pixel.y());
+  constexpr double kSteepest = 2.0;  // beside a wide lens verticals lie almost along the rows
+  return camera_.is_perspective() ? slant : std::clamp(slant, -kSteepest, kSteepest);
 }
 
 }  // namespace reorient

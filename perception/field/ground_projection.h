@@ -1,6 +1,8 @@
 // Where the pixels of one image lie on the ground, and where the ground's points lie in the image.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include <Eigen/Core>
@@ -37,19 +39,28 @@ class GroundProjection {
   /// Away from the camera along the ground; the zero vector right below it.
   Eigen::Vector2d away(const Eigen::Vector2d& point) const;
 
-  /// Row of the horizon in a column; it may lie outside of the image.
+  /// Row of the horizon in a column. It may lie outside of the image; where the lens is not perspective, the image's
+  /// edge is given then.
   double horizon(double column) const;
+  double highest_horizon() const;  ///< its least row in the image
+
+  /// How many pixels of a row an angle of 1 rad fills at a pixel; of a perspective lens, in the middle of the image.
+  double pixels_per_radian(const Eigen::Vector2d& pixel) const;
 
   /// How far the image of a vertical edge moves to the right from one row to the next lower one, pixels.
   double vertical_slant(const Eigen::Vector2d& pixel) const;
 
  private:
+  static constexpr std::size_t kHorizonPoints = 33;
+
   GroundProjection(const CameraModel& camera, const Isometry3& robot_from_camera);
+  double find_horizon(double column) const;
 
   CameraModel camera_;
   Isometry3 robot_from_camera_;
   Isometry3 camera_from_robot_;
-  Eigen::Vector3d down_;  ///< in the camera frame
+  Eigen::Vector3d down_;                          ///< in the camera frame
+  std::array<double, kHorizonPoints> horizon_{};  ///< rows at evenly spread columns; used where the horizon is a curve
 };
 
 }  // namespace reorient

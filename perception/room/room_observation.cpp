@@ -8,7 +8,7 @@ std::optional<CameraModel> camera_of(const RoomObservation& view) {
   const ImageView& image = view.image;
   const CameraModel& camera = view.camera;
   const bool sound = camera.width > 0 && camera.height > 0 && camera.focal.allFinite() && camera.center.allFinite() &&
-                     camera.focal.minCoeff() > 1e-3 && std::isfinite(camera.k1) && std::isfinite(camera.k2);
+                     camera.focal.minCoeff() > 1e-3 && camera.is_finite();
   const bool finite = view.belief.position.allFinite() && std::isfinite(view.belief.rotation) &&
                       view.robot_from_camera.matrix().allFinite();
   if (image.empty() || image.width < 2 || !sound || !finite) return std::nullopt;

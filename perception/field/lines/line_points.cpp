@@ -16,6 +16,14 @@ using Eigen::Vector2d;
 
 constexpr std::size_t kMostCandidates = 600;
 
+/// Scan lines a step apart (pixels) are at most so far apart as seen from a wide lens: an even number of pixels, at
+/// least
+/// 2. `widest`: rad.
+int limited_step(const GroundProjection& view, int step, double widest) {
+  if (view.camera().is_perspective()) return step;
+  return std::clamp(static_cast<int>(widest * view.camera().focal.x()) & ~1, 2, std::max(step, 2));
+}
+
 /// Sums over a window of 5 x 5 pixels of products of luma's slopes: their main direction is across the edges in it.
 struct StructureTensor {
   double xx = 0.0, xy = 0.0, yy = 0.0;
@@ -111,7 +119,8 @@ void LinePoints::find(const ImageView& image, const GroundProjection& view, cons
 /// Down from the boundary in evenly spaced columns. Near the robot every second or fourth one is enough.
 void LinePoints::scan_columns(const Frame& frame) {
   constexpr int kScans = 80;
-  const int step = std::max(2, frame.image.width / kScans & ~1);
+  constexpr double kWidestStep = 0.016;  // rad; 80 scans of a NAO's camera are 0.0134 apart
+  const int step = limited_step(frame.view, std::max(2, frame.image.width / kScans & ~1), kWidestStep);
   const auto lowest_row = [&](int every) {
     // A pixel's width at distance d is about d / focal.
     const double near = parameters_.line_spacing * frame.view.camera().focal.x() / (step * every);
@@ -140,7 +149,8 @@ void LinePoints::scan_columns(const Frame& frame) {
 /// Across the image in rows that are evenly spaced on the ground, but some pixels apart.
 void LinePoints::scan_rows(const Frame& frame) {
   const double spacing = 3.0 * parameters_.line_spacing;
-  const int least_step = std::max(2, frame.image.height / 120);
+  constexpr double kWidestStep = 0.008;  // rad
+  const int least_step = limited_step(frame.view, std::max(2, frame.image.height / 120), kWidestStep);
   const float highest = *std::min_element(frame.percept.boundary.begin(), frame.percept.boundary.end());
   const double middle = 0.5 * frame.image.width;
   double reached = -spacing;

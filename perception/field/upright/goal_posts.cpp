@@ -46,9 +46,11 @@ void GoalPosts::scan(const Frame& frame, double share, FieldPercept& percept) {
   const ImageView& image = frame.image;
   const double left = frame.view.horizon(0.0);
   const double tilt = (frame.view.horizon(image.width - 1.0) - left) / std::max(1.0, image.width - 1.0);
+  const bool is_straight = frame.view.camera().is_perspective();
   const auto row_of = [&](double x) {
     const double border = std::min(boundary_at(percept.boundary, image.width, x), image.height - 1.0);
-    return std::clamp(static_cast<int>(border + share * (left + tilt * x - border)), 1, image.height - 2);
+    const double horizon = is_straight ? left + tilt * x : frame.view.horizon(x);
+    return std::clamp(static_cast<int>(border + share * (horizon - border)), 1, image.height - 2);
   };
   const int step = image.width > 400 ? 2 : 1;
   luma_.resize(static_cast<std::size_t>(image.width / step));
@@ -104,11 +106,14 @@ bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, c
 
 /// The last pixel of the candidate's colour, downwards (1) or upwards (-1) along the image of a vertical edge.
 Vector2d GoalPosts::follow(const Frame& frame, const Candidate& candidate, int direction) const {
-  constexpr int kGap = 2;  // pixels of another colour that are passed
-  const double slant = frame.view.vertical_slant(candidate.pixel);
+  constexpr int kGap = 2;   // pixels of another colour that are passed
+  constexpr int kBend = 8;  // rows after which the image of a vertical edge may run another way
+  double slant = frame.view.vertical_slant(candidate.pixel);
   Vector2d last = candidate.pixel;
   int missing = 0;
+  int row = 0;
   for (Vector2d pixel = last; missing <= kGap; pixel += Vector2d(direction * slant, direction)) {
+    if (++row % kBend == 0 && !frame.view.camera().is_perspective()) slant = frame.view.vertical_slant(pixel);
     if (!inside(frame.image, pixel)) break;
     if (has_post_color(frame, candidate, pixel)) {
       last = pixel;
@@ -149,7 +154,7 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const Frame& frame, const C
   const auto top = frame.view.at_height(candidate.top, field_.goal_height);
   if (!top) return std::nullopt;
   const double distance = frame.view.distance(*top);
-  const double from_width = frame.view.camera().focal.x() * field_.goal_post_diameter / candidate.width;
+  const double from_width = frame.view.pixels_per_radian(candidate.pixel) * field_.goal_post_diameter / candidate.width;
   if (distance > kRange || std::abs(from_width - distance) > kAgreement * distance) return std::nullopt;
   const Vector2d position = *top + 0.5 * field_.goal_post_diameter * frame.view.away(*top);
   if (!outline_agrees(frame, candidate, position)) return std::nullopt;

@@ -31,7 +31,8 @@ void Obstacles::find(const CarpetMap& map, const GroundProjection& view, FieldPe
   for (int i = 0; i < CarpetMap::kColumns; ++i) {
     const Foot& foot = feet_[static_cast<std::size_t>(i)];
     if (foot.row < 0) continue;
-    const double gap = std::max(2.0, kGap * view.camera().focal.x() / (foot.distance * map.column_width()));
+    const double scale = view.pixels_per_radian(Eigen::Vector2d(map.column_pixel(i), foot.row));
+    const double gap = std::max(2.0, kGap * scale / (foot.distance * map.column_width()));
     const bool goes_on =
         last >= 0 && i - last <= gap && foot.distance < kSameThing * nearest && nearest < kSameThing * foot.distance;
     if (!goes_on) {
@@ -88,7 +89,8 @@ void Obstacles::add(const CarpetMap& map, const GroundProjection& view, int firs
   const double middle = 0.5 * (map.column_pixel(first) + map.column_pixel(last));
   const auto position = view.ground({middle, static_cast<double>(lowest->row)});
   if (!position) return;
-  const double width = (last - first + 1) * map.column_width() * lowest->distance / view.camera().focal.x();
+  const double scale = view.pixels_per_radian(Eigen::Vector2d(middle, lowest->row));
+  const double width = (last - first + 1) * map.column_width() * lowest->distance / scale;
   if (width < parameters_.obstacle_width || width > kWidest) return;
   const auto head = view.pixel({position->x(), position->y(), parameters_.obstacle_height});
   Obstacle obstacle;

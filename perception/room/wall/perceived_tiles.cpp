@@ -10,11 +10,6 @@ namespace {
 
 constexpr int kCells = kBandCells;  // per band: between their borders, places on the wall are interpolated
 
-bool same(const CameraModel& a, const CameraModel& b) {
-  return a.width == b.width && a.height == b.height && a.focal == b.focal && a.center == b.center && a.k1 == b.k1 &&
-         a.k2 == b.k2;
-}
-
 int row_step(int height, const PerceptionParameters& parameters) {
   return std::max(1, height / std::max(parameters.sampled_rows, 1));
 }
@@ -55,7 +50,7 @@ void PerceivedTiles::find(const RoomObservation& view, const Wall& wall, const P
 }
 
 void PerceivedTiles::prepare_rays(const CameraModel& camera, int bands) {
-  if (bands == bands_ && same(camera, camera_)) return;
+  if (bands == bands_ && camera == camera_) return;
   camera_ = camera;
   bands_ = bands;
   rays_.clear();

@@ -118,7 +118,7 @@ class PerceivedTiles {
 
   CameraModel camera_;  // that rays_ was made for
   int bands_ = 0;
-  std::vector<Eigen::Vector3d> rays_;  // camera frame, x = 1; at the borders of evenly spaced cells, band by band
+  std::vector<Eigen::Vector3d> rays_;  // camera frame; at the borders of evenly spaced cells, band by band
   std::vector<std::optional<BandRays>> rough_rays_;  // the same, for the sketch, band by band
   WallSketch sketch_;
   TileBlock run_;                      // of the current band, as far as it has got

@@ -21,7 +21,9 @@ std::optional<BandRays> BandRays::of(std::span<const Eigen::Vector3d> rays) {
   if (rays.size() != kBandCells + 1) return std::nullopt;
   BandRays band;
   for (std::size_t i = 0; i < band.y_.size(); ++i) {
-    const Eigen::Vector3d& ray = rays[std::min(i, rays.size() - 1)];
+    Eigen::Vector3d ray = rays[std::min(i, rays.size() - 1)];
+    if (!(ray.x() > 0.0)) return std::nullopt;
+    if (ray.x() != 1.0) ray /= ray.x();
     if (!(std::abs(ray.y()) < kFarthest && std::abs(ray.z()) < kFarthest)) return std::nullopt;
     band.y_[i] = static_cast<float>(ray.y());
     band.z_[i] = static_cast<float>(ray.z());

@@ -17,11 +17,12 @@ namespace reorient {
 /// Between the rays of one band of the image.
 inline constexpr int kBandCells = 40;
 
-/// The rays of one band, from the left to the right, with a cell between each two neighbours: (1, y, z) in the camera
-/// frame.
+/// The rays of one band, from the left to the right, with a cell between each two neighbors: scaled to (1, y, z) in the
+/// camera frame.
 class BandRays {
  public:
-  /// Nothing if there are not kBandCells + 1, or if one leads so far off the axis that it is nothing to be sketched.
+  /// Nothing if there are not kBandCells + 1, or if one leads backward, or so far off the axis that its bounds do not
+  /// hold.
   static std::optional<BandRays> of(std::span<const Eigen::Vector3d> rays);
 
   const float* y() const { return y_.data(); }

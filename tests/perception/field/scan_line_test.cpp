@@ -66,5 +66,28 @@ RC_GTEST_PROP(GroundProjection, FindsTheGroundPointThatAPixelShows, ()) {
   RC_ASSERT((*again - pixel).norm() < 1e-2);
 }
 
+/// As above, through lenses whose horizon is a curve.
+RC_GTEST_PROP(GroundProjection, FindsGroundAndHorizonThroughAWideLens, (bool fisheye)) {
+  Lens lens;
+  lens.projection = fisheye ? CameraProjection::fisheye : CameraProjection::equirectangular;
+  const CameraModel camera = CameraModel::from_fields_of_view(640, 480, from_degrees(160.0), from_degrees(120.0), lens);
+  const HeadAngles head{*rc::gen::inRange(-100, 101) * 0.01, *rc::gen::inRange(-10, 50) * 0.01};
+  const TorsoAttitude torso{*rc::gen::inRange(-20, 21) * 0.01, *rc::gen::inRange(-10, 11) * 0.01};
+  const auto view = GroundProjection::look(camera, robot_from_camera({}, head, torso, 0.248));
+  RC_ASSERT(view.has_value());
+  const Eigen::Vector2d pixel(*rc::gen::inRange(0, 640), *rc::gen::inRange(0, 480));
+  const auto ground = view->ground(pixel);
+  constexpr double kStraight = 4.0;  // pixels by which the horizon bends between two of its points
+  RC_ASSERT(ground.has_value() == (pixel.y() > view->horizon(pixel.x())) ||
+            std::abs(pixel.y() - view->horizon(pixel.x())) < kStraight);
+  RC_ASSERT(view->highest_horizon() <= view->horizon(pixel.x()));
+  RC_ASSERT(view->pixels_per_radian(pixel) > 100.0);
+  RC_ASSERT(std::abs(view->vertical_slant(pixel)) <= 2.0);
+  if (!ground) return;
+  const auto again = view->pixel({ground->x(), ground->y(), 0.0});
+  RC_ASSERT(again.has_value());
+  RC_ASSERT((*again - pixel).norm() < 1e-2);
+}
+
 }  // namespace
 }  // namespace reorient

@@ -39,7 +39,13 @@ struct SketchedView {
     field_from_camera.translation().head<2>() = far * unit_vector(random.uniform(-kPi, kPi));
     field_from_camera.translation().z() = random.uniform(0.1, 2.0);
     const double height = random.uniform(-0.5, 0.5);
-    const CameraModel camera = CameraModel::from_fields_of_view(640, 480, random.uniform(0.5, 1.6), 0.8);
+    CameraModel camera = CameraModel::from_fields_of_view(640, 480, random.uniform(0.5, 1.6), 0.8);
+    if (random.uniform() < 0.4) {
+      Lens fisheye;
+      fisheye.projection = CameraProjection::fisheye;
+      const double span = random.uniform(1.0, 2.7);
+      camera = CameraModel::from_fields_of_view(640, 480, span, 0.75 * span, fisheye);
+    }
     for (int i = 0; i <= kBandCells; ++i)
       rays.push_back(camera.ray({i * 640.0 / kBandCells - 0.5, 239.5 - height * camera.focal.y()}));
     sketch.prepare(wall, field_from_camera);
