@@ -32,7 +32,9 @@ CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody
   fit_wall(half_diagonal(field) / half_diagonal(usual_field), eye, usual_eye, parameters.room.wall);
   ViewParameters& views = parameters.room.views;
   views.reach = std::min(views.reach, body.neck.yaw);
+  constexpr double kWidest = 1.57;  // rad, of the parameter
   views.half_width *= body.upper_camera.field_of_view_horizontal / usual_body.upper_camera.field_of_view_horizontal;
+  views.half_width = std::min(views.half_width, kWidest);
 
   // Lines are looked for as far away as they are equally many pixels wide, what stands upright as far away as its place
   // on the ground is equally sure.

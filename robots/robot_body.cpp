@@ -2,6 +2,17 @@
 
 namespace reorient {
 
+CameraModel camera_model(const CameraOptics& optics, int width, int height) {
+  CameraModel camera = CameraModel::from_fields_of_view(width, height, optics.field_of_view_horizontal,
+                                                        optics.field_of_view_vertical, optics);
+  if (optics.center) {
+    const Eigen::Vector2d scale(static_cast<double>(width) / optics.width, static_cast<double>(height) / optics.height);
+    const Eigen::Vector2d half(0.5, 0.5);
+    camera.center = (*optics.center + half).cwiseProduct(scale) - half;
+  }
+  return camera;
+}
+
 double standing_camera_height(const RobotBody& body) {
   return robot_from_camera(body.dimensions, {}, {}, body.dimensions.torso_height).translation().z();
 }

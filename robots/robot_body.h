@@ -6,25 +6,37 @@
 #include <string>
 
 #include "geometry/angle.h"
+#include "geometry/camera.h"
 #include "geometry/head.h"
 
 namespace reorient {
 
-/// One of its cameras.
-struct CameraOptics {
+/// One of its cameras: a lens with a little barrel distortion, unless it has another one.
+struct CameraOptics : Lens {
+  CameraOptics() { k1 = 0.03; }
+
   int width = 640;   ///< pixels
   int height = 480;  ///< pixels
+  /// rad, through the image center: without the distortion of a pinhole, with that of a fisheye
   double field_of_view_horizontal = from_degrees(56.3);
   double field_of_view_vertical = from_degrees(43.7);
-  double k1 = 0.03;    ///< radial distortion, quadratic
-  double k2 = 0.0;     ///< to the fourth power
-  double rate = 30.0;  ///< images per second
+  std::optional<Eigen::Vector2d> center;  ///< principal point, pixels; empty: the image center
+  double rate = 30.0;                     ///< images per second
+
+  template <typename Archive>
+  void archive(Archive& archive) {
+    const bool has_more = archive_width_and_lens(archive, width, *this, is_plain() && !center);
+    archive(height, field_of_view_horizontal, field_of_view_vertical, k1, k2, rate);
+    if (has_more) {
+      archive(center);
+    } else {
+      center.reset();
+    }
+  }
 };
-template <typename Visit>
-void fields(Visit&& visit, CameraOptics& camera) {
-  visit(camera.width, camera.height, camera.field_of_view_horizontal, camera.field_of_view_vertical, camera.k1,
-        camera.k2, camera.rate);
-}
+
+/// Its model for images of this size.
+CameraModel camera_model(const CameraOptics& optics, int width, int height);
 
 /// How it walks.
 struct Gait {

@@ -18,13 +18,8 @@ VideoSettings video_settings(const CameraModel& camera, HeadCamera which) {
   return settings;
 }
 
-CameraModel camera_model(const CameraOptics& optics, int width) {
-  const int height = width * optics.height / optics.width;
-  CameraModel model =
-      CameraModel::from_fields_of_view(width, height, optics.field_of_view_horizontal, optics.field_of_view_vertical);
-  model.k1 = optics.k1;
-  model.k2 = optics.k2;
-  return model;
+CameraModel camera_of_width(const CameraOptics& optics, int width) {
+  return camera_model(optics, width, width * optics.height / optics.width);
 }
 
 /// The guard says what its body does; what it does on its own feet the engine feels by itself.
@@ -54,10 +49,10 @@ Nao::Nao(NaoOptions options, NaoSurroundings surroundings)
       game_(options_.team, options_.player),
       posture_(options_.stands_at_once ? WantedPosture::stand : WantedPosture::sit) {
   const RobotBody& body = options_.body;
-  upper_.emplace(*around_.upper, camera_model(body.upper_camera, options_.width), HeadCamera::upper,
+  upper_.emplace(*around_.upper, camera_of_width(body.upper_camera, options_.width), HeadCamera::upper,
                  around_.run_errand);
   if (around_.lower != nullptr && body.lower_camera)
-    lower_.emplace(*around_.lower, camera_model(*body.lower_camera, options_.width), HeadCamera::lower,
+    lower_.emplace(*around_.lower, camera_of_width(*body.lower_camera, options_.width), HeadCamera::lower,
                    around_.run_errand);
 }
 

@@ -17,10 +17,14 @@ constexpr std::uint64_t kLink = 0x117c;  // random stream
 CameraModel camera_of(const SimulatorParameters& parameters, const CameraOptics& optics) {
   const int width = parameters.width / 2 * 2;
   const int height = (width * optics.height / optics.width + 1) / 2 * 2;
-  CameraModel camera = CameraModel::from_fields_of_view(width, height, parameters.field_of_view_horizontal,
-                                                        parameters.field_of_view_vertical);
-  camera.k1 = parameters.distortion_k1;
-  camera.k2 = parameters.distortion_k2;
+  CameraOptics chosen = optics;
+  chosen.field_of_view_horizontal = parameters.field_of_view_horizontal;
+  chosen.field_of_view_vertical = parameters.field_of_view_vertical;
+  chosen.k1 = parameters.distortion_k1;
+  chosen.k2 = parameters.distortion_k2;
+  const CameraModel camera = camera_model(chosen, width, height);
+  if (const std::string mistake = mistake_in(camera); !mistake.empty())
+    throw std::runtime_error("camera of the simulator: " + mistake);
   return camera;
 }
 

@@ -56,12 +56,12 @@ void describe(SimulatorParameters& p, Visit&& visit) {
         "pixels of a row of the images, made even; there are as many rows as the robot's camera asks for");
   visit("frame_rate", p.frame_rate, 1.0, 120.0, "Hz", "frames per second of simulated time");
   visit("body_samples", p.body_samples, 1, 20, "", "how often joints and inertial unit are read in each frame");
-  visit("field_of_view_horizontal", p.field_of_view_horizontal, 0.35, 2.0, "rad",
+  visit("field_of_view_horizontal", p.field_of_view_horizontal, 0.35, 6.2, "rad",
         "the cameras' field of view, left to right");
-  visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 2.0, "rad",
+  visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 6.2, "rad",
         "the cameras' field of view, top to bottom");
-  visit("distortion_k1", p.distortion_k1, -0.3, 0.5, "", "radial distortion of the camera, quadratic");
-  visit("distortion_k2", p.distortion_k2, -0.1, 0.3, "", "radial distortion of the camera, to the fourth power");
+  visit("distortion_k1", p.distortion_k1, -100.0, 100.0, "", "radial distortion of the camera, quadratic");
+  visit("distortion_k2", p.distortion_k2, -100.0, 100.0, "", "radial distortion of the camera, to the fourth power");
   visit("tilt_error", p.tilt_error, 0.0, 0.1, "rad",
         "standard deviation of the robot's own camera tilt that its calibration missed");
   visit("tilt_offset", p.tilt_offset, -0.2, 0.2, "rad",
@@ -79,8 +79,8 @@ SimulatorParameters simulator_parameters_of(const RobotBody& body);
 
 class Simulator : public Robot, public Experimenter, public GroundTruthSource {
  public:
-  /// Throws std::runtime_error with one line where both cameras are asked for and the robot has one, and where the
-  /// field's carpet is larger than the room.
+  /// Throws std::runtime_error with one line where both cameras are asked for and the robot has one, where the field's
+  /// carpet is larger than the room, and where no camera can have these numbers (mistake_in()).
   Simulator(const SimulatorParameters& parameters, const RobotBody& body, const FieldDimensions& field,
             const Room& room, const Pose2& start, std::uint64_t seed);
 
@@ -98,8 +98,8 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   void set_exposure_compensation(double stops) override;
   void change_light() override;
 
-  /// What each pixel of the latest image shows, and how far away along the optical axis it is (m), row by row.
-  /// Empty unless SimulatorParameters::labels.
+  /// What each pixel of the latest image shows, and how far away it is (m), row by row: along the optical axis, or
+  /// along the pixel's ray where the lens is not a pinhole. Empty unless SimulatorParameters::labels.
   std::span<const Label> labels() const;
   std::span<const float> depth() const;
 

@@ -9,9 +9,12 @@ namespace reorient {
 namespace {
 
 /// What of a body is in which range: generous for anything that walks on two legs and fits into a hall.
-constexpr double kTallest = 2.5;                        // m
-constexpr double kFastest = 20.0;                       // rad/s
-constexpr double kLeastView = 20.0, kMostView = 150.0;  // degrees
+constexpr double kTallest = 2.5;         // m
+constexpr double kFastest = 20.0;        // rad/s
+constexpr double kLeastView = 20.0;      // degrees
+constexpr double kMostView = 150.0;      // of a pinhole
+constexpr double kMostWideView = 340.0;  // of the other lenses
+constexpr double kMostCoefficient = 100.0;
 constexpr std::int64_t kLeastPixels = 64, kMostPixels = 4096;
 
 class BodyReader {
@@ -104,34 +107,86 @@ class BodyReader {
     return limits;
   }
 
+  /// What of a lens can be read only when all of its keys are known.
+  struct LensKeys {
+    std::string model = "pinhole";
+    const toml::node* distortion = nullptr;
+    const toml::node* field_of_view = nullptr;
+    const toml::node* focal = nullptr;
+    const toml::node* center = nullptr;
+  };
+
   CameraOptics read_camera(const toml::table& table, CameraMount& mount) const {
     const TableReader in(table, file_);
     CameraOptics camera;
+    LensKeys lens;
+    const toml::node* model = nullptr;
     const auto pixels = [&](int& count) -> TableReader::Reader {
       return [&in, &count](auto& key, auto& value) {
         count = static_cast<int>(in.whole(key, value, kLeastPixels, kMostPixels));
       };
     };
-    in.read_all({
-        {"position", place_into(in, mount.position)},
-        {"tilt", in.into(mount.tilt, -0.5 * kPi, 0.5 * kPi)},
-        {"width", pixels(camera.width)},
-        {"height", pixels(camera.height)},
-        {"field_of_view_degrees",
-         [&](auto& key, auto& value) {
-           const std::vector<double> degrees = in.numbers(key, value, 2, kLeastView, kMostView);
-           camera.field_of_view_horizontal = from_degrees(degrees[0]);
-           camera.field_of_view_vertical = from_degrees(degrees[1]);
-         }},
-        {"distortion",
-         [&](auto& key, auto& value) {
-           const std::vector<double> radial = in.numbers(key, value, 2, -0.5, 0.5);
-           camera.k1 = radial[0];
-           camera.k2 = radial[1];
-         }},
-        {"rate", in.into(camera.rate, 1.0, 120.0)},
-    });
+    const auto later = [](const toml::node*& node) -> TableReader::Reader {
+      return [&node](auto&, auto& value) { node = &value; };
+    };
+    in.read_all({{"position", place_into(in, mount.position)},
+                 {"tilt", in.into(mount.tilt, -0.5 * kPi, 0.5 * kPi)},
+                 {"width", pixels(camera.width)},
+                 {"height", pixels(camera.height)},
+                 {"rate", in.into(camera.rate, 1.0, 120.0)}},
+                {{"model", later(model)},
+                 {"distortion", later(lens.distortion)},
+                 {"field_of_view_degrees", later(lens.field_of_view)},
+                 {"focal", later(lens.focal)},
+                 {"center", later(lens.center)}});
+    if (model != nullptr) {
+      const auto projection = projection_named(in.text("model", *model));
+      if (!projection)
+        in.refuse(*model, "expected model \"pinhole\", \"fisheye\" or \"equirectangular\", found \"" +
+                              in.text("model", *model) + "\"");
+      camera.projection = *projection;
+    }
+    read_lens(in, table, lens, camera);
     return camera;
+  }
+
+  static void read_lens(const TableReader& in, const toml::table& table, const LensKeys& keys, CameraOptics& camera) {
+    read_distortion(in, table, keys, camera);
+    if ((keys.field_of_view == nullptr) == (keys.focal == nullptr)) {
+      if (keys.focal == nullptr) in.refuse(table, "the key 'field_of_view_degrees' is missing (or 'focal')");
+      in.refuse(*keys.focal, "expected either 'focal' or 'field_of_view_degrees', found both");
+    }
+    if (keys.field_of_view != nullptr) {
+      const std::vector<double> degrees = in.numbers("field_of_view_degrees", *keys.field_of_view, 2, kLeastView,
+                                                     camera.is_perspective() ? kMostView : kMostWideView);
+      camera.field_of_view_horizontal = from_degrees(degrees[0]);
+      camera.field_of_view_vertical = from_degrees(degrees[1]);
+    } else {
+      const std::vector<double> focal = in.numbers("focal", *keys.focal, 2, 1.0, 1e5);
+      camera.field_of_view_horizontal = 2.0 * camera.angle_at_place(0.5 * camera.width / focal[0]);
+      camera.field_of_view_vertical = 2.0 * camera.angle_at_place(0.5 * camera.height / focal[1]);
+    }
+    if (keys.center != nullptr) {
+      const std::vector<double> center = in.numbers("center", *keys.center, 2, -1e5, 1e5);
+      camera.center = {center[0], center[1]};
+    }
+    const toml::node& where = keys.distortion != nullptr ? *keys.distortion : static_cast<const toml::node&>(table);
+    if (const std::string mistake = mistake_in(camera_model(camera, camera.width, camera.height)); !mistake.empty())
+      in.refuse(where, mistake);
+  }
+
+  static void read_distortion(const TableReader& in, const toml::table& table, const LensKeys& keys,
+                              CameraOptics& camera) {
+    std::vector<double> coefficients;
+    if (keys.distortion != nullptr) {
+      const toml::array* const all = keys.distortion->as_array();
+      if (all == nullptr) in.refuse(*keys.distortion, "distortion is a list of numbers");
+      coefficients = in.numbers("distortion", *keys.distortion, all->size(), -kMostCoefficient, kMostCoefficient);
+    } else if (camera.projection == CameraProjection::pinhole) {
+      in.refuse(table, "the key 'distortion' is missing");
+    }
+    if (const std::string mistake = camera.set_coefficients(coefficients); !mistake.empty())
+      in.refuse(*keys.distortion, "distortion: " + mistake);
   }
 
   double read_feet(const toml::table& table) const {

@@ -4,9 +4,31 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/pinned_math.h"
 #include "robots/simulator/render/wide.h"
 
 namespace reorient {
+namespace {
+
+/// One row of rays that need not have x = 1, turned by a small rotation.
+void turn_unit_rays(const RayTable& at_rest, int row, const Eigen::Vector3f& turn, RayTable& turned, float& farthest) {
+  const auto width = static_cast<std::size_t>(at_rest.camera.width);
+  for (std::size_t i = static_cast<std::size_t>(row) * width; i < static_cast<std::size_t>(row + 1) * width; ++i) {
+    const Eigen::Vector3f ray = at_rest.direction(i);
+    const Eigen::Vector3f moved = turn.cross(ray);
+    turned.forward[i] = ray.x() + moved.x();
+    turned.left[i] = ray.y() + moved.y();
+    turned.up[i] = ray.z() + moved.z();
+    turned.length[i] = std::sqrt(1.0f + moved.squaredNorm());  // it is at right angles to a unit vector
+    farthest = std::max(farthest, moved.norm());
+  }
+}
+
+}  // namespace
+
+float angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return static_cast<float>(pinned::atan2(a.cross(b).norm(), a.dot(b)));
+}
 
 RayTable::RayTable(const CameraModel& model)
     : camera(model), pixel_angle(static_cast<float>(1.0 / std::sqrt(model.focal.x() * model.focal.y()))) {
@@ -14,9 +36,11 @@ RayTable::RayTable(const CameraModel& model)
   left.reserve(pixels);
   up.reserve(pixels);
   length.reserve(pixels);
+  if (!model.is_perspective()) forward.reserve(pixels);
   for (int v = 0; v < model.height; ++v) {
     for (int u = 0; u < model.width; ++u) {
       const Eigen::Vector3d ray = model.ray({u, v});
+      if (!model.is_perspective()) forward.push_back(static_cast<float>(ray.x()));
       left.push_back(static_cast<float>(ray.y()));
       up.push_back(static_cast<float>(ray.z()));
       length.push_back(static_cast<float>(ray.norm()));
@@ -24,6 +48,43 @@ RayTable::RayTable(const CameraModel& model)
       most_right = std::max(most_right, -left.back());
       most_up = std::max(most_up, up.back());
       most_down = std::max(most_down, -up.back());
+    }
+  }
+  if (!model.is_plain()) make_blocks();
+}
+
+void RayTable::make_blocks() {
+  constexpr int kSide = 16;  // pixels
+  for (int top = 0; top < camera.height; top += kSide) {
+    for (int first = 0; first < camera.width; first += kSide) {
+      RayBlock block{first,
+                     top,
+                     std::min(first + kSide, camera.width) - 1,
+                     std::min(top + kSide, camera.height) - 1,
+                     Eigen::Vector3f::Zero(),
+                     0.0f,
+                     1.0f,
+                     0.0f};
+      const auto each = [&](auto&& visit) {
+        for (int y = block.top; y <= block.bottom; ++y) {
+          for (int x = block.left; x <= block.right; ++x) {
+            const auto pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(x);
+            visit(Eigen::Vector3f(direction(pixel) / length[pixel]));
+          }
+        }
+      };
+      each([&](const Eigen::Vector3f& ray) { block.axis += ray; });
+      block.axis.normalize();
+      each([&](const Eigen::Vector3f& ray) {
+        block.half_angle = std::max(block.half_angle, angle_between(ray, block.axis));
+      });
+      block.half_angle += pixel_angle;  // what a pixel sees is not its middle alone
+      const auto [sine, cosine] = pinned::sincos(block.half_angle);
+      block.sine = static_cast<float>(sine);
+      block.cosine = static_cast<float>(cosine);
+      most_off_axis = std::max(most_off_axis, block.half_angle + angle_between(block.axis, Eigen::Vector3f::UnitX()));
+      blocks.push_back(block);
     }
   }
 }
@@ -38,15 +99,19 @@ REORIENT_WIDE void RayTable::turn_while_read(const RayTable& at_rest, const Eige
     const std::size_t first = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width);
     const float* __restrict left_at_rest = at_rest.left.data() + first;
     const float* __restrict up_at_rest = at_rest.up.data() + first;
+    if (!at_rest.is_perspective()) {
+      turn_unit_rays(at_rest, v, turn, *this, farthest_of.front());
+      continue;
+    }
     float* __restrict turned_left = left.data() + first;
     float* __restrict turned_up = up.data() + first;
     float* __restrict turned_length = length.data() + first;
     for (int i = 0; i < camera.width; ++i) {
       const float l = left_at_rest[i];
       const float u = up_at_rest[i];
-      const float forward = 1.0f + pitch * u - yaw * l;
-      turned_left[i] = (l + yaw - roll * u) / forward;
-      turned_up[i] = (u + roll * l - pitch) / forward;
+      const float ahead = 1.0f + pitch * u - yaw * l;
+      turned_left[i] = (l + yaw - roll * u) / ahead;
+      turned_up[i] = (u + roll * l - pitch) / ahead;
       turned_length[i] = std::sqrt(1.0f + turned_left[i] * turned_left[i] + turned_up[i] * turned_up[i]);
     }
     for (int i = 0; i < camera.width; i += kLanes) {
@@ -67,6 +132,7 @@ REORIENT_WIDE void RayTable::turn_while_read(const RayTable& at_rest, const Eige
   most_down = at_rest.most_down + farthest;
   constexpr float kDistorted = 1.25f;  // at the image's edges a ray's pixel moves faster than in its middle
   slack = kDistorted * farthest * static_cast<float>(camera.focal.maxCoeff());
+  angle_slack = kDistorted * farthest;
 }
 
 }  // namespace reorient

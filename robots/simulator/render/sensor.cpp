@@ -19,6 +19,14 @@ constexpr std::size_t kRing = 3;
 
 std::vector<float> make_vignette(const RayTable& rays, double loss) {
   std::vector<float> vignette(rays.length.size());
+  if (!rays.is_perspective()) {  // no tangent beyond a quarter turn; 1 - cosine also grows with the angle's square
+    const float least = *std::min_element(rays.forward.begin(), rays.forward.end());
+    for (std::size_t i = 0; i < vignette.size(); ++i) {
+      const float share = (1.0f - rays.forward[i]) / std::max(1e-6f, 1.0f - least);
+      vignette[i] = 1.0f - static_cast<float>(loss) * share * (1.4f - 0.4f * share);
+    }
+    return vignette;
+  }
   float greatest = 1.0f;
   for (const float length : rays.length) greatest = std::max(greatest, length);
   const float corner = std::max(1e-6f, greatest * greatest - 1.0f);

@@ -72,24 +72,38 @@ void Surfaces::render(const RayTable& rays, const Eigen::Isometry3f& field_from_
 }
 
 void Surfaces::intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame) {
-  if (room_.shape.form == RoomForm::cylinder) {
-    intersect_round(rays, field_from_camera, row, frame);
+  const bool round = room_.shape.form == RoomForm::cylinder;
+  if (rays.is_perspective()) {
+    round ? intersect_round(rays, field_from_camera, row, frame) : intersect_box(rays, field_from_camera, row, frame);
   } else {
-    intersect_box(rays, field_from_camera, row, frame);
+    round ? intersect_round_through_any_lens(rays, field_from_camera, row, frame)
+          : intersect_box_through_any_lens(rays, field_from_camera, row, frame);
   }
 }
 
 REORIENT_WIDE void Surfaces::intersect_box(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
                                            Frame& frame) {
-  intersect_with<false>(rays, field_from_camera, row, frame);
+  intersect_with<false, true>(rays, field_from_camera, row, frame);
+}
+
+REORIENT_WIDE void Surfaces::intersect_box_through_any_lens(const RayTable& rays,
+                                                            const Eigen::Isometry3f& field_from_camera, int row,
+                                                            Frame& frame) {
+  intersect_with<false, false>(rays, field_from_camera, row, frame);
 }
 
 REORIENT_WIDE void Surfaces::intersect_round(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
                                              Frame& frame) {
-  intersect_with<true>(rays, field_from_camera, row, frame);
+  intersect_with<true, true>(rays, field_from_camera, row, frame);
 }
 
-template <bool round>
+REORIENT_WIDE void Surfaces::intersect_round_through_any_lens(const RayTable& rays,
+                                                              const Eigen::Isometry3f& field_from_camera, int row,
+                                                              Frame& frame) {
+  intersect_with<true, false>(rays, field_from_camera, row, frame);
+}
+
+template <bool round, bool perspective>
 inline void Surfaces::intersect_with(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
                                      Frame& frame) {
   const Eigen::Matrix3f rotation = field_from_camera.linear();
@@ -111,6 +125,7 @@ inline void Surfaces::intersect_with(const RayTable& rays, const Eigen::Isometry
 
   const std::size_t first = frame.row(row);
   const int width = frame.width;
+  const float* __restrict forward = perspective ? nullptr : rays.forward.data() + first;
   const float* __restrict left = rays.left.data() + first;
   const float* __restrict up = rays.up.data() + first;
   const float* __restrict length = rays.length.data() + first;
@@ -124,9 +139,9 @@ inline void Surfaces::intersect_with(const RayTable& rays, const Eigen::Isometry
 
 #pragma GCC ivdep
   for (int i = 0; i < width; ++i) {
-    const float dx = r00 + r01 * left[i] + r02 * up[i];
-    const float dy = r10 + r11 * left[i] + r12 * up[i];
-    const float dz = r20 + r21 * left[i] + r22 * up[i];
+    const float dx = (perspective ? r00 : r00 * forward[i]) + r01 * left[i] + r02 * up[i];
+    const float dy = (perspective ? r10 : r10 * forward[i]) + r11 * left[i] + r12 * up[i];
+    const float dz = (perspective ? r20 : r20 * forward[i]) + r21 * left[i] + r22 * up[i];
     // The wall.
     const float far_x = dx > 0.0f ? half_length : -half_length;
     const float far_y = dy > 0.0f ? half_width : -half_width;
@@ -179,14 +194,16 @@ inline void Surfaces::intersect_with(const RayTable& rays, const Eigen::Isometry
   }
 }
 
-REORIENT_WIDE void Surfaces::spread(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
-                                    const Columns& columns, const Frame& frame) {
+template <bool perspective>
+inline void Surfaces::spread_with(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                  const Columns& columns, const Frame& frame) {
   const Eigen::Matrix3f rotation = field_from_camera.linear();
   const float r00 = rotation(0, 0), r01 = rotation(0, 1), r02 = rotation(0, 2);
   const float r10 = rotation(1, 0), r11 = rotation(1, 1), r12 = rotation(1, 2);
   const float r20 = rotation(2, 0), r21 = rotation(2, 1), r22 = rotation(2, 2);
   const float pixel_angle = rays.pixel_angle;
   const std::size_t first = frame.row(row);
+  const float* __restrict forward = perspective ? nullptr : rays.forward.data() + first;
   const float* __restrict left = rays.left.data() + first;
   const float* __restrict up = rays.up.data() + first;
   const float* __restrict length = rays.length.data() + first;
@@ -195,9 +212,9 @@ REORIENT_WIDE void Surfaces::spread(const RayTable& rays, const Eigen::Isometry3
   float* __restrict half_y = hits_.half_y.data();
 #pragma GCC ivdep
   for (int i = columns.first; i < columns.end; ++i) {
-    const float dx = r00 + r01 * left[i] + r02 * up[i];
-    const float dy = r10 + r11 * left[i] + r12 * up[i];
-    const float dz = r20 + r21 * left[i] + r22 * up[i];
+    const float dx = (perspective ? r00 : r00 * forward[i]) + r01 * left[i] + r02 * up[i];
+    const float dy = (perspective ? r10 : r10 * forward[i]) + r11 * left[i] + r12 * up[i];
+    const float dz = (perspective ? r20 : r20 * forward[i]) + r21 * left[i] + r22 * up[i];
     const float across = dx * dx + dy * dy + 1e-12f;
     const float facing = std::fabs(dz) / length[i] + 1e-4f;
     const float side = 0.5f * (depth[i] * length[i] * pixel_angle) / std::sqrt(across);
@@ -205,6 +222,16 @@ REORIENT_WIDE void Surfaces::spread(const RayTable& rays, const Eigen::Isometry3
     half_x[i] = std::sqrt(dx * dx * ahead * ahead + dy * dy * side * side);
     half_y[i] = std::sqrt(dy * dy * ahead * ahead + dx * dx * side * side);
   }
+}
+
+REORIENT_WIDE void Surfaces::spread(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                    const Columns& columns, const Frame& frame) {
+  spread_with<true>(rays, field_from_camera, row, columns, frame);
+}
+
+REORIENT_WIDE void Surfaces::spread_through_any_lens(const RayTable& rays, const Eigen::Isometry3f& field_from_camera,
+                                                     int row, const Columns& columns, const Frame& frame) {
+  spread_with<false>(rays, field_from_camera, row, columns, frame);
 }
 
 REORIENT_WIDE void Surfaces::shade(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
@@ -222,7 +249,9 @@ REORIENT_WIDE void Surfaces::shade(const RayTable& rays, const Eigen::Isometry3f
     first_carpet = std::min(first_carpet, carpet ? i : width);
     last_carpet = std::max(last_carpet, carpet ? i : -1);
   }
-  spread(rays, field_from_camera, row, {first_carpet, last_carpet + 1}, frame);
+  const Columns on_carpet{first_carpet, last_carpet + 1};
+  rays.is_perspective() ? spread(rays, field_from_camera, row, on_carpet, frame)
+                        : spread_through_any_lens(rays, field_from_camera, row, on_carpet, frame);
   lines_.cover({hits_.x.data() + first_carpet, hits_.y.data() + first_carpet, hits_.half_x.data() + first_carpet,
                 hits_.half_y.data() + first_carpet, last_carpet - first_carpet + 1},
                hits_.coverage.data() + first_carpet);

@@ -53,13 +53,22 @@ class Surfaces {
   };
 
   void intersect(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
-  template <bool round>
+  template <bool round, bool perspective>
   [[gnu::always_inline]] void intersect_with(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
                                              Frame& frame);
   void intersect_box(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
   void intersect_round(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
+  void intersect_box_through_any_lens(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                      Frame& frame);
+  void intersect_round_through_any_lens(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                        Frame& frame);
+  template <bool perspective>
+  [[gnu::always_inline]] void spread_with(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                                          const Columns& columns, const Frame& frame);
   void spread(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, const Columns& columns,
               const Frame& frame);
+  void spread_through_any_lens(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row,
+                               const Columns& columns, const Frame& frame);
   void shade(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, int row, Frame& frame);
   void patch(int row, const WallPatches& patches, Frame& frame);
   void relight(int row, const Illumination& illumination, Frame& frame);

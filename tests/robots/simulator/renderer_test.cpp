@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -103,6 +104,104 @@ TEST(Renderer, ShowsGoalPostsWhereTheCameraModelProjectsThem) {
     EXPECT_NE(view.label_at({4.5, side, 0.95}), Label::goal) << "above the post";
   }
   EXPECT_EQ(view.label_at({4.5, 0.3, 0.8}), Label::goal) << "crossbar";
+}
+
+CameraModel camera_with(CameraProjection projection, const std::vector<double>& coefficients, double width_degrees,
+                        double height_degrees) {
+  Lens lens;
+  lens.projection = projection;
+  EXPECT_EQ(lens.set_coefficients(coefficients), "");
+  return CameraModel::from_fields_of_view(320, 240, from_degrees(width_degrees), from_degrees(height_degrees), lens);
+}
+
+/// Goals, a robot, the ball, a shadow: all around.
+Scene crowded() {
+  Scene scene = goals();
+  for (const double direction : {0.0, 1.3, 2.9, -1.8})
+    add_robot(scene, Pose2(1.6 * std::cos(direction), 1.6 * std::sin(direction), direction), 0.3, 1.0,
+              LinearColor(0.5f, 0.1f, 0.1f), LinearColor::Ones());
+  add_ball(scene, {0.7, -0.4}, LinearColor::Ones());
+  return scene;
+}
+
+/// How many of the pixels of a picture, seen where a pinhole sees them too, show something else there.
+double differing_share(const CameraModel& model, const HeadAngles& head) {
+  CameraModel pinhole = CameraModel::from_fields_of_view(640, 480, from_degrees(100.0), from_degrees(85.0));
+  const Scene scene = crowded();
+  const Isometry3 pose = standing({0.1, 0.2, 0.3}, head);
+  Renderer expected(pinhole, FieldDimensions{}, plain_room(), true);
+  Renderer renderer(model, FieldDimensions{}, plain_room(), true);
+  const Frame& reference = expected.render(pose, scene);
+  const Frame& frame = renderer.render(pose, scene);
+  int seen = 0, differ = 0;
+  for (int y = 0; y < model.height; ++y) {
+    for (int x = 0; x < model.width; ++x) {
+      const Eigen::Vector3d ray = model.ray({x, y});
+      const auto there = pinhole.project(ray);
+      if (!there || !pinhole.contains(*there)) continue;
+      const std::size_t index = frame.row(y) + static_cast<std::size_t>(x);
+      const std::size_t other =
+          reference.row(static_cast<int>(std::lround(there->y()))) + static_cast<std::size_t>(std::lround(there->x()));
+      const double depth = frame.depth[index] * ray.x();  // along the optical axis
+      const bool same = frame.labels[index] == reference.labels[other] &&
+                        std::abs(depth - reference.depth[other]) < 0.05 * depth + 0.02;
+      ++seen;
+      differ += same ? 0 : 1;
+    }
+  }
+  EXPECT_GT(seen, 10000);
+  return static_cast<double>(differ) / seen;
+}
+
+TEST(Renderer, ShowsThroughAnyLensWhatAPinholeShowsInTheSameDirection) {
+  for (const HeadAngles& head : {HeadAngles{0.0, 0.2}, HeadAngles{-0.7, 0.4}, HeadAngles{1.5, -0.2}}) {
+    const double usual = differing_share(camera_with(CameraProjection::pinhole, {0.05, 0.0}, 90.0, 75.0), head);
+    EXPECT_LT(usual, 0.05) << "along the edges of things";
+    EXPECT_LT(
+        differing_share(camera_with(CameraProjection::pinhole, {-0.2, 0.05, 0.002, -0.001, 0.01}, 90.0, 75.0), head),
+        usual + 0.01);
+    EXPECT_LT(
+        differing_share(camera_with(CameraProjection::fisheye, {0.02, -0.004, 0.001, -0.0002}, 160.0, 130.0), head),
+        usual + 0.04);
+    EXPECT_LT(differing_share(camera_with(CameraProjection::fisheye, {}, 220.0, 180.0), head), usual + 0.05);
+    EXPECT_LT(differing_share(camera_with(CameraProjection::equirectangular, {}, 180.0, 120.0), head), usual + 0.04);
+  }
+}
+
+TEST(Renderer, ShowsAGoalPostBesideAndBehindAFisheye) {
+  const CameraModel model = camera_with(CameraProjection::fisheye, {}, 220.0, 180.0);
+  Renderer renderer(model, FieldDimensions{}, plain_room(), true);
+  const Isometry3 pose = standing({4.6, -0.3, 0.0}, {});
+  const Frame& frame = renderer.render(pose, goals());
+  for (const double height : {0.2, 0.5}) {
+    const Eigen::Vector3d seen = pose.inverse() * Eigen::Vector3d(4.5, -0.8, height);
+    EXPECT_LT(seen.x(), 0.0);
+    const auto pixel = model.project(seen);
+    ASSERT_TRUE(pixel && model.contains(*pixel)) << seen.transpose();
+    EXPECT_EQ(frame.labels[frame.row(static_cast<int>(std::lround(pixel->y()))) +
+                           static_cast<std::size_t>(std::lround(pixel->x()))],
+              Label::goal);
+  }
+}
+
+TEST(Renderer, TurnsTheRaysOfAnyLensWhileItReadsAsThoseOfAPinhole) {
+  const Eigen::Vector3d turning(0.3, -1.0, 2.0);
+  for (const CameraModel& model : {camera_with(CameraProjection::fisheye, {}, 160.0, 130.0),
+                                   camera_with(CameraProjection::pinhole, {0.0, 0.0, 1e-9, 0.0}, 90.0, 75.0)}) {
+    const RayTable at_rest(model);
+    RayTable turned = at_rest;
+    turned.turn_while_read(at_rest, turning, 0.03);
+    for (const int row : {0, 60, 239}) {
+      const double time = 0.03 * ((row + 0.5) / 240 - 0.5);
+      for (const int column : {5, 160, 310}) {
+        const std::size_t pixel = static_cast<std::size_t>(row) * 320 + static_cast<std::size_t>(column);
+        const Eigen::Vector3d ray = at_rest.direction(pixel).cast<double>();
+        const Eigen::Vector3d expected = ray + (time * turning).cross(ray);
+        EXPECT_LT((turned.direction(pixel).cast<double>().normalized() - expected.normalized()).norm(), 1e-5);
+        EXPECT_NEAR(turned.length[pixel], turned.direction(pixel).norm(), 1e-5);
+      }
+    }
+  }
 }
 
 RC_GTEST_PROP(Renderer, MeasuresTheDepthOfTheCarpetItShows, ()) {

@@ -81,7 +81,12 @@ TEST(Simulator, WhoseRoomDoesNotHoldItsCarpetIsRefused) {
 
 TEST(Simulator, OfABodyHasItsCameraItsSensorsAndItsLimits) {
   RobotBody body;
-  body.upper_camera = {544, 448, from_degrees(105.0), from_degrees(94.0), 0.0, 0.0, 20.0};
+  body.upper_camera.width = 544;
+  body.upper_camera.height = 448;
+  body.upper_camera.field_of_view_horizontal = from_degrees(105.0);
+  body.upper_camera.field_of_view_vertical = from_degrees(94.0);
+  body.upper_camera.k1 = 0.0;
+  body.upper_camera.rate = 20.0;
   body.lower_camera.reset();
   body.standing_load.reset();
   body.neck = {1.0, {{0.0, -0.3, 0.8}}};

@@ -82,6 +82,64 @@ TEST(BodyFile, TellsWhatABodyDoesNotHaveByLeavingItOut) {
   EXPECT_FALSE(body.get_up_time);
 }
 
+TEST(BodyFile, MayDescribeAFisheye) {
+  const RobotBody body = load_body(std::filesystem::path(kSourceFolder) / "tests/robots/bodies/fisheye-160.toml");
+  EXPECT_EQ(body.upper_camera.projection, CameraProjection::fisheye);
+  EXPECT_EQ(body.upper_camera.k4, -0.0002);
+  const CameraModel camera = camera_model(body.upper_camera, 640, 528);
+  EXPECT_NEAR(to_degrees(camera.horizontal_field_of_view()), 160.0, 1e-6);
+  EXPECT_LT(camera.ray({0.0, 0.0}).x(), 0.0) << "its corners look backward";
+}
+
+/// The NAO's file with these keys of a lens in its first camera.
+std::string nao_with_lens(const std::string& keys) {
+  std::string text = nao_with("field_of_view", "");
+  const std::size_t at = text.find("\ndistortion");
+  text.replace(at + 1, text.find('\n', at + 1) - at - 1, keys);
+  return text;
+}
+
+TEST(BodyFile, TakesACalibrationOfOpenCv) {
+  const RobotBody body = parse_body(
+      nao_with_lens("focal = [611.5, 612.25]\ncenter = [322.0, 236.5]\ndistortion = [0.05, -0.08, 0.001, 0.002, 0.02]"),
+      "robot.toml");
+  const CameraModel camera = camera_model(body.upper_camera, 640, 480);
+  EXPECT_NEAR(camera.focal.x(), 611.5, 1e-9);
+  EXPECT_NEAR(camera.focal.y(), 612.25, 1e-9);
+  EXPECT_EQ(camera.center, Eigen::Vector2d(322.0, 236.5));
+  EXPECT_EQ(camera.k3, 0.02);
+  EXPECT_EQ(camera_model(body.upper_camera, 320, 240), camera.scaled_to(320, 240));
+  const RobotBody wide = parse_body(nao_with_lens("model = \"fisheye\"\nfocal = [200.0, 201.0]"), "robot.toml");
+  EXPECT_NEAR(camera_model(wide.upper_camera, 640, 480).focal.y(), 201.0, 1e-9);
+  EXPECT_EQ(bytes_of_body(wide).size(), bytes_of_body(body).size() - sizeof(Eigen::Vector2d));
+}
+
+TEST(BodyFile, WithAMistakeInALensIsRefusedWithItsLine) {
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"focal = [600.0, 600.0]", "the key 'distortion' is missing"},
+      {"distortion = [0.0, 0.0]", "the key 'field_of_view_degrees' is missing (or 'focal')"},
+      {"focal = [600.0, 600.0]\nfield_of_view_degrees = [60.0, 50.0]\ndistortion = [0.0, 0.0]",
+       "expected either 'focal' or 'field_of_view_degrees', found both"},
+      {"focal = [0.0, 600.0]\ndistortion = [0.0, 0.0]", "each of focal is a number from 1 to "},
+      {"focal = [600.0, 600.0]\ndistortion = [0.0, nan]", "each of distortion is a number from -100 to 100"},
+      {"focal = [600.0, 600.0]\ndistortion = [0.0, 0.0, 0.0]",
+       "distortion: expected 0, 2, 4, 5 or 8 coefficients for a pinhole camera, found 3"},
+      {"focal = [600.0, 600.0]\nmodel = \"fisheye\"\ndistortion = [0.0, 0.0]",
+       "distortion: expected 0 or 4 coefficients for a fisheye camera, found 2"},
+      {"focal = [600.0, 600.0]\nmodel = \"mirror\"\ndistortion = [0.0, 0.0]",
+       "expected model \"pinhole\", \"fisheye\" or \"equirectangular\", found \"mirror\""},
+      {"focal = [600.0, 600.0]\ndistortion = [-2.0, 0.0]", "the distortion folds back"},
+      {"focal = [600.0, 600.0]\ndistortion = [-2.0, 0.0, 0.0, 0.0, 0.1]", "the distortion folds back"},
+      {"focal = [60.0, 60.0]\nmodel = \"equirectangular\"", "the image spans too wide an angle"},
+  };
+  for (const auto& [keys, why] : mistakes) {
+    const std::string complaint = complaint_about_body(nao_with_lens(keys));
+    EXPECT_NE(complaint.find(why), std::string::npos) << complaint << "\nexpected: " << why;
+    EXPECT_EQ(complaint.rfind("robot.toml:", 0), 0u) << complaint;
+    EXPECT_EQ(complaint.find('\n'), std::string::npos) << complaint;
+  }
+}
+
 TEST(BodyFile, ThatIsMissingIsNamedInOneLine) {
   try {
     static_cast<void>(load_body("nowhere/robot.toml"));

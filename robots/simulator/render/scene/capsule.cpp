@@ -56,12 +56,14 @@ struct CapsuleInView {
   }
 
   /// Which of kLanes pixels from `first` on may be touched. False: none of them. Written for SIMD.
+  template <bool perspective>
   [[gnu::always_inline]] bool find(std::size_t first, std::array<bool, kLanes>& near) const {
     float clear[kLanes];
     for (int lane = 0; lane < kLanes; ++lane) {
       const std::size_t pixel = first + static_cast<std::size_t>(lane);
       const float scale = 1.0f / rays.length[pixel];
-      const Eigen::Vector3f direction(scale, rays.left[pixel] * scale, rays.up[pixel] * scale);
+      const float forward = perspective ? scale : rays.forward[pixel] * scale;
+      const Eigen::Vector3f direction(forward, rays.left[pixel] * scale, rays.up[pixel] * scale);
       const Closest c = closest(direction);
       const float x = c.t * direction.x() - from.x() - c.along * axis.x();
       const float y = c.t * direction.y() - from.y() - c.along * axis.y();
@@ -86,13 +88,15 @@ struct CapsuleInView {
     float normal_x[kLanes], normal_y[kLanes], normal_z[kLanes];
   };
 
+  template <bool perspective>
   [[gnu::always_inline]] void look(std::size_t first, Look& seen) const {
     const float radius = capsule.radius;
 #pragma GCC ivdep
     for (int lane = 0; lane < kLanes; ++lane) {
       const std::size_t pixel = first + static_cast<std::size_t>(lane);
       const float ray = rays.length[pixel];
-      const Eigen::Vector3f direction(1.0f / ray, rays.left[pixel] / ray, rays.up[pixel] / ray);
+      const float forward = perspective ? 1.0f : rays.forward[pixel];
+      const Eigen::Vector3f direction(forward / ray, rays.left[pixel] / ray, rays.up[pixel] / ray);
       const Closest c = closest(direction);
       const float apart_x = c.t * direction.x() - from.x() - c.along * axis.x();
       const float apart_y = c.t * direction.y() - from.y() - c.along * axis.y();
@@ -143,15 +147,16 @@ struct CapsuleInView {
   float eye_along = 0.0f;           // where the camera is along the axis, m from `from`
 };
 
-REORIENT_WIDE void draw_in(const Box& box, const CapsuleInView& view, Frame& frame) {
+template <bool perspective>
+[[gnu::always_inline]] inline void draw_through(const Box& box, const CapsuleInView& view, Frame& frame) {
   std::array<bool, kLanes> near{};
   CapsuleInView::Look seen;
   for (int y = box.top; y <= box.bottom; ++y) {
     for (int x = box.left; x <= box.right; x += kLanes) {
       const int start = std::min(x, frame.width - kLanes);  // some pixels twice rather than the next row's
       const std::size_t first = frame.row(y) + static_cast<std::size_t>(start);
-      if (!view.find(first, near)) continue;
-      view.look(first, seen);
+      if (!view.find<perspective>(first, near)) continue;
+      view.look<perspective>(first, seen);
       for (int lane = x - start; lane < kLanes; ++lane) {
         if (near[static_cast<std::size_t>(lane)]) view.paint(first + static_cast<std::size_t>(lane), seen, lane, frame);
       }
@@ -159,10 +164,19 @@ REORIENT_WIDE void draw_in(const Box& box, const CapsuleInView& view, Frame& fra
   }
 }
 
+REORIENT_WIDE void draw_in(const Box& box, const CapsuleInView& view, Frame& frame) {
+  draw_through<true>(box, view, frame);
+}
+
+REORIENT_WIDE void draw_through_any_lens(const Box& box, const CapsuleInView& view, Frame& frame) {
+  draw_through<false>(box, view, frame);
+}
+
 }  // namespace
 
 Frustum::Frustum(const RayTable& rays, const Eigen::Isometry3f& camera_from_field)
-    : camera_from_field_(camera_from_field) {
+    : camera_from_field_(camera_from_field),
+      most_off_axis_(rays.blocks.empty() ? std::nullopt : std::optional(rays.most_off_axis + rays.angle_slack)) {
   const auto side = [](float across, float up, float steepest) {
     const float length = std::sqrt(1.0f + steepest * steepest);
     return Side{across / length, up / length, -steepest / length};
@@ -175,6 +189,12 @@ bool Frustum::may_show(const Capsule& capsule) const {
   constexpr float kRounding = 1e-3f;  // m
   const Eigen::Vector3f center = camera_from_field_ * Eigen::Vector3f(0.5f * (capsule.from + capsule.to));
   const float radius = capsule.radius + 0.5f * (capsule.to - capsule.from).norm() + kRounding;
+  if (most_off_axis_) {
+    const float distance = center.norm();
+    if (distance <= radius) return true;
+    const auto reach = static_cast<float>(pinned::asin(radius / distance));
+    return angle_between(center, Eigen::Vector3f::UnitX()) - reach <= *most_off_axis_;
+  }
   if (center.x() + radius < kNearest) return false;
   return std::none_of(sides_.begin(), sides_.end(), [&](const Side& side) {
     return side.across * center.y() + side.up * center.z() + side.ahead * center.x() > radius;
@@ -185,6 +205,16 @@ void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f&
   const CapsuleInView view(capsule, rays, camera_from_field);
   Eigen::Vector3f from = view.from;
   Eigen::Vector3f to = view.from + view.length * view.axis;
+  if (!rays.blocks.empty()) {
+    Cones cones(rays);
+    cones.add_line(from, to, capsule.radius);
+    if (rays.is_perspective()) {
+      draw_in(cones.box(), view, frame);
+    } else {
+      draw_through_any_lens(cones.box(), view, frame);
+    }
+    return;
+  }
   if (!clip(from, to, kNearest - capsule.radius)) return;
   Bounds bounds(rays);
   bounds.add(from, capsule.radius);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/angle.h"
+#include "geometry/pinned_math.h"
 #include "robots/simulator/render/framebuffer.h"
 #include "robots/simulator/room/texture.h"
 
@@ -17,7 +19,7 @@ struct Box {
   int left, top, right, bottom;
 };
 
-/// The pixels that the convex hull of balls (camera frame) can touch.
+/// The pixels that the convex hull of balls (camera frame) can touch, through a plain lens.
 class Bounds {
  public:
   explicit Bounds(const RayTable& rays) : rays_(rays), camera_(rays.camera) {}
@@ -91,6 +93,59 @@ class Bounds {
   double bottom_ = -1e9;
 };
 
+/// The pixels that balls (camera frame) can touch, through any lens: each ball fills a cone of directions.
+class Cones {
+ public:
+  explicit Cones(const RayTable& rays) : rays_(rays) {}
+
+  void add(const Eigen::Vector3f& center, float radius) {
+    const float distance = center.norm();
+    if (distance <= radius + kNearest) {
+      everywhere_ = true;
+      return;
+    }
+    const double half_angle = pinned::asin(radius / distance) + static_cast<double>(rays_.angle_slack);
+    const auto [sine, cosine] = pinned::sincos(half_angle);
+    const Eigen::Vector3f axis = center / distance;
+    for (const RayBlock& block : rays_.blocks) {
+      const double sum = half_angle + static_cast<double>(block.half_angle);
+      const float closest = sum < kPi
+                                ? static_cast<float>(cosine) * block.cosine - static_cast<float>(sine) * block.sine
+                                : -1.0f;  // cosine of the sum
+      if (axis.dot(block.axis) < closest - kRounding) continue;
+      box_.left = std::min(box_.left, block.left);
+      box_.top = std::min(box_.top, block.top);
+      box_.right = std::max(box_.right, block.right);
+      box_.bottom = std::max(box_.bottom, block.bottom);
+    }
+  }
+
+  /// All within `radius` of a line, as so many balls that none of them fills a wide cone.
+  void add_line(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) {
+    constexpr float kWide = 0.1f;  // rad
+    constexpr int kMost = 16;
+    const float length = (to - from).norm();
+    const float distance = std::max(0.5f * (from + to).norm(), kNearest);
+    const int count = std::clamp(static_cast<int>(std::ceil(0.5f * length / (kWide * distance))), 1, kMost);
+    for (int i = 0; i < count; ++i) {
+      const float along = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+      add(from + along * (to - from), radius + 0.5f * length / static_cast<float>(count));
+    }
+  }
+
+  Box box() const {
+    if (everywhere_) return {0, 0, rays_.camera.width - 1, rays_.camera.height - 1};
+    return box_.right < 0 ? Box{0, 0, -1, -1} : box_;
+  }
+
+ private:
+  static constexpr float kRounding = 1e-5f;
+
+  const RayTable& rays_;
+  bool everywhere_ = false;
+  Box box_{rays_.camera.width, rays_.camera.height, -1, -1};
+};
+
 inline void blend(Frame& frame, std::size_t pixel, float coverage, const LinearColor& color) {
   frame.red[pixel] += coverage * (color.x() - frame.red[pixel]);
   frame.green[pixel] += coverage * (color.y() - frame.green[pixel]);
@@ -118,7 +173,7 @@ void for_each(const Box& box, const RayTable& rays, const Frame& frame, Touch&& 
   for (int y = box.top; y <= box.bottom; ++y) {
     for (int x = box.left; x <= box.right; ++x) {
       const std::size_t pixel = frame.row(y) + static_cast<std::size_t>(x);
-      touch(pixel, Eigen::Vector3f(1.0f, rays.left[pixel], rays.up[pixel]), rays.length[pixel]);
+      touch(pixel, rays.direction(pixel), rays.length[pixel]);
     }
   }
 }

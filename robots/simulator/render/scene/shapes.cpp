@@ -7,14 +7,10 @@
 #include "robots/simulator/render/scene/drawing.h"
 
 namespace reorient {
+namespace {
 
-void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {
-  constexpr float kMesh = 0.08f;     // m between strings
-  constexpr float kString = 0.006f;  // m
-  const Eigen::Vector3f corner = camera_from_field * net.corner;
-  const Eigen::Vector3f along = camera_from_field.linear() * net.along;
-  const Eigen::Vector3f up = camera_from_field.linear() * net.up;
-  const std::array<Eigen::Vector3f, 4> corners{corner, corner + along, corner + along + up, corner + up};
+/// Of a parallelogram through a plain lens.
+Box box_of(const std::array<Eigen::Vector3f, 4>& corners, const RayTable& rays) {
   Bounds bounds(rays);
   bool seen = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -25,7 +21,46 @@ void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_
     bounds.add(from, 0.0f);
     bounds.add(to, 0.0f);
   }
-  if (!seen) return;
+  return seen ? bounds.box() : Box{0, 0, -1, -1};
+}
+
+/// The same through any lens.
+Box box_around(const Eigen::Vector3f& corner, const Eigen::Vector3f& along, const Eigen::Vector3f& up,
+               const RayTable& rays) {
+  constexpr int kStripes = 4;
+  Cones cones(rays);
+  for (int i = 0; i < kStripes; ++i) {
+    const Eigen::Vector3f from = corner + (static_cast<float>(i) + 0.5f) / kStripes * up;
+    cones.add_line(from, from + along, 0.5f * up.norm() / kStripes);
+  }
+  return cones.box();
+}
+
+/// Of a shadow through a plain lens.
+Box box_of(const Shadow& shadow, const Eigen::Vector3f& center, const Eigen::Vector3f& forward,
+           const Eigen::Vector3f& left, const RayTable& rays) {
+  if (center.x() + shadow.radius < kNearest) return {0, 0, -1, -1};
+  Bounds bounds(rays);
+  if (center.x() - shadow.radius < kNearest) {
+    bounds.add(center, shadow.radius);
+  } else {
+    for (const float x : {-shadow.radius, shadow.radius}) {
+      for (const float y : {-shadow.radius, shadow.radius}) bounds.add(center + x * forward + y * left, 0.0f);
+    }
+  }
+  return bounds.box();
+}
+
+}  // namespace
+
+void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {
+  constexpr float kMesh = 0.08f;     // m between strings
+  constexpr float kString = 0.006f;  // m
+  const Eigen::Vector3f corner = camera_from_field * net.corner;
+  const Eigen::Vector3f along = camera_from_field.linear() * net.along;
+  const Eigen::Vector3f up = camera_from_field.linear() * net.up;
+  const std::array<Eigen::Vector3f, 4> corners{corner, corner + along, corner + along + up, corner + up};
+  const Box box = rays.blocks.empty() ? box_of(corners, rays) : box_around(corner, along, up, rays);
 
   const Eigen::Vector3f normal = along.cross(up).normalized();
   const float width = along.norm();
@@ -36,7 +71,7 @@ void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_
     if (half > 0.5f * kMesh) return kString / kMesh;
     return covered_share(at - kMesh * std::round(at / kMesh), half, -0.5f * kString, 0.5f * kString);
   };
-  for_each(bounds.box(), rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
+  for_each(box, rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
     const float depth = offset / ray.dot(normal);
     if (!(depth > kNearest) || depth > frame.depth[pixel]) return;
     const Eigen::Vector3f inside = depth * ray - corner;
@@ -54,17 +89,16 @@ void draw(const Shadow& shadow, const RayTable& rays, const Eigen::Isometry3f& c
   const Eigen::Vector3f forward = camera_from_field.linear().col(0);
   const Eigen::Vector3f left = camera_from_field.linear().col(1);
   const Eigen::Vector3f up = camera_from_field.linear().col(2);
-  if (center.x() + shadow.radius < kNearest) return;
-  Bounds bounds(rays);
-  if (center.x() - shadow.radius < kNearest) {
-    bounds.add(center, shadow.radius);
+  Box box{};
+  if (rays.blocks.empty()) {
+    box = box_of(shadow, center, forward, left, rays);
   } else {
-    for (const float x : {-shadow.radius, shadow.radius}) {
-      for (const float y : {-shadow.radius, shadow.radius}) bounds.add(center + x * forward + y * left, 0.0f);
-    }
+    Cones cones(rays);
+    cones.add(center, shadow.radius);
+    box = cones.box();
   }
   const float offset = center.dot(up);
-  for_each(bounds.box(), rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float) {
+  for_each(box, rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float) {
     const float depth = offset / ray.dot(up);
     if (!(depth > kNearest) || depth > frame.depth[pixel] * 1.001f) return;
     const float radius2 = (depth * ray - center).squaredNorm() / (shadow.radius * shadow.radius);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <Eigen/Geometry>
 
@@ -51,6 +52,7 @@ class Frustum {
   };
   Eigen::Isometry3f camera_from_field_;
   std::array<Side, 4> sides_;
+  std::optional<float> most_off_axis_;  // rad; of a lens that is not plain, whose view is no pyramid
 };
 
 void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
