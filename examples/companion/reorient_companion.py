@@ -14,13 +14,21 @@ ANSWER_POSE, ANSWER_HEAD, ANSWER_WALK, ANSWER_GET_UP = 1, 2, 4, 8
 FLIP, PURGE, RESET, YUYV, OWN, OURS = 1, 2, 3, 1, 1, 2
 SLOTS, SLOT_HEADER, VERSION, WANTS = 3, 64, 2, 1 + 2 + 4  # wants: head, walk, get up
 TOLD_FRAMES = 60
+LENS_OF_CAMERA, LENS_PINHOLE, LENS_FISHEYE, LENS_EQUIRECTANGULAR = 0, 1, 2, 3
+
+
+def lens(model, coefficients):
+    """For `lenses` of Companion: of a camera that is not a pinhole with two radial coefficients. OpenCV's coefficients."""
+    padded = tuple(coefficients) + (0.0,) * (8 - len(coefficients))
+    return struct.pack("<II8d", model, len(coefficients), *padded) + bytes(72)  # there is no second camera
 
 
 class Companion:
     """The connection. It is made anew when it is gone; nothing here waits. `camera`: focal, center, distortion, position and
-    tilt of the one camera, 10 numbers; `body`: the name of a robot that Reorient knows, as bytes."""
+    tilt of the one camera, 10 numbers; `body`: the name of a robot that Reorient knows, as bytes; `lenses`: what lens() gives,
+    where the camera is not a pinhole with two radial coefficients."""
 
-    def __init__(self, path, way, body, width, height, camera):
+    def __init__(self, path, way, body, width, height, camera, lenses=b""):
         self.path, self.socket, self.broken = path, None, False
         self.number = self.told = self.sequence = self.slot = 0
         self.server, self.done = 0, (0, 0)  # the server, and the last command of which server
@@ -35,7 +43,7 @@ class Companion:
         self.images = mmap.mmap(self.memory, SLOTS * self.slot_size)
         self.hello = (os.urandom(8) + struct.pack("<IId", way, WANTS, 0.0) +
                       struct.pack("<HHI10d", width, height, YUYV, *camera) + bytes(88) +
-                      struct.pack("<32s136x", body) + bytes(160))
+                      struct.pack("<32s136x", body) + bytes(160) + lenses)
 
     def connect(self):
         if self.socket and not self.broken:

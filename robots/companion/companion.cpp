@@ -294,7 +294,7 @@ bool Companion::take_images(const FrameMessage& message, double time, Observatio
     CameraFrame& camera = (i == 0 ? observation.upper : observation.lower).emplace();
     camera.time = time - which.age;
     camera.image = images_[i].view();
-    camera.camera = camera_model(*greeting_->cameras[i]);
+    camera.camera = camera_model(*greeting_->cameras[i], greeting_->lenses[i]);
     camera.odometry = clock_.odometry();
     if (which.present == 2) {
       camera.robot_from_camera = camera_pose_of(which.pose);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "geometry/bytes.h"
-#include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
@@ -38,15 +38,37 @@ void check(const reorient_camera& camera) {
   checked(camera.tilt, -0.5 * kPi, 0.5 * kPi, "a camera's tilt");
 }
 
-/// Without distortion: good enough for what follows from it.
-CameraOptics optics_of(const reorient_camera& camera) {
+/// The lens of a camera, which an optional block behind the hello describes; without it, a plain one.
+Lens lens_of(const reorient_camera& camera, const std::optional<reorient_lens>& told, int number) {
+  const std::string where = "hello: lens of camera " + std::to_string(number) + ": ";
+  Lens lens;
+  if (!told || told->model == REORIENT_LENS_OF_CAMERA) {
+    lens.k1 = camera.distortion[0];
+    lens.k2 = camera.distortion[1];
+  } else {
+    if (told->model > REORIENT_LENS_EQUIRECTANGULAR)
+      throw BadMessage(where + "unknown model " + std::to_string(told->model) + " (expected 0 to 3)");
+    constexpr CameraProjection kProjections[] = {CameraProjection::pinhole, CameraProjection::fisheye,
+                                                 CameraProjection::equirectangular};
+    lens.projection = kProjections[told->model - REORIENT_LENS_PINHOLE];
+    if (told->count > std::size(told->coefficients))
+      throw BadMessage(where + "expected at most 8 coefficients, found " + std::to_string(told->count));
+    check(told->coefficients, -100.0, 100.0, "a lens's coefficient");
+    const std::string mistake = lens.set_coefficients(std::span(told->coefficients).first(told->count));
+    if (!mistake.empty()) throw BadMessage(where + mistake);
+  }
+  if (const std::string mistake = mistake_in(camera_model(camera, lens)); !mistake.empty())
+    throw BadMessage(where + mistake);
+  return lens;
+}
+
+CameraOptics optics_of(const reorient_camera& camera, const Lens& lens) {
   CameraOptics optics;
+  static_cast<Lens&>(optics) = lens;
   optics.width = camera.width;
   optics.height = camera.height;
-  optics.field_of_view_horizontal = 2.0 * pinned::atan2(0.5 * camera.width, camera.focal[0]);
-  optics.field_of_view_vertical = 2.0 * pinned::atan2(0.5 * camera.height, camera.focal[1]);
-  optics.k1 = camera.distortion[0];
-  optics.k2 = camera.distortion[1];
+  optics.field_of_view_horizontal = 2.0 * lens.angle_at_place(0.5 * camera.width / camera.focal[0]);
+  optics.field_of_view_vertical = 2.0 * lens.angle_at_place(0.5 * camera.height / camera.focal[1]);
   return optics;
 }
 
@@ -121,6 +143,10 @@ FieldDimensions field_of(const reorient_field& told, const RobotBody& body, cons
 
 Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& known) {
   const auto hello = take_message<reorient_hello>(bytes, "the hello");
+  std::array<std::optional<reorient_lens>, 2> lenses;
+  if (!bytes.empty()) {
+    for (std::optional<reorient_lens>& lens : lenses) lens = take_message<reorient_lens>(bytes, "the hello's lenses");
+  }
   if (!bytes.empty()) throw BadMessage("the hello is longer than it should be");
   if (hello.way != REORIENT_OWN_LOCALIZATION && hello.way != REORIENT_OUR_LOCALIZATION)
     throw BadMessage("hello: way is " + std::to_string(hello.way) + ", and can be 1 (your localization) or 2 (ours)");
@@ -137,17 +163,18 @@ Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& know
     if (hello.cameras[i].format == REORIENT_NO_IMAGE) continue;
     check(hello.cameras[i]);
     greeting.cameras[i] = hello.cameras[i];
+    greeting.lenses[i] = lens_of(hello.cameras[i], lenses[i], static_cast<int>(i));
   }
   if (!greeting.cameras[0]) throw BadMessage("hello: the first camera is missing; a robot with one has that one");
   RobotBody& body = greeting.body;
   const auto mount_of = [](const reorient_camera& camera) {
     return CameraMount{vector_of(camera.position), camera.tilt};
   };
-  body.upper_camera = optics_of(*greeting.cameras[0]);
+  body.upper_camera = optics_of(*greeting.cameras[0], greeting.lenses[0]);
   body.dimensions.upper = mount_of(*greeting.cameras[0]);
   body.lower_camera.reset();
   if (greeting.cameras[1]) {
-    body.lower_camera = optics_of(*greeting.cameras[1]);
+    body.lower_camera = optics_of(*greeting.cameras[1], greeting.lenses[1]);
     body.dimensions.lower = mount_of(*greeting.cameras[1]);
   }
   greeting.carries_out_head = (hello.wants & REORIENT_WANT_HEAD) != 0;
@@ -156,14 +183,13 @@ Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& know
   return greeting;
 }
 
-CameraModel camera_model(const reorient_camera& camera) {
+CameraModel camera_model(const reorient_camera& camera, const Lens& lens) {
   CameraModel model;
+  static_cast<Lens&>(model) = lens;
   model.width = camera.width;
   model.height = camera.height;
   model.focal = {camera.focal[0], camera.focal[1]};
   model.center = {camera.center[0], camera.center[1]};
-  model.k1 = camera.distortion[0];
-  model.k2 = camera.distortion[1];
   return model;
 }
 
@@ -173,7 +199,7 @@ std::vector<std::byte> identity_of(const Greeting& greeting) {
   for (CameraMount* const mount : {&body.dimensions.upper, &body.dimensions.lower}) mount->tilt = 0.0;
   const auto leave_out = [](CameraOptics& optics) {
     optics.field_of_view_horizontal = optics.field_of_view_vertical = 1.0;
-    optics.k1 = optics.k2 = 0.0;
+    static_cast<Lens&>(optics) = Lens();
   };
   leave_out(body.upper_camera);
   if (body.lower_camera) leave_out(*body.lower_camera);

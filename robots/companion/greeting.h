@@ -32,12 +32,13 @@ struct Greeting {
   RobotBody body;
   FieldDimensions field;
   std::array<std::optional<reorient_camera>, 2> cameras;  ///< the upper and the lower one
+  std::array<Lens, 2> lenses;                             ///< of each
 };
 
 /// Throws BadMessage.
 Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& known);
 
-CameraModel camera_model(const reorient_camera& camera);
+CameraModel camera_model(const reorient_camera& camera, const Lens& lens);
 
 /// All that an engine is made for: the robot, its field, what it carries out and whose localization counts; not how its
 /// cameras are calibrated. Where two are equal, an engine can go on from the one with the other.

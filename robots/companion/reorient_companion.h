@@ -123,6 +123,21 @@ struct reorient_hello {
   struct reorient_field field;
 };
 
+enum {
+  REORIENT_LENS_OF_CAMERA = 0, /* a pinhole with reorient_camera's distortion, as without this block */
+  REORIENT_LENS_PINHOLE = 1,
+  REORIENT_LENS_FISHEYE = 2,
+  REORIENT_LENS_EQUIRECTANGULAR = 3
+};
+
+/* Optional: one for each camera, directly behind the hello and in the same message. A server from before there was this
+ * block refuses such a hello. */
+struct reorient_lens {
+  uint32_t model;         /* REORIENT_LENS_... */
+  uint32_t count;         /* of coefficients: pinhole 0, 2, 4, 5 or 8; fisheye 0 or 4; equirectangular 0 */
+  double coefficients[8]; /* in OpenCV's order: k1, k2, p1, p2, k3, k4, k5, k6; of a fisheye k1, k2, k3, k4 */
+};
+
 /* ---- memory: once for each camera, with a file descriptor of a memfd (SCM_RIGHTS) that has F_SEAL_SHRINK ---- */
 
 /* Three slots one behind the other. Each begins with its sequence number (uint64_t, odd while the pixels are written)
@@ -278,6 +293,7 @@ REORIENT_SIZE(reorient_camera, 88);
 REORIENT_SIZE(reorient_body, 168);
 REORIENT_SIZE(reorient_field, 160);
 REORIENT_SIZE(reorient_hello, 528);
+REORIENT_SIZE(reorient_lens, 72);
 REORIENT_SIZE(reorient_memory, 8);
 REORIENT_SIZE(reorient_image, 120);
 REORIENT_SIZE(reorient_frame, 512);
@@ -326,6 +342,7 @@ enum { REORIENT_TOLD_FRAMES = 60 };
 
 struct reorient_client {
   struct reorient_hello hello;
+  struct reorient_lens lenses[2]; /* sent where one of them has a model: set them between open and the first frame */
   struct sockaddr_un address;
   int socket;    /* -1: not connected; to be waited for with poll() by whoever wants to wait */
   int broken;    /* nothing can be sent any more; what has come is still to be read, a refusal perhaps */
@@ -494,6 +511,7 @@ static inline int reorient_is_trusted(int server) {
 /* 1: there is a connection, new or old. One that broke is left when it breaks for the second time: between the two
  * reorient_receive() has had its chance. */
 static inline int reorient_connect(struct reorient_client* client) {
+  size_t lenses; /* bytes */
   if (client->socket >= 0 && !client->broken) return 1;
   reorient_disconnect(client);
   client->socket = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
@@ -504,8 +522,10 @@ static inline int reorient_connect(struct reorient_client* client) {
     return 0;
   }
   client->first_number = client->number;
-  reorient_begin(client, REORIENT_HELLO, sizeof client->hello);
+  lenses = client->lenses[0].model != 0 || client->lenses[1].model != 0 ? sizeof client->lenses : 0;
+  reorient_begin(client, REORIENT_HELLO, sizeof client->hello + lenses);
   reorient_append(client, &client->hello, sizeof client->hello);
+  reorient_append(client, client->lenses, lenses);
   if (reorient_flush(client) && reorient_send_memory(client, 0) && reorient_send_memory(client, 1)) return 1;
   reorient_break(client);
   return 0;

@@ -108,6 +108,21 @@ TEST_F(CClient, TakesAToldPoseAlongUntilSomebodyIsThere) {
   EXPECT_FALSE(observation->told.initial_pose) << "it is told once";
 }
 
+TEST_F(CClient, DescribesALensBehindItsHello) {
+  begin_companion();
+  EXPECT_TRUE(send());
+  auto observation = observed();
+  ASSERT_TRUE(observation && observation->upper);
+  EXPECT_EQ(observation->upper->camera.projection, CameraProjection::pinhole);
+  reorient_disconnect(&client_);
+  client_.lenses[0] = {REORIENT_LENS_FISHEYE, 4, {0.02, -0.004, 0.001, -0.0002}};
+  EXPECT_TRUE(send());
+  observation = observed();
+  ASSERT_TRUE(observation && observation->upper);
+  EXPECT_EQ(observation->upper->camera.projection, CameraProjection::fisheye);
+  EXPECT_EQ(observation->upper->camera.k2, -0.004);
+}
+
 TEST_F(CClient, ForgetsAToldPoseOfWhichNobodyCanBeSureAnyMore) {
   EXPECT_FALSE(send(0.0, REORIENT_HAS_TOLD_POSE));
   EXPECT_FALSE(send(30.0));

@@ -1,5 +1,6 @@
 #include "robots/companion/greeting.h"
 
+#include <array>
 #include <functional>
 #include <limits>
 
@@ -108,6 +109,62 @@ TEST(Greeting, WithAMistakeIsRefusedWithWhatIsWrong) {
     reorient_hello hello = small_hello();
     make(hello);
     EXPECT_NE(complaint_about(hello).find(why), std::string::npos) << why << "\n" << complaint_about(hello);
+  }
+}
+
+std::vector<std::byte> with_lenses(const reorient_hello& hello, const std::array<reorient_lens, 2>& lenses) {
+  const std::span<const std::byte> first = bytes_of(hello), second = std::as_bytes(std::span(lenses));
+  std::vector<std::byte> bytes(first.begin(), first.end());
+  bytes.insert(bytes.end(), second.begin(), second.end());
+  return bytes;
+}
+
+TEST(Greeting, MayDescribeALensBehindTheHello) {
+  std::array<reorient_lens, 2> lenses{};
+  lenses[0] = {REORIENT_LENS_FISHEYE, 4, {0.02, -0.003, 0.001, -0.0002}};
+  const Greeting greeting = read_greeting(with_lenses(small_hello(), lenses), nobody_known());
+  const CameraModel camera = camera_model(*greeting.cameras[0], greeting.lenses[0]);
+  EXPECT_EQ(camera.projection, CameraProjection::fisheye);
+  EXPECT_EQ(camera.k4, -0.0002);
+  EXPECT_GT(greeting.body.upper_camera.field_of_view_horizontal,
+            read_greeting(bytes_of(small_hello()), nobody_known()).body.upper_camera.field_of_view_horizontal);
+  lenses[0] = {REORIENT_LENS_PINHOLE, 5, {0.02, -0.003, 0.001, -0.0002, 0.001}};
+  EXPECT_EQ(read_greeting(with_lenses(small_hello(), lenses), nobody_known()).lenses[0].k3, 0.001);
+}
+
+TEST(Greeting, WithALensThatSaysNothingIsTheSameAsWithout) {
+  reorient_hello hello = small_hello();
+  hello.cameras[0].distortion[0] = 0.05;
+  const Greeting one = read_greeting(with_lenses(hello, {}), nobody_known());
+  EXPECT_EQ(one.lenses[0].k1, 0.05);
+  EXPECT_EQ(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+}
+
+TEST(Greeting, OfTheSameRobotMayGetAnotherLens) {
+  std::array<reorient_lens, 2> lenses{};
+  lenses[0].model = REORIENT_LENS_FISHEYE;
+  EXPECT_EQ(identity_of(read_greeting(with_lenses(small_hello(), lenses), nobody_known())),
+            identity_of(read_greeting(bytes_of(small_hello()), nobody_known())));
+}
+
+TEST(Greeting, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<reorient_lens, const char*> mistakes[] = {
+      {{4, 0, {}}, "lens of camera 0: unknown model 4 (expected 0 to 3)"},
+      {{REORIENT_LENS_PINHOLE, 9, {}}, "expected at most 8 coefficients, found 9"},
+      {{REORIENT_LENS_PINHOLE, 3, {}}, "expected 0, 2, 4, 5 or 8 coefficients for a pinhole camera, found 3"},
+      {{REORIENT_LENS_FISHEYE, 5, {}}, "expected 0 or 4 coefficients for a fisheye camera, found 5"},
+      {{REORIENT_LENS_FISHEYE, 4, {nan}}, "a lens's coefficient is"},
+      {{REORIENT_LENS_FISHEYE, 4, {-9.0}}, "the distortion folds back"},
+      {{REORIENT_LENS_PINHOLE, 5, {-9.0}}, "the distortion folds back"},
+  };
+  for (const auto& [lens, why] : mistakes) {
+    try {
+      static_cast<void>(read_greeting(with_lenses(small_hello(), {lens}), nobody_known()));
+      ADD_FAILURE() << why;
+    } catch (const BadMessage& bad) {
+      EXPECT_NE(std::string(bad.what()).find(why), std::string::npos) << bad.what();
+    }
   }
 }
 
