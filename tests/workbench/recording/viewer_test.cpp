@@ -187,6 +187,30 @@ TEST(Foxglove, CountsTimeInSecondsAndNanoseconds) {
   EXPECT_EQ(foxglove::time(std::nan("")), Json({{"sec", 0}, {"nsec", 0}}));
 }
 
+TEST(Foxglove, NamesTheModelOfACameraAsRosDoes) {
+  const auto calibration = [](CameraProjection projection, const std::vector<double>& coefficients) {
+    CameraModel camera;
+    camera.projection = projection;
+    EXPECT_EQ(camera.set_coefficients(coefficients), "");
+    return foxglove::camera_calibration(1.0, "camera", camera);
+  };
+  const std::vector<double> five{0.1, 0.2, 0.3, 0.4, 0.5}, eight{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
+  const std::vector<double> four{0.1, 0.2, 0.3, 0.4};
+  Json message = calibration(CameraProjection::pinhole, {0.1, 0.2});
+  EXPECT_EQ(message["distortion_model"], "plumb_bob");
+  EXPECT_EQ(message["D"], Json({0.1, 0.2, 0.0, 0.0, 0.0}));
+  message = calibration(CameraProjection::pinhole, five);
+  EXPECT_EQ(message["distortion_model"], "plumb_bob");
+  EXPECT_EQ(message["D"], Json(five));
+  message = calibration(CameraProjection::pinhole, eight);
+  EXPECT_EQ(message["distortion_model"], "rational_polynomial");
+  EXPECT_EQ(message["D"], Json(eight));
+  message = calibration(CameraProjection::fisheye, four);
+  EXPECT_EQ(message["distortion_model"], "equidistant");
+  EXPECT_EQ(message["D"], Json(four));
+  EXPECT_EQ(calibration(CameraProjection::equirectangular, {})["D"], Json::array());
+}
+
 // A layout that names what nobody sends shows nothing.
 
 /// "/world.confidence.current": of a topic that there is, and its schema has such a field.

@@ -106,12 +106,25 @@ Json poses_in_frame(double seconds, std::string_view frame, std::span<const Pose
 
 Json camera_calibration(double seconds, std::string_view frame, const CameraModel& camera) {
   const double fx = camera.focal.x(), fy = camera.focal.y(), cx = camera.center.x(), cy = camera.center.y();
+  // ROS's names of the models; it has none for an equirectangular image.
+  const char* model = "plumb_bob";
+  Json coefficients = {camera.k1, camera.k2, camera.p1, camera.p2, camera.k3};
+  if (camera.projection == CameraProjection::fisheye) {
+    model = "equidistant";
+    coefficients = {camera.k1, camera.k2, camera.k3, camera.k4};
+  } else if (camera.projection == CameraProjection::equirectangular) {
+    model = "equirectangular";
+    coefficients = Json::array();
+  } else if (camera.k4 != 0.0 || camera.k5 != 0.0 || camera.k6 != 0.0) {
+    model = "rational_polynomial";
+    for (const double more : {camera.k4, camera.k5, camera.k6}) coefficients.push_back(more);
+  }
   return {{"timestamp", time(seconds)},
           {"frame_id", frame},
           {"width", camera.width},
           {"height", camera.height},
-          {"distortion_model", "plumb_bob"},
-          {"D", {camera.k1, camera.k2, 0.0, 0.0, 0.0}},
+          {"distortion_model", model},
+          {"D", std::move(coefficients)},
           {"K", {fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0}},
           {"R", {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}},
           {"P", {fx, 0.0, cx, 0.0, 0.0, fy, cy, 0.0, 0.0, 0.0, 1.0, 0.0}}};

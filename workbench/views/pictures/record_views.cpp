@@ -81,7 +81,10 @@ class Projection {
     bool running = false;
     for (const Eigen::Vector3d& point : points) {
       const auto projected = pixel(point);
-      if (projected && !running) polylines.emplace_back();
+      // What leaves an equirectangular image on one side comes back on the other one.
+      const bool wraps = running && projected && camera_.projection == CameraProjection::equirectangular &&
+                         std::abs(projected->x() - polylines.back().back().x()) > kPi * camera_.focal.x();
+      if (projected && (!running || wraps)) polylines.emplace_back();
       if (projected) polylines.back().push_back(*projected);
       running = projected.has_value();
     }
