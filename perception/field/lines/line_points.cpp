@@ -16,12 +16,11 @@ using Eigen::Vector2d;
 
 constexpr std::size_t kMostCandidates = 600;
 
-/// Scan lines a step apart (pixels) are at most so far apart as seen from a wide lens: an even number of pixels, at
-/// least
-/// 2. `widest`: rad.
+/// `step` (pixels from scan line to scan line), or where a pixel of the lens spans so much that it would be wider than
+/// `widest` (rad), the widest even number of pixels that is not, at least 2.
 int limited_step(const GroundProjection& view, int step, double widest) {
-  if (view.camera().is_perspective()) return step;
-  return std::clamp(static_cast<int>(widest * view.camera().focal.x()) & ~1, 2, std::max(step, 2));
+  const double most = widest * view.camera().focal.x();
+  return step <= most ? step : std::clamp(static_cast<int>(most) & ~1, 2, std::max(step, 2));
 }
 
 /// Sums over a window of 5 x 5 pixels of products of luma's slopes: their main direction is across the edges in it.
