@@ -41,10 +41,11 @@ FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body
   if (!arguments.fov_degrees) return camera;
   CameraOptics& optics = camera.optics;
   optics.field_of_view_horizontal = from_degrees(*arguments.fov_degrees);
-  // Square pixels, without distortion: that is the body's camera no more.
+  // A pinhole with square pixels: that is the body's camera no more.
   optics.field_of_view_vertical =
       2.0 * pinned::atan2(pinned::tan(0.5 * optics.field_of_view_horizontal) * optics.height, 1.0 * optics.width);
-  optics.k1 = optics.k2 = 0.0;
+  static_cast<Lens&>(optics) = Lens();
+  optics.center.reset();
   return camera;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 #include <string>
 
 #include "robots/footage/messages/bad_message.h"
@@ -15,22 +16,22 @@ namespace {
 /// The only place that knows the names of distortion models.
 void set_distortion(const messages::CameraInfo& info, CameraModel& camera) {
   const std::vector<double>& d = info.d;
-  const bool is_zero = std::all_of(d.begin(), d.end(), [](double each) { return each == 0.0; });
-  if (is_zero) return;
   const std::string& model = info.distortion_model;
-  if (model != "plumb_bob" && model != "rational_polynomial") {
-    throw BadFootage("distortion model: expected plumb_bob, or coefficients that are 0, found " +
-                     messages::in_quotes(model));
+  const bool is_fisheye = model == "equidistant" || model == "fisheye" || model == "kannala_brandt4";
+  const bool is_zero = std::all_of(d.begin(), d.end(), [](double each) { return each == 0.0; });
+  if (!is_fisheye && is_zero) return;
+  if (!is_fisheye && model != "plumb_bob" && model != "rational_polynomial") {
+    throw BadFootage(
+        "distortion model: expected plumb_bob, rational_polynomial or equidistant, or coefficients that are 0, found " +
+        messages::in_quotes(model));
   }
-  constexpr std::size_t kRadial = 2;  // of k1, k2, p1, p2, k3 ...
-  if (d.size() < kRadial || std::any_of(d.begin() + kRadial, d.end(), [](double each) { return each != 0.0; })) {
-    throw BadFootage("distortion model " + model + ": expected no coefficients but k1 and k2, found others in D (" +
-                     std::to_string(d.size()) + " numbers)");
-  }
-  if (!std::isfinite(d[0]) || !std::isfinite(d[1]))
-    throw BadFootage("distortion model " + model + ": expected finite coefficients, found another in D");
-  camera.k1 = d[0];
-  camera.k2 = d[1];
+  if (is_fisheye) camera.projection = CameraProjection::fisheye;
+  // Drivers write more zeros than the model has coefficients.
+  std::size_t count = d.size();
+  const std::size_t most = is_fisheye ? 4 : 8;
+  while (count > most && d[count - 1] == 0.0) --count;
+  if (const std::string mistake = camera.set_coefficients(std::span(d).first(count)); !mistake.empty())
+    throw BadFootage("distortion model " + messages::in_quotes(model) + ": " + mistake);
 }
 
 std::string number_text(double number) {
@@ -90,7 +91,10 @@ CameraModel camera_of(const messages::CameraInfo& info, int width, int height, b
   }
   if (!rectified) set_distortion(info, camera);
   if (has_region) camera.center -= Eigen::Vector2d(region.x_offset, region.y_offset);
-  return camera_at(camera, width, height);
+  CameraModel result = camera_at(camera, width, height);
+  if (const std::string mistake = mistake_in(result); !mistake.empty())
+    throw BadFootage("camera calibration: " + mistake);
+  return result;
 }
 
 }  // namespace reorient

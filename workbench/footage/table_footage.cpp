@@ -2,19 +2,16 @@
 
 #include <utility>
 
-#include "geometry/pinned_math.h"
-
 namespace reorient {
 
 CameraModel camera_of(const FootageCamera& camera, int width, int height) {
-  const CameraOptics& optics = camera.optics;
-  const double half = pinned::tan(0.5 * optics.field_of_view_horizontal);
-  // Square pixels, where the image has another shape than the camera's own.
-  const bool same_shape = width * optics.height == height * optics.width;
-  const double vertical = same_shape ? optics.field_of_view_vertical : 2.0 * pinned::atan2(half * height, 1.0 * width);
-  CameraModel model = CameraModel::from_fields_of_view(width, height, optics.field_of_view_horizontal, vertical);
-  model.k1 = optics.k1;
-  model.k2 = optics.k2;
+  CameraOptics optics = camera.optics;
+  if (width * optics.height == height * optics.width) return camera_model(optics, width, height);
+  // Another shape: pixels as square as before, the image cut or extended above and below.
+  const CameraModel own = camera_model(optics, width, width * optics.height / optics.width);
+  CameraModel model = own;
+  model.height = height;
+  model.center.y() += 0.5 * (height - own.height);
   return model;
 }
 

@@ -13,7 +13,7 @@ namespace reorient {
 
 /// How the images of a footage were taken, where nothing else says so.
 struct FootageCamera {
-  CameraOptics optics;  ///< its fields of view are those of images of its aspect; of others, the horizontal one counts
+  CameraOptics optics;  ///< its fields of view are those of images of its shape; of others, the horizontal one counts
   double usual_height = 0.5;  ///< m above the ground
 };
 /// The camera at the resolution of an image.

@@ -77,13 +77,39 @@ TEST(CameraInfo, ThatCannotBeUsedIsRefusedWithOneLine) {
   info = info_of(0, 480);
   EXPECT_EQ(error_of(info), "camera calibration: expected a width and a height, found 0x480");
   info = info_of(640, 480);
-  info.distortion_model = "equidistant";
-  EXPECT_NE(error_of(info).find("found 'equidistant'"), std::string::npos);
+  info.distortion_model = "omnidirectional";
+  EXPECT_NE(error_of(info).find("found 'omnidirectional'"), std::string::npos) << error_of(info);
   info.d = {};
-  EXPECT_EQ(error_of(info), "") << "without coefficients all models are the same";
+  EXPECT_EQ(error_of(info), "") << "without coefficients a pinhole is meant";
   info = info_of(640, 480);
-  info.d[4] = 0.1;
-  EXPECT_NE(error_of(info).find("but k1 and k2"), std::string::npos);
+  info.d = {0.1, 0.0, 0.0};
+  EXPECT_NE(error_of(info).find("distortion model 'plumb_bob': "), std::string::npos) << error_of(info);
+  info.d = {-3.0, 0.0, 0.0, 0.0, 0.0};
+  EXPECT_NE(error_of(info).find("camera calibration: "), std::string::npos) << "it folds back: " << error_of(info);
+}
+
+TEST(CameraInfo, MayHaveAnyOfTheLensModels) {
+  messages::CameraInfo info = info_of(640, 480);
+  info.d = {-0.1, 0.02, 0.001, -0.002, 0.003};
+  CameraModel camera = camera_of(info, 640, 480, false);
+  EXPECT_EQ(camera.p1, 0.001);
+  EXPECT_EQ(camera.p2, -0.002);
+  EXPECT_EQ(camera.k3, 0.003);
+  info.distortion_model = "rational_polynomial";
+  info.d = {-0.1, 0.02, 0.001, -0.002, 0.003, 0.01, 0.02, 0.03};
+  camera = camera_of(info, 640, 480, false);
+  EXPECT_EQ(camera.k4, 0.01);
+  EXPECT_EQ(camera.k6, 0.03);
+  info.d.resize(14, 0.0);
+  EXPECT_EQ(camera_of(info, 640, 480, false), camera) << "more zeros change nothing";
+  info.distortion_model = "equidistant";
+  info.k[0] = info.k[4] = 250.0;
+  info.d = {0.01, -0.001, 0.0, 0.0};
+  camera = camera_of(info, 640, 480, false);
+  EXPECT_EQ(camera.projection, CameraProjection::fisheye);
+  EXPECT_EQ(camera.k1, 0.01);
+  info.d = {0.0, 0.0, 0.0, 0.0};
+  EXPECT_EQ(camera_of(info, 640, 480, false).projection, CameraProjection::fisheye);
 }
 
 }  // namespace

@@ -145,6 +145,8 @@ TEST(McapLog, ThatIsCutGivesTheFramesBeforeTheCutThenAlwaysTheSameError) {
   for (FootageFrame& frame : frames) {  // several chunks
     frame.image = Image(320, 200);
     frame.camera.width = 320;
+    frame.camera.focal = {300.0, 310.0};
+    frame.camera.center = {159.5, 99.5};
     frame.camera.height = 200;
     auto noise = static_cast<std::uint32_t>(1e6 * frame.time);
     for (int y = 0; y < 200; ++y) {

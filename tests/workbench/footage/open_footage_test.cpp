@@ -193,7 +193,7 @@ TEST(DecoderLibrary, SaysWhichPackagesAreMissing) {
   unsetenv("REORIENT_DECODER");
 }
 
-TEST(FootageCamera, HasSquarePixelsWhereTheImageHasAnotherShape) {
+TEST(FootageCamera, IsCutAboveAndBelowWhereTheImageHasAnotherShape) {
   FootageCamera camera;  // 640x480, 56.3 x 43.7 degrees
   const CameraModel same = camera_of(camera, 320, 240);
   EXPECT_NEAR(same.focal.y(),
@@ -202,7 +202,10 @@ TEST(FootageCamera, HasSquarePixelsWhereTheImageHasAnotherShape) {
                   .focal.y(),
               1e-9);
   const CameraModel wide = camera_of(camera, 640, 360);
-  EXPECT_NEAR(wide.focal.x(), wide.focal.y(), 1e-9);
+  EXPECT_EQ(wide.focal, CameraModel::from_fields_of_view(640, 480, camera.optics.field_of_view_horizontal,
+                                                         camera.optics.field_of_view_vertical)
+                            .focal);
+  EXPECT_EQ(wide.center.y(), 179.5);
 }
 
 }  // namespace
