@@ -5,8 +5,12 @@
 #include <cmath>
 #include <span>
 
+#include "robots/footage/messages/bad_message.h"
+
 namespace reorient {
 namespace {
+
+using messages::in_quotes;
 
 constexpr double kFarthest = 1e4;    // m
 constexpr double kMostTurned = 1e6;  // rad: odometry may count turns
@@ -40,14 +44,6 @@ constexpr std::array<ColumnKind, kFrameColumns> kColumns{{{"time", kSeconds, kLa
                                                           {"pitch", kAngles, kMostTurned},
                                                           {"camera_yaw", kAngles, kMostTurned}}};
 constexpr std::string_view kImage = "image";
-
-/// A piece of somebody's file in a message.
-std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::string result = "'";
-  for (const char letter : text.substr(0, kLongest)) result += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
-  return result + (text.size() > kLongest ? "...'" : "'");
-}
 
 std::string units_text(std::span<const Unit> units) {
   std::string text;
@@ -164,25 +160,25 @@ class FramesParser {
     const std::string title = is_image ? header : header.substr(0, colon);
     const auto cell = static_cast<std::size_t>(std::find(headers_.begin(), headers_.end(), title) - headers_.begin());
     if (cell == headers_.size())
-      refuse("expected a column " + shown(title) + " for " + column + ", found " + headers_text());
+      refuse("expected a column " + in_quotes(title) + " for " + column + ", found " + headers_text());
     if (is_image) return take_image(cell);
     const auto kind =
         std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& one) { return one.name == column; });
-    if (kind == kColumns.end()) refuse("there is no column of the name " + shown(column));
+    if (kind == kColumns.end()) refuse("there is no column of the name " + in_quotes(column));
     const std::string_view unit_name =
         colon == std::string::npos ? kind->units.front().name : std::string_view(header).substr(colon + 1);
     const auto unit =
         std::find_if(kind->units.begin(), kind->units.end(), [&](const Unit& one) { return one.name == unit_name; });
     if (unit == kind->units.end())
-      refuse("expected a unit of " + column + " (" + units_text(kind->units) + "), found " + shown(unit_name));
+      refuse("expected a unit of " + column + " (" + units_text(kind->units) + "), found " + in_quotes(unit_name));
     take(static_cast<std::size_t>(kind - kColumns.begin()), cell, unit->factor);
   }
 
   std::string headers_text() const {
-    constexpr std::size_t kMost = 20;
+    constexpr std::size_t kMost = 8;
     std::string text;
     for (std::size_t i = 0; i < std::min(headers_.size(), kMost); ++i)
-      text.append(i == 0 ? "" : ", ").append(shown(headers_[i]));
+      text.append(i == 0 ? "" : ", ").append(in_quotes(headers_[i]));
     return text + (headers_.size() > kMost ? ", ..." : "");
   }
 
@@ -222,8 +218,8 @@ class FramesParser {
       if (!place.is_there || cells_[place.cell].empty()) continue;
       row.values[i] = number(cells_[place.cell], headers_[place.cell]) * place.factor;
       if (!(std::abs(row.values[i]) <= kColumns[i].most))
-        refuse(shown(headers_[place.cell]) + ": expected a number of a size that makes sense, found " +
-               shown(cells_[place.cell]));
+        refuse(in_quotes(headers_[place.cell]) + ": expected a number of a size that makes sense, found " +
+               in_quotes(cells_[place.cell]));
     }
     const auto is_whole = [&](FrameColumn x, FrameColumn y, FrameColumn rotation) {
       return row.value(x).has_value() == row.value(y).has_value() && (!row.value(x) || row.value(rotation).has_value());
@@ -243,7 +239,7 @@ class FramesParser {
     double value = 0.0;
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value))
-      refuse(shown(header) + ": expected a finite number, found " + shown(cell));
+      refuse(in_quotes(header) + ": expected a finite number, found " + in_quotes(cell));
     return value;
   }
 
