@@ -57,8 +57,9 @@ struct World {
   Confidences confidence;
   InformativeViews views;
   RoomStatus room_status = RoomStatus::resting;
-  double trained_seconds = 0.0;  ///< s, for which the background model was trained, before this run, too; 0.2 an image at most
-  bool training = false;         ///< in the frame before
+  double trained_seconds =
+      0.0;                ///< s, for which the background model was trained, before this run, too; 0.2 an image at most
+  bool training = false;  ///< in the frame before
   bool evaluating = false;
   int goal_posts = 0;  ///< seen in this frame
   int line_points = 0;
