@@ -28,8 +28,9 @@ class AtATerminal : public ::testing::Test {
     ASSERT_TRUE(run->await("> "));
     ASSERT_TRUE(run->await_as_found(false)) << "a line of the timeline has \"> \", too";
   }
-  /// Types, and sees what must come of it.
+  /// Types as soon as the prompt reads keys again, and sees what must come of it.
   void expect(const std::string& keys, const std::string& shown) {
+    EXPECT_TRUE(run->await_as_found(false)) << "before " << keys;
     run->type(keys);
     EXPECT_TRUE(run->await(shown)) << keys << " showed " << run->shown();
   }
