@@ -14,6 +14,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/utf8.h"
+#include "engine/record/digest.h"
 #include "program/experiment/countdown.h"
 #include "program/experiment/outputs/report_folder.h"
 #include "program/experiment/outputs/rows_report.h"
@@ -105,10 +106,11 @@ std::string cause_of(const TrialResult& result) {
     least = std::min(least, sample.evidence);
   }
   if (statuses.empty()) return "no image was seen";
-  std::string text = fmt::format("evidence {:.1f} to {:.1f}; the room was", least, most);
+  std::string text;
   for (const auto& [status, count] : statuses)
-    text += fmt::format("{} {} {:.0f} %", &status == &statuses.begin()->first ? "" : ",", to_string(status),
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", to_string(status),
                         100.0 * count / static_cast<double>(result.confidences.size()));
+  text = fmt::format("evidence {:.1f} to {:.1f}; the room was {}", least, most, text);
   return text;
 }
 
@@ -200,12 +202,18 @@ void print_images(const std::vector<CellResults>& cells, const std::vector<Foota
   print_table(lines, 2, out);
 }
 
+/// Another one where anything is another: what is there is of the same footage, options and scripts.
+std::filesystem::path usual_folder(const std::vector<std::unique_ptr<FootageTrials>>& footages) {
+  Digest digest;
+  for (const auto& footage : footages) digest.add(footage->origin());
+  return std::filesystem::path("out") / "experiments" / ("footage-" + digest.hex());
+}
+
 int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   options.setup.scripts = scripts_root(options.setup.scripts);
   options.trials.turned_by = from_degrees(options.off_degrees);
-  const std::filesystem::path folder = options.out.empty() ? "out/experiments/footage" : options.out;
-  require_writable_folder(folder, "--out");
+  if (!options.out.empty()) require_writable_folder(options.out, "--out");
   if (!options.json.empty()) require_writable_file(options.json, "--json");
   if (!options.report.empty()) require_writable_folder(options.report, "--report");
   const ScriptTexts scripts = read_scripts(options.setup.scripts);
@@ -226,6 +234,8 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
   const std::vector<FootageCase> cases = cases_of(options.trials);
   const auto starts = static_cast<std::size_t>(options.trials.starts);
   const std::size_t of_footage = cases.size() * starts;
+  const std::filesystem::path folder = options.out.empty() ? usual_folder(footages) : options.out;
+  require_writable_folder(folder, "--out");
   const TaskResults results(folder);
   const auto origin_of = [&](int task) { return footages[static_cast<std::size_t>(task - 1) / of_footage]->origin(); };
   std::vector<int> missing;
@@ -326,7 +336,7 @@ Subcommand add_footage_experiment(CLI::App& experiment) {
   parser->add_option("--jobs", options->jobs, "how many processes share the trials")
       ->check(CLI::Range(1, kMostJobs))
       ->capture_default_str();
-  parser->add_option("--out", options->out, "folder for the results (default: out/experiments/footage)")
+  parser->add_option("--out", options->out, "folder for the results (default: one of its own in out/experiments)")
       ->check(check_not_empty);
   parser->add_option("--json", options->json, "write the table into this file, for programs")->check(check_not_empty);
   parser->add_option("--report", options->report, "write a page with tables and figures into this folder")
