@@ -159,8 +159,8 @@ void FrameLoop::see_field() {
 
 void FrameLoop::look_at_room() {
   const StageTimer timer(record_, Stage::room);
-  // The arbitration is the last frame's: what behaviors paused then rests now. They knew nothing yet of a pose that is told
-  // in this frame, and where images come seldom one of them can paint much of the room at the wrong place.
+  // The arbitration is the last frame's: what behaviors paused then rests now. They knew nothing yet of a pose that is
+  // told in this frame, and where images come seldom one of them can paint much of the room at the wrong place.
   const bool is_judged = !record_.inputs.initial_pose.has_value();
   world_.training = room_ && world_.upright() && world_.pose_known && arbiter_.last().train && is_judged;
   world_.evaluating = room_ && world_.upright() && arbiter_.last().evaluate;

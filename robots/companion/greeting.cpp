@@ -38,25 +38,27 @@ void check(const reorient_camera& camera) {
   checked(camera.tilt, -0.5 * kPi, 0.5 * kPi, "a camera's tilt");
 }
 
-/// The lens of a camera, which an optional block behind the hello describes; without it, a plain one.
+/// The lens of a camera, which an optional block behind the hello describes; without it, a plain one, which may fold
+/// back at the image's edge: clients from before there was such a block were never refused for that.
 Lens lens_of(const reorient_camera& camera, const std::optional<reorient_lens>& told, int number) {
   const std::string where = "hello: lens of camera " + std::to_string(number) + ": ";
   Lens lens;
   if (!told || told->model == REORIENT_LENS_OF_CAMERA) {
     lens.k1 = camera.distortion[0];
     lens.k2 = camera.distortion[1];
-  } else {
-    if (told->model > REORIENT_LENS_EQUIRECTANGULAR)
-      throw BadMessage(where + "unknown model " + std::to_string(told->model) + " (expected 0 to 3)");
-    constexpr CameraProjection kProjections[] = {CameraProjection::pinhole, CameraProjection::fisheye,
-                                                 CameraProjection::equirectangular};
-    lens.projection = kProjections[told->model - REORIENT_LENS_PINHOLE];
-    if (told->count > std::size(told->coefficients))
-      throw BadMessage(where + "expected at most 8 coefficients, found " + std::to_string(told->count));
-    check(told->coefficients, -100.0, 100.0, "a lens's coefficient");
-    const std::string mistake = lens.set_coefficients(std::span(told->coefficients).first(told->count));
-    if (!mistake.empty()) throw BadMessage(where + mistake);
+    return lens;
   }
+  if (told->model > REORIENT_LENS_EQUIRECTANGULAR)
+    throw BadMessage(where + "unknown model " + std::to_string(told->model) + " (expected 0 to 3)");
+  constexpr CameraProjection kProjections[] = {CameraProjection::pinhole, CameraProjection::fisheye,
+                                               CameraProjection::equirectangular};
+  lens.projection = kProjections[told->model - REORIENT_LENS_PINHOLE];
+  if (told->count > std::size(told->coefficients))
+    throw BadMessage(where + "expected at most 8 coefficients, found " + std::to_string(told->count));
+  check(told->coefficients, -100.0, 100.0, "a lens's coefficient");
+  if (const std::string mistake = lens.set_coefficients(std::span(told->coefficients).first(told->count));
+      !mistake.empty())
+    throw BadMessage(where + mistake);
   if (const std::string mistake = mistake_in(camera_model(camera, lens)); !mistake.empty())
     throw BadMessage(where + mistake);
   return lens;
