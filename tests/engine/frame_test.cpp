@@ -219,7 +219,28 @@ TEST(Frame, TrainsOnlyWithAPose) {
   ToldLoop told(kIdle);
   told.step(10);
   EXPECT_TRUE(told.world().training);
-  EXPECT_NEAR(told.world().trained_seconds, 10 * kStep, 1e-9);
+  EXPECT_NEAR(told.world().trained_seconds, 9 * kStep, 1e-9);  // not in the frame in which it was told
+}
+
+TEST(Frame, LearnsNothingFromTheFrameInWhichAPoseIsTold) {
+  ToldLoop loop(kIdle);
+  loop.step(10);
+  const double trained = loop.world().trained_seconds;
+  loop.tell(Pose2(1.0, 0.5, 0.0));
+  loop.step();
+  EXPECT_FALSE(loop.world().training);
+  EXPECT_EQ(loop.world().trained_seconds, trained);
+  loop.step();
+  EXPECT_TRUE(loop.world().training);
+}
+
+TEST(Frame, LearnsForAtMostAFifthOfASecondFromOneImage) {
+  ToldLoop loop(kIdle);
+  loop.step(10);
+  const double trained = loop.world().trained_seconds;
+  loop.inputs.observation.time += 2.0;
+  loop.step();
+  EXPECT_NEAR(loop.world().trained_seconds, trained + 0.2, 1e-9);
 }
 
 TEST(Frame, HasLearnedNothingOfTheRoomOnceItsWallIsAnother) {
@@ -227,7 +248,7 @@ TEST(Frame, HasLearnedNothingOfTheRoomOnceItsWallIsAnother) {
   loop.step(10);
   loop.inputs.parameter_changes.push_back({"view_filter.sharpness", "100", ParameterOrigin::live, ""});
   loop.step();
-  EXPECT_NEAR(loop.world().trained_seconds, 11 * kStep, 1e-9);
+  EXPECT_NEAR(loop.world().trained_seconds, 10 * kStep, 1e-9);
   loop.inputs.parameter_changes.push_back({"wall.columns", "36", ParameterOrigin::live, ""});
   loop.step();
   EXPECT_NEAR(loop.world().trained_seconds, kStep, 1e-9);

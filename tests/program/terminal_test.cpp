@@ -28,11 +28,15 @@ class AtATerminal : public ::testing::Test {
     ASSERT_TRUE(run->await("> "));
     ASSERT_TRUE(run->await_as_found(false)) << "a line of the timeline has \"> \", too";
   }
-  /// Types as soon as the prompt reads keys again, and sees what must come of it.
+  /// Types, and sees what must come of it.
   void expect(const std::string& keys, const std::string& shown) {
-    EXPECT_TRUE(run->await_as_found(false)) << "before " << keys;
     run->type(keys);
     EXPECT_TRUE(run->await(shown)) << keys << " showed " << run->shown();
+  }
+  /// The same as soon as the open prompt reads keys again: before, the terminal itself would show them.
+  void edit(const std::string& keys, const std::string& shown) {
+    EXPECT_TRUE(run->await_as_found(false)) << "before " << keys;
+    expect(keys, shown);
   }
   std::string history() const { return read_text(folder.path() / "reorient" / "history"); }
 
@@ -53,28 +57,28 @@ TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunGoesOn) {
 
 TEST_F(AtATerminal, EditsTheLine) {
   open();
-  expect("sett orientation.lingering 0.4\x01\x1B[C\x1B[C\x1B[C\x1B[3~\r", "orientation.lingering = 0.4\r\n");
-  expect(
+  edit("sett orientation.lingering 0.4\x01\x1B[C\x1B[C\x1B[C\x1B[3~\r", "orientation.lingering = 0.4\r\n");
+  edit(
       "\x1B[A\x7F"
       "3\r",
       "orientation.lingering = 0.3\r\n");
-  expect("undo\r", "orientation.lingering = 0.4\r\n");
-  expect("params head_scan.speed\r", "head_scan.speed = 1");
-  expect("linger\x12\r", "orientation.lingering = 0.3\r\n");  // the last line that holds "linger"
-  expect("\x1B[5~für\x7F\x7F\x7Fundo\r",
-         "orientation.lingering = 0.4\r\n");  // a key that means nothing; letters, not bytes
-  expect("\x1B\r", "real time");              // Escape waits for nothing
+  edit("undo\r", "orientation.lingering = 0.4\r\n");
+  edit("params head_scan.speed\r", "head_scan.speed = 1");
+  edit("linger\x12\r", "orientation.lingering = 0.3\r\n");  // the last line that holds "linger"
+  edit("\x1B[5~für\x7F\x7F\x7Fundo\r",
+       "orientation.lingering = 0.4\r\n");  // a key that means nothing; letters, not bytes
+  edit("\x1B\r", "real time");              // Escape waits for nothing
   EXPECT_TRUE(run->await_as_found(true));
 }
 
 TEST_F(AtATerminal, CompletesWords) {
   open();
-  expect("wh\torient\t\r", "the believed pose won");
-  expect("set orientation.\t", "orientation.hold_time");
-  expect("l\t0.25\r", "orientation.lingering = 0.25\r\n");
-  expect("world confidence.opp\t\r", "confidence.opposite = ");
-  expect("reload head\t\r", "behaviors/head_scan.lua was read again");
-  expect("why pat\t\r", "patrol: walking");
+  edit("wh\torient\t\r", "the believed pose won");
+  edit("set orientation.\t", "orientation.hold_time");
+  edit("l\t0.25\r", "orientation.lingering = 0.25\r\n");
+  edit("world confidence.opp\t\r", "confidence.opposite = ");
+  edit("reload head\t\r", "behaviors/head_scan.lua was read again");
+  edit("why pat\t\r", "patrol: walking");
 }
 
 TEST_F(AtATerminal, KeepsTheEditedLineBelowWhatIsTold) {
