@@ -36,6 +36,7 @@ constexpr const char* kExamples = R"(Examples:
   reorient new behavior ball_search         a small script with its test, to start from
   reorient check                            mistakes in scripts, with line and column
   reorient test --coverage                  the scripted behaviour tests, and what they leave out
+  reorient look photo.jpg                   what the field vision sees in it: lines, carpet, posts, obstacles, tiles
   reorient graph orientation                its states as a Mermaid diagram
   reorient graph kidnapped --with-behaviors a scenario and all that it loads, with who looks at whom
   reorient reference                        what scripts can see and say, your own libraries among it
@@ -107,10 +108,10 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   app.set_version_flag("--version", "reorient " REORIENT_VERSION);
-  const std::array subcommands{add_run(app),         add_test(app),      add_experiment(app), add_model(app),
-                               add_check(app),       add_new(app),       add_params(app),     add_graph(app),
-                               add_reference(app),   add_calibrate(app), add_replay(app),     add_recording(app),
-                               add_record_test(app), add_version(app)};
+  const std::array subcommands{add_run(app),       add_test(app),        add_experiment(app), add_model(app),
+                               add_check(app),     add_new(app),         add_params(app),     add_graph(app),
+                               add_reference(app), add_calibrate(app),   add_look(app),       add_replay(app),
+                               add_recording(app), add_record_test(app), add_version(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -23,6 +23,7 @@ Subcommand add_experiment(CLI::App& program);
 Subcommand add_calibrate(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_graph(CLI::App& program);
+Subcommand add_look(CLI::App& program);
 Subcommand add_params(CLI::App& program);
 Subcommand add_recording(CLI::App& program);
 Subcommand add_reference(CLI::App& program);

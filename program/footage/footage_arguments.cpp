@@ -14,7 +14,6 @@
 #include "program/options.h"
 #include "workbench/footage/decoder_library.h"
 #include "workbench/footage/mcap_log.h"
-#include "workbench/footage/open_footage.h"
 
 namespace reorient {
 namespace {
@@ -36,6 +35,8 @@ ColumnHeaders headers_of(const std::vector<std::string>& columns) {
   return headers;
 }
 
+}  // namespace
+
 FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body) {
   FootageCamera camera{body.upper_camera, standing_camera_height(body)};
   if (!arguments.fov_degrees) return camera;
@@ -48,6 +49,8 @@ FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body
   optics.center.reset();
   return camera;
 }
+
+namespace {
 
 /// "KIND=NAME" of an option into the place of that kind.
 void take_names(const char* option, const std::vector<std::string>& words,
@@ -137,18 +140,22 @@ void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
       ->capture_default_str();
 }
 
+FootageRequest request_of(const std::filesystem::path& source, const FootageArguments& arguments,
+                          const RobotBody& body) {
+  return {.source = source,
+          .table = arguments.table,
+          .headers = headers_of(arguments.columns),
+          .camera = camera_of(arguments, body),
+          .times_are_given = arguments.images_per_second.has_value()};
+}
+
 std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
                                             const RobotBody& body) {
   if (source.extension() == ".mcap") {
     if (is_recording(source)) return open_recorded_footage(source);
     return std::make_unique<McapLog>(source, log_options_of(arguments, body));
   }
-  return open_footage({.source = source,
-                       .table = arguments.table,
-                       .headers = headers_of(arguments.columns),
-                       .camera = camera_of(arguments, body),
-                       .times_are_given = arguments.images_per_second.has_value()},
-                      decoder_library());
+  return open_footage(request_of(source, arguments, body), decoder_library());
 }
 
 }  // namespace reorient

@@ -9,6 +9,7 @@
 
 #include "robots/footage/footage.h"
 #include "robots/robot_body.h"
+#include "workbench/footage/open_footage.h"
 
 namespace CLI {
 class App;
@@ -27,6 +28,12 @@ struct FootageArguments {
 };
 
 void add_footage_options(CLI::App& parser, FootageArguments& arguments);
+
+/// Of images without a calibration: --fov-degrees, else the body's upper camera.
+FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body);
+/// Of a folder, a table or a video. Throws BadFootage with one line.
+FootageRequest request_of(const std::filesystem::path& source, const FootageArguments& arguments,
+                          const RobotBody& body);
 
 /// Throws BadFootage with one line.
 std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,

@@ -18,12 +18,6 @@ std::string extension_of(const fs::path& file) {
   return extension;
 }
 
-bool is_image(const fs::path& file) {
-  constexpr const char* kExtensions[] = {".jpg", ".jpeg", ".png", ".webp", ".bmp", ".tif", ".tiff", ".ppm", ".pgm"};
-  const std::string extension = extension_of(file);
-  return std::any_of(std::begin(kExtensions), std::end(kExtensions), [&](const char* one) { return extension == one; });
-}
-
 /// Nobody waits for a pipe or a device. Throws BadFootage.
 void require_file(const fs::path& file, const std::string& what) {
   std::error_code error;
@@ -42,18 +36,12 @@ std::string read_file(const fs::path& file, const std::string& what) {
 }
 
 std::vector<FrameRow> rows_of_folder(const fs::path& folder) {
-  std::error_code error;
   std::vector<FrameRow> rows;
-  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    if (is_image(entry->path())) rows.emplace_back().image = entry->path().filename().string();
-  }
-  if (error) throw BadFootage(folder.string() + ": expected a folder that can be read; " + error.message());
-  if (rows.empty()) throw BadFootage(folder.string() + ": expected images (JPEG, PNG, ...), found none");
-  std::sort(rows.begin(), rows.end(), [](const FrameRow& a, const FrameRow& b) { return a.image < b.image; });
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].line = static_cast<int>(i) + 1;
-    rows[i].values.fill(std::numeric_limits<double>::quiet_NaN());
+  for (const fs::path& image : images_in(folder)) {
+    FrameRow& row = rows.emplace_back();
+    row.line = static_cast<int>(rows.size());
+    row.image = image.filename().string();
+    row.values.fill(std::numeric_limits<double>::quiet_NaN());
   }
   return rows;
 }
@@ -123,7 +111,7 @@ std::unique_ptr<FootageSource> open_video(const FootageRequest& request, const f
   std::unique_ptr<FrameReader> owned = decoder.video(request.source);
   if (table.empty()) return std::make_unique<VideoFootage>(request, std::move(owned));
   const std::shared_ptr<FrameReader> video = std::move(owned);  // of a function object that can be copied
-  std::vector<FrameRow> rows = parse_frames(read_file(table, "a table"), table.string(), request.headers);
+  std::vector<FrameRow> rows = read_table(table, request.headers);
   if (!have_times(rows) && video->frames_per_second() > 0.0) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       rows[i].values[static_cast<std::size_t>(FrameColumn::time)] = static_cast<double>(i) / video->frames_per_second();
@@ -144,22 +132,53 @@ std::unique_ptr<FootageSource> open_video(const FootageRequest& request, const f
 
 }  // namespace
 
+bool is_image_file(const fs::path& file) {
+  constexpr const char* kExtensions[] = {".jpg", ".jpeg", ".png", ".webp", ".bmp", ".tif", ".tiff", ".ppm", ".pgm"};
+  const std::string extension = extension_of(file);
+  return std::any_of(std::begin(kExtensions), std::end(kExtensions), [&](const char* one) { return extension == one; });
+}
+
+std::vector<fs::path> images_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> images;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    if (is_image_file(entry->path())) images.push_back(entry->path());
+  }
+  if (error) throw BadFootage(folder.string() + ": expected a folder that can be read; " + error.message());
+  if (images.empty()) throw BadFootage(folder.string() + ": expected images (JPEG, PNG, ...), found none");
+  std::sort(images.begin(), images.end());
+  return images;
+}
+
+Image read_image(const fs::path& file, const FootageDecoder& decoder) {
+  const std::string bytes = read_file(file, "an image");
+  return decoder.image(std::as_bytes(std::span(bytes)), file.string());
+}
+
+fs::path table_of(const FootageRequest& request) {
+  if (!request.table.empty()) return request.table;
+  std::error_code error;
+  const bool is_folder = fs::is_directory(request.source, error);
+  fs::path usual = is_folder ? request.source / "frames.csv" : request.source;
+  if (!is_folder) usual.replace_extension(".csv");
+  return fs::exists(usual, error) ? usual : fs::path();
+}
+
+std::vector<FrameRow> read_table(const fs::path& table, const ColumnHeaders& headers) {
+  return parse_frames(read_file(table, "a table"), table.string(), headers);
+}
+
 std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const FootageDecoder& decoder) {
   std::error_code error;
   const bool is_folder = fs::is_directory(request.source, error);
   if (!is_folder && !fs::exists(request.source, error))
     throw BadFootage(request.source.string() +
                      ": expected a folder, a table, a video or a log, found nothing of that name");
-  fs::path table = request.table;
-  if (table.empty()) {
-    fs::path usual = is_folder ? request.source / "frames.csv" : request.source;
-    if (!is_folder) usual.replace_extension(".csv");
-    if (fs::exists(usual, error)) table = usual;
-  }
+  const fs::path table = table_of(request);
   if (is_folder && table.empty()) return open_images(request, {}, rows_of_folder(request.source), decoder);
   if (!is_folder && extension_of(request.source) != ".csv") return open_video(request, table, decoder);
-  return open_images(request, table, parse_frames(read_file(table, "a table"), table.string(), request.headers),
-                     decoder);
+  return open_images(request, table, read_table(table, request.headers), decoder);
 }
 
 }  // namespace reorient

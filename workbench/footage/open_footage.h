@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "workbench/footage/decoder.h"
 #include "workbench/footage/table_footage.h"
@@ -19,6 +20,19 @@ struct FootageRequest {
   FootageCamera camera;
   bool times_are_given = false;  ///< by somebody else: images without times will do
 };
+
+/// Whether its name ends as that of an image (JPEG, PNG, ...).
+bool is_image_file(const std::filesystem::path& file);
+/// The images in a folder, by name. Throws BadFootage where there are none.
+std::vector<std::filesystem::path> images_in(const std::filesystem::path& folder);
+
+/// Of one image. Throws BadFootage where it is no regular file, or cannot be decoded.
+Image read_image(const std::filesystem::path& file, const FootageDecoder& decoder);
+
+/// The table that open_footage() reads; empty: there is none.
+std::filesystem::path table_of(const FootageRequest& request);
+/// Throws BadFootage with one line.
+std::vector<FrameRow> read_table(const std::filesystem::path& table, const ColumnHeaders& headers);
 
 /// Throws BadFootage with one line.
 std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const FootageDecoder& decoder);

@@ -17,10 +17,12 @@ constexpr Color kTile{255, 255, 255, 0.9};
 constexpr Color kShadow{0, 0, 0, 0.35};
 constexpr Color kProjected{255, 64, 64, 0.9};
 constexpr Color kBoundary{255, 225, 40};
+constexpr Color kHorizon{190, 120, 255};
 
 // From the image's pixels to the canvas.
 struct ImageScale {
   double scale = 1.0;
+  double marks = 1.0;  // how large marks are, compared with those in a picture of kImageWidth
   Pixel operator*(const Eigen::Vector2d& pixel) const { return (pixel + Pixel(0.5, 0.5)) * scale; }
   std::vector<Pixel> operator*(const std::vector<Eigen::Vector2d>& pixels) const {
     std::vector<Pixel> result;
@@ -31,9 +33,10 @@ struct ImageScale {
 };
 
 // A light line stays visible on a light ground.
-void shadowed(Canvas& canvas, const std::vector<Pixel>& points, Color color, double thickness, bool closed = false) {
-  canvas.polyline(points, kShadow, thickness + 2.0, closed);
-  canvas.polyline(points, color, thickness, closed);
+void shadowed(Canvas& canvas, const std::vector<Pixel>& points, Color color, double thickness, double marks = 1.0,
+              bool closed = false) {
+  canvas.polyline(points, kShadow, marks * (thickness + 2.0), closed);
+  canvas.polyline(points, color, marks * thickness, closed);
 }
 
 // A chart on a light plate in the middle of the part of the tile that is in view.
@@ -62,10 +65,10 @@ void draw_tiles(Canvas& canvas, const ImageScale& scale, const CameraView& camer
   for (const ImageTile& tile : camera.tiles) {
     const std::vector<Pixel> outline = scale * tile.corners;
     if (tile.counted) {
-      shadowed(canvas, outline, kTile, 1.5, true);
+      shadowed(canvas, outline, kTile, 1.5, scale.marks, true);
     } else {
       for (std::size_t i = 0; i < outline.size(); ++i)
-        canvas.dashed_line(outline[i], outline[(i + 1) % outline.size()], kTile, 1.0, 6.0);
+        canvas.dashed_line(outline[i], outline[(i + 1) % outline.size()], kTile, scale.marks, 6.0 * scale.marks);
     }
   }
   for (const ImageTile& tile : camera.tiles)
@@ -73,37 +76,39 @@ void draw_tiles(Canvas& canvas, const ImageScale& scale, const CameraView& camer
 }
 
 void draw_features(Canvas& canvas, const ImageScale& scale, const CameraView& camera) {
-  for (const auto& line : camera.projected_lines) canvas.polyline(scale * line, kProjected, 1.5);
-  if (!camera.boundary.empty()) shadowed(canvas, scale * camera.boundary, kBoundary, 2.0);
+  const double marks = scale.marks;
+  for (const auto& line : camera.projected_lines) canvas.polyline(scale * line, kProjected, 1.5 * marks);
+  if (!camera.horizon.empty()) shadowed(canvas, scale * camera.horizon, kHorizon, 2.0, marks);
+  if (!camera.boundary.empty()) shadowed(canvas, scale * camera.boundary, kBoundary, 2.0, marks);
   for (const ImageArea& area : camera.obstacles) {
     const Pixel low = scale * Pixel(area.left, area.top);
     const Pixel high = scale * Pixel(area.right, area.bottom);
     const Pixel corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
     canvas.fill(corners, palette::obstacle.with_opacity(0.22));
-    canvas.polyline(corners, palette::obstacle, 2.0, true);
+    canvas.polyline(corners, palette::obstacle, 2.0 * marks, true);
   }
   for (const ImageGoalPost& post : camera.goal_posts) {
-    shadowed(canvas, {scale * post.base, scale * post.top}, palette::goal_area, 5.0);
-    canvas.disc(scale * post.base, 8.0, Color{255, 255, 255});
-    canvas.disc(scale * post.base, 6.0, palette::goal_area);
+    shadowed(canvas, {scale * post.base, scale * post.top}, palette::goal_area, 5.0, marks);
+    canvas.disc(scale * post.base, 8.0 * marks, Color{255, 255, 255});
+    canvas.disc(scale * post.base, 6.0 * marks, palette::goal_area);
   }
   for (const ImageLinePoint& point : camera.line_points) {
     const Pixel center = scale * point.position;
-    const Pixel half = 12.0 * point.normal.normalized();
-    canvas.line(center - half, center + half, palette::percept, 1.5);
-    canvas.disc(center, 4.6, palette::ink.with_opacity(0.6));
-    canvas.disc(center, 3.4, palette::percept);
+    const Pixel half = 12.0 * marks * point.normal.normalized();
+    canvas.line(center - half, center + half, palette::percept, 1.5 * marks);
+    canvas.disc(center, 4.6 * marks, palette::ink.with_opacity(0.6));
+    canvas.disc(center, 3.4 * marks, palette::percept);
   }
   for (const Eigen::Vector2d& particle : camera.view_particles) {
-    canvas.disc(scale * particle, 5.2, Color{255, 255, 255, 0.75});
-    canvas.disc(scale * particle, 4.0, palette::view_particle);
+    canvas.disc(scale * particle, 5.2 * marks, Color{255, 255, 255, 0.75});
+    canvas.disc(scale * particle, 4.0 * marks, palette::view_particle);
   }
   for (const ImageViewCell& cell : camera.view_cells) {
     constexpr double kWhole = 20.0;  // pixels, of all the belief in one cell; areas go with the shares
     constexpr double kLeast = 0.002;
     if (!(cell.share >= kLeast && cell.share <= 1.0)) continue;
-    const double radius = kWhole * std::sqrt(cell.share);
-    canvas.disc(scale * cell.position, radius + 1.2, Color{255, 255, 255, 0.75});
+    const double radius = marks * kWhole * std::sqrt(cell.share);
+    canvas.disc(scale * cell.position, radius + 1.2 * marks, Color{255, 255, 255, 0.75});
     canvas.disc(scale * cell.position, radius, palette::view_particle);
   }
 }
@@ -133,29 +138,45 @@ std::vector<LegendEntry> entries(const CameraView& camera) {
   if (!camera.projected_lines.empty()) list.push_back(line_entry(kProjected, 2.0, "lines as believed"));
   if (!camera.goal_posts.empty()) list.push_back(line_entry(palette::goal_area, 5.0, "goal posts"));
   if (!camera.boundary.empty()) list.push_back(line_entry({225, 190, 0}, 3.0, "field boundary"));
+  if (!camera.horizon.empty()) list.push_back(line_entry(kHorizon, 3.0, "horizon"));
   if (!camera.obstacles.empty()) list.push_back(patch_entry(palette::obstacle.with_opacity(0.5), "obstacles"));
   return list;
 }
 
+void draw_image(Canvas& canvas, const CameraView& camera, const ImageScale& scale, const Box& image) {
+  canvas.within(image, [&] {
+    canvas.fill_box(image, palette::plate);
+    if (!camera.image.empty()) canvas.image(to_picture(camera.image), image);
+    draw_tiles(canvas, scale, camera, image);
+    draw_features(canvas, scale, camera);
+  });
+}
+
 }  // namespace
 
-Picture draw_camera_view(const CameraView& camera) {
+Picture draw_camera_view(const CameraView& camera, const std::string& caption) {
   const bool seen = !camera.image.empty();
   const ImageScale scale{seen ? static_cast<double>(kImageWidth) / camera.image.width : 2.0};
   const double height = seen ? std::clamp(camera.image.height * scale.scale, 90.0, 4000.0) : 960.0;
   Canvas canvas(kImageWidth, static_cast<int>(std::lround(height + kLegend)));
-  const Box image{0.0, 0.0, kImageWidth, height};
-  canvas.within(image, [&] {
-    canvas.fill_box(image, palette::plate);
-    if (seen) canvas.image(to_picture(camera.image), image);
-    draw_tiles(canvas, scale, camera, image);
-    draw_features(canvas, scale, camera);
-  });
+  draw_image(canvas, camera, scale, {0.0, 0.0, kImageWidth, height});
   char time[48];
   std::snprintf(time, sizeof time, "%.1f s", camera.time);
-  canvas.text({kImageWidth - 16.0, height + 30.0}, time,
-              {.size = 19.0, .color = palette::faint_ink, .align = Align::right});
-  draw_legend_rows(canvas, {12.0, height + 9.0, kImageWidth - 130.0, kLegend - 12.0}, entries(camera));
+  const TextStyle style{.size = 19.0, .color = palette::faint_ink, .align = Align::right};
+  const std::string shown = caption.empty() ? time : shortened(caption, 0.6 * kImageWidth, style);
+  const double beside = caption.empty() ? 130.0 : 40.0 + Canvas::text_width(shown, style);
+  canvas.text({kImageWidth - 16.0, height + 30.0}, shown, style);
+  draw_legend_rows(canvas, {12.0, height + 9.0, kImageWidth - beside, kLegend - 12.0}, entries(camera));
+  return canvas.finish();
+}
+
+Picture draw_camera_thumbnail(const CameraView& camera, int width) {
+  constexpr double kLeastMarks = 0.35;
+  const double scale = camera.image.empty() ? 1.0 : static_cast<double>(width) / camera.image.width;
+  const double height = std::clamp(std::round(camera.image.height * scale), 8.0, 4.0 * width);
+  Canvas canvas(width, static_cast<int>(height));
+  const double marks = std::max(kLeastMarks, static_cast<double>(width) / kImageWidth);
+  draw_image(canvas, camera, {scale, marks}, {0.0, 0.0, static_cast<double>(width), height});
   return canvas.finish();
 }
 

@@ -53,10 +53,15 @@ struct CameraView {
   std::vector<ImageGoalPost> goal_posts;
   std::vector<ImageArea> obstacles;
   std::vector<Eigen::Vector2d> boundary;                      ///< of the field, from left to right
+  std::vector<Eigen::Vector2d> horizon;                       ///< from left to right
   std::vector<std::vector<Eigen::Vector2d>> projected_lines;  ///< field lines as the believed pose expects them
 };
 
-/// 1280 pixels wide, whatever the image's size, with the legend below the image.
-Picture draw_camera_view(const CameraView& camera);
+/// 1280 pixels wide, whatever the image's size, with the legend below the image. `caption`: at the right of the legend;
+/// empty: the time.
+Picture draw_camera_view(const CameraView& camera, const std::string& caption = {});
+
+/// The same without a legend, `width` pixels wide, with marks as small as the picture.
+Picture draw_camera_thumbnail(const CameraView& camera, int width);
 
 }  // namespace reorient::pictures

@@ -130,18 +130,23 @@ void add_circles(const FieldDimensions& field, const Projection& projection, Cam
     projection.add_polyline(sampled_circle(corner, field.corner_arc_radius, begin, 0.5 * kPi), view.projected_lines);
 }
 
-void add_room(const RoomRecord& room, const Projection& projection, CameraView& view) {
-  if (room.model.empty()) return;
-  const Wall wall(room.basis.wall);
-  for (const PerceivedTile& perceived : room.perceived) {
+void add_projected_tiles(std::span<const PerceivedTile> perceived, const Wall& wall, const Projection& projection,
+                         CameraView& view) {
+  for (const PerceivedTile& one : perceived) {
     ImageTile tile;
-    tile.counted = perceived.counts;
-    tile.perceived = bars(perceived.histogram);
-    for (const Eigen::Vector3d& corner : wall.corners(perceived.tile)) {
+    tile.counted = one.counts;
+    tile.perceived = bars(one.histogram);
+    for (const Eigen::Vector3d& corner : wall.corners(one.tile)) {
       if (const auto pixel = projection.pixel(corner)) tile.corners.push_back(*pixel);
     }
     if (tile.corners.size() == 4) view.tiles.push_back(std::move(tile));
   }
+}
+
+void add_room(const RoomRecord& room, const Projection& projection, CameraView& view) {
+  if (room.model.empty()) return;
+  const Wall wall(room.basis.wall);
+  add_projected_tiles(room.perceived, wall, projection, view);
   // A viewpoint has no height of its own: it is drawn where its azimuth crosses the middle row of the camera.
   const Eigen::Vector3d eye = projection.field_from_camera().translation();
   const Eigen::Vector3d axis = projection.field_from_camera().linear().col(0);
@@ -156,19 +161,6 @@ void add_room(const RoomRecord& room, const Projection& projection, CameraView& 
   for (const reorient::ViewCell& cell : room.cells) {
     if (const auto pixel = pixel_of(cell.azimuth)) view.view_cells.push_back({*pixel, cell.share});
   }
-}
-
-void add_percept(const FieldPercept& percept, const CameraRecord& camera, CameraView& view) {
-  add_line_points(percept.line_points, camera.camera, camera.robot_from_camera, view);
-  for (const GoalPost& post : percept.goal_posts)
-    view.goal_posts.push_back({post.base.cast<double>(), post.top.cast<double>()});
-  for (const Obstacle& obstacle : percept.obstacles) {
-    view.obstacles.push_back({static_cast<double>(obstacle.left), static_cast<double>(obstacle.top),
-                              static_cast<double>(obstacle.right), static_cast<double>(obstacle.bottom)});
-  }
-  const double columns = static_cast<double>(percept.boundary.size());
-  for (std::size_t i = 0; i < percept.boundary.size(); ++i)
-    view.boundary.emplace_back((static_cast<double>(i) + 0.5) * camera.width / columns, percept.boundary[i]);
 }
 
 }  // namespace
@@ -208,6 +200,26 @@ void add_line_points(std::span<const LinePoint> points, const CameraModel& camer
   }
 }
 
+void add_percept(const FieldPercept& percept, const CameraModel& camera, const Isometry3& robot_from_camera,
+                 CameraView& view) {
+  add_line_points(percept.line_points, camera, robot_from_camera, view);
+  for (const GoalPost& post : percept.goal_posts)
+    view.goal_posts.push_back({post.base.cast<double>(), post.top.cast<double>()});
+  for (const Obstacle& obstacle : percept.obstacles) {
+    view.obstacles.push_back({static_cast<double>(obstacle.left), static_cast<double>(obstacle.top),
+                              static_cast<double>(obstacle.right), static_cast<double>(obstacle.bottom)});
+  }
+  const double columns = static_cast<double>(percept.boundary.size());
+  const double width = view.image.empty() ? camera.width : view.image.width;
+  for (std::size_t i = 0; i < percept.boundary.size(); ++i)
+    view.boundary.emplace_back((static_cast<double>(i) + 0.5) * width / columns, percept.boundary[i]);
+}
+
+void add_tiles(std::span<const PerceivedTile> perceived, const Wall& wall, const CameraModel& camera,
+               const Isometry3& field_from_camera, CameraView& view) {
+  add_projected_tiles(perceived, wall, Projection(camera, field_from_camera), view);
+}
+
 void add_field_lines(const FieldDimensions& field, const CameraModel& camera, const Isometry3& field_from_camera,
                      CameraView& view) {
   const Projection projection(camera, field_from_camera);
@@ -224,7 +236,7 @@ CameraView camera_view_of(const FrameRecord& frame) {
   view.image = is_upper ? frame.images.upper : frame.images.lower;
   const Isometry3 field_from_camera = to_isometry(belief_when_looking(frame)) * camera->robot_from_camera;
   add_field_lines(frame.world.field, camera->camera, field_from_camera, view);
-  add_percept(frame.percepts[is_upper ? 0 : 1], *camera, view);
+  add_percept(frame.percepts[is_upper ? 0 : 1], camera->camera, camera->robot_from_camera, view);
   add_room(frame.room, Projection(camera->camera, field_from_camera), view);
   return view;
 }

@@ -23,6 +23,15 @@ CameraView camera_view_of(const FrameRecord& frame);
 void add_line_points(std::span<const LinePoint> points, const CameraModel& camera, const Isometry3& robot_from_camera,
                      CameraView& view);
 
+/// Line points, goal posts, obstacles and the carpet's boundary. Of the view's image, which is set
+/// before.
+void add_percept(const FieldPercept& percept, const CameraModel& camera, const Isometry3& robot_from_camera,
+                 CameraView& view);
+
+/// The wall's tiles that were perceived from there, those that all project into the image's surroundings.
+void add_tiles(std::span<const PerceivedTile> perceived, const Wall& wall, const CameraModel& camera,
+               const Isometry3& field_from_camera, CameraView& view);
+
 /// The field's lines, circle and arcs as a camera there should see them.
 void add_field_lines(const FieldDimensions& field, const CameraModel& camera, const Isometry3& field_from_camera,
                      CameraView& view);

@@ -1,0 +1,199 @@
+// `reorient look`: what the field vision and the virtual wall see in any picture.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/parameters/parameter_registry.h"
+#include "engine/parameters/utf8.h"
+#include "geometry/angle.h"
+#include "program/footage/footage_arguments.h"
+#include "program/footage/footage_wall.h"
+#include "program/interruption.h"
+#include "program/look/look_json.h"
+#include "program/look/look_pictures.h"
+#include "program/look/look_source.h"
+#include "program/look/seen_image.h"
+#include "program/named_files.h"
+#include "program/options.h"
+#include "program/program.h"
+#include "program/run/places.h"
+#include "program/run/venue.h"
+#include "program/subcommand.h"
+#include "workbench/files/atomic_file.h"
+#include "workbench/files/body_file.h"
+#include "workbench/files/field_file.h"
+
+namespace reorient {
+namespace {
+
+struct LookOptions {
+  std::vector<std::filesystem::path> sources;
+  std::filesystem::path body, field;
+  FootageArguments footage;
+  std::optional<double> pitch_degrees, height;
+  std::string at = "0,0,0";
+  int every = 1;
+  ParameterOptions parameters;
+  std::filesystem::path out = "out", json;
+};
+
+/// The wall suits the footage where --wall says so.
+CoreParameters look_parameters(const LookOptions& options, const RobotBody& body, const FieldDimensions& field) {
+  CoreParameters parameters = core_parameters_for(field, body);
+  ParameterRegistry registry;
+  declare(parameters, registry);
+  if (options.footage.wall != "field") {
+    if (options.sources.size() > 1)
+      throw std::runtime_error("--wall: expected field for several image files, found '" + options.footage.wall + "'");
+    FootageArguments arguments = options.footage;
+    if (!arguments.images_per_second) arguments.images_per_second = 1.0;
+    const auto source = open_footage(options.sources.front(), arguments, body);
+    for (const ParameterChange& change : footage_wall(*source, options.footage.wall, field, body).parameters)
+      registry.set_early(change);
+  }
+  for (const ParameterChange& change : overrides_of(options.parameters)) {
+    // A file may also have parameters of scripts, which do not run here.
+    if (change.origin == ParameterOrigin::command_line) {
+      registry.set(change.name, change.value, change.origin);
+    } else {
+      registry.set_early(change);
+    }
+  }
+  return parameters;
+}
+
+std::string pitch_in_words(const SeenImage& seen) {
+  const double used = to_degrees(pitch_of(seen.robot_from_camera));
+  if (seen.pitch_source != PitchSource::searched)
+    return fmt::format("pitch {:.1f} ({})", used, to_string(seen.pitch_source));
+  if (!seen.searched.known) return fmt::format("pitch unknown, {:.1f} assumed", used);
+  return fmt::format("pitch {:.1f} +- {:.1f} (searched, {:.0f} %)", used, to_degrees(seen.searched.deviation),
+                     100.0 * seen.searched.certainty);
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string percepts_in_words(const SeenImage& seen) {
+  return counted(seen.percept.line_points.size(), "line point", "line points") + ", " +
+         counted(seen.percept.goal_posts.size(), "goal post", "goal posts") + ", " +
+         counted(seen.percept.obstacles.size(), "obstacle", "obstacles") + ", " +
+         counted(seen.tiles.size(), "tile", "tiles") + (seen.shows_carpet ? "" : ", no carpet");
+}
+
+/// What all images have in common.
+struct LookTotals {
+  std::size_t images = 0, searched = 0, unknown = 0, without_carpet = 0;
+
+  void add(const SeenImage& seen) {
+    ++images;
+    searched += seen.pitch_source == PitchSource::searched ? 1 : 0;
+    unknown += seen.pitch_is_known() ? 0 : 1;
+    without_carpet += seen.shows_carpet ? 0 : 1;
+  }
+  std::string in_words() const {
+    std::string text = counted(images, "image", "images");
+    if (searched > 0) text += fmt::format("; pitch searched for in {}, unknown in {}", searched, unknown);
+    return text + fmt::format("; no carpet in {}", without_carpet);
+  }
+};
+
+int look_at_images(const LookOptions& options, std::ostream& out) {
+  const Interruption interruption;
+  const RobotBody body = load_body(body_file(options.body));
+  LookSetup setup;
+  setup.field = load_field(field_file(options.field, body));
+  setup.level_pitch = pitch_of(robot_from_camera(body.dimensions, {}, {}, body.dimensions.torso_height));
+  if (options.pitch_degrees) setup.pitch = from_degrees(*options.pitch_degrees);
+  setup.height = options.height;
+  setup.pose = place_of(options.at).value_or(Pose2());
+  NamedFiles files;
+  for (const std::filesystem::path& source : options.sources) files.reads(source, source.string());
+  files.reads(options.body, "--camera");
+  files.reads(options.field, "--field");
+  files.reads(options.footage.table, "--frames");
+  for (const std::filesystem::path& file : parameter_files_of(options.parameters)) files.reads(file, "--params");
+  files.require_writable(options.json, "--json");
+  const std::unique_ptr<LookSource> source = open_look_source(options.sources, options.footage, body);
+  setup.parameters = look_parameters(options, body, setup.field);
+  require_writable_folder(options.out, "--out");
+
+  std::optional<JsonList> json;
+  if (!options.json.empty()) json.emplace(options.json);
+  LookPictures pictures(options.out, options.sources, as_line(options.sources.front().string()));
+  LookTotals totals;
+  LookImage image;
+  for (std::size_t i = 0; Interruption::signal() == 0 && source->next(image); ++i) {
+    if (i % static_cast<std::size_t>(options.every) != 0) continue;
+    const SeenImage seen = see(image, setup);
+    const std::string name = as_line(image.frame.name), words = pitch_in_words(seen);
+    pictures.add(camera_view_of(image, seen, setup.field), image.frame.name, name + ": " + words);
+    if (json) json->add(as_json(image, seen, body));
+    out << name << ": " << words << "; " << percepts_in_words(seen) << '\n';
+    totals.add(seen);
+  }
+  pictures.end();
+  if (json) json->end();
+  out << totals.in_words() << '\n';
+  for (const std::filesystem::path& file : pictures.written()) out << "picture: " << file.string() << '\n';
+  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+  if (totals.images == 0) throw std::runtime_error(options.sources.front().string() + ": expected images, found none");
+  return kSuccess;
+}
+
+}  // namespace
+
+Subcommand add_look(CLI::App& program) {
+  const auto options = std::make_shared<LookOptions>();
+  options->footage.wall = "field";
+  CLI::App* const parser =
+      program.add_subcommand("look", "what the field vision and the wall of tiles see in pictures");
+  parser->fallthrough();
+  parser
+      ->add_option("source", options->sources,
+                   "image files, or one folder, table (.csv), video, log or recording (.mcap)")
+      ->check(check_not_empty)
+      ->required();
+  parser
+      ->add_option("--camera", options->body,
+                   "body whose upper camera took the images, a file or one of assets/robots: " + known_bodies() +
+                       " (default: nao-v6)")
+      ->check(check_not_empty);
+  parser
+      ->add_option("--field", options->field,
+                   "field dimensions, a file or the name of one in assets/fields (default: the body's)")
+      ->check(check_not_empty);
+  parser
+      ->add_option("--pitch", options->pitch_degrees,
+                   "pitch of the camera, degrees downwards (default: as recorded, else searched for)")
+      ->check(CLI::Range(-70.0, 70.0));
+  parser
+      ->add_option("--height", options->height,
+                   "height of the camera above the ground, m (default: as recorded, else the standing body's)")
+      ->check(CLI::Range(0.16, 2.49));
+  parser
+      ->add_option("--at", options->at,
+                   "pose of the robot where none was recorded, X,Y,DEGREES in the field frame: m, m, degrees; selects "
+                   "the tiles in view")
+      ->check(check_not_empty)
+      ->capture_default_str();
+  parser->add_option("--every", options->every, "look at every Nth image only")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  add_footage_options(*parser, options->footage);
+  add_parameter_options(*parser, options->parameters);
+  parser->add_option("--out", options->out, "folder for the pictures")->check(check_not_empty)->capture_default_str();
+  parser->add_option("--json", options->json, "write what is seen in each image into this file")
+      ->check(check_not_empty);
+  return {parser, [options](std::ostream& out, std::ostream&) { return look_at_images(*options, out); }};
+}
+
+}  // namespace reorient

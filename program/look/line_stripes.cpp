@@ -1,0 +1,161 @@
+#include "program/look/line_stripes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "perception/field/field_features.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kProfileStep = 0.5;    // pixels
+constexpr double kLeastContrast = 8.0;  // luma
+
+/// Luma across a stripe.
+struct StripeProfile {
+  double contrast = 0.0;  ///< brightest value above the carpet on both sides
+  double light = 0.0;     ///< sum of luma above the carpet, in pixels times luma
+  double own_width() const { return light / contrast; }
+};
+
+std::optional<double> luma_at(const ImageView& image, const Eigen::Vector2d& where) {
+  const int x = static_cast<int>(std::floor(where.x())), y = static_cast<int>(std::floor(where.y()));
+  if (x < 0 || y < 0 || x + 1 >= image.width || y + 1 >= image.height) return std::nullopt;
+  const double u = where.x() - x, v = where.y() - y;
+  return (1.0 - v) * ((1.0 - u) * image.luma(x, y) + u * image.luma(x + 1, y)) +
+         v * ((1.0 - u) * image.luma(x, y + 1) + u * image.luma(x + 1, y + 1));
+}
+
+/// One side of a stripe: how far from the brightest place luma has fallen halfway to the carpet's.
+struct StripeSide {
+  double half = 0.0;    ///< pixels
+  double carpet = 0.0;  ///< luma
+};
+
+std::optional<StripeSide> side_of(const ImageView& image, const Eigen::Vector2d& brightest,
+                                  const Eigen::Vector2d& outwards, double peak) {
+  const double farthest = image.width / 6.0;
+  double reach = 3.0;
+  while (reach < farthest) {
+    double darkest = peak;
+    for (double s = 0.0; s <= reach; s += kProfileStep) {
+      const auto luma = luma_at(image, brightest + s * outwards);
+      if (!luma) return std::nullopt;
+      darkest = std::min(darkest, *luma);
+    }
+    const double level = 0.5 * (peak + darkest);
+    double half = 0.0;
+    while (luma_at(image, brightest + half * outwards).value_or(0.0) > level) half += kProfileStep;
+    if (peak - darkest >= kLeastContrast && reach >= 2.0 * half + 3.0) {
+      double sum = 0.0;
+      int count = 0;
+      for (double s = half + 1.5; s <= half + 1.5 + std::max(2.0, half); s += kProfileStep, ++count) {
+        const auto luma = luma_at(image, brightest + s * outwards);
+        if (!luma) return std::nullopt;
+        sum += *luma;
+      }
+      return StripeSide{half, sum / count};
+    }
+    reach *= 1.5;
+  }
+  return std::nullopt;
+}
+
+std::optional<StripeProfile> profile_of(const ImageView& image, const Eigen::Vector2d& center,
+                                        const Eigen::Vector2d& across) {
+  constexpr double kSearch = 2.0, kMargin = 2.0;  // pixels
+  double peak = -1.0, at = 0.0;
+  for (double s = -kSearch; s <= kSearch; s += kProfileStep) {
+    const auto luma = luma_at(image, center + s * across);
+    if (!luma || *luma <= peak) continue;
+    peak = *luma;
+    at = s;
+  }
+  const Eigen::Vector2d brightest = center + at * across;
+  const auto left = side_of(image, brightest, -across, peak), right = side_of(image, brightest, across, peak);
+  if (!left || !right) return std::nullopt;
+  StripeProfile profile;
+  profile.contrast = peak - 0.5 * (left->carpet + right->carpet);
+  if (profile.contrast < kLeastContrast || std::abs(left->carpet - right->carpet) > profile.contrast)
+    return std::nullopt;
+  const double from = -left->half - kMargin, to = right->half + kMargin;
+  for (double s = from; s <= to; s += kProfileStep) {
+    const double share = (s - from) / (to - from);
+    const double carpet = (1.0 - share) * left->carpet + share * right->carpet;
+    profile.light += kProfileStep * (luma_at(image, brightest + s * across).value_or(carpet) - carpet);
+  }
+  if (profile.light <= 0.0) return std::nullopt;
+  return profile;
+}
+
+double quantile_of(std::vector<double> values, double share) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+constexpr double kWide = 4.0;  // pixels, from which on a stripe shows its whole contrast
+
+/// Of white against the carpet, as the widest stripes show it.
+double whole_contrast(const std::vector<StripeProfile>& profiles) {
+  constexpr std::size_t kFewest = 5;
+  std::vector<double> of_wide, of_all;
+  for (const StripeProfile& profile : profiles) {
+    of_all.push_back(profile.contrast);
+    if (profile.own_width() >= kWide) of_wide.push_back(profile.contrast);
+  }
+  return of_wide.size() >= kFewest ? quantile_of(of_wide, 0.5) : quantile_of(of_all, 0.8);
+}
+
+/// In the image; nothing where the line leaves what the camera projects.
+std::optional<Eigen::Vector2d> tangent_of(const LinePoint& point, const CameraModel& camera,
+                                          const Isometry3& camera_from_robot) {
+  constexpr double kReach = 0.03;  // m
+  const Eigen::Vector2d along = kReach * Eigen::Vector2d(-std::sin(point.normal), std::cos(point.normal));
+  const auto pixel = [&](const Eigen::Vector2d& place) {
+    return camera.project(camera_from_robot * Eigen::Vector3d(place.x(), place.y(), 0.0));
+  };
+  const auto one = pixel(point.position - along), other = pixel(point.position + along);
+  if (!one || !other || (*other - *one).norm() < 1e-6) return std::nullopt;
+  return (*other - *one).normalized();
+}
+
+}  // namespace
+
+std::vector<LineStripe> find_line_stripes(const ImageView& image, const CameraModel& camera,
+                                          std::span<const Isometry3> attitudes,
+                                          const FieldFeatureParameters& parameters, const FieldDimensions& field) {
+  constexpr double kCell = 2.0;  // pixels; two places closer together are one
+  std::set<std::pair<long, long>> known;
+  std::vector<LineStripe> stripes;
+  std::vector<StripeProfile> profiles;
+  FieldPercept percept;
+  for (const Isometry3& attitude : attitudes) {
+    FieldFeatures features(parameters, field);
+    features.find(image, camera, attitude, percept);
+    const Isometry3 camera_from_robot = attitude.inverse();
+    for (const LinePoint& point : percept.line_points) {
+      const Eigen::Vector2d pixel = point.pixel.cast<double>();
+      const auto tangent = tangent_of(point, camera, camera_from_robot);
+      if (!tangent) continue;
+      const auto profile = profile_of(image, pixel, {-tangent->y(), tangent->x()});
+      if (!profile) continue;
+      if (!known.emplace(std::lround(pixel.x() / kCell), std::lround(pixel.y() / kCell)).second) continue;
+      stripes.push_back({pixel, *tangent, 0.0});
+      profiles.push_back(*profile);
+    }
+  }
+  if (stripes.empty()) return stripes;
+  const double whole = whole_contrast(profiles);
+  for (std::size_t i = 0; i < stripes.size(); ++i) {
+    const StripeProfile& profile = profiles[i];
+    const bool is_wide = profile.own_width() >= kWide;
+    stripes[i].width = is_wide ? profile.own_width() : profile.light / std::max(profile.contrast, whole);
+  }
+  return stripes;
+}
+
+}  // namespace reorient

@@ -1,0 +1,30 @@
+// Bright stripes on the carpet as they are in the image, without an assumption about the camera's pitch.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/camera.h"
+#include "geometry/field_dimensions.h"
+#include "geometry/image.h"
+#include "geometry/transform.h"
+#include "perception/field/field_feature_parameters.h"
+
+namespace reorient {
+
+/// A place on the center of a stripe.
+struct LineStripe {
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  Eigen::Vector2d tangent = Eigen::Vector2d::UnitX();  ///< along the stripe, of unit length
+  double width = 0.0;                                  ///< pixels, across the tangent
+};
+
+/// The stripes that the field vision takes for a field line from at least one of the camera's attitudes, each once. A
+/// stripe that is thinner than the blur is as wide as the light that it adds, divided by the contrast of wider ones.
+std::vector<LineStripe> find_line_stripes(const ImageView& image, const CameraModel& camera,
+                                          std::span<const Isometry3> attitudes,
+                                          const FieldFeatureParameters& parameters, const FieldDimensions& field);
+
+}  // namespace reorient

@@ -1,0 +1,34 @@
+// What was seen in one image, as JSON (docs/vision.md).
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "program/look/seen_image.h"
+#include "robots/robot_body.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+
+/// "given", "recorded", "searched".
+const char* to_string(PitchSource source);
+
+/// On one line.
+std::string as_json(const LookImage& image, const SeenImage& seen, const RobotBody& body);
+
+/// A list of JSON values in a file, written one after the other: it takes the place of `file` once it is whole.
+class JsonList {
+ public:
+  /// Throws std::runtime_error with one line, as all of it.
+  explicit JsonList(const std::filesystem::path& file);
+  void add(const std::string& value);
+  void end();
+
+ private:
+  FileInTheMaking file_;
+  std::ofstream out_;
+  bool is_empty_ = true;
+};
+
+}  // namespace reorient

@@ -1,0 +1,34 @@
+// The images that `reorient look` looks at, and what is known of each.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "program/footage/footage_arguments.h"
+#include "robots/footage/footage.h"
+#include "robots/robot_body.h"
+
+namespace reorient {
+
+struct LookImage {
+  std::string file;              ///< the image, or what contains it
+  FootageFrame frame;            ///< its name is that of the image in the file
+  bool pitch_is_known = false;   ///< it was recorded; else the frame's pitch is 0
+  bool height_is_known = false;  ///< it was recorded; else it is the body's
+};
+
+class LookSource {
+ public:
+  virtual ~LookSource() = default;
+  /// False: there are no more images. Throws BadFootage with one line.
+  virtual bool next(LookImage& image) = 0;
+};
+
+/// Several image files, or one folder, table, video, log or recording. Images of a folder without a table may be of
+/// different sizes. Throws BadFootage with one line.
+std::unique_ptr<LookSource> open_look_source(const std::vector<std::filesystem::path>& sources,
+                                             FootageArguments arguments, const RobotBody& body);
+
+}  // namespace reorient

@@ -1,0 +1,211 @@
+#include "program/look/pitch_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "geometry/angle.h"
+#include "perception/field/field_features.h"
+#include "perception/field/ground_projection.h"
+#include "program/look/line_stripes.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kLowest = -20.0, kHighest = 45.0;  // degrees
+constexpr double kSearchStep = 0.5;
+constexpr double kStripeStep = 2.5;  // between the pitches at which stripes are looked for
+constexpr std::size_t kMostStripes = 300;
+constexpr int kDirections = 30;  // of the field, in a quarter turn
+
+// Deviations of what is measured. Each mixture has a share of stripes that are no lines, or no straight ones.
+constexpr double kWidthError = 0.15;  // of a line's width
+constexpr double kEdgeError = 0.5;    // pixels, of a width
+constexpr double kTangentError = 2.5 * kPi / 180.0;
+constexpr double kOtherWidths = 0.2, kWidthRange = 4.0;  // share; range of the width's logarithm
+constexpr double kOtherDirections = 0.3;
+
+double normal_density(double off, double deviation) {
+  const double ratio = off / deviation;
+  return std::exp(-0.5 * ratio * ratio) / (deviation * std::sqrt(2.0 * kPi));
+}
+
+double width_deviation(const LineStripe& stripe) { return std::hypot(kWidthError, kEdgeError / stripe.width); }
+
+/// A stripe on the ground, as one pitch implies it.
+struct GroundStripe {
+  double width = 0.0;      ///< pixels that a field line there would be wide
+  double direction = 0.0;  ///< rad on the ground, along the stripe
+  double tilt = 1.0;       ///< rad by which the image's tangent turns, for a turn by 1 rad on the ground
+};
+
+std::optional<GroundStripe> on_ground(const GroundProjection& view, const LineStripe& stripe, double line_width) {
+  constexpr double kStep = 0.5;  // pixels
+  const Eigen::Vector2d across(-stripe.tangent.y(), stripe.tangent.x());
+  const auto slope = [&](const Eigen::Vector2d& step) -> std::optional<Eigen::Vector2d> {
+    const auto before = view.ground(stripe.pixel - kStep * step), after = view.ground(stripe.pixel + kStep * step);
+    if (!before || !after) return std::nullopt;
+    return Eigen::Vector2d((*after - *before) / (2.0 * kStep));
+  };
+  const auto along_slope = slope(stripe.tangent), across_slope = slope(across);
+  if (!along_slope || !across_slope) return std::nullopt;
+  const double length = along_slope->norm();
+  if (!(length > 1e-9)) return std::nullopt;
+  const Eigen::Vector2d normal(-along_slope->y() / length, along_slope->x() / length);
+  const double meters = std::abs(across_slope->dot(normal));  // across the line, for a pixel
+  if (!(meters > 1e-9)) return std::nullopt;
+  return GroundStripe{line_width / meters, direction_of(*along_slope), length / meters};
+}
+
+/// How well the stripes and the carpet agree with one pitch at a time.
+class PitchLikelihood {
+ public:
+  PitchLikelihood(const CameraModel& camera, std::vector<LineStripe> stripes, std::vector<float> boundary,
+                  double line_width)
+      : camera_(camera), stripes_(std::move(stripes)), boundary_(std::move(boundary)), line_width_(line_width) {}
+
+  /// Its logarithm, up to a constant.
+  double operator()(const Isometry3& robot_from_camera) const {
+    const auto view = GroundProjection::look(camera_, robot_from_camera);
+    if (!view) return -1e6;
+    // Stripes close together are off for one reason: they count as a part of one, and many as a few.
+    constexpr double kTogether = 8.0, kMost = 15.0;
+    const double weight =
+        std::min(1.0 / kTogether, kMost / std::max<double>(1.0, static_cast<double>(stripes_.size())));
+    double sum = carpet_below_horizon(*view);
+    std::vector<double> directions(kDirections, 0.0);
+    for (const LineStripe& stripe : stripes_) {
+      const auto ground = on_ground(*view, stripe, line_width_);
+      if (!ground) {
+        constexpr double kAboveHorizon = 0.1;
+        sum += weight * std::log(kAboveHorizon * kOtherWidths / kWidthRange);
+        for (double& direction : directions) direction += weight * std::log(kOtherDirections / kPi);
+        continue;
+      }
+      const double off = std::log(stripe.width / ground->width);
+      sum += weight *
+             std::log((1.0 - kOtherWidths) * normal_density(off, width_deviation(stripe)) + kOtherWidths / kWidthRange);
+      for (int i = 0; i < kDirections; ++i)
+        directions[static_cast<std::size_t>(i)] += weight * std::log(direction_density(*ground, i));
+    }
+    const double best = *std::max_element(directions.begin(), directions.end());
+    double mean = 0.0;
+    for (const double direction : directions) mean += std::exp(direction - best) / kDirections;
+    return sum + best + std::log(mean);
+  }
+
+  /// Stripes that are as wide as a line, within two deviations.
+  int fitting(const Isometry3& robot_from_camera) const {
+    const auto view = GroundProjection::look(camera_, robot_from_camera);
+    if (!view) return 0;
+    return static_cast<int>(std::count_if(stripes_.begin(), stripes_.end(), [&](const LineStripe& stripe) {
+      const auto ground = on_ground(*view, stripe, line_width_);
+      return ground && std::abs(std::log(stripe.width / ground->width)) < 2.0 * width_deviation(stripe);
+    }));
+  }
+
+ private:
+  /// Of the image's tangent, where the field's lines run in the direction `index` and across it.
+  static double direction_density(const GroundStripe& stripe, int index) {
+    constexpr double kQuarter = 0.5 * kPi;
+    const double turn = stripe.direction - (index + 0.5) * kQuarter / kDirections;
+    const double off = turn - kQuarter * std::round(turn / kQuarter);
+    // The steps between the directions that are tried blur what they imply.
+    const double deviation = std::hypot(kTangentError, 0.3 * kQuarter / kDirections * stripe.tilt);
+    return (1.0 - kOtherDirections) * 0.5 * normal_density(off * stripe.tilt, deviation) + kOtherDirections / kPi;
+  }
+
+  double carpet_below_horizon(const GroundProjection& view) const {
+    constexpr double kWeight = 5.0, kRest = 0.02;
+    const double margin = 0.01 * camera_.height;
+    int columns = 0, above = 0;
+    for (std::size_t i = 0; i < boundary_.size(); ++i) {
+      if (boundary_[i] >= static_cast<float>(camera_.height)) continue;
+      const double column = (static_cast<double>(i) + 0.5) * camera_.width / static_cast<double>(boundary_.size());
+      ++columns;
+      above += boundary_[i] < view.horizon(column) - margin ? 1 : 0;
+    }
+    if (columns == 0) return 0.0;
+    return kWeight * std::log(1.0 - static_cast<double>(above) / columns + kRest);
+  }
+
+  CameraModel camera_;
+  std::vector<LineStripe> stripes_;
+  std::vector<float> boundary_;
+  double line_width_;
+};
+
+std::vector<LineStripe> thinned(std::vector<LineStripe> stripes) {
+  if (stripes.size() <= kMostStripes) return stripes;
+  std::vector<LineStripe> some;
+  for (std::size_t i = 0; i < kMostStripes; ++i) some.push_back(stripes[i * stripes.size() / kMostStripes]);
+  return some;
+}
+
+/// Of all carpet in the image, wherever the horizon is: as if the camera looked far down.
+std::vector<float> carpet_boundary(const ImageView& image, const CameraModel& camera, const Isometry3& attitude,
+                                   const FieldFeatureParameters& parameters, const FieldDimensions& field) {
+  FieldFeatures features(parameters, field);
+  FieldPercept percept;
+  features.find(image, camera, with_pitch(attitude, from_degrees(kHighest)), percept);
+  return percept.boundary;
+}
+
+}  // namespace
+
+double pitch_of(const Isometry3& robot_from_camera) {
+  const Eigen::Matrix3d& axes = robot_from_camera.linear();
+  return std::atan2(-axes(2, 0), std::hypot(axes(2, 1), axes(2, 2)));
+}
+
+Isometry3 with_pitch(const Isometry3& robot_from_camera, double pitch) {
+  const Eigen::Matrix3d& axes = robot_from_camera.linear();
+  const double yaw = std::atan2(axes(1, 0), axes(0, 0)), roll = std::atan2(axes(2, 1), axes(2, 2));
+  Isometry3 result = robot_from_camera;
+  result.linear() = rotation_about_z(yaw) * rotation_about_y(pitch) * rotation_about_x(roll);
+  return result;
+}
+
+PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, const Isometry3& robot_from_camera,
+                           const FieldFeatureParameters& parameters, const FieldDimensions& field) {
+  const auto at = [&](double degrees) { return with_pitch(robot_from_camera, from_degrees(degrees)); };
+  std::vector<Isometry3> attitudes;
+  for (double degrees = kLowest; degrees <= kHighest; degrees += kStripeStep) attitudes.push_back(at(degrees));
+  std::vector<LineStripe> stripes = thinned(find_line_stripes(image, camera, attitudes, parameters, field));
+  PitchEstimate estimate;
+  estimate.stripes = static_cast<int>(stripes.size());
+  const PitchLikelihood likelihood(camera, std::move(stripes),
+                                   carpet_boundary(image, camera, robot_from_camera, parameters, field),
+                                   field.line_width);
+
+  std::vector<double> degrees, likelihoods;
+  for (double tried = kLowest; tried <= kHighest; tried += kSearchStep) {
+    degrees.push_back(tried);
+    likelihoods.push_back(likelihood(at(tried)));
+  }
+  const auto best = std::max_element(likelihoods.begin(), likelihoods.end());
+  const double most = *best, best_degrees = degrees[static_cast<std::size_t>(best - likelihoods.begin())];
+  constexpr double kNear = 2.0;  // degrees
+  double sum = 0.0, near = 0.0, mean = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    const double share = std::exp(likelihoods[i] - most), off = degrees[i] - best_degrees;
+    sum += share;
+    squares += share * off * off;
+    if (std::abs(off) > kNear) continue;
+    near += share;
+    mean += share * off;
+  }
+  const double pitch = best_degrees + mean / near;
+  estimate.pitch = from_degrees(pitch);
+  estimate.deviation = from_degrees(std::sqrt(squares / sum));
+  estimate.certainty = near / sum;
+  estimate.fitting = likelihood.fitting(at(pitch));
+  constexpr double kSure = 0.8;
+  constexpr int kFewest = 20;
+  estimate.known =
+      estimate.certainty >= kSure && estimate.fitting >= kFewest && 2 * estimate.fitting >= estimate.stripes;
+  return estimate;
+}
+
+}  // namespace reorient

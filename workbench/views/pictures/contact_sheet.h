@@ -1,0 +1,19 @@
+// Many small pictures in one, with a line of text below each.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "workbench/views/pictures/canvas/picture.h"
+
+namespace reorient::pictures {
+
+struct Thumbnail {
+  Picture picture;
+  std::string caption;
+};
+
+/// Rows of `columns` thumbnails from left to right, each `width` pixels wide; higher ones are made smaller.
+Picture draw_contact_sheet(std::span<const Thumbnail> thumbnails, int columns, int width, const std::string& title);
+
+}  // namespace reorient::pictures
