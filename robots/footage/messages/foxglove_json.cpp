@@ -30,6 +30,8 @@ Json parse(std::span<const std::byte> message) {
     return json;
   } catch (const Json::parse_error& error) {
     fail_at(error.byte, "expected JSON, found invalid syntax");
+  } catch (const Json::out_of_range&) {
+    fail_at(0, "expected numbers of JSON that a double holds, found a larger one");
   }
 }
 

@@ -164,5 +164,10 @@ TEST(Base64, IsTheInverseOfThatOfOthers) {
   EXPECT_THROW(text_of("Zm9 YmFy"), BadFootage);
 }
 
+TEST(HostileMessages, WithANumberThatIsTooLargeAreRefused) {
+  const std::string_view json = R"({"width": 12342e56789})";
+  EXPECT_THROW(messages::foxglove_json::raw_image(std::as_bytes(std::span(json))), BadFootage);
+}
+
 }  // namespace
 }  // namespace reorient
