@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/angle.h"
@@ -172,12 +174,11 @@ PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, co
   const auto at = [&](double degrees) { return with_pitch(robot_from_camera, from_degrees(degrees)); };
   std::vector<Isometry3> attitudes;
   for (double degrees = kLowest; degrees <= kHighest; degrees += kStripeStep) attitudes.push_back(at(degrees));
-  std::vector<LineStripe> stripes = thinned(find_line_stripes(image, camera, attitudes, parameters, field));
+  const std::vector<LineStripe> stripes = thinned(find_line_stripes(image, camera, attitudes, parameters, field));
+  const std::vector<float> boundary = carpet_boundary(image, camera, robot_from_camera, parameters, field);
   PitchEstimate estimate;
   estimate.stripes = static_cast<int>(stripes.size());
-  const PitchLikelihood likelihood(camera, std::move(stripes),
-                                   carpet_boundary(image, camera, robot_from_camera, parameters, field),
-                                   field.line_width);
+  const PitchLikelihood likelihood(camera, stripes, boundary, field.line_width);
 
   std::vector<double> degrees, likelihoods;
   for (double tried = kLowest; tried <= kHighest; tried += kSearchStep) {
@@ -186,7 +187,8 @@ PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, co
   }
   const auto best = std::max_element(likelihoods.begin(), likelihoods.end());
   const double most = *best, best_degrees = degrees[static_cast<std::size_t>(best - likelihoods.begin())];
-  constexpr double kNear = 2.0;  // degrees
+  constexpr double kNear = 2.0;       // degrees
+  constexpr double kWidthBias = 0.4;  // pixels
   double sum = 0.0, near = 0.0, mean = 0.0, squares = 0.0;
   for (std::size_t i = 0; i < degrees.size(); ++i) {
     const double share = std::exp(likelihoods[i] - most), off = degrees[i] - best_degrees;
@@ -198,10 +200,26 @@ PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, co
   }
   const double pitch = best_degrees + mean / near;
   estimate.pitch = from_degrees(pitch);
-  estimate.deviation = from_degrees(std::sqrt(squares / sum));
-  estimate.certainty = near / sum;
+  // Blur makes all stripes of an image wider at once, which no number of them averages out.
+  double systematic = 0.0;  // degrees
+  for (const double wider : {-kWidthBias, kWidthBias}) {
+    std::vector<LineStripe> others = stripes;
+    for (LineStripe& stripe : others) stripe.width = std::max(0.3, stripe.width + wider);
+    const PitchLikelihood other(camera, others, boundary, field.line_width);
+    double best_other = best_degrees, most_other = -std::numeric_limits<double>::infinity();
+    for (const double tried : degrees) {
+      const double found = other(at(tried));
+      if (found <= most_other) continue;
+      most_other = found;
+      best_other = tried;
+    }
+    systematic = std::max(systematic, std::abs(best_other - best_degrees));
+  }
+  const double deviation = std::hypot(std::sqrt(squares / sum), systematic);
+  estimate.deviation = from_degrees(deviation);
+  estimate.certainty = std::min(near / sum, std::erf(kNear / (deviation * std::sqrt(2.0))));
   estimate.fitting = likelihood.fitting(at(pitch));
-  constexpr double kSure = 0.8;
+  constexpr double kSure = 0.6;
   constexpr int kFewest = 20;
   estimate.known =
       estimate.certainty >= kSure && estimate.fitting >= kFewest && 2 * estimate.fitting >= estimate.stripes;

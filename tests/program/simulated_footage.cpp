@@ -30,14 +30,14 @@ pictures::Picture rgb_of(const ImageView& image) {
 
 }  // namespace
 
-void write_simulated_footage(const std::filesystem::path& folder, int images) {
+void write_simulated_footage(const std::filesystem::path& folder, int images, int width, double head_pitch) {
   constexpr int kFramesForAnImage = 6;  // of 30 a second
   std::filesystem::create_directories(folder / "images");
   std::ofstream table(folder / "frames.csv");
   table << "image,time_s,x_m,y_m,rotation_rad,odometry_x_m,odometry_y_m,odometry_rotation_rad,camera_height_m,roll_rad,"
            "pitch_rad,camera_yaw_rad\n";
   RobotOptions options;
-  options.width = 160;
+  options.width = width;
   const RobotInstance robot = make_robot(kSimulator, options);
   robot.experimenter->put_down(Pose2(1.0, 0.5, 0.3));
   Observation observation;
@@ -45,7 +45,7 @@ void write_simulated_footage(const std::filesystem::path& folder, int images) {
   answer.request.walk = {0.1, 0.0, 0.4};
   for (int frame = 0, image = 0; image < images; ++frame) {
     if (!robot.robot->observe(observation)) return;
-    answer.request.head = HeadRequest{{0.8 * std::sin(0.1 * frame), -0.1}, 2.0};
+    answer.request.head = HeadRequest{{0.8 * std::sin(0.1 * frame), head_pitch}, 2.0};
     robot.robot->answer(answer);
     if (frame % kFramesForAnImage != 0) continue;
     const CameraFrame& upper = *observation.upper;

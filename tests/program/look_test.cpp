@@ -1,0 +1,148 @@
+// `reorient look` as its user meets it, on images of the simulator that lie in a folder as somebody else's would.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "geometry/angle.h"
+#include "robots/footage/frames_table.h"
+#include "tests/paths.h"
+#include "tests/program/program_run.h"
+#include "tests/program/simulated_footage.h"
+#include "tests/shared_data.h"
+#include "tests/temporary_folder.h"
+
+namespace reorient {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool has_decoder() { return *kDecoder != '\0'; }
+
+class Look : public testing::Test {
+ protected:
+  static const std::filesystem::path& recorded() {
+    static const TemporaryFolder folder;
+    constexpr int kImages = 60;
+    if (!std::filesystem::exists(folder.path() / "frames.csv")) write_simulated_footage(folder.path(), kImages);
+    return folder.path();
+  }
+
+  void SetUp() override {
+    if (!has_decoder()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
+    setenv("REORIENT_DECODER", kDecoder, 1);
+  }
+
+  ProgramRun look(Words words) const {
+    words.insert(words.begin(), "look");
+    words.insert(words.end(),
+                 {"--out", (folder_.path() / "out").string(), "--json", (folder_.path() / "o.json").string()});
+    return run_reorient(words);
+  }
+  nlohmann::json seen() const { return nlohmann::json::parse(std::ifstream(folder_.path() / "o.json")); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Look, ShowsWhatIsSeenInEachImageOfAFolder) {
+  const ProgramRun run = look({recorded().string(), "--every", "4"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto images = seen();
+  ASSERT_EQ(images.size(), 15u);
+  std::size_t line_points = 0;
+  for (const auto& image : images) {
+    EXPECT_EQ(image["pitch"]["source"], "recorded");
+    EXPECT_EQ(image["line_points"].size(), image["counts"]["line_points"].get<std::size_t>());
+    EXPECT_EQ(image["camera"]["width"], 160);
+    line_points += image["line_points"].size();
+  }
+  EXPECT_GT(line_points, 100u);
+  EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
+}
+
+TEST_F(Look, FindsThePitchOfImagesThatShowLines) {
+  write_simulated_footage(folder_.path() / "large", 24, 640, 0.25);
+  std::ifstream in(folder_.path() / "large" / "frames.csv");
+  std::ostringstream text;
+  text << in.rdbuf();
+  const std::vector<FrameRow> rows = parse_frames(text.str(), "frames.csv");
+  Words words;
+  for (const FrameRow& row : rows) words.push_back((folder_.path() / "large" / row.image).string());
+  const ProgramRun run = look(words);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto images = seen();
+  int known = 0, right = 0;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const auto& pitch = images[i]["pitch"];
+    EXPECT_EQ(pitch["source"], "searched");
+    if (!pitch["known"].get<bool>()) continue;
+    ++known;
+    const double truth = to_degrees(*rows[i].value(FrameColumn::pitch));
+    const double error = pitch["degrees"].get<double>() - truth;
+    right += std::abs(error) < 3.0 ? 1 : 0;
+  }
+  EXPECT_GE(known, 12);
+  EXPECT_GE(10 * right, 9 * known) << run.out;
+}
+
+TEST_F(Look, DoesNotGuessThePitchOfAPlainImage) {
+  const std::string ppm = "P6 160 120 255\n" + std::string(160 * 120 * 3, '\x60');
+  const ProgramRun run = look({folder_.write("plain.ppm", ppm).string()});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(seen()[0]["pitch"]["known"], false);
+  EXPECT_NE(run.out.find("pitch unknown"), std::string::npos) << run.out;
+}
+
+TEST_F(Look, TakesThePitchThatIsTold) {
+  const ProgramRun run = look({(recorded() / "images/0000.png").string(), "--pitch", "12", "--height", "0.6"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto image = seen()[0];
+  EXPECT_EQ(image["pitch"]["source"], "given");
+  EXPECT_NEAR(image["pitch"]["used_degrees"].get<double>(), 12.0, 0.01);
+  EXPECT_NEAR(image["camera_height_m"].get<double>(), 0.6, 1e-6);
+}
+
+TEST_F(Look, SaysInOneLineWhatCannotBeLookedAt) {
+  const std::pair<Words, const char*> cases[] = {
+      {{"/nowhere.png"}, "/nowhere.png"},
+      {{folder_.write("text.png", "no image").string()}, "text.png: expected an image"},
+      {{(recorded() / "images/0000.png").string(), "--pitch", "100"}, "--pitch"},
+      {{(recorded() / "images/0000.png").string(), "--camera", "nobody"}, "nobody"},
+  };
+  for (const auto& [words, what] : cases) {
+    const ProgramRun run = look(words);
+    EXPECT_EQ(run.code, kBadInput) << what;
+    EXPECT_NE(run.err.find(what), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+}
+
+/// Real images of NAOs on real fields.
+class LookAtRealImages : public SharedDataTest {
+ protected:
+  LookAtRealImages() : SharedDataTest("images") {}
+};
+
+TEST_F(LookAtRealImages, FindsTheirPitchFromTheirLines) {
+  if (!has_decoder()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
+  setenv("REORIENT_DECODER", kDecoder, 1);
+  const TemporaryFolder out;
+  const std::string json = (out.path() / "o.json").string();
+  const ProgramRun run = run_reorient({"look", (folder() / "nao-v4-top-640x480-a.png").string(),
+                                       (folder() / "nao-v4-top-640x480-b.png").string(), "--fov-degrees", "60.97",
+                                       "--out", (out.path() / "out").string(), "--json", json});
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const auto& image : nlohmann::json::parse(std::ifstream(json))) {
+    EXPECT_EQ(image["pitch"]["known"], true);
+    EXPECT_GT(image["counts"]["line_points"].get<int>(), 40);
+  }
+}
+
+}  // namespace
+}  // namespace reorient
