@@ -120,7 +120,7 @@ Eigen::Vector2d undistorted_place(const Lens& lens, const Eigen::Vector2d& wante
   constexpr int kIterations = 20;
   const double distance = wanted.norm();
   if (!(distance > 0.0)) return Eigen::Vector2d::Zero();
-  const Eigen::Vector2d start = wanted * (undistorted(lens, distance) / distance);
+  Eigen::Vector2d start = wanted * (undistorted(lens, distance) / distance);
   if (lens.p1 == 0.0 && lens.p2 == 0.0) return start;
   Eigen::Vector2d ideal = start;
   for (int i = 0; i < kIterations; ++i) {

@@ -1,6 +1,7 @@
 #include "program/commands/footage_experiment_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -189,10 +190,9 @@ void print_images(const std::vector<CellResults>& cells, const std::vector<Foota
     }
     std::sort(images.begin(), images.end());
     const auto quantile = [&](double share) {
-      return images.empty()
-                 ? "-"
-                 : std::to_string(
-                       images[static_cast<std::size_t>(share * static_cast<double>(images.size() - 1) + 0.5)]);
+      if (images.empty()) return std::string("-");
+      return std::to_string(
+          images[static_cast<std::size_t>(std::lround(share * static_cast<double>(images.size() - 1)))]);
     };
     lines.push_back({as_line(cells[i].choices[0]), cells[i].choices[1],
                      fmt::format("{} of {}", images.size(), cells[i].trials.size()), quantile(0.5), quantile(0.9),

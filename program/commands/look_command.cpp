@@ -135,7 +135,7 @@ int look_at_images(const LookOptions& options, std::ostream& out) {
     if (i % static_cast<std::size_t>(options.every) != 0) continue;
     const SeenImage seen = see(image, setup);
     const std::string name = as_line(image.frame.name), words = pitch_in_words(seen);
-    pictures.add(camera_view_of(image, seen, setup.field), image.frame.name, name + ": " + words);
+    pictures.add(camera_view_of(image, seen, setup.field), image.frame.name, fmt::format("{}: {}", name, words));
     if (json) json->add(as_json(image, seen, body));
     out << name << ": " << words << "; " << percepts_in_words(seen) << '\n';
     totals.add(seen);

@@ -56,6 +56,7 @@ namespace {
 void take_names(const char* option, const std::vector<std::string>& words,
                 const std::map<std::string, std::function<void(const std::string&)>>& places) {
   std::vector<std::string> known;
+  known.reserve(places.size());
   for (const auto& [kind, place] : places) known.push_back(kind);
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');

@@ -39,7 +39,7 @@ double radius_in(const std::string& text) {
 }
 
 std::vector<ParameterChange> changes_for(const WallParameters& wall, double nearest) {
-  const auto change = [](const char* name, ParameterValue value) {
+  const auto change = [](const char* name, const ParameterValue& value) {
     return ParameterChange{name, to_text(value), ParameterOrigin::file, "the footage"};
   };
   return {change("wall.radius", wall.radius), change("wall.bottom", wall.bottom), change("wall.top", wall.top),

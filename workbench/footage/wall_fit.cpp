@@ -100,6 +100,7 @@ std::optional<double> radius_of(const WallView& one, const Eigen::Vector2d& midd
 std::vector<double> radii_beyond(double farthest) {
   const double least = std::max(1.0, 1.25 * farthest);
   std::vector<double> radii;
+  radii.reserve(kRadii);
   for (int i = 0; i < kRadii; ++i)
     radii.push_back(least * pinned::exp(pinned::log(std::max(kMostRadius / least, 1.01)) * i / (kRadii - 1)));
   return radii;
@@ -194,6 +195,7 @@ std::optional<WallFit> fit_wall(std::span<const WallView> views) {
   fit.radius = median([](std::size_t i) { return i; });
   Random random(1);
   std::vector<double> others;
+  others.reserve(kResamples);
   for (int i = 0; i < kResamples; ++i)
     others.push_back(median([&](std::size_t) { return static_cast<std::size_t>(random.below(found.size())); }));
   std::sort(others.begin(), others.end());

@@ -33,11 +33,11 @@ std::vector<Eigen::Vector2d> places_on_lines(const FieldDimensions& field) {
   std::vector<Eigen::Vector2d> places;
   for (const FieldLine& line : field_lines(field)) {
     const int steps = static_cast<int>((line.to - line.from).norm() / kStep);
-    for (int i = 0; i < steps; ++i) places.push_back(line.from + (line.to - line.from) * ((i + 0.5) / steps));
+    for (int i = 0; i < steps; ++i) places.emplace_back(line.from + (line.to - line.from) * ((i + 0.5) / steps));
   }
   const int steps = static_cast<int>(2.0 * kPi * field.center_circle_radius / kStep);
   for (int i = 0; i < steps; ++i)
-    places.push_back(field.center_circle_radius * unit_vector(2.0 * kPi * (i + 0.5) / steps));
+    places.emplace_back(field.center_circle_radius * unit_vector(2.0 * kPi * (i + 0.5) / steps));
   return places;
 }
 

@@ -45,6 +45,7 @@ FootageFrame frame_at(double time, const Pose2& pose) {
 /// So many, half a second apart, each a little farther on.
 std::vector<FootageFrame> walk(int frames) {
   std::vector<FootageFrame> all;
+  all.reserve(static_cast<std::size_t>(frames));
   for (int i = 0; i < frames; ++i) all.push_back(frame_at(100.0 + 0.5 * i, Pose2(1.0 + 0.1 * i, 0.5, 0.2)));
   return all;
 }

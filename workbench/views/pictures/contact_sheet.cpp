@@ -22,8 +22,9 @@ Picture draw_contact_sheet(std::span<const Thumbnail> thumbnails, int columns, i
   const TextStyle caption_style{.size = 13.0, .color = palette::faint_ink};
   for (std::size_t i = 0; i < thumbnails.size(); ++i) {
     const Picture& picture = thumbnails[i].picture;
-    const double left = kGap + cell_width * static_cast<double>(i % static_cast<std::size_t>(columns));
-    const double top = kTitle + cell_height * static_cast<double>(i / static_cast<std::size_t>(columns));
+    const std::size_t row = i / static_cast<std::size_t>(columns), column = i % static_cast<std::size_t>(columns);
+    const double left = kGap + cell_width * static_cast<double>(column);
+    const double top = kTitle + cell_height * static_cast<double>(row);
     const double scale = std::min({1.0, 1.0 * width / picture.width, tallest / picture.height});
     canvas.image(picture, {left, top, scale * picture.width, scale * picture.height});
     canvas.text({left, top + tallest + 14.0}, shortened(thumbnails[i].caption, width, caption_style), caption_style);
