@@ -106,7 +106,7 @@ RC_GTEST_PROP(HostileMessages, FlippedBitsAreRefusedOrRead, ()) {
   RC_ASSERT(survives(bytes, file.encoding));
 }
 
-RC_GTEST_PROP(HostileMessages, InventedBytesAreRefusedOrRead, (std::vector<std::uint8_t> numbers)) {
+RC_GTEST_PROP(HostileMessages, InventedBytesAreRefusedOrRead, (const std::vector<std::uint8_t>& numbers)) {
   Bytes bytes;
   for (const std::uint8_t number : numbers) bytes.push_back(static_cast<std::byte>(number));
   for (const char* const encoding : {"cdr", "protobuf", "json"}) RC_ASSERT(survives(bytes, encoding));

@@ -11,7 +11,6 @@
 namespace reorient {
 namespace {
 
-using messages::kSecond;
 using Validity = TransformTree::Validity;
 
 messages::Quaternion yaw(double angle) { return {0.0, 0.0, std::sin(0.5 * angle), std::cos(0.5 * angle)}; }
