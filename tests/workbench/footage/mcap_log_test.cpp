@@ -195,7 +195,7 @@ TEST(McapLog, WithADamagedMessageGivesTheFramesBeforeIt) {
   file.message(1, 1000000000, image(1.0));
   file.message(1, 2000000000, image(2.0));
   Bytes damaged = image(3.0);
-  damaged.resize(damaged.size() - 3);
+  damaged.erase(damaged.end() - 3, damaged.end());
   file.message(1, 3000000000, damaged);
   file.message(1, 4000000000, image(4.0));
   file.end();
