@@ -74,7 +74,8 @@ std::string pitch_in_words(const SeenImage& seen) {
   if (seen.pitch_source != PitchSource::searched)
     return fmt::format("pitch {:.1f} ({})", used, to_string(seen.pitch_source));
   if (!seen.searched.known) return fmt::format("pitch unknown, {:.1f} assumed", used);
-  return fmt::format("pitch {:.1f} +- {:.1f} (searched, {:.0f} %)", used, to_degrees(seen.searched.deviation),
+  return fmt::format("pitch {:.1f} +- {:.1f}, roll {:.1f} (searched, {:.0f} %)", used,
+                     to_degrees(seen.searched.deviation), to_degrees(roll_of(seen.robot_from_camera)),
                      100.0 * seen.searched.certainty);
 }
 

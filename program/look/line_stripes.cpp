@@ -14,10 +14,10 @@ namespace {
 constexpr double kProfileStep = 0.5;    // pixels
 constexpr double kLeastContrast = 8.0;  // luma
 
-/// Luma across a stripe.
+/// Light across a stripe.
 struct StripeProfile {
   double contrast = 0.0;  ///< brightest value above the carpet on both sides
-  double light = 0.0;     ///< sum of luma above the carpet, in pixels times luma
+  double light = 0.0;     ///< sum of the light above the carpet, in pixels times light
   double own_width() const { return light / contrast; }
 };
 
@@ -29,10 +29,14 @@ std::optional<double> luma_at(const ImageView& image, const Eigen::Vector2d& whe
          v * ((1.0 - u) * image.luma(x, y + 1) + u * image.luma(x + 1, y + 1));
 }
 
+/// A lens blurs light, before the sensor codes it with a gamma: in coded values what is bright looks wider. sRGB's
+/// gamma, as nearly all cameras have it.
+double light_of(double luma) { return 255.0 * std::pow(luma / 255.0, 2.2); }
+
 /// One side of a stripe: how far from the brightest place luma has fallen halfway to the carpet's.
 struct StripeSide {
   double half = 0.0;    ///< pixels
-  double carpet = 0.0;  ///< luma
+  double carpet = 0.0;  ///< light
 };
 
 std::optional<StripeSide> side_of(const ImageView& image, const Eigen::Vector2d& brightest,
@@ -55,7 +59,7 @@ std::optional<StripeSide> side_of(const ImageView& image, const Eigen::Vector2d&
       for (double s = half + 1.5; s <= half + 1.5 + std::max(2.0, half); s += kProfileStep, ++count) {
         const auto luma = luma_at(image, brightest + s * outwards);
         if (!luma) return std::nullopt;
-        sum += *luma;
+        sum += light_of(*luma);
       }
       return StripeSide{half, sum / count};
     }
@@ -78,14 +82,14 @@ std::optional<StripeProfile> profile_of(const ImageView& image, const Eigen::Vec
   const auto left = side_of(image, brightest, -across, peak), right = side_of(image, brightest, across, peak);
   if (!left || !right) return std::nullopt;
   StripeProfile profile;
-  profile.contrast = peak - 0.5 * (left->carpet + right->carpet);
-  if (profile.contrast < kLeastContrast || std::abs(left->carpet - right->carpet) > profile.contrast)
-    return std::nullopt;
+  profile.contrast = light_of(peak) - 0.5 * (left->carpet + right->carpet);
+  if (profile.contrast <= 0.0 || std::abs(left->carpet - right->carpet) > profile.contrast) return std::nullopt;
   const double from = -left->half - kMargin, to = right->half + kMargin;
   for (double s = from; s <= to; s += kProfileStep) {
     const double share = (s - from) / (to - from);
     const double carpet = (1.0 - share) * left->carpet + share * right->carpet;
-    profile.light += kProfileStep * (luma_at(image, brightest + s * across).value_or(carpet) - carpet);
+    const auto luma = luma_at(image, brightest + s * across);
+    if (luma) profile.light += kProfileStep * (light_of(*luma) - carpet);
   }
   if (profile.light <= 0.0) return std::nullopt;
   return profile;
@@ -100,14 +104,20 @@ double quantile_of(std::vector<double> values, double share) {
 constexpr double kWide = 4.0;  // pixels, from which on a stripe shows its whole contrast
 
 /// Of white against the carpet, as the widest stripes show it.
-double whole_contrast(const std::vector<StripeProfile>& profiles) {
+struct WhiteContrast {
+  double light = 0.0;
+  bool is_known = false;  ///< false: no stripe is wide
+};
+
+WhiteContrast white_contrast(const std::vector<StripeProfile>& profiles) {
   constexpr std::size_t kFewest = 5;
   std::vector<double> of_wide, of_all;
   for (const StripeProfile& profile : profiles) {
     of_all.push_back(profile.contrast);
     if (profile.own_width() >= kWide) of_wide.push_back(profile.contrast);
   }
-  return of_wide.size() >= kFewest ? quantile_of(of_wide, 0.5) : quantile_of(of_all, 0.8);
+  if (of_wide.size() >= kFewest) return {quantile_of(of_wide, 0.5), true};
+  return {quantile_of(of_all, 0.8), false};
 }
 
 /// In the image; nothing where the line leaves what the camera projects.
@@ -125,9 +135,8 @@ std::optional<Eigen::Vector2d> tangent_of(const LinePoint& point, const CameraMo
 
 }  // namespace
 
-std::vector<LineStripe> find_line_stripes(const ImageView& image, const CameraModel& camera,
-                                          std::span<const Isometry3> attitudes,
-                                          const FieldFeatureParameters& parameters, const FieldDimensions& field) {
+LineStripes find_line_stripes(const ImageView& image, const CameraModel& camera, std::span<const Isometry3> attitudes,
+                              const FieldFeatureParameters& parameters, const FieldDimensions& field) {
   constexpr double kCell = 2.0;  // pixels; two places closer together are one
   std::set<std::pair<long, long>> known;
   std::vector<LineStripe> stripes;
@@ -148,14 +157,14 @@ std::vector<LineStripe> find_line_stripes(const ImageView& image, const CameraMo
       profiles.push_back(*profile);
     }
   }
-  if (stripes.empty()) return stripes;
-  const double whole = whole_contrast(profiles);
+  if (stripes.empty()) return {};
+  const WhiteContrast white = white_contrast(profiles);
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     const StripeProfile& profile = profiles[i];
     const bool is_wide = profile.own_width() >= kWide;
-    stripes[i].width = is_wide ? profile.own_width() : profile.light / std::max(profile.contrast, whole);
+    stripes[i].width = is_wide ? profile.own_width() : profile.light / std::max(profile.contrast, white.light);
   }
-  return stripes;
+  return {std::move(stripes), white.is_known};
 }
 
 }  // namespace reorient

@@ -21,10 +21,16 @@ struct LineStripe {
   double width = 0.0;                                  ///< pixels, across the tangent
 };
 
+struct LineStripes {
+  std::vector<LineStripe> stripes;
+  /// The contrast of white was measured on wide stripes. Else it is that of the clearest thin ones, which is lower, and
+  /// all widths may be too large by one factor.
+  bool contrast_is_known = false;
+};
+
 /// The stripes that the field vision takes for a field line from at least one of the camera's attitudes, each once. A
 /// stripe that is thinner than the blur is as wide as the light that it adds, divided by the contrast of wider ones.
-std::vector<LineStripe> find_line_stripes(const ImageView& image, const CameraModel& camera,
-                                          std::span<const Isometry3> attitudes,
-                                          const FieldFeatureParameters& parameters, const FieldDimensions& field);
+LineStripes find_line_stripes(const ImageView& image, const CameraModel& camera, std::span<const Isometry3> attitudes,
+                              const FieldFeatureParameters& parameters, const FieldDimensions& field);
 
 }  // namespace reorient

@@ -112,7 +112,6 @@ const char* to_string(PitchSource source) {
 std::string as_json(const LookImage& image, const SeenImage& seen, const RobotBody& body) {
   const CameraModel& camera = seen.camera;
   const double vertical = 2.0 * std::atan2(0.5 * camera.height, camera.focal.y());
-  const Eigen::Matrix3d& axes = seen.robot_from_camera.linear();
   const auto counting =
       std::count_if(seen.tiles.begin(), seen.tiles.end(), [](const PerceivedTile& tile) { return tile.counts; });
   const ordered_json json{
@@ -127,7 +126,7 @@ std::string as_json(const LookImage& image, const SeenImage& seen, const RobotBo
       {"camera_height_m", number(seen.height, 4)},
       {"camera_height_is_the_bodys", seen.height_is_body},
       {"pitch", pitch_as_json(seen)},
-      {"roll_degrees", degrees(std::atan2(axes(2, 1), axes(2, 2)))},
+      {"roll_degrees", degrees(roll_of(seen.robot_from_camera))},
       {"horizon_row", number(seen.horizon, 1)},
       {"pose", {number(seen.pose.position.x(), 3), number(seen.pose.position.y(), 3), degrees(seen.pose.rotation)}},
       {"pose_is_recorded", seen.pose_is_recorded},

@@ -44,6 +44,7 @@ class ImagesOfFootage : public LookSource {
     if (!source_->next(image.frame)) return false;
     const FrameRow* const row = next_ < rows_.size() ? &rows_[next_] : nullptr;
     image.pitch_is_known = is_log_ || (row != nullptr && row->value(FrameColumn::pitch));
+    image.roll_is_known = is_log_ || (row != nullptr && row->value(FrameColumn::roll));
     image.height_is_known = is_log_ || (row != nullptr && row->value(FrameColumn::camera_height));
     ++next_;
     return true;

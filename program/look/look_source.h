@@ -16,6 +16,7 @@ struct LookImage {
   std::string file;              ///< the image, or what contains it
   FootageFrame frame;            ///< its name is that of the image in the file
   bool pitch_is_known = false;   ///< it was recorded; else the frame's pitch is 0
+  bool roll_is_known = false;    ///< it was recorded; else it is 0
   bool height_is_known = false;  ///< it was recorded; else it is the body's
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,7 +16,9 @@ namespace {
 
 constexpr double kLowest = -20.0, kHighest = 45.0;  // degrees
 constexpr double kSearchStep = 0.5;
-constexpr double kStripeStep = 2.5;  // between the pitches at which stripes are looked for
+constexpr double kMostRoll = 8.0, kRollStep = 2.0;  // degrees
+constexpr double kUsualRoll = 2.5;                  // degrees, deviation of a robot's that walks, or of a hand's
+constexpr double kStripeStep = 2.5;                 // between the pitches at which stripes are looked for
 constexpr std::size_t kMostStripes = 300;
 constexpr int kDirections = 30;  // of the field, in a quarter turn
 
@@ -154,6 +155,59 @@ std::vector<float> carpet_boundary(const ImageView& image, const CameraModel& ca
   return percept.boundary;
 }
 
+/// A roll against the one that is expected.
+struct TriedRoll {
+  double degrees = 0.0;
+  double prior = 0.0;  ///< logarithm, up to a constant
+};
+
+std::vector<TriedRoll> rolls_to_try(bool roll_is_known) {
+  if (roll_is_known) return {{0.0, 0.0}};
+  std::vector<TriedRoll> rolls;
+  for (double roll = -kMostRoll; roll <= kMostRoll; roll += kRollStep)
+    rolls.push_back({roll, -0.5 * roll * roll / (kUsualRoll * kUsualRoll)});
+  return rolls;
+}
+
+/// How likely which pitch is, whatever the roll.
+struct PitchPosterior {
+  double pitch = 0.0;      ///< degrees, the mean around the most likely one
+  double roll = 0.0;       ///< degrees against the expected one, the same
+  double deviation = 0.0;  ///< degrees, of all pitches from the most likely one
+  double near = 0.0;       ///< probability within kNear of the most likely one
+};
+
+constexpr double kNear = 2.0;  // degrees
+
+PitchPosterior posterior_of(const PitchLikelihood& likelihood, const Isometry3& robot_from_camera,
+                            const std::vector<TriedRoll>& rolls) {
+  struct Tried {
+    double pitch, roll, likelihood;
+  };
+  std::vector<Tried> all;
+  const double expected = roll_of(robot_from_camera);
+  for (double pitch = kLowest; pitch <= kHighest; pitch += kSearchStep) {
+    for (const TriedRoll& roll : rolls) {
+      const Isometry3 attitude =
+          with_attitude(robot_from_camera, from_degrees(pitch), expected + from_degrees(roll.degrees));
+      all.push_back({pitch, roll.degrees, likelihood(attitude) + roll.prior});
+    }
+  }
+  const Tried best = *std::max_element(all.begin(), all.end(),
+                                       [](const Tried& a, const Tried& b) { return a.likelihood < b.likelihood; });
+  double sum = 0.0, near = 0.0, pitch = 0.0, roll = 0.0, squares = 0.0;
+  for (const Tried& tried : all) {
+    const double share = std::exp(tried.likelihood - best.likelihood), off = tried.pitch - best.pitch;
+    sum += share;
+    squares += share * off * off;
+    if (std::abs(off) > kNear) continue;
+    near += share;
+    pitch += share * tried.pitch;
+    roll += share * tried.roll;
+  }
+  return {pitch / near, roll / near, std::sqrt(squares / sum), near / sum};
+}
+
 }  // namespace
 
 double pitch_of(const Isometry3& robot_from_camera) {
@@ -161,64 +215,58 @@ double pitch_of(const Isometry3& robot_from_camera) {
   return std::atan2(-axes(2, 0), std::hypot(axes(2, 1), axes(2, 2)));
 }
 
-Isometry3 with_pitch(const Isometry3& robot_from_camera, double pitch) {
+double roll_of(const Isometry3& robot_from_camera) {
   const Eigen::Matrix3d& axes = robot_from_camera.linear();
-  const double yaw = std::atan2(axes(1, 0), axes(0, 0)), roll = std::atan2(axes(2, 1), axes(2, 2));
+  return std::atan2(axes(2, 1), axes(2, 2));
+}
+
+Isometry3 with_pitch(const Isometry3& robot_from_camera, double pitch) {
+  return with_attitude(robot_from_camera, pitch, roll_of(robot_from_camera));
+}
+
+Isometry3 with_attitude(const Isometry3& robot_from_camera, double pitch, double roll) {
+  const Eigen::Matrix3d& axes = robot_from_camera.linear();
   Isometry3 result = robot_from_camera;
-  result.linear() = rotation_about_z(yaw) * rotation_about_y(pitch) * rotation_about_x(roll);
+  result.linear() =
+      rotation_about_z(std::atan2(axes(1, 0), axes(0, 0))) * rotation_about_y(pitch) * rotation_about_x(roll);
   return result;
 }
 
 PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, const Isometry3& robot_from_camera,
-                           const FieldFeatureParameters& parameters, const FieldDimensions& field) {
-  const auto at = [&](double degrees) { return with_pitch(robot_from_camera, from_degrees(degrees)); };
+                           bool roll_is_known, const FieldFeatureParameters& parameters, const FieldDimensions& field) {
   std::vector<Isometry3> attitudes;
-  for (double degrees = kLowest; degrees <= kHighest; degrees += kStripeStep) attitudes.push_back(at(degrees));
-  const std::vector<LineStripe> stripes = thinned(find_line_stripes(image, camera, attitudes, parameters, field));
+  for (double pitch = kLowest; pitch <= kHighest; pitch += kStripeStep)
+    attitudes.push_back(with_pitch(robot_from_camera, from_degrees(pitch)));
+  LineStripes found = find_line_stripes(image, camera, attitudes, parameters, field);
+  const std::vector<LineStripe> stripes = thinned(std::move(found.stripes));
   const std::vector<float> boundary = carpet_boundary(image, camera, robot_from_camera, parameters, field);
   PitchEstimate estimate;
   estimate.stripes = static_cast<int>(stripes.size());
   const PitchLikelihood likelihood(camera, stripes, boundary, field.line_width);
+  const PitchPosterior posterior = posterior_of(likelihood, robot_from_camera, rolls_to_try(roll_is_known));
 
-  std::vector<double> degrees, likelihoods;
-  for (double tried = kLowest; tried <= kHighest; tried += kSearchStep) {
-    degrees.push_back(tried);
-    likelihoods.push_back(likelihood(at(tried)));
-  }
-  const auto best = std::max_element(likelihoods.begin(), likelihoods.end());
-  const double most = *best, best_degrees = degrees[static_cast<std::size_t>(best - likelihoods.begin())];
-  constexpr double kNear = 2.0;       // degrees
-  constexpr double kWidthBias = 0.4;  // pixels
-  double sum = 0.0, near = 0.0, mean = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < degrees.size(); ++i) {
-    const double share = std::exp(likelihoods[i] - most), off = degrees[i] - best_degrees;
-    sum += share;
-    squares += share * off * off;
-    if (std::abs(off) > kNear) continue;
-    near += share;
-    mean += share * off;
-  }
-  const double pitch = best_degrees + mean / near;
-  estimate.pitch = from_degrees(pitch);
-  // Blur makes all stripes of an image wider at once, which no number of them averages out.
+  // What makes all stripes of an image wider at once is averaged out by no number of them: the camera's gamma may be
+  // another than the usual one, and white may be brighter than thin lines show.
+  struct Bias {
+    double pixels, factor;
+  };
+  constexpr double kPixels = 0.3, kFactor = 0.7, kThinnest = 0.3;
+  std::vector<Bias> biases{{-kPixels, 1.0}, {kPixels, 1.0}};
+  if (!found.contrast_is_known) biases.push_back({0.0, kFactor});
   double systematic = 0.0;  // degrees
-  for (const double wider : {-kWidthBias, kWidthBias}) {
+  for (const Bias& bias : biases) {
     std::vector<LineStripe> others = stripes;
-    for (LineStripe& stripe : others) stripe.width = std::max(0.3, stripe.width + wider);
+    for (LineStripe& stripe : others) stripe.width = std::max(kThinnest, bias.factor * stripe.width + bias.pixels);
     const PitchLikelihood other(camera, others, boundary, field.line_width);
-    double best_other = best_degrees, most_other = -std::numeric_limits<double>::infinity();
-    for (const double tried : degrees) {
-      const double found = other(at(tried));
-      if (found <= most_other) continue;
-      most_other = found;
-      best_other = tried;
-    }
-    systematic = std::max(systematic, std::abs(best_other - best_degrees));
+    const PitchPosterior shifted = posterior_of(other, robot_from_camera, {{posterior.roll, 0.0}});
+    systematic = std::max(systematic, std::abs(shifted.pitch - posterior.pitch));
   }
-  const double deviation = std::hypot(std::sqrt(squares / sum), systematic);
+  const double deviation = std::hypot(posterior.deviation, systematic);
+  estimate.pitch = from_degrees(posterior.pitch);
+  estimate.roll = roll_of(robot_from_camera) + from_degrees(posterior.roll);
   estimate.deviation = from_degrees(deviation);
-  estimate.certainty = std::min(near / sum, std::erf(kNear / (deviation * std::sqrt(2.0))));
-  estimate.fitting = likelihood.fitting(at(pitch));
+  estimate.certainty = std::min(posterior.near, std::erf(kNear / (deviation * std::sqrt(2.0))));
+  estimate.fitting = likelihood.fitting(with_attitude(robot_from_camera, estimate.pitch, estimate.roll));
   constexpr double kSure = 0.6;
   constexpr int kFewest = 20;
   estimate.known =

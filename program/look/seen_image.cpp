@@ -34,10 +34,11 @@ void choose_pitch(const LookImage& image, const LookSetup& setup, SeenImage& see
     return;
   }
   seen.pitch_source = PitchSource::searched;
-  seen.searched = search_pitch(image.frame.image.view(), seen.camera, seen.robot_from_camera,
+  seen.searched = search_pitch(image.frame.image.view(), seen.camera, seen.robot_from_camera, image.roll_is_known,
                                setup.parameters.field_features, setup.field);
-  seen.robot_from_camera =
-      with_pitch(seen.robot_from_camera, seen.searched.known ? seen.searched.pitch : setup.level_pitch);
+  seen.robot_from_camera = seen.searched.known
+                               ? with_attitude(seen.robot_from_camera, seen.searched.pitch, seen.searched.roll)
+                               : with_pitch(seen.robot_from_camera, setup.level_pitch);
 }
 
 void look_at_wall(const LookImage& image, const RoomParameters& parameters, SeenImage& seen) {
@@ -90,7 +91,8 @@ pictures::CameraView camera_view_of(const LookImage& image, const SeenImage& see
   if (!seen.shows_carpet) view.boundary.clear();
   view.horizon = horizon_of(seen.camera, seen.robot_from_camera);
   pictures::add_tiles(seen.tiles, seen.wall, seen.camera, field_from_camera, view);
-  if (seen.pose_is_recorded) pictures::add_field_lines(field, seen.camera, field_from_camera, view);
+  if (seen.pose_is_recorded && seen.shows_carpet)
+    pictures::add_field_lines(field, seen.camera, field_from_camera, view);
   return view;
 }
 
