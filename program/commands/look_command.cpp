@@ -79,6 +79,11 @@ std::string pitch_in_words(const SeenImage& seen) {
                      100.0 * seen.searched.certainty);
 }
 
+std::string pitch_in_few_words(const SeenImage& seen) {
+  if (!seen.pitch_is_known()) return "pitch unknown";
+  return fmt::format("{:.1f} ({})", to_degrees(pitch_of(seen.robot_from_camera)), to_string(seen.pitch_source));
+}
+
 std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -136,7 +141,9 @@ int look_at_images(const LookOptions& options, std::ostream& out) {
     if (i % static_cast<std::size_t>(options.every) != 0) continue;
     const SeenImage seen = see(image, setup);
     const std::string name = as_line(image.frame.name), words = pitch_in_words(seen);
-    pictures.add(camera_view_of(image, seen, setup.field), image.frame.name, fmt::format("{}: {}", name, words));
+    pictures.add(camera_view_of(image, seen, setup.field), image.frame.name, fmt::format("{}: {}", name, words),
+                 fmt::format("{}: {}", as_line(std::filesystem::path(image.frame.name).filename().string()),
+                             pitch_in_few_words(seen)));
     if (json) json->add(as_json(image, seen, body));
     out << name << ": " << words << "; " << percepts_in_words(seen) << '\n';
     totals.add(seen);

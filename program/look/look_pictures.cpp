@@ -26,11 +26,12 @@ std::string stem_of(const std::string& name) {
 LookPictures::LookPictures(std::filesystem::path folder, std::vector<std::filesystem::path> inputs, std::string title)
     : folder_(std::move(folder)), inputs_(std::move(inputs)), title_(std::move(title)) {}
 
-void LookPictures::add(const pictures::CameraView& view, const std::string& name, const std::string& caption) {
+void LookPictures::add(const pictures::CameraView& view, const std::string& name, const std::string& caption,
+                       const std::string& short_caption) {
   ++count_;
   if (count_ <= kMostPictures) singles_.push_back({file_for(name), pictures::draw_camera_view(view, caption)});
   if (count_ > kMostPictures) singles_.clear();
-  thumbnails_.push_back({pictures::draw_camera_thumbnail(view, kThumbnailWidth), caption});
+  thumbnails_.push_back({pictures::draw_camera_thumbnail(view, kThumbnailWidth), short_caption});
   if (thumbnails_.size() == static_cast<std::size_t>(kColumns) * kRows) write_sheet();
 }
 

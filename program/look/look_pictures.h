@@ -20,8 +20,10 @@ class LookPictures {
   /// `inputs`: files that no picture may replace. `title`: of the sheets.
   LookPictures(std::filesystem::path folder, std::vector<std::filesystem::path> inputs, std::string title);
 
-  /// `name`: of the image. Throws std::runtime_error with one line where a sheet cannot be written.
-  void add(const pictures::CameraView& view, const std::string& name, const std::string& caption);
+  /// `name`: of the image. `short_caption`: for a sheet. Throws std::runtime_error with one line where a sheet cannot
+  /// be written.
+  void add(const pictures::CameraView& view, const std::string& name, const std::string& caption,
+           const std::string& short_caption);
   /// Writes what is left. Throws the same.
   void end();
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kImageWidth = 1280;
 constexpr double kLegend = 84.0;
+constexpr double kCaption = 28.0;
 constexpr double kFullBar = 0.6;  // of the pixels: such a bar is as high as its chart
 constexpr Color kTile{255, 255, 255, 0.9};
 constexpr Color kShadow{0, 0, 0, 0.35};
@@ -158,14 +159,20 @@ Picture draw_camera_view(const CameraView& camera, const std::string& caption) {
   const bool seen = !camera.image.empty();
   const ImageScale scale{seen ? static_cast<double>(kImageWidth) / camera.image.width : 2.0};
   const double height = seen ? std::clamp(camera.image.height * scale.scale, 90.0, 4000.0) : 960.0;
-  Canvas canvas(kImageWidth, static_cast<int>(std::lround(height + kLegend)));
+  const double below = kLegend + (caption.empty() ? 0.0 : kCaption);
+  Canvas canvas(kImageWidth, static_cast<int>(std::lround(height + below)));
   draw_image(canvas, camera, scale, {0.0, 0.0, kImageWidth, height});
-  char time[48];
-  std::snprintf(time, sizeof time, "%.1f s", camera.time);
-  const TextStyle style{.size = 19.0, .color = palette::faint_ink, .align = Align::right};
-  const std::string shown = caption.empty() ? time : shortened(caption, 0.6 * kImageWidth, style);
-  const double beside = caption.empty() ? 130.0 : 40.0 + Canvas::text_width(shown, style);
-  canvas.text({kImageWidth - 16.0, height + 30.0}, shown, style);
+  double beside = 24.0;
+  if (caption.empty()) {
+    char time[48];
+    std::snprintf(time, sizeof time, "%.1f s", camera.time);
+    canvas.text({kImageWidth - 16.0, height + 30.0}, time,
+                {.size = 19.0, .color = palette::faint_ink, .align = Align::right});
+    beside = 130.0;
+  } else {
+    const TextStyle style{.size = 19.0, .color = palette::faint_ink};
+    canvas.text({16.0, height + kLegend + 12.0}, shortened(caption, kImageWidth - 32.0, style), style);
+  }
   draw_legend_rows(canvas, {12.0, height + 9.0, kImageWidth - beside, kLegend - 12.0}, entries(camera));
   return canvas.finish();
 }

@@ -57,8 +57,8 @@ struct CameraView {
   std::vector<std::vector<Eigen::Vector2d>> projected_lines;  ///< field lines as the believed pose expects them
 };
 
-/// 1280 pixels wide, whatever the image's size, with the legend below the image. `caption`: at the right of the legend;
-/// empty: the time.
+/// 1280 pixels wide, whatever the image's size, with the legend below the image. `caption`: in a line below the legend;
+/// empty: the time beside it instead.
 Picture draw_camera_view(const CameraView& camera, const std::string& caption = {});
 
 /// The same without a legend, `width` pixels wide, with marks as small as the picture.
