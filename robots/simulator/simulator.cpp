@@ -22,7 +22,7 @@ CameraModel camera_of(const SimulatorParameters& parameters, const CameraOptics&
   chosen.field_of_view_vertical = parameters.field_of_view_vertical;
   chosen.k1 = parameters.distortion_k1;
   chosen.k2 = parameters.distortion_k2;
-  const CameraModel camera = camera_model(chosen, width, height);
+  CameraModel camera = camera_model(chosen, width, height);
   if (const std::string mistake = mistake_in(camera); !mistake.empty())
     throw std::runtime_error("camera of the simulator: " + mistake);
   return camera;

@@ -214,6 +214,7 @@ TEST_F(Footage, HasOneDigestWhateverItIsStoredIn) {
   EXPECT_EQ(digest_of(run(what, file("run.mcap"))), digest);
   // A video with the same table.
   std::vector<std::filesystem::path> images;
+  images.reserve(kImages);
   for (int i = 0; i < kImages; ++i) images.push_back(image_file(i));
   ASSERT_TRUE(write_lossless_video(images, file("walk.mkv")));
   words = what;
