@@ -1,4 +1,4 @@
-// By how much one robot's camera looks elsewhere than the data sheet of its kind says.
+// By how much the mounting of one robot's camera differs from what is recorded or from the data sheet.
 #pragma once
 
 #include "geometry/transform.h"
@@ -6,14 +6,20 @@
 namespace reorient {
 
 struct CameraOffset {
-  double tilt = 0.0;  ///< rad, downwards
-  double pan = 0.0;   ///< rad, to the left
+  double tilt = 0.0;    ///< rad, downwards
+  double pan = 0.0;     ///< rad, to the left
+  double roll = 0.0;    ///< rad, left side up
+  double height = 0.0;  ///< m, upwards
 };
 
-/// The camera's pose, turned about its own axes: first to the left, then down.
+/// The camera's pose, rotated about its own axes: first to the left, then down, then about the line of sight; and
+/// raised by the height.
 inline Isometry3 turned(const Isometry3& robot_from_camera, const CameraOffset& offset) {
   Isometry3 result = robot_from_camera;
   result.linear() = robot_from_camera.linear() * rotation_about_z(offset.pan) * rotation_about_y(offset.tilt);
+  // Without roll the result has the same bits as before there was one.
+  if (offset.roll != 0.0) result.linear() = result.linear() * rotation_about_x(offset.roll);
+  result.translation().z() += offset.height;
   return result;
 }
 

@@ -1,4 +1,5 @@
-// `reorient calibrate`: how one robot's cameras are mounted, from the lines that they see at a known place.
+// `reorient calibrate`: how one robot's cameras are mounted, from the lines that they see at a known place, or from
+// footage.
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "program/calibrate/footage_calibration.h"
 #include "program/calibrate/look_about.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
@@ -42,6 +44,10 @@ struct CalibrateOptions {
   ParameterOptions parameters;
   std::filesystem::path out = "calibration.toml";
   std::filesystem::path pictures = "out";
+  // Of footage: the source, how it is read, and by what.
+  std::filesystem::path source;
+  FootageArguments footage;
+  std::string by = "auto";
 };
 
 std::array<CalibrationShots, 2> look(const CalibrateOptions& options, const RobotBody& body,
@@ -102,7 +108,7 @@ int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::o
       continue;
     }
     any = true;
-    calibration[i] = found->offset;
+    calibration.offsets[i] = found->offset;
     out << fmt::format(
         "{}: {:+.2f} degrees down, {:+.2f} to the left; lines are off by {:.2f} degrees instead of {:.2f} ({} "
         "points of {} images)\n",
@@ -121,16 +127,49 @@ int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::o
   return kSuccess;
 }
 
+int calibrate_footage(const CalibrateOptions& options, std::ostream& out) {
+  NamedFiles files;
+  files.reads(options.source, "--footage");
+  files.reads(options.body, "--body");
+  files.reads(options.field, "--field");
+  files.reads(options.footage.table, "--frames");
+  files.require_writable(options.out, "--out");
+  return calibrate_by_footage({.source = options.source,
+                               .footage = options.footage,
+                               .body = options.body,
+                               .field = options.field,
+                               .by = options.by,
+                               .out = options.out,
+                               .pictures = options.pictures},
+                              out);
+}
+
+void add_footage(CLI::App& parser, CalibrateOptions& options) {
+  CLI::Option* const footage =
+      parser.add_option("--footage", options.source, "recorded images instead of a robot: a folder, a video or a log")
+          ->check(check_not_empty);
+  parser
+      .add_option("--by", options.by,
+                  "footage: lines of the field, which need poses, or edges that are vertical in the room (default: "
+                  "lines where they are seen)")
+      ->check(CLI::IsMember({"lines", "edges"}))
+      ->needs(footage);
+  for (const std::string& name : add_footage_reading_options(parser, options.footage))
+    parser.get_option(name)->needs(footage);
+  for (const char* const name : {"--at", "--robot", "--guard", "--cameras", "--width", "--seed", "--set", "--params"})
+    parser.get_option(name)->excludes(footage);
+}
+
 }  // namespace
 
 Subcommand add_calibrate(CLI::App& program) {
   const auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* const parser =
-      program.add_subcommand("calibrate", "how a robot's cameras are mounted, from field lines at a known place");
+  CLI::App* const parser = program.add_subcommand(
+      "calibrate", "how a robot's cameras are mounted, from field lines at a known place or from footage");
   parser->fallthrough();
-  parser->add_option("--at", options->at, "where the robot stands, X,Y,DEGREES in the field's frame: m, m, degrees")
-      ->check(check_not_empty)
-      ->required();
+  CLI::Option* const at =
+      parser->add_option("--at", options->at, "where the robot stands, X,Y,DEGREES in the field's frame: m, m, degrees")
+          ->check(check_not_empty);
   parser->add_option("--robot", options->robot, "whose cameras; the simulator is for trying it")
       ->check(CLI::IsMember({kNao, "simulator"}))
       ->capture_default_str();
@@ -149,7 +188,13 @@ Subcommand add_calibrate(CLI::App& program) {
   parser->add_option("--pictures", options->pictures, "folder for pictures of before and after")
       ->check(check_not_empty)
       ->capture_default_str();
-  return {parser, [options](std::ostream& out, std::ostream& err) { return calibrate_cameras(*options, out, err); }};
+  add_footage(*parser, *options);
+  parser->callback([at, options] {
+    if (at->empty() && options->source.empty()) throw CLI::RequiredError(at->get_name());
+  });
+  return {parser, [options](std::ostream& out, std::ostream& err) {
+            return options->source.empty() ? calibrate_cameras(*options, out, err) : calibrate_footage(*options, out);
+          }};
 }
 
 }  // namespace reorient

@@ -13,6 +13,7 @@
 #include "engine/parameters/parameter_registry.h"
 #include "engine/parameters/utf8.h"
 #include "geometry/angle.h"
+#include "geometry/camera_attitude.h"
 #include "program/footage/footage_arguments.h"
 #include "program/footage/footage_wall.h"
 #include "program/interruption.h"

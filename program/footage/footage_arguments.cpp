@@ -9,9 +9,11 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "geometry/angle.h"
+#include "geometry/camera_offset.h"
 #include "geometry/pinned_math.h"
 #include "program/footage/recorded_footage.h"
 #include "program/options.h"
+#include "workbench/files/calibration_file.h"
 #include "workbench/footage/decoder_library.h"
 #include "workbench/footage/mcap_log.h"
 
@@ -101,9 +103,37 @@ McapLogOptions log_options_of(const FootageArguments& arguments, const RobotBody
   return options;
 }
 
+/// As recorded, without the camera offset.
+std::unique_ptr<FootageSource> open_recorded(const std::filesystem::path& source, const FootageArguments& arguments,
+                                             const RobotBody& body) {
+  if (source.extension() == ".mcap") {
+    if (is_recording(source)) return open_recorded_footage(source);
+    return std::make_unique<McapLog>(source, log_options_of(arguments, body));
+  }
+  return open_footage(request_of(source, arguments, body), decoder_library());
+}
+
+/// Footage whose recorded camera poses are corrected by a calibration.
+class OffsetFootage : public FootageSource {
+ public:
+  OffsetFootage(std::unique_ptr<FootageSource> source, const Calibration& calibration)
+      : source_(std::move(source)), calibration_(calibration) {}
+
+  bool next(FootageFrame& frame) override {
+    if (!source_->next(frame)) return false;
+    frame.robot_from_camera =
+        turned(with_recorded(frame.robot_from_camera, calibration_.recorded), calibration_.offsets[0]);
+    return true;
+  }
+
+ private:
+  std::unique_ptr<FootageSource> source_;
+  Calibration calibration_;
+};
+
 }  // namespace
 
-void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
+std::vector<std::string> add_footage_reading_options(CLI::App& parser, FootageArguments& arguments) {
   parser
       .add_option("--frames", arguments.table,
                   "footage: CSV with a row for each image (default: frames.csv in the folder)")
@@ -134,11 +164,20 @@ void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
           "footage from a log: KIND=FRAME: field (map), odometry (odom), base (base_link), camera; may be given again")
       ->allow_extra_args(false)
       ->check(check_not_empty);
+  return {"--frames", "--column", "--fov-degrees", "--images-per-second", "--topic", "--frame"};
+}
+
+void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
+  add_footage_reading_options(parser, arguments);
   parser
       .add_option("--wall", arguments.wall,
                   "footage: the virtual wall: auto (found in the images), field, or its radius in m")
       ->check(check_not_empty)
       ->capture_default_str();
+  parser
+      .add_option("--camera-offset", arguments.camera_offset,
+                  "footage: file with the offset of the camera's mounting, from reorient calibrate --footage")
+      ->check(check_not_empty);
 }
 
 FootageRequest request_of(const std::filesystem::path& source, const FootageArguments& arguments,
@@ -152,11 +191,9 @@ FootageRequest request_of(const std::filesystem::path& source, const FootageArgu
 
 std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
                                             const RobotBody& body) {
-  if (source.extension() == ".mcap") {
-    if (is_recording(source)) return open_recorded_footage(source);
-    return std::make_unique<McapLog>(source, log_options_of(arguments, body));
-  }
-  return open_footage(request_of(source, arguments, body), decoder_library());
+  if (arguments.camera_offset.empty()) return open_recorded(source, arguments, body);
+  const Calibration calibration = load_calibration(arguments.camera_offset);
+  return std::make_unique<OffsetFootage>(open_recorded(source, arguments, body), calibration);
 }
 
 }  // namespace reorient

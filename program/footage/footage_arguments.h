@@ -22,12 +22,15 @@ struct FootageArguments {
   std::vector<std::string> columns;   ///< NAME=HEADER or NAME=HEADER:UNIT
   std::optional<double> fov_degrees;  ///< horizontal field of view; nothing: the body's
   std::optional<double> images_per_second;
-  std::vector<std::string> topics;  ///< of a log: KIND=TOPIC
-  std::vector<std::string> frames;  ///< of a log: KIND=FRAME
-  std::string wall = "auto";        ///< or "field", or a radius in m
+  std::vector<std::string> topics;      ///< of a log: KIND=TOPIC
+  std::vector<std::string> frames;      ///< of a log: KIND=FRAME
+  std::string wall = "auto";            ///< or "field", or a radius in m
+  std::filesystem::path camera_offset;  ///< TOML, by `reorient calibrate --footage`; empty: none
 };
 
 void add_footage_options(CLI::App& parser, FootageArguments& arguments);
+/// Those of them that say how the footage is read; returns their names.
+std::vector<std::string> add_footage_reading_options(CLI::App& parser, FootageArguments& arguments);
 
 /// Of images without a calibration: --fov-degrees, else the body's upper camera.
 FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body);
@@ -35,7 +38,7 @@ FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body
 FootageRequest request_of(const std::filesystem::path& source, const FootageArguments& arguments,
                           const RobotBody& body);
 
-/// Throws BadFootage with one line.
+/// With the camera offset applied. Throws std::runtime_error (mostly BadFootage) with one line.
 std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
                                             const RobotBody& body);
 

@@ -8,6 +8,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "geometry/angle.h"
+#include "geometry/camera_attitude.h"
 
 namespace reorient {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/angle.h"
+#include "geometry/camera_attitude.h"
 #include "perception/field/field_features.h"
 #include "perception/field/ground_projection.h"
 #include "program/look/line_stripes.h"
@@ -209,28 +210,6 @@ PitchPosterior posterior_of(const PitchLikelihood& likelihood, const Isometry3& 
 }
 
 }  // namespace
-
-double pitch_of(const Isometry3& robot_from_camera) {
-  const Eigen::Matrix3d& axes = robot_from_camera.linear();
-  return std::atan2(-axes(2, 0), std::hypot(axes(2, 1), axes(2, 2)));
-}
-
-double roll_of(const Isometry3& robot_from_camera) {
-  const Eigen::Matrix3d& axes = robot_from_camera.linear();
-  return std::atan2(axes(2, 1), axes(2, 2));
-}
-
-Isometry3 with_pitch(const Isometry3& robot_from_camera, double pitch) {
-  return with_attitude(robot_from_camera, pitch, roll_of(robot_from_camera));
-}
-
-Isometry3 with_attitude(const Isometry3& robot_from_camera, double pitch, double roll) {
-  const Eigen::Matrix3d& axes = robot_from_camera.linear();
-  Isometry3 result = robot_from_camera;
-  result.linear() =
-      rotation_about_z(std::atan2(axes(1, 0), axes(0, 0))) * rotation_about_y(pitch) * rotation_about_x(roll);
-  return result;
-}
 
 PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, const Isometry3& robot_from_camera,
                            bool roll_is_known, const FieldFeatureParameters& parameters, const FieldDimensions& field) {

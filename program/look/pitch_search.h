@@ -20,15 +20,6 @@ struct PitchEstimate {
   int fitting = 0;         ///< those of them that are as wide as a field line at their distance
 };
 
-/// The pitch of a camera, rad downwards.
-double pitch_of(const Isometry3& robot_from_camera);
-/// The roll of a camera, rad, left side up.
-double roll_of(const Isometry3& robot_from_camera);
-/// The same camera with another pitch. Position, roll and yaw stay.
-Isometry3 with_pitch(const Isometry3& robot_from_camera, double pitch);
-/// With another pitch and roll.
-Isometry3 with_attitude(const Isometry3& robot_from_camera, double pitch, double roll);
-
 /// Tries pitches from -20 to 45 degrees, all equally likely beforehand. A pitch is likely where many stripes have the
 /// width of a field line at the distance that it implies, where they run in two directions at right angles on the
 /// ground, and where all carpet is below the horizon. Where the roll is not known, rolls of up to 8 degrees are tried

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/covered_areas.h"
+#include "geometry/camera_attitude.h"
 #include "perception/field/field_features.h"
 #include "perception/field/ground_projection.h"
 #include "perception/room/room_awareness.h"

@@ -161,6 +161,7 @@ constexpr Heeding kHeeding[] = {
     {"--topic", kOfFootage},
     {"--frame", kOfFootage},
     {"--wall", kOfFootage},
+    {"--camera-offset", kOfFootage},
     {"--belief", kOfFootage},
     {"--belief-at", kOfFootage},
     {"--lifted", kOfFootage},
@@ -208,6 +209,7 @@ void require_different_files(const RunOptions& options) {
   files.reads(options.places, "--places");
   files.reads(options.calibration, "--calibration");
   files.reads(options.footage.table, "--frames");
+  files.reads(options.footage.camera_offset, "--camera-offset");
   files.writes(options.save_parameters, "--save-params");
   for (const std::filesystem::path& file : parameter_files_of(options.parameters)) files.reads(file, "--params");
   files.writes(options.model, "--model");

@@ -42,6 +42,9 @@ TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
       {{"run", "--robot", "nao", "--places", folder_.write("bad.toml", "player_0 = [1, 2, 3]").string(), "--team", "5"},
        "there is no key 'player_0'"},
       {{"run", "--robot", "nao", "--calibration", file("nowhere.toml")}, "there is no such calibration"},
+      {{"run", "--robot", "nao", "--calibration",
+        folder_.write("late.toml", "[footage]\nrecorded_roll = false").string()},
+       "leaves out what footage recorded"},
       {{"calibrate"}, "--at is required"},
       {{"calibrate", "--at", "here"}, "a place is X,Y,DEGREES"},
       {{"calibrate", "--at", "0,0,0", "--out", "/nowhere/calibration.toml"}, "--out"},
@@ -63,7 +66,7 @@ TEST_F(NaoProcesses, TheCamerasOfASimulatedRobotAreCalibrated) {
                        "--out", file("calibration.toml"), "--pictures", file("out")});
   ASSERT_EQ(program.wait(), 0) << program.out() << program.err();
   const Calibration calibration = load_calibration(file("calibration.toml"));
-  for (const CameraOffset& offset : calibration) {
+  for (const CameraOffset& offset : calibration.offsets) {
     EXPECT_NEAR(to_degrees(offset.tilt), to_degrees(0.03), 0.15);
     EXPECT_NEAR(offset.pan, 0.0, from_degrees(0.4));
   }

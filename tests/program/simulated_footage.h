@@ -1,9 +1,23 @@
 // Footage as somebody else would have recorded it, made with the simulator: PNG images and a table.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
+#include "geometry/camera_offset.h"
+
 namespace reorient {
+
+/// Footage whose camera is mounted differently than the table says.
+struct OffsetFootageOptions {
+  int images = 100;        ///< five a second
+  int width = 320;         ///< pixels
+  std::uint64_t seed = 1;  ///< of all noise, of the start and of the walk
+  CameraOffset offset;     ///< the true camera pose is turned(recorded, offset)
+};
+/// A robot that walks and looks about. The simulated body measures its camera pose without error, so that the offset is
+/// the only difference. The pose is that of the point below the camera, since the table has no other position.
+void write_offset_footage(const std::filesystem::path& folder, const OffsetFootageOptions& options);
 
 /// A robot that walks in a circle and looks about, for so many images, five a second: images/NNNN.png and frames.csv in
 /// the folder, with the truth as pose. `width` of the images in pixels; `head_pitch` in rad, downwards.

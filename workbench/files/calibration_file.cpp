@@ -15,13 +15,23 @@ Calibration parse_calibration(std::string_view text, const std::string& name) {
     return [&in, &name, &offset](auto& key, auto& value) {
       constexpr double kMost = 15.0;  // degrees: what is farther off is broken
       const TableReader camera(in.table(key, value), name);
-      double tilt = 0.0, pan = 0.0;
-      camera.read(
-          {{"tilt_degrees", camera.into(tilt, -kMost, kMost)}, {"pan_degrees", camera.into(pan, -kMost, kMost)}});
-      offset = {from_degrees(tilt), from_degrees(pan)};
+      constexpr double kMostHeight = 0.3;  // m
+      double tilt = 0.0, pan = 0.0, roll = 0.0, height = 0.0;
+      camera.read({{"tilt_degrees", camera.into(tilt, -kMost, kMost)},
+                   {"pan_degrees", camera.into(pan, -kMost, kMost)},
+                   {"roll_degrees", camera.into(roll, -kMost, kMost)},
+                   {"height_m", camera.into(height, -kMostHeight, kMostHeight)}});
+      offset = {from_degrees(tilt), from_degrees(pan), from_degrees(roll), height};
     };
   };
-  in.read({{"upper", into(calibration[0])}, {"lower", into(calibration[1])}});
+  in.read({{"upper", into(calibration.offsets[0])},
+           {"lower", into(calibration.offsets[1])},
+           {"footage", [&](auto& key, auto& value) {
+              const TableReader footage(in.table(key, value), name);
+              RecordedAttitude& recorded = calibration.recorded;
+              footage.read({{"recorded_pitch", [&](auto& k, auto& v) { recorded.pitch = footage.yes(k, v); }},
+                            {"recorded_roll", [&](auto& k, auto& v) { recorded.roll = footage.yes(k, v); }}});
+            }}});
   return calibration;
 }
 
@@ -32,12 +42,23 @@ Calibration load_calibration(const std::filesystem::path& file) {
 std::string to_toml(const Calibration& calibration) {
   std::string text;
   const char* const names[] = {"upper", "lower"};
-  for (std::size_t i = 0; i < calibration.size(); ++i) {
+  for (std::size_t i = 0; i < calibration.offsets.size(); ++i) {
+    const CameraOffset& offset = calibration.offsets[i];
     char lines[120];
     std::snprintf(lines, sizeof(lines), "[%s]\ntilt_degrees = %.2f\npan_degrees = %.2f\n", names[i],
-                  to_degrees(calibration[i].tilt), to_degrees(calibration[i].pan));
+                  to_degrees(offset.tilt), to_degrees(offset.pan));
     text += lines;
+    // Calibration at a place finds neither.
+    std::snprintf(lines, sizeof(lines), "roll_degrees = %.2f\n", to_degrees(offset.roll));
+    if (offset.roll != 0.0) text += lines;
+    std::snprintf(lines, sizeof(lines), "height_m = %.4f\n", offset.height);
+    if (offset.height != 0.0) text += lines;
   }
+  const RecordedAttitude& recorded = calibration.recorded;
+  if (recorded == RecordedAttitude()) return text;
+  text += "[footage]\n";
+  if (!recorded.pitch) text += "recorded_pitch = false\n";
+  if (!recorded.roll) text += "recorded_roll = false\n";
   return text;
 }
 

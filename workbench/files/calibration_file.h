@@ -1,5 +1,7 @@
 // How one robot's cameras are mounted, from a TOML file with a table for each: `[upper]`, `[lower]` with `tilt_degrees`
-// (downwards) and `pan_degrees` (to the left).
+// (downwards), `pan_degrees` (to the left), `roll_degrees` (left side up) and `height_m` (upwards). Footage has the
+// upper camera. `[footage]` with `recorded_pitch` or `recorded_roll` = false: what was recorded of single images does
+// not belong to them, and 0 is used instead.
 #pragma once
 
 #include <array>
@@ -7,12 +9,15 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/camera_attitude.h"
 #include "geometry/camera_offset.h"
 
 namespace reorient {
 
-/// Of the upper and the lower camera.
-using Calibration = std::array<CameraOffset, 2>;
+struct Calibration {
+  std::array<CameraOffset, 2> offsets;  ///< of the upper and the lower camera
+  RecordedAttitude recorded;            ///< of footage
+};
 
 /// Throws std::runtime_error with one line that names the file, the line and what is wrong.
 Calibration load_calibration(const std::filesystem::path& file);

@@ -77,7 +77,14 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
         "--places: the referee is heard with --team alone; give the team's number, or leave it out");
 
   nao::NaoOptions robot_options;
-  if (!options.calibration.empty()) robot_options.offsets = load_calibration(options.calibration);
+  if (!options.calibration.empty()) {
+    const Calibration calibration = load_calibration(options.calibration);
+    if (calibration.recorded != RecordedAttitude())
+      throw std::runtime_error(options.calibration.string() +
+                               ": [footage]: expected a calibration of this robot's cameras, found one that leaves out "
+                               "what footage recorded; it is for run --robot footage --camera-offset");
+    robot_options.offsets = calibration.offsets;
+  }
   robot_options.body = load_body(body_file(options.body));
   // LoLA has neither, and we do not bring them.
   if (!options.walk) robot_options.body.gait.reset();

@@ -38,25 +38,34 @@ TEST(PlacesFile, IsRefusedInOneLine) {
 }
 
 TEST(CalibrationFile, IsReadAsItWasWritten) {
-  const Calibration written{CameraOffset{from_degrees(1.25), from_degrees(-0.5)}, CameraOffset{0.0, from_degrees(2.0)}};
+  const Calibration written{{CameraOffset{from_degrees(1.25), from_degrees(-0.5)},
+                             CameraOffset{0.0, from_degrees(2.0), from_degrees(-3.1), 0.0123}},
+                            {.roll = false}};
   const Calibration read = parse_calibration(to_toml(written), "file.toml");
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR(read[i].tilt, written[i].tilt, 1e-4);
-    EXPECT_NEAR(read[i].pan, written[i].pan, 1e-4);
+    EXPECT_NEAR(read.offsets[i].tilt, written.offsets[i].tilt, 1e-4);
+    EXPECT_NEAR(read.offsets[i].pan, written.offsets[i].pan, 1e-4);
+    EXPECT_NEAR(read.offsets[i].roll, written.offsets[i].roll, 1e-4);
+    EXPECT_NEAR(read.offsets[i].height, written.offsets[i].height, 1e-4);
   }
+  EXPECT_EQ(read.recorded, written.recorded);
+  EXPECT_EQ(to_toml({}).find("footage"), std::string::npos);
 }
 
 TEST(CalibrationFile, MayLeaveOutWhatIsAsTheDataSheetSays) {
   const Calibration calibration = parse_calibration("[lower]\ntilt_degrees = 1\n", "file.toml");
-  EXPECT_EQ(calibration[0].tilt, 0.0);
-  EXPECT_NEAR(calibration[1].tilt, from_degrees(1.0), 1e-12);
+  EXPECT_EQ(calibration.offsets[0].tilt, 0.0);
+  EXPECT_NEAR(calibration.offsets[1].tilt, from_degrees(1.0), 1e-12);
 }
 
 TEST(CalibrationFile, IsRefusedInOneLine) {
   EXPECT_NE(complaint(parse_calibration, "[uper]\n").find("did you mean 'upper'?"), std::string::npos);
   EXPECT_NE(complaint(parse_calibration, "[upper]\ntilt_degrees = 40\n"), "");
   EXPECT_NE(complaint(parse_calibration, "[upper]\ntilt_degrees = \"much\"\n"), "");
+  EXPECT_NE(complaint(parse_calibration, "[upper]\nheight_m = 0.5\n"), "");
   EXPECT_NE(complaint(parse_calibration, "upper = 3\n"), "");
+  EXPECT_NE(complaint(parse_calibration, "[footage]\nrecorded_roll = 0\n"), "");
+  EXPECT_NE(complaint(parse_calibration, "[footage]\nroll = false\n"), "");
 }
 
 }  // namespace

@@ -79,6 +79,8 @@ void draw_tiles(Canvas& canvas, const ImageScale& scale, const CameraView& camer
 void draw_features(Canvas& canvas, const ImageScale& scale, const CameraView& camera) {
   const double marks = scale.marks;
   for (const auto& line : camera.projected_lines) canvas.polyline(scale * line, kProjected, 1.5 * marks);
+  for (const auto& edge : camera.edges) shadowed(canvas, scale * edge, palette::percept, 3.0, marks);
+  for (const auto& line : camera.projected_verticals) canvas.polyline(scale * line, kProjected, 1.5 * marks);
   if (!camera.horizon.empty()) shadowed(canvas, scale * camera.horizon, kHorizon, 2.0, marks);
   if (!camera.boundary.empty()) shadowed(canvas, scale * camera.boundary, kBoundary, 2.0, marks);
   for (const ImageArea& area : camera.obstacles) {
@@ -137,6 +139,8 @@ std::vector<LegendEntry> entries(const CameraView& camera) {
     list.push_back({point, "line points"});
   }
   if (!camera.projected_lines.empty()) list.push_back(line_entry(kProjected, 2.0, "lines as believed"));
+  if (!camera.edges.empty()) list.push_back(line_entry(palette::percept, 3.0, "nearly vertical edges"));
+  if (!camera.projected_verticals.empty()) list.push_back(line_entry(kProjected, 2.0, "verticals as expected"));
   if (!camera.goal_posts.empty()) list.push_back(line_entry(palette::goal_area, 5.0, "goal posts"));
   if (!camera.boundary.empty()) list.push_back(line_entry({225, 190, 0}, 3.0, "field boundary"));
   if (!camera.horizon.empty()) list.push_back(line_entry(kHorizon, 3.0, "horizon"));

@@ -52,9 +52,11 @@ struct CameraView {
   std::vector<ImageLinePoint> line_points;
   std::vector<ImageGoalPost> goal_posts;
   std::vector<ImageArea> obstacles;
-  std::vector<Eigen::Vector2d> boundary;                      ///< of the field, from left to right
-  std::vector<Eigen::Vector2d> horizon;                       ///< from left to right
-  std::vector<std::vector<Eigen::Vector2d>> projected_lines;  ///< field lines as the believed pose expects them
+  std::vector<Eigen::Vector2d> boundary;                          ///< of the field, from left to right
+  std::vector<Eigen::Vector2d> horizon;                           ///< from left to right
+  std::vector<std::vector<Eigen::Vector2d>> projected_lines;      ///< field lines as the believed pose expects them
+  std::vector<std::vector<Eigen::Vector2d>> edges;                ///< nearly vertical edges that the image shows
+  std::vector<std::vector<Eigen::Vector2d>> projected_verticals;  ///< verticals as the camera pose expects them
 };
 
 /// 1280 pixels wide, whatever the image's size, with the legend below the image. `caption`: in a line below the legend;
