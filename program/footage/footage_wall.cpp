@@ -15,11 +15,20 @@ namespace {
 constexpr std::size_t kMostViews = 400;
 constexpr std::size_t kMostImages = 4000;  // that are decoded for them
 
+/// False where the footage ends, also by damage: the run itself meets that and tells it, after all that came before.
+bool read_next(FootageSource& source, FootageFrame& frame) {
+  try {
+    return source.next(frame);
+  } catch (const BadFootage&) {
+    return false;
+  }
+}
+
 /// Evenly over the footage, as far as it is read.
 std::vector<WallView> views_of(FootageSource& source) {
   std::vector<WallView> views;
   std::size_t every = 1, images = 0;
-  for (FootageFrame frame; images < kMostImages && source.next(frame); ++images) {
+  for (FootageFrame frame; images < kMostImages && read_next(source, frame); ++images) {
     if (images % every != 0) continue;
     if (auto view = wall_view(frame)) views.push_back(std::move(*view));
     if (views.size() < kMostViews) continue;
