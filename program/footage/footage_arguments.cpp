@@ -26,11 +26,12 @@ ColumnHeaders headers_of(const std::vector<std::string>& columns) {
   for (const std::string& column : columns) {
     const std::size_t equals = column.find('=');
     const std::string name = column.substr(0, equals);
-    if (equals == std::string::npos || equals + 1 == column.size())
+    if (equals == std::string::npos)
       throw BadFootage("--column: expected NAME=HEADER or NAME=HEADER:UNIT, as in time=stamp:ns, found '" + column +
                        "'");
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw BadFootage("--column: there is no column '" + name + "'" + did_you_mean(name, known));
+      throw BadFootage("--column: there is no column '" + name + "'" + did_you_mean(name, known) + "; there are " +
+                       list_of(known));
     if (!headers.emplace(name, column.substr(equals + 1)).second)
       throw BadFootage("--column: " + name + " is named twice");
   }
@@ -139,9 +140,11 @@ std::vector<std::string> add_footage_reading_options(CLI::App& parser, FootageAr
                   "footage: CSV with a row for each image (default: frames.csv in the folder)")
       ->check(check_not_empty);
   parser
-      .add_option("--column", arguments.columns,
-                  "footage: where the CSV calls a column otherwise: NAME=HEADER[:UNIT], as in time=stamp:ns; may be "
-                  "given again")
+      .add_option(
+          "--column", arguments.columns,
+          "footage: where the CSV calls a column otherwise: NAME=HEADER[:UNIT], as in time=stamp:ns. Names: image; "
+          "time (s, ms, us, ns); x, y, odometry_x, odometry_y, camera_height (m, cm, mm); rotation, "
+          "odometry_rotation, roll, pitch, camera_yaw (rad, deg). NAME= leaves a column out; may be given again")
       ->allow_extra_args(false)
       ->check(check_not_empty);
   parser

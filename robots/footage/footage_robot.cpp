@@ -74,7 +74,9 @@ FootageRobot::FootageRobot(std::unique_ptr<FootageSource> source, const FootageO
 /// False: there is none any more.
 bool FootageRobot::next_frame() {
   try {
-    if (!failure_.empty() || !source_->next(frame_)) return false;
+    if (!failure_.empty() || is_over_) return false;
+    is_over_ = !source_->next(frame_);
+    if (is_over_) return false;
   } catch (const BadFootage& damage) {
     failure_ = damage.what();
     return false;

@@ -74,6 +74,9 @@ class FootageRobot : public Robot, public GroundTruthSource {
   /// Why the footage ended before its end: one line; empty: it did not.
   const std::string& failure() const { return failure_; }
   std::uint64_t frames() const { return frames_; }
+  double seconds() const { return time_; }  ///< of the last frame, the engine's
+  /// The footage is over, and the belief was to change after its end.
+  bool missed_change() const { return is_over_ && options_.change && !is_changed_; }
 
  private:
   bool next_frame();
@@ -89,7 +92,7 @@ class FootageRobot : public Robot, public GroundTruthSource {
   double time_before_ = 0.0;  // s, of the frame before
   FootageBelief belief_;
   bool is_next_read_ = false;  // frame_ was not observed yet
-  bool is_started_ = false, is_changed_ = false, is_carried_ = false;
+  bool is_started_ = false, is_over_ = false, is_changed_ = false, is_carried_ = false;
   std::optional<Pose2> truth_;
   Pose2 odometry_;
   std::string failure_;

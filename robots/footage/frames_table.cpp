@@ -62,14 +62,15 @@ class FramesParser {
  public:
   FramesParser(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
 
-  std::vector<FrameRow> parse(const ColumnHeaders& headers) {
+  FramesTable parse(const ColumnHeaders& headers) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
     if (rest_.empty()) refuse("expected a line of column headers, found an empty file");
     separator_ = separator_of(rest_.substr(0, rest_.find('\n')));
     read_line();
     find_columns(headers);
-    std::vector<FrameRow> rows;
+    FramesTable table = columns_table(headers);
+    std::vector<FrameRow>& rows = table.rows;
     while (!rest_.empty()) {
       read_line();
       if (cells_.size() == 1 && cells_[0].empty()) continue;
@@ -79,7 +80,7 @@ class FramesParser {
       rows.push_back(std::move(row));
     }
     if (rows.empty()) refuse("expected a row for each image, found none");
-    return rows;
+    return table;
   }
 
  private:
@@ -138,7 +139,9 @@ class FramesParser {
 
   void find_columns(const ColumnHeaders& headers) {
     headers_ = cells_;
-    for (const auto& [column, header] : headers) name_column(column, header);
+    for (const auto& [column, header] : headers) {
+      if (!header.empty()) name_column(column, header);
+    }
     for (std::size_t cell = 0; cell < headers_.size(); ++cell) {
       if (headers_[cell] == kImage && !headers.contains(std::string(kImage))) take_image(cell);
       for (std::size_t i = 0; i < kColumns.size(); ++i) {
@@ -165,13 +168,39 @@ class FramesParser {
     const auto kind =
         std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& one) { return one.name == column; });
     if (kind == kColumns.end()) refuse("there is no column of the name " + in_quotes(column));
-    const std::string_view unit_name =
-        colon == std::string::npos ? kind->units.front().name : std::string_view(header).substr(colon + 1);
-    const auto unit =
-        std::find_if(kind->units.begin(), kind->units.end(), [&](const Unit& one) { return one.name == unit_name; });
-    if (unit == kind->units.end())
-      refuse("expected a unit of " + column + " (" + units_text(kind->units) + "), found " + in_quotes(unit_name));
-    take(static_cast<std::size_t>(kind - kColumns.begin()), cell, unit->factor);
+    const auto unit_called = [&](std::string_view name) {
+      return std::find_if(kind->units.begin(), kind->units.end(), [&](const Unit& one) { return one.name == name; });
+    };
+    const std::size_t underscore = title.rfind('_');
+    auto unit = underscore == std::string::npos ? kind->units.end() : unit_called(title.substr(underscore + 1));
+    if (colon != std::string::npos) {
+      const std::string_view told = std::string_view(header).substr(colon + 1);
+      if (unit != kind->units.end() && unit->name != told)
+        refuse(in_quotes(title) + ": expected " + in_quotes(unit->name) + " as its unit, as its name says, found " +
+               in_quotes(told));
+      unit = unit_called(told);
+      if (unit == kind->units.end())
+        refuse("expected a unit of " + column + " (" + units_text(kind->units) + "), found " + in_quotes(told));
+    }
+    take(static_cast<std::size_t>(kind - kColumns.begin()), cell,
+         unit == kind->units.end() ? kind->units.front().factor : unit->factor);
+  }
+
+  /// Without rows. A column that the caller does not want is not missing.
+  FramesTable columns_table(const ColumnHeaders& headers) const {
+    FramesTable table;
+    for (std::size_t cell = 0; cell < headers_.size(); ++cell) {
+      const auto is_here = [cell](const Place& place) { return place.is_there && place.cell == cell; };
+      if (!is_here(image_) && std::none_of(places_.begin(), places_.end(), is_here))
+        table.passed_over.push_back(headers_[cell]);
+    }
+    if (!image_.is_there && !headers.contains(std::string(kImage))) table.missing.emplace_back(kImage);
+    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+      if (places_[i].is_there || headers.contains(std::string(kColumns[i].name))) continue;
+      for (const Unit& unit : kColumns[i].units)
+        table.missing.push_back(std::string(kColumns[i].name) + "_" + std::string(unit.name));
+    }
+    return table;
   }
 
   std::string headers_text() const {
@@ -295,7 +324,7 @@ std::vector<std::string> frame_column_names() {
   return names;
 }
 
-std::vector<FrameRow> parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers) {
+FramesTable parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers) {
   return FramesParser(text, name).parse(headers);
 }
 

@@ -47,15 +47,22 @@ struct FrameRow {
   Isometry3 robot_from_camera(double usual_height) const;
 };
 
-/// "rotation" -> "yaw" or "yaw:deg": the header of a column, where it is not the usual one; "image" -> "file".
+/// "rotation" -> "yaw" or "yaw:deg": the header of a column, where it is not the usual one; "image" -> "file". Where a
+/// header ends with a unit, that is its unit. An empty header: the column is not used.
 using ColumnHeaders = std::map<std::string, std::string>;
 
 /// The columns' names, "image" among them.
 std::vector<std::string> frame_column_names();
 
+struct FramesTable {
+  std::vector<FrameRow> rows;
+  std::vector<std::string> passed_over;  ///< headers that are no column's
+  std::vector<std::string> missing;      ///< usual headers of the columns that are not there, with each unit
+};
+
 /// Cells are separated by commas, semicolons or tabs, as the first line says; numbers may have a decimal comma. Columns
 /// that nobody knows are passed over. `name`: of the file, for messages. Throws BadFootage with one line: file, line,
 /// what was expected, what was found. Times increase from row to row, if there are any.
-std::vector<FrameRow> parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers = {});
+FramesTable parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers = {});
 
 }  // namespace reorient

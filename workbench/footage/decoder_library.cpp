@@ -9,6 +9,7 @@
 #include "robots/footage/footage.h"
 #include "robots/image_formats.h"
 #include "workbench/footage/decoder_functions.h"
+#include "workbench/footage/jpeg_end.h"
 
 namespace reorient {
 namespace {
@@ -118,6 +119,9 @@ const Functions& functions() {
 FootageDecoder decoder_library() {
   return {[](std::span<const std::byte> bytes, const std::string& where) {
             reorient_pixels pixels{};
+            if (is_cut_off_jpeg(bytes))
+              throw BadFootage(where + ": expected a whole JPEG, found " + std::to_string(bytes.size()) +
+                               " bytes without its end");
             if (functions().decode_image(bytes.data(), bytes.size(), &pixels) != 0)
               throw BadFootage(where + ": expected an image, found " + std::to_string(bytes.size()) +
                                " bytes that are none, or a damaged one");

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include "engine/parameters/nearest_name.h"
+#include "robots/footage/messages/bad_message.h"
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
@@ -51,8 +53,8 @@ bool have_times(const std::vector<FrameRow>& rows) { return rows.front().value(F
 void require_times(const FootageRequest& request, const std::vector<FrameRow>& rows, const fs::path& where) {
   if (request.times_are_given || have_times(rows)) return;
   throw BadFootage(where.string() +
-                   ": expected a time for each image (a column time_s), found none; or say how many "
-                   "images a second there are");
+                   ": expected a time for each image (a column time_s), found none; --column time=HEADER names "
+                   "another column, --images-per-second does without");
 }
 
 std::unique_ptr<FootageSource> open_images(const FootageRequest& request, const fs::path& table,
@@ -166,7 +168,14 @@ fs::path table_of(const FootageRequest& request) {
 }
 
 std::vector<FrameRow> read_table(const fs::path& table, const ColumnHeaders& headers) {
-  return parse_frames(read_file(table, "a table"), table.string(), headers);
+  FramesTable parsed = parse_frames(read_file(table, "a table"), table.string(), headers);
+  // What looks like a slip of the finger would be missed without a word.
+  for (const std::string& header : parsed.passed_over) {
+    if (const std::string meant = did_you_mean(header, parsed.missing); !meant.empty())
+      throw BadFootage(table.string() + ":1: expected a known column, found " + messages::in_quotes(header) + meant +
+                       "; --column NAME=HEADER names it, --column NAME= leaves NAME out");
+  }
+  return std::move(parsed.rows);
 }
 
 std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const FootageDecoder& decoder) {

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kName = "frames.csv";
 
 std::vector<FrameRow> rows_of(std::string_view text, const ColumnHeaders& headers = {}) {
-  return parse_frames(text, kName, headers);
+  return parse_frames(text, kName, headers).rows;
 }
 
 /// What is thrown; empty: it was taken.
@@ -66,6 +66,15 @@ TEST(FramesTable, MayCallItsColumnsOtherwise) {
   EXPECT_EQ(rows[0].value(FrameColumn::time), 1.5);
   EXPECT_FALSE(rows[0].pose());
   EXPECT_NEAR(*rows[0].heading(), kPi / 2.0, 1e-12);
+}
+
+TEST(FramesTable, TakesTheUnitOfANamedColumnFromItsHeader) {
+  const auto rows = rows_of("stamp_ms,yaw,tilt_deg\n1500,1,90\n",
+                            {{"time", "stamp_ms"}, {"rotation", "yaw:deg"}, {"pitch", "tilt_deg"}});
+  EXPECT_NEAR(*rows.at(0).value(FrameColumn::time), 1.5, 1e-12);
+  EXPECT_NEAR(*rows.at(0).value(FrameColumn::rotation), kPi / 180.0, 1e-12);
+  EXPECT_NEAR(*rows.at(0).value(FrameColumn::pitch), 0.5 * kPi, 1e-12);
+  EXPECT_FALSE(rows_of("time_s,pitch_rad\n1,1\n", {{"pitch", ""}}).at(0).value(FrameColumn::pitch)) << "left out";
 }
 
 TEST(FramesTable, MayLeaveOutWhatIsNotKnown) {

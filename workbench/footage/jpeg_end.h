@@ -1,0 +1,12 @@
+// Decoders fill what is missing of a JPEG with gray, without an error.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace reorient {
+
+/// A JPEG that lacks its end-of-image marker (ITU-T T.81, B.1.1.2). False for what is no JPEG.
+bool is_cut_off_jpeg(std::span<const std::byte> bytes);
+
+}  // namespace reorient
