@@ -79,13 +79,16 @@ const CLI::App& asked_of(const CLI::App& app) {
   return named.empty() ? app : asked_of(*named.back());
 }
 
-/// What an option or a file that is missing would be, where its name alone does not say so.
+/// What an option, a file or a subcommand that is missing would be, where its name alone does not say so.
 std::string meaning_of_missing(const CLI::App& app, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return {};
   for (const CLI::Option* option : asked_of(app).get_options()) {
     if (std::string(error.what()) == option->get_name() + " is required") return ": " + option->get_description();
   }
-  return {};
+  std::string names;
+  for (const CLI::App* one : asked_of(app).get_subcommands([](const CLI::App*) { return true; }))
+    names += (names.empty() ? ": " : ", ") + one->get_name();
+  return names;
 }
 
 /// "reorient model compare --help".

@@ -128,6 +128,7 @@ std::string shared_options(const FootageExperimentOptions& options) {
   for (const std::string& frame : setup.footage.frames) add("--frame", frame);
   if (setup.footage.fov_degrees) add("--fov-degrees", fmt::format("{}", *setup.footage.fov_degrees));
   add("--wall", setup.footage.wall);
+  if (!setup.footage.camera_offset.empty()) add("--camera-offset", setup.footage.camera_offset.string());
   if (setup.footage.images_per_second) add("--images-per-second", fmt::format("{}", *setup.footage.images_per_second));
   if (!setup.body.empty()) add("--body", setup.body.string());
   if (!setup.field.empty()) add("--field", setup.field.string());
@@ -158,21 +159,29 @@ std::string trial_command(const FootageExperimentOptions& options, const std::st
 }
 
 bool has_failed(const TrialResult& result, const FootageCase& one) {
-  return one.change.mirrored ? !result.mended_after : result.false_flips > 0;
+  return one.change.mirrored ? result.failed() : result.false_flips > 0;
 }
 
-void print_failures(const std::vector<CellResults>& cells, const std::vector<FootageCase>& cases,
-                    const std::vector<std::unique_ptr<FootageTrials>>& footages, std::ostream& out) {
+std::string what_went_wrong(const TrialResult& result, const FootageCase& one) {
+  if (!one.change.mirrored) return "flipped";
+  if (!result.mended_after) return "not found";
+  return fmt::format("found after {:.1f} s, but not for good", *result.mended_after);
+}
+
+void print_failures(const FootageExperimentOptions& options, const std::vector<CellResults>& cells,
+                    const std::vector<FootageCase>& cases, const std::vector<std::unique_ptr<FootageTrials>>& footages,
+                    std::ostream& out) {
   bool any = false;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const FootageCase& one = cases[i % cases.size()];
+    const std::size_t footage = i / cases.size();
     for (const TrialResult& result : cells[i].trials) {
       if (!has_failed(result, one)) continue;
       if (!std::exchange(any, true)) out << "\nTrials that went wrong:\n";
-      const FootageTrials::Start& start = footages[i / cases.size()]->starts()[result.seed - 1];
-      out << fmt::format("  {}, {}, {}, image {} ({:.1f} s): {}; {}\n", as_line(cells[i].choices[0]), one.start,
-                         one.pose, start.frame, start.time, one.change.mirrored ? "not found" : "flipped",
-                         cause_of(result));
+      const FootageTrials::Start& start = footages[footage]->starts()[result.seed - 1];
+      out << fmt::format("  {}, {}, {}, image {} ({:.1f} s): {}; {}\n    {}\n", as_line(cells[i].choices[0]), one.start,
+                         one.pose, start.frame, start.time, what_went_wrong(result, one), cause_of(result),
+                         trial_command(options, options.sources[footage], start, one));
     }
   }
 }
@@ -185,8 +194,9 @@ void print_images(const std::vector<CellResults>& cells, const std::vector<Foota
     if (!cases[i % cases.size()].change.mirrored) continue;
     std::vector<int> images;
     for (const TrialResult& result : cells[i].trials) {
-      if (result.mended_after)
-        images.push_back(footages[i / cases.size()]->images_within(result.seed - 1, *result.mended_after));
+      if (result.right_after)
+        images.push_back(footages[i / cases.size()]->images_within(result.seed - 1,
+                                                                   result.mended_after.value_or(*result.right_after)));
     }
     std::sort(images.begin(), images.end());
     const auto quantile = [&](double share) {
@@ -200,6 +210,15 @@ void print_images(const std::vector<CellResults>& cells, const std::vector<Foota
   }
   out << '\n';
   print_table(lines, 2, out);
+}
+
+/// Whether the next trial begins before one is over, on the average.
+bool have_common_images(const std::vector<std::unique_ptr<FootageTrials>>& footages,
+                        const FootageTrialOptions& options) {
+  return std::any_of(footages.begin(), footages.end(), [&](const std::unique_ptr<FootageTrials>& footage) {
+    const auto& starts = footage->starts();
+    return starts.back().time - starts.front().time < options.watch * static_cast<double>(starts.size() - 1);
+  });
 }
 
 /// Another one where anything is another: what is there is of the same footage, options and scripts.
@@ -281,7 +300,10 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
   out << '\n' << experiment.title << "\n\n";
   print_rows(experiment, cells, out);
   print_images(cells, cases, footages, out);
-  print_failures(cells, cases, footages, out);
+  print_failures(options, cells, cases, footages, out);
+  if (options.trials.starts > 1 && have_common_images(footages, options.trials))
+    out << "\nTrials follow each other so closely that they share images: the intervals are narrower than they should "
+           "be.\n";
   std::vector<std::string> failures;
   if (!options.json.empty())
     try_to_write(failures, [&] { write_whole_file(options.json, rows_as_json(experiment, cells)); });

@@ -87,7 +87,7 @@ class Footage : public testing::Test {
     const std::size_t place = all.find(from);
     EXPECT_NE(place, std::string::npos);
     all.replace(place, from.size(), to);
-    return folder_.write("other.csv", all).string();
+    return folder_.write((to.substr(to.find('/') + 1) + ".csv").c_str(), all).string();
   }
 
   TemporaryFolder folder_;
@@ -125,14 +125,44 @@ TEST_F(Footage, IsRecordedAndReplayedToTheSameDigest) {
 
 TEST_F(Footage, EndsWhereAnImageIsMissingAndKeepsWhatCameBefore) {
   const std::string table = table_with("images/0100.png", "images/none.png");
-  const ProgramRun ended = run({"--frames", table, "--record", file("run.mcap")});
-  EXPECT_EQ(ended.code, kBadInput);
-  EXPECT_NE(ended.err.find("images/none.png: expected the image of"), std::string::npos) << ended.err;
-  EXPECT_NE(ended.out.find("wrong: the footage cannot be read any further"), std::string::npos) << ended.out;
-  const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
-  EXPECT_EQ(replayed.code, 0);
-  EXPECT_EQ(digest_of(replayed), digest_of(ended));
-  EXPECT_NE(replayed.out.find("100 frames"), std::string::npos) << replayed.out;
+  for (const char* const wall : {"auto", "6", "field"}) {
+    const ProgramRun ended = run({"--frames", table, "--wall", wall, "--record", file("run.mcap")});
+    EXPECT_EQ(ended.code, kBadInput) << wall;
+    EXPECT_NE(ended.err.find("images/none.png: expected the image of"), std::string::npos) << wall << ended.err;
+    EXPECT_NE(ended.out.find("wrong: the footage cannot be read any further"), std::string::npos) << wall << ended.out;
+    const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
+    EXPECT_EQ(replayed.code, 0) << wall;
+    EXPECT_EQ(digest_of(replayed), digest_of(ended)) << wall;
+    EXPECT_NE(replayed.out.find("100 frames"), std::string::npos) << wall << replayed.out;
+  }
+}
+
+TEST_F(Footage, EndsWhereAnImageIsCutOff) {
+  const std::vector<std::byte> jpeg = encoded(image_file(0), ".jpg");
+  ASSERT_FALSE(jpeg.empty());
+  const auto table = [&](std::size_t bytes, const std::string& tail) {
+    folder_.write("cut.jpg", std::string(reinterpret_cast<const char*>(jpeg.data()), bytes) + tail);
+    return run({}, folder_.write("cut.csv", "image,time_s,x_m,y_m,rotation_rad\ncut.jpg,0,0,0,0\n"));
+  };
+  EXPECT_EQ(table(jpeg.size(), "").code, 0);
+  EXPECT_EQ(table(jpeg.size(), std::string(7, '\0')).code, 0) << "some cameras fill up their files";
+  for (const std::size_t left_out : {std::size_t{2}, jpeg.size() / 4, jpeg.size() / 2}) {
+    const ProgramRun cut = table(jpeg.size() - left_out, "");
+    EXPECT_EQ(cut.code, kBadInput) << left_out;
+    EXPECT_NE(cut.err.find("cut.jpg: expected a whole JPEG"), std::string::npos) << cut.err;
+  }
+  std::ostringstream png;
+  png << std::ifstream(image_file(0), std::ios::binary).rdbuf();
+  folder_.write("cut.jpg", png.str().substr(0, png.str().size() / 2));
+  EXPECT_EQ(run({}, folder_.path() / "cut.csv").code, kBadInput) << "half of a PNG";
+}
+
+TEST_F(Footage, SaysThatABeliefChangesAfterTheEnd) {
+  const ProgramRun late = run({"--belief", "mirrored", "--belief-at", "500"});
+  EXPECT_EQ(late.code, kBadInput);
+  EXPECT_NE(late.err.find("--belief-at 500: expected a moment of the footage, which lasts 43.8 s"), std::string::npos)
+      << late.err;
+  EXPECT_EQ(run({"--belief", "mirrored", "--belief-at", "500", "--seconds", "2"}).code, 0) << "it was ended before";
 }
 
 TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
@@ -144,6 +174,10 @@ TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
       {{"--column", "time"}, "--column: expected NAME=HEADER"},
       {{"--column", "tume=t"}, "there is no column 'tume' (did you mean 'time'?)"},
       {{"--column", "time=stamp"}, "frames.csv:1: expected a column 'stamp' for time"},
+      {{"--column", "x_m=x"}, "there is no column 'x_m'; there are image, time, x, y"},
+      {{"--column", "pitch=pitch_rad:deg"}, "'pitch_rad': expected 'rad' as its unit, as its name says, found 'deg'"},
+      {{"--frames", table_with("pitch_rad", "pich_deg")}, "found 'pich_deg' (did you mean 'pitch_deg'?)"},
+      {{"--frames", table_with("pitch_rad", "pitch")}, "found 'pitch' (did you mean 'pitch_rad'?)"},
       {{"--frames", "/nowhere.csv"}, "/nowhere.csv: expected a table, found nothing of that name"},
       {{"--room", "hall.hdr"}, "--room: only the simulator heeds it"},
       {{"--width", "320"}, "--width: only the simulator heeds it"},

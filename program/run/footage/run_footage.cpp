@@ -71,6 +71,11 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   if (itself.knows_pose()) instance.truth = &itself;
   FrameLoop engine(std::move(prepared.frame));
   err << "reorient: " << prepared.wall << '\n';
+  const auto failure = [&] {
+    if (!itself.missed_change()) return itself.failure();
+    return fmt::format("--belief-at {}: expected a moment of the footage, which lasts {:.1f} s",
+                       robot_options.change->at, itself.seconds());
+  };
   const auto verdict = [&](RunSummary& summary) {
     if (!itself.failure().empty()) {
       summary.verdict = "the footage cannot be read any further";
@@ -87,7 +92,7 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
                        .kept_parameters = [&] { return prepared.kept; },
                        .model = setup.model,
                        .edits = &edits,
-                       .failure = [&] { return itself.failure(); }},
+                       .failure = failure},
                       {{}, {}, verdict}, out, err);
 }
 
