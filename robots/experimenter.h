@@ -35,7 +35,8 @@ void fields(Visit&& visit, GroundTruth& truth) {
 class GroundTruthSource {
  public:
   virtual ~GroundTruthSource() = default;
-  virtual GroundTruth ground_truth() const = 0;
+  /// At the last observation; nothing where nobody knows.
+  virtual std::optional<GroundTruth> truth() const = 0;
 };
 
 }  // namespace reorient

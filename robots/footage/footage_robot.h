@@ -66,10 +66,10 @@ class FootageRobot : public Robot, public GroundTruthSource {
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
 
-  /// Whether the footage says where the robot is. Without it there is no truth to judge by, and the engine's own
-  /// localization counts.
-  bool knows_pose() const { return truth_.has_value(); }
-  GroundTruth ground_truth() const override { return {truth_.value_or(Pose2()), false, is_carried_}; }
+  /// Nothing where the footage does not say where the robot is: there the engine's own localization counts.
+  std::optional<GroundTruth> truth() const override {
+    return truth_ ? std::optional(GroundTruth{*truth_, false, is_carried_}) : std::nullopt;
+  }
 
   /// Why the footage ended before its end: one line; empty: it did not.
   const std::string& failure() const { return failure_; }

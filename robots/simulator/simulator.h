@@ -89,7 +89,8 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   void answer(const Answer& answer) override;
   /// What the robot knows of itself.
   const RobotBody& body() const { return robot_; }
-  GroundTruth ground_truth() const override { return body_.ground_truth(); }
+  GroundTruth ground_truth() const { return body_.ground_truth(); }
+  std::optional<GroundTruth> truth() const override { return ground_truth(); }
 
   void pick_up() override { body_.pick_up(); }
   void put_down(const Pose2& where) override { body_.put_down(where); }

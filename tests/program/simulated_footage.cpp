@@ -60,7 +60,7 @@ void write_offset_footage(const std::filesystem::path& folder, const OffsetFoota
     const std::string name = fmt::format("images/{:04}.png", image++);
     pictures::write_png(folder / name, rgb_of(upper.image));
     const Isometry3& camera = upper.robot_from_camera;
-    const Pose2 truth = robot.truth->ground_truth().pose;
+    const Pose2 truth = robot.truth->truth()->pose;
     const Eigen::Vector2d below = truth * Eigen::Vector2d(camera.translation().head<2>());
     // turned() is undone: camera = recorded * offset.
     const Isometry3 offset = turned(Isometry3::Identity(), options.offset);
@@ -92,7 +92,7 @@ void write_simulated_footage(const std::filesystem::path& folder, int images, in
     const CameraFrame& upper = *observation.upper;
     const std::string name = fmt::format("images/{:04}.png", image++);
     pictures::write_png(folder / name, rgb_of(upper.image));
-    const Pose2 truth = robot.truth->ground_truth().pose;
+    const Pose2 truth = robot.truth->truth()->pose;
     const Pose2& odometry = upper.odometry;
     const Eigen::Matrix3d camera = upper.robot_from_camera.linear();
     table << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", name, upper.time, truth.position.x(),

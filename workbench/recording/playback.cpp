@@ -53,9 +53,9 @@ void Playback::add_to(FrameInputs& inputs) {
   inputs.told = inputs_->inputs().told;
 }
 
-GroundTruth Playback::ground_truth() const {
-  GroundTruth truth = frame_.entry.stage.truth.value_or(GroundTruth{});
-  truth.pose = in_axes_of_team(truth.pose, frame_.entry.sides_changed);
+std::optional<GroundTruth> Playback::truth() const {
+  std::optional<GroundTruth> truth = frame_.entry.stage.truth;
+  if (truth) truth->pose = in_axes_of_team(truth->pose, frame_.entry.sides_changed);
   return truth;
 }
 

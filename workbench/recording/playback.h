@@ -33,7 +33,7 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
   // InputSource
   void add_to(FrameInputs& inputs) override;
   // GroundTruthSource
-  GroundTruth ground_truth() const override;
+  std::optional<GroundTruth> truth() const override;
 
  private:
   Recording& recording_;

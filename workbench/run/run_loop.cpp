@@ -37,8 +37,8 @@ std::optional<RunEnd> RunLoop::step() {
   parts_.robot.robot->answer(record.answer);
   if (!std::exchange(any_frame_, true)) first_time_ = record.world.time;
   if (parts_.robot.truth != nullptr) {
-    stage_.truth = parts_.robot.truth->ground_truth();
-    stage_.truth->pose = in_axes_of_team(stage_.truth->pose, record.world.sides_changed);
+    stage_.truth = parts_.robot.truth->truth();
+    if (stage_.truth) stage_.truth->pose = in_axes_of_team(stage_.truth->pose, record.world.sides_changed);
   }
 
   // What was told now enters the next frame.

@@ -74,7 +74,7 @@ TEST(FootageRobot, BelievesTheRecordedPoseAndBeginsAtTimeZero) {
     ASSERT_TRUE(observation.upper);
     EXPECT_EQ(observation.upper->image.width, 16);
     expect_pose(observation.belief->pose, Pose2(1.0 + 0.1 * i, 0.5, 0.2));
-    expect_pose(robot.ground_truth().pose, observation.belief->pose);
+    expect_pose(robot.truth()->pose, observation.belief->pose);
     EXPECT_FALSE(observation.told.initial_pose);
   }
   EXPECT_FALSE(robot.observe(observation));
@@ -144,14 +144,14 @@ TEST(FootageRobot, SeesNothingWhileItIsLiftedAndBelievesWhatItBelieved) {
     ASSERT_TRUE(robot.observe(observation));
     EXPECT_FALSE(observation.upper);
     EXPECT_EQ(load(), 0.0);
-    EXPECT_TRUE(robot.ground_truth().carried);
-    expect_pose(observation.belief->pose, robot.ground_truth().pose);
+    EXPECT_TRUE(robot.truth()->carried);
+    expect_pose(observation.belief->pose, robot.truth()->pose);
   }
   ASSERT_TRUE(robot.observe(observation));
   EXPECT_TRUE(observation.upper);
   EXPECT_GT(load(), 1.0);
   EXPECT_FALSE(observation.told.initial_pose);
-  expect_pose(observation.belief->pose, reflect(robot.ground_truth().pose));
+  expect_pose(observation.belief->pose, reflect(robot.truth()->pose));
 }
 
 TEST(FootageRobot, StandsAtOnePlaceWhereItsRotationAloneWasRecorded) {
@@ -163,7 +163,7 @@ TEST(FootageRobot, StandsAtOnePlaceWhereItsRotationAloneWasRecorded) {
   FootageOptions options;
   options.start = Pose2(2.0, 1.0, 0.0);
   FootageRobot robot = robot_of(frames, options);
-  EXPECT_TRUE(robot.knows_pose());
+  EXPECT_TRUE(robot.truth());
   Observation observation;
   ASSERT_TRUE(robot.observe(observation));
   expect_pose(observation.belief->pose, Pose2(2.0, 1.0, 100.2));
@@ -177,7 +177,7 @@ TEST(FootageRobot, LeavesTheLocalizationToTheEngineWhereNoPoseWasRecorded) {
   FootageOptions options;
   options.start = Pose2(2.0, 1.0, 0.5);
   FootageRobot robot = robot_of(frames, options);
-  EXPECT_FALSE(robot.knows_pose());
+  EXPECT_FALSE(robot.truth());
   Observation observation;
   ASSERT_TRUE(robot.observe(observation));
   EXPECT_FALSE(observation.belief);
@@ -186,6 +186,18 @@ TEST(FootageRobot, LeavesTheLocalizationToTheEngineWhereNoPoseWasRecorded) {
   ASSERT_TRUE(robot.observe(observation));
   EXPECT_FALSE(observation.told.initial_pose);
   expect_pose(observation.odometry, Pose2(0.1, 0.0, 0.0));
+}
+
+TEST(FootageRobot, KnowsTheTruthOnlyInFramesWithAPose) {
+  std::vector<FootageFrame> frames = walk(3);
+  frames[1].pose.reset();
+  FootageRobot robot = robot_of(frames, {});
+  Observation observation;
+  for (const bool is_known : {true, false, true}) {
+    ASSERT_TRUE(robot.observe(observation));
+    EXPECT_EQ(robot.truth().has_value(), is_known);
+    EXPECT_EQ(observation.belief.has_value(), is_known);
+  }
 }
 
 TEST(FootageRobot, EndsWhereItsFootageIsDamagedAndSaysWhy) {
