@@ -21,6 +21,7 @@ struct SimulatorTuning {
     registry.bind("sensor", simulator.sensor);
     registry.bind("light", simulator.light);
     registry.bind("room_shape", room_shape);
+    registry.bind("furniture", simulator.furniture);
   }
 
   SimulatorParameters simulator;

@@ -83,6 +83,11 @@ std::vector<Barrier> barriers_of(const FieldDimensions& field) {
   return barriers;
 }
 
+Barrier barrier_of(const FurniturePiece& piece) {
+  const Eigen::Vector2d half = 0.5 * std::max(piece.length - piece.depth, 0.0) * unit_vector(piece.rotation);
+  return {piece.center - half, piece.center + half, 0.5 * piece.depth};
+}
+
 /// How fast something turns, rad/s in its own frame; not at all where it was carried elsewhere in between.
 Eigen::Vector3d angular_velocity_of(const Eigen::Matrix3d& before, const Eigen::Matrix3d& now, double time_step) {
   constexpr double kFastest = 20.0;  // rad/s
@@ -121,7 +126,7 @@ Simulator::Simulator(const SimulatorParameters& parameters, const RobotBody& bod
       field_(field),
       room_(checked(room, field)),
       bounds_(bounds_of(room)),
-      goals_(barriers_of(field)),
+      fixed_barriers_(barriers_of(field)),
       robot_(as_built(body, parameters)),
       size_(standing_camera_height(robot_) / standing_camera_height(RobotBody())),
       camera_(camera_of(parameters, robot_.upper_camera)),
@@ -135,6 +140,10 @@ Simulator::Simulator(const SimulatorParameters& parameters, const RobotBody& bod
   constexpr std::uint64_t kLowerNoise = 0x10e6;
   if (parameters.cameras == Cameras::both) lower_.emplace(camera_, field, room, false, parameters, seed ^ kLowerNoise);
   add_goals(scene_, field_, room_.light);
+  for (const FurniturePiece& piece : furnish(parameters.furniture, room.shape, field)) {
+    add_furniture(scene_, piece, wall_perimeter(room.shape));
+    fixed_barriers_.push_back(barrier_of(piece));
+  }
   standing_capsules_ = scene_.capsules.size();
   standing_shadows_ = scene_.shadows.size();
 }
@@ -174,8 +183,8 @@ void Simulator::take_requests() {
 
 void Simulator::move() {
   const double time_step = 1.0 / parameters_.frame_rate;
-  players_.advance(time_step, body_.pose().position, goals_);
-  barriers_.assign(goals_.begin(), goals_.end());
+  players_.advance(time_step, body_.pose().position, fixed_barriers_);
+  barriers_.assign(fixed_barriers_.begin(), fixed_barriers_.end());
   for (const Player& player : players_.all()) {
     barriers_.push_back({player.pose.position, player.pose.position, Players::kRadius});
   }

@@ -20,6 +20,7 @@
 #include "robots/simulator/light/hall_light.h"
 #include "robots/simulator/render/renderer.h"
 #include "robots/simulator/render/sensor.h"
+#include "robots/simulator/room/furniture.h"
 #include "robots/simulator/room/room.h"
 
 namespace reorient {
@@ -47,6 +48,7 @@ struct SimulatorParameters {
   BodyParameters body;
   SensorParameters sensor;
   HallLightParameters light;
+  FurnitureParameters furniture;
 };
 
 template <typename Visit>
@@ -142,9 +144,9 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   SimulatorParameters parameters_;
   FieldDimensions field_;
   Room room_;
-  Eigen::Vector2d bounds_;  // m, half sizes of where the robot can go
-  std::vector<Barrier> goals_;
-  std::vector<Barrier> barriers_;  // goals and other robots
+  Eigen::Vector2d bounds_;               // m, half sizes of where the robot can go
+  std::vector<Barrier> fixed_barriers_;  // goals and furniture
+  std::vector<Barrier> barriers_;        // the same and other robots
 
   RobotBody robot_;
   double size_;  // of it and the other robots, as share of a NAO's

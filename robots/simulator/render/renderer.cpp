@@ -44,6 +44,27 @@ void Renderer::light(const Scene& scene) {
   }
 }
 
+/// Before everything else, since whatever else there is stands on the field or moves in front of them.
+void Renderer::draw_panels(const Scene& scene, const RayTable& rays, const Eigen::Isometry3f& camera_from_field,
+                           const Eigen::Vector3f& eye) {
+  order_.clear();
+  for (std::size_t i = 0; i < scene.panels.size(); ++i)
+    order_.push_back({(scene.panels[i].middle() - eye).norm(), static_cast<int>(i)});
+  sort_far_first();
+  for (const Drawn& drawn : order_) {
+    const Panel& panel = scene.panels[static_cast<std::size_t>(drawn.index)];
+    const Eigen::Vector3f middle = panel.middle();
+    const float gain = scene.illumination.as_usual() ? 1.0f : scene.illumination.gain(middle.x(), middle.y());
+    draw(panel, background_.room().walls, gain, rays, camera_from_field, frame_);
+  }
+}
+
+void Renderer::sort_far_first() {
+  std::sort(order_.begin(), order_.end(), [](const Drawn& a, const Drawn& b) {
+    return a.distance != b.distance ? a.distance > b.distance : a.index < b.index;
+  });
+}
+
 const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& scene,
                               const Eigen::Vector3d& angular_velocity, double readout_time) {
   const Eigen::Isometry3f camera = inside(background_.room(), field_from_camera);
@@ -55,6 +76,7 @@ const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& s
   // What is far away first, so that soft edges blend with what is behind them.
   const Eigen::Isometry3f camera_from_field = camera.inverse();
   const Eigen::Vector3f eye = camera.translation();
+  draw_panels(scene, rays, camera_from_field, eye);
   const Frustum frustum(rays, camera_from_field);
   order_.clear();
   for (std::size_t i = 0; i < capsules.size(); ++i) {
@@ -66,9 +88,7 @@ const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& s
     const Net& net = scene.nets[i];
     order_.push_back({(net.corner + 0.5f * (net.along + net.up) - eye).norm(), -1 - static_cast<int>(i)});
   }
-  std::sort(order_.begin(), order_.end(), [](const Drawn& a, const Drawn& b) {
-    return a.distance != b.distance ? a.distance > b.distance : a.index < b.index;
-  });
+  sort_far_first();
   for (const Shadow& shadow : scene.shadows) draw(shadow, rays, camera_from_field, frame_);
   for (const Drawn& drawn : order_) {
     if (drawn.index >= 0) {

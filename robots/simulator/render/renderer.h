@@ -29,11 +29,14 @@ class Renderer {
  private:
   struct Drawn {
     float distance;
-    int index;  // of a capsule, or of a net where negative: -1 is the first one
+    int index;  // of a panel or a capsule, or of a net where negative: -1 is the first one
   };
 
   const RayTable& rays_of_frame(const Eigen::Vector3d& angular_velocity, double readout_time);
   void light(const Scene& scene);
+  void draw_panels(const Scene& scene, const RayTable& rays, const Eigen::Isometry3f& camera_from_field,
+                   const Eigen::Vector3f& eye);
+  void sort_far_first();
 
   RayTable rays_;
   std::optional<RayTable> turned_rays_;  // of a camera that turned

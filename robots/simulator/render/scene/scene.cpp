@@ -1,8 +1,11 @@
 #include "robots/simulator/render/scene/scene.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/pinned_math.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 namespace {
@@ -19,6 +22,7 @@ Eigen::Vector3f at(const Eigen::Vector2d& ground, double height) {
 
 void Scene::clear() {
   capsules.clear();
+  panels.clear();
   nets.clear();
   shadows.clear();
 }
@@ -51,6 +55,24 @@ void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& li
       scene.nets.push_back({{back, side, 0.0f}, {front - back, 0.0f, 0.0f}, {0.0f, 0.0f, roof}, string});
     }
   }
+}
+
+void add_furniture(Scene& scene, const FurniturePiece& piece, double perimeter) {
+  const Eigen::Vector2d along = piece.length * unit_vector(piece.rotation);
+  const Eigen::Vector2d across = piece.depth * unit_vector(piece.rotation + 0.5 * kPi);
+  const Eigen::Vector2d first = piece.center - 0.5 * (along + across);
+  const std::array<Eigen::Vector2d, 4> corners{first, first + along, first + along + across, first + across};
+  double picture = piece.picture;
+  const auto add = [&](const Eigen::Vector3f& corner, const Eigen::Vector3f& side, const Eigen::Vector3f& up) {
+    const double width = side.norm();
+    if (picture + width > perimeter) picture = 0.0;
+    scene.panels.push_back({corner, side, up, static_cast<float>(picture), 0.0f});
+    picture += width;
+  };
+  const Eigen::Vector3f upright(0.0f, 0.0f, static_cast<float>(piece.height));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    add(at(corners[i], 0.0), at(corners[(i + 1) % corners.size()] - corners[i], 0.0), upright);
+  add(at(first, piece.height), at(along, 0.0), at(across, 0.0));
 }
 
 void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,

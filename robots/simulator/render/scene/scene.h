@@ -10,11 +10,13 @@
 #include "robots/simulator/light/illumination.h"
 #include "robots/simulator/light/wall_patches.h"
 #include "robots/simulator/render/scene/shapes.h"
+#include "robots/simulator/room/furniture.h"
 
 namespace reorient {
 
 struct Scene {
   std::vector<Capsule> capsules;
+  std::vector<Panel> panels;  ///< that show the room's walls
   std::vector<Net> nets;
   std::vector<Shadow> shadows;
   Illumination illumination;
@@ -26,6 +28,9 @@ struct Scene {
 
 /// Both goals: posts, crossbar, net and the frame that holds it.
 void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& light);
+
+/// The sides and the top of a box. `perimeter`: of the room's walls, m.
+void add_furniture(Scene& scene, const FurniturePiece& piece, double perimeter);
 
 /// Of a NAO's shape and `size` times as large; `stride` in radians moves its legs and arms.
 void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,

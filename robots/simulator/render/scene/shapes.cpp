@@ -53,6 +53,34 @@ Box box_of(const Shadow& shadow, const Eigen::Vector3f& center, const Eigen::Vec
 
 }  // namespace
 
+void draw(const Panel& panel, const Texture& texture, float gain, const RayTable& rays,
+          const Eigen::Isometry3f& camera_from_field, Frame& frame) {
+  const Eigen::Vector3f corner = camera_from_field * panel.corner;
+  const Eigen::Vector3f along = camera_from_field.linear() * panel.along;
+  const Eigen::Vector3f up = camera_from_field.linear() * panel.up;
+  const Eigen::Vector3f normal = along.cross(up).normalized();
+  const float offset = corner.dot(normal);
+  if (offset >= 0.0f) return;  // seen from behind
+  const std::array<Eigen::Vector3f, 4> corners{corner, corner + along, corner + along + up, corner + up};
+  const Box box = rays.blocks.empty() ? box_of(corners, rays) : box_around(corner, along, up, rays);
+  const float width = along.norm();
+  const float height = up.norm();
+  for_each(box, rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
+    const float depth = offset / ray.dot(normal);
+    if (!(depth > kNearest) || depth > frame.depth[pixel]) return;
+    const Eigen::Vector3f inside = depth * ray - corner;
+    const float u = inside.dot(along) / width;
+    const float v = inside.dot(up) / height;
+    const float footprint = depth * ray_length * rays.pixel_angle;
+    const float coverage =
+        covered_share(u, 0.5f * footprint, 0.0f, width) * covered_share(v, 0.5f * footprint, 0.0f, height);
+    if (coverage <= 0.0f) return;
+    const int level = Texture::level_for(footprint * texture.texels_per_meter());
+    const Texture::Color color = texture.sample(panel.u + u, panel.v + v, level);
+    cover(frame, pixel, coverage, gain * LinearColor(color[0], color[1], color[2]), depth, Label::wall);
+  });
+}
+
 void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {
   constexpr float kMesh = 0.08f;     // m between strings
   constexpr float kString = 0.006f;  // m

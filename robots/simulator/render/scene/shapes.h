@@ -1,5 +1,6 @@
-// The things in front of the background: capsules (limbs, posts, people, the ball), nets and shadows on the ground.
-// Each is drawn into the box of pixels that it can touch, with soft edges and against the depth of what is there.
+// The things in front of the background: capsules (limbs, posts, people, the ball), panels (furniture), nets
+// and shadows on the ground. Each is drawn into the box of pixels that it can touch, with soft edges and against the
+// depth of what is there.
 #pragma once
 
 #include <array>
@@ -31,6 +32,17 @@ struct Net {
   LinearColor color = LinearColor::Ones();
 };
 
+/// A parallelogram that is seen from one side only, from where `up` lies to the left of `along`. It shows a part of a
+/// texture: from (u, v) on, as many metres as its sides are long.
+struct Panel {
+  Eigen::Vector3f corner = Eigen::Vector3f::Zero();
+  Eigen::Vector3f along = Eigen::Vector3f::UnitX();  ///< one side, m
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();     ///< the other side, m
+  float u = 0.0f, v = 0.0f;                          ///< m, in the texture
+
+  Eigen::Vector3f middle() const { return corner + 0.5f * (along + up); }
+};
+
 /// A soft dark spot on the ground.
 struct Shadow {
   Eigen::Vector2f center = Eigen::Vector2f::Zero();
@@ -56,6 +68,9 @@ class Frustum {
 };
 
 void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
+/// `gain`: on the light.
+void draw(const Panel& panel, const Texture& texture, float gain, const RayTable& rays,
+          const Eigen::Isometry3f& camera_from_field, Frame& frame);
 void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
 void draw(const Shadow& shadow, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
 
