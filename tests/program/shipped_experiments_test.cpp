@@ -28,7 +28,7 @@ Condition shortened(Condition condition) {
   condition.seconds = 20.0;
   condition.measurement.limit = 1.0;
   condition.measurement.hold = 0.5;
-  for (const char* name : {"trial.learn", "turned_round.learn", "kidnapped.learn", "fallen.learn"})
+  for (const char* name : {"trial.learn", "turned_round.learn", "kidnapped.learn", "fallen.learn", "elsewhere.learn"})
     condition.parameters.push_back({name, "2", ParameterOrigin::file, "this test"});
   for (const char* name : {"trial.wait_least", "trial.wait_most"})
     condition.parameters.push_back({name, "0", ParameterOrigin::file, "this test"});
@@ -68,7 +68,8 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
     EXPECT_GT(result.seconds, 0.5);
     const std::string event = event_of(condition);
     // A penalized robot comes back beside the field, where it hardly ever was taken away.
-    const bool is_carried = event == "turned_round" || event == "kidnapped" || event == "penalized";
+    const bool is_carried =
+        event == "turned_round" || event == "kidnapped" || event == "penalized" || event == "elsewhere";
     EXPECT_EQ(result.kidnapped, is_carried) << event;
     if (event == "none" || event == "turned_round" || event == "misled") {
       EXPECT_EQ(result.correct_at_start, event == "none");
