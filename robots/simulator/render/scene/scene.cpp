@@ -1,6 +1,5 @@
 #include "robots/simulator/render/scene/scene.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -36,6 +36,38 @@ Box box_around(const Eigen::Vector3f& corner, const Eigen::Vector3f& along, cons
   return cones.box();
 }
 
+/// A parallelogram in the camera frame, m.
+struct ParallelogramInView {
+  ParallelogramInView(const Eigen::Vector3f& field_corner, const Eigen::Vector3f& field_along,
+                      const Eigen::Vector3f& field_up, const Eigen::Isometry3f& camera_from_field)
+      : corner(camera_from_field * field_corner),
+        along(camera_from_field.linear() * field_along),
+        up(camera_from_field.linear() * field_up),
+        normal(along.cross(up).normalized()),
+        width(along.norm()),
+        height(up.norm()),
+        offset(corner.dot(normal)) {}
+
+  /// The pixels that it can touch.
+  Box box(const RayTable& rays) const {
+    if (!rays.blocks.empty()) return box_around(corner, along, up, rays);
+    return box_of({corner, corner + along, corner + along + up, corner + up}, rays);
+  }
+  /// Where a ray meets its plane: multiples of the ray.
+  float depth(const Eigen::Vector3f& ray) const { return offset / ray.dot(normal); }
+  struct Place {
+    float u, v;  // m from the corner along its sides
+  };
+  Place place(const Eigen::Vector3f& point) const {
+    const Eigen::Vector3f inside = point - corner;
+    return {inside.dot(along) / width, inside.dot(up) / height};
+  }
+
+  Eigen::Vector3f corner, along, up, normal;
+  float width, height;
+  float offset;  // of its plane from the camera, along the normal
+};
+
 /// Of a shadow through a plain lens.
 Box box_of(const Shadow& shadow, const Eigen::Vector3f& center, const Eigen::Vector3f& forward,
            const Eigen::Vector3f& left, const RayTable& rays) {
@@ -55,25 +87,15 @@ Box box_of(const Shadow& shadow, const Eigen::Vector3f& center, const Eigen::Vec
 
 void draw(const Panel& panel, const Texture& texture, float gain, const RayTable& rays,
           const Eigen::Isometry3f& camera_from_field, Frame& frame) {
-  const Eigen::Vector3f corner = camera_from_field * panel.corner;
-  const Eigen::Vector3f along = camera_from_field.linear() * panel.along;
-  const Eigen::Vector3f up = camera_from_field.linear() * panel.up;
-  const Eigen::Vector3f normal = along.cross(up).normalized();
-  const float offset = corner.dot(normal);
-  if (offset >= 0.0f) return;  // seen from behind
-  const std::array<Eigen::Vector3f, 4> corners{corner, corner + along, corner + along + up, corner + up};
-  const Box box = rays.blocks.empty() ? box_of(corners, rays) : box_around(corner, along, up, rays);
-  const float width = along.norm();
-  const float height = up.norm();
-  for_each(box, rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
-    const float depth = offset / ray.dot(normal);
+  const ParallelogramInView view(panel.corner, panel.along, panel.up, camera_from_field);
+  if (view.offset >= 0.0f) return;  // seen from behind
+  for_each(view.box(rays), rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
+    const float depth = view.depth(ray);
     if (!(depth > kNearest) || depth > frame.depth[pixel]) return;
-    const Eigen::Vector3f inside = depth * ray - corner;
-    const float u = inside.dot(along) / width;
-    const float v = inside.dot(up) / height;
+    const auto [u, v] = view.place(depth * ray);
     const float footprint = depth * ray_length * rays.pixel_angle;
     const float coverage =
-        covered_share(u, 0.5f * footprint, 0.0f, width) * covered_share(v, 0.5f * footprint, 0.0f, height);
+        covered_share(u, 0.5f * footprint, 0.0f, view.width) * covered_share(v, 0.5f * footprint, 0.0f, view.height);
     if (coverage <= 0.0f) return;
     const int level = Texture::level_for(footprint * texture.texels_per_meter());
     const Texture::Color color = texture.sample(panel.u + u, panel.v + v, level);
@@ -84,30 +106,19 @@ void draw(const Panel& panel, const Texture& texture, float gain, const RayTable
 void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame) {
   constexpr float kMesh = 0.08f;     // m between strings
   constexpr float kString = 0.006f;  // m
-  const Eigen::Vector3f corner = camera_from_field * net.corner;
-  const Eigen::Vector3f along = camera_from_field.linear() * net.along;
-  const Eigen::Vector3f up = camera_from_field.linear() * net.up;
-  const std::array<Eigen::Vector3f, 4> corners{corner, corner + along, corner + along + up, corner + up};
-  const Box box = rays.blocks.empty() ? box_of(corners, rays) : box_around(corner, along, up, rays);
-
-  const Eigen::Vector3f normal = along.cross(up).normalized();
-  const float width = along.norm();
-  const float height = up.norm();
-  const float offset = corner.dot(normal);
+  const ParallelogramInView view(net.corner, net.along, net.up, camera_from_field);
   const auto strings = [](float at, float half, float size) {
     if (at < -0.5f * kString || at > size + 0.5f * kString) return 0.0f;
     if (half > 0.5f * kMesh) return kString / kMesh;
     return covered_share(at - kMesh * std::round(at / kMesh), half, -0.5f * kString, 0.5f * kString);
   };
-  for_each(box, rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
-    const float depth = offset / ray.dot(normal);
+  for_each(view.box(rays), rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
+    const float depth = view.depth(ray);
     if (!(depth > kNearest) || depth > frame.depth[pixel]) return;
-    const Eigen::Vector3f inside = depth * ray - corner;
-    const float u = inside.dot(along) / width;
-    const float v = inside.dot(up) / height;
-    if (u < 0.0f || u > width || v < 0.0f || v > height) return;
+    const auto [u, v] = view.place(depth * ray);
+    if (u < 0.0f || u > view.width || v < 0.0f || v > view.height) return;
     const float half = 0.5f * depth * ray_length * rays.pixel_angle;
-    const float open = (1.0f - strings(u, half, width)) * (1.0f - strings(v, half, height));
+    const float open = (1.0f - strings(u, half, view.width)) * (1.0f - strings(v, half, view.height));
     blend(frame, pixel, 1.0f - open, net.color);  // one looks through a net: its depth and label are what is behind
   });
 }
