@@ -35,7 +35,7 @@ void fields(Visit&& visit, GroundTruth& truth) {
 class GroundTruthSource {
  public:
   virtual ~GroundTruthSource() = default;
-  /// At the last observation; nothing where nobody knows.
+  /// At the last observation; empty if it is unknown.
   virtual std::optional<GroundTruth> truth() const = 0;
 };
 

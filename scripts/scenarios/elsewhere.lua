@@ -1,21 +1,21 @@
---- A robot learns the room at one or a few places and is asked at another one. Objects between the robot and the virtual
---- wall, and walls nearer or farther than it, then appear beside the tiles where they were learned (parallax). The robot is
---- told either its true pose or the reflection of it, and its belief is watched from then on.
+--- A robot learns the room at one or more places and is then tested at another one. Objects in front of the virtual wall, and
+--- walls nearer or farther than it, appear there beside the tiles where the robot learned them (parallax). The scenario sets
+--- either the true pose or the mirrored pose as initial pose, and observes the belief from then on.
 
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
-  places   = { 1,     range = { 1, 8 }, integer = true, doc = "at how many places the room is learned" },
-  headings = { 8,     range = { 1, 32 }, integer = true, doc = "how many headings the body has at each place, evenly spread" },
-  learn    = { 60.0,  range = { 1, 600 }, unit = "s", doc = "how long the room is learned, at all places together" },
-  reach_x  = { 3.0,   range = { 0, 20 },  unit = "m", doc = "how far from the field's center the places are at most, along the field" },
-  reach_y  = { 2.0,   range = { 0, 20 },  unit = "m", doc = "the same across the field" },
-  told     = { "truth", choices = { "truth", "reflection" }, doc = "which pose the robot is told at the end" },
-  carry    = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "how long the robot is in the air" },
-  watch    = { 10.0,  range = { 1, 600 }, unit = "s", doc = "how long its belief is watched" },
+  places   = { 1,     range = { 1, 8 }, integer = true, doc = "number of places where the robot learns the room" },
+  headings = { 8,     range = { 1, 32 }, integer = true, doc = "number of body headings at each place, evenly distributed" },
+  learn    = { 60.0,  range = { 1, 600 }, unit = "s", doc = "learning time at all places together" },
+  reach_x  = { 3.0,   range = { 0, 20 },  unit = "m", doc = "largest distance of a place from the field center along the field" },
+  reach_y  = { 2.0,   range = { 0, 20 },  unit = "m", doc = "largest distance of a place from the field center across the field" },
+  told     = { "truth", choices = { "truth", "reflection" }, doc = "initial pose that is set at the end: true or mirrored" },
+  carry    = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "time for which the robot is lifted" },
+  watch    = { 10.0,  range = { 1, 600 }, unit = "s", doc = "time for which the belief is observed" },
 }
 
-local STAND = 1.0   -- s between the moment when the robot is put down and the one when it is told its pose
+local STAND = 1.0   -- s on the ground before the initial pose is set
 
 local memory = keep { heading = 0, place = 0, x = 0.0, y = 0.0, rotation = 0.0 }
 
@@ -24,7 +24,9 @@ local function somewhere(share)
     chance.between(-math.pi, math.pi)
 end
 
-local function time_of_a_heading() return p.learn / (p.places * p.headings) end
+local function is_heading_learned() return time_in_state() >= p.learn / (p.places * p.headings) end
+
+local function is_place_learned() return memory.heading >= p.headings and is_heading_learned() end
 
 local function put_down(x, y, rotation)
   experimenter.put_down(x, y, rotation)
@@ -42,17 +44,15 @@ scenario "elsewhere" {
       memory.x, memory.y, memory.rotation = somewhere(1.0)
       put_down(memory.x, memory.y, memory.rotation)
     end,
-    { "learning", after = 0.1, because = "the robot was told where it stands" },
+    { "learning", after = 0.1, because = "the initial pose is set" },
   },
 
   state "learning" {
     { "carrying",
-      when = function() return memory.heading >= p.headings and memory.place >= p.places and time_in_state() >= time_of_a_heading() end,
+      when = function() return memory.place >= p.places and is_place_learned() end,
       because = "the time to learn is over" },
-    { "placing",
-      when = function() return memory.heading >= p.headings and time_in_state() >= time_of_a_heading() end,
-      because = "the room is learned at another place as well" },
-    { "turning", when = function() return time_in_state() >= time_of_a_heading() end, because = "the body turns" },
+    { "placing", when = is_place_learned, because = "the robot continues at another place" },
+    { "turning", when = is_heading_learned, because = "the body turns" },
   },
 
   state "turning" {
@@ -60,7 +60,7 @@ scenario "elsewhere" {
       memory.heading = memory.heading + 1
       put_down(memory.x, memory.y, memory.rotation + 2 * math.pi * (memory.heading - 1) / p.headings)
     end,
-    { "learning", after = 0.1, because = "the robot was told where it stands" },
+    { "learning", after = 0.1, because = "the initial pose is set" },
   },
 
   state "carrying" {
@@ -68,12 +68,12 @@ scenario "elsewhere" {
       experimenter.change_light()
       experimenter.pick_up()
     end,
-    { "standing", after = "carry", because = "the robot is put down elsewhere" },
+    { "standing", after = "carry", because = "the robot is placed elsewhere" },
   },
 
   state "standing" {
     enter = function() experimenter.put_down(somewhere(1.2)) end,
-    { "told", after = STAND, because = "somebody tells the robot where it stands" },
+    { "told", after = STAND, because = "the initial pose is set" },
   },
 
   state "told" {

@@ -1,6 +1,6 @@
 --- Tests of scenarios/elsewhere.lua.
 
-test("learns at each place with each heading, then asks elsewhere", function()
+test("learns at each place with each heading, then continues elsewhere", function()
   set_param("elsewhere.places", "2")
   set_param("elsewhere.headings", "2")
   set_param("elsewhere.learn", "20")
@@ -38,14 +38,14 @@ local function told(which)
   expect.action("set_initial_pose")
 end
 
-test("succeeds when a robot that was told the truth keeps it", function()
+test("succeeds when the true pose was set and the belief stays right", function()
   told("truth")
   set_world { pose = { x = 1, y = 0.5, rotation = 0.3 } }
   advance(10.1)
   expect.verdict(true, "0.00 m and 0 degrees off")
 end)
 
-test("fails when a robot that was told the reflection keeps it", function()
+test("fails when the mirrored pose was set and the belief stays mirrored", function()
   told("reflection")
   set_world { pose = { x = -1, y = -0.5, rotation = 0.3 + math.pi } }
   advance(10.1)
