@@ -37,6 +37,7 @@ struct FootageExperimentOptions {
   FootageSetup setup;
   FootageTrialOptions trials;
   double off_degrees = 10.0;
+  std::filesystem::path scripts;  ///< as given, or empty; `setup` has the folder that is used
   int jobs = 1;
   std::filesystem::path out, json, report;
 };
@@ -77,8 +78,8 @@ Experiment experiment_of(const FootageExperimentOptions& options, const std::vec
   experiment.title = "Footage: the pose is set right or mirrored at many moments";
   experiment.description = fmt::format(
       "Each trial goes on from a robot that lived through everything before with the recorded poses. Told: somebody "
-      "tells "
-      "it the pose; told, off: the same, {:g} degrees off; lifted: it is lifted and put down with the belief that it "
+      "tells it the pose; told, off: the same, {:g} degrees off; lifted: it is lifted and put down with the belief "
+      "that it "
       "had. "
       "Watched for {:g} s.",
       options.off_degrees, options.trials.watch);
@@ -136,6 +137,8 @@ std::string shared_options(const FootageExperimentOptions& options) {
   for (const std::filesystem::path& file : setup.parameters.files) add("--params", file.string());
   for (const std::string& assignment : setup.parameters.assignments) add("--set", assignment);
   add("--seed", std::to_string(setup.seed));
+  if (!setup.behaviors.empty()) add("--behaviors", fmt::format("{}", fmt::join(setup.behaviors, ",")));
+  if (!options.scripts.empty()) add("--scripts", options.scripts.string());
   return line;
 }
 
@@ -154,7 +157,7 @@ std::string trial_command(const FootageExperimentOptions& options, const std::st
   if (one.change.turned_by != 0.0 && !one.change.mirrored) belief = fmt::format("{}", options.off_degrees);
   if (one.change.turned_by != 0.0 && one.change.mirrored) belief = fmt::format("mirrored:{}", options.off_degrees);
   return "reorient run --robot footage " + shell_word(source) + shared_options(options) +
-         fmt::format(" --belief {} --belief-at {}{}", belief, start.time,
+         fmt::format(" --belief {} --belief-at {}{}", belief, std::round(start.time * 1e6) / 1e6,
                      one.change.kind == BeliefChange::Kind::lifted ? " --lifted" : "");
 }
 
@@ -230,6 +233,7 @@ std::filesystem::path usual_folder(const std::vector<std::unique_ptr<FootageTria
 
 int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
+  options.scripts = options.setup.scripts;
   options.setup.scripts = scripts_root(options.setup.scripts);
   options.trials.turned_by = from_degrees(options.off_degrees);
   if (!options.out.empty()) require_writable_folder(options.out, "--out");

@@ -237,6 +237,29 @@ TEST_F(Footage, GivesATrialTheSameResultAsARunThatLivedThroughEverything) {
   }
 }
 
+TEST_F(Footage, PrintsForEachFailedTrialTheCommandThatShowsIt) {
+  // Nothing flips the pose here, so each mirrored pose stays.
+  const std::string scripts = std::filesystem::absolute("scripts").string();
+  const ProgramRun tried =
+      run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn", "20", "--watch", "5",
+                    "--starts", "2", "--behaviors", "background_training", "--scripts", scripts, "--out", file("out")});
+  ASSERT_EQ(tried.code, 0) << tried.err;
+  const std::size_t begin = tried.out.find("    reorient run --robot footage ");
+  ASSERT_NE(begin, std::string::npos) << tried.out;
+  const std::string command = tried.out.substr(begin, tried.out.find('\n', begin) - begin);
+  EXPECT_NE(command.find(" --behaviors background_training --scripts " + scripts + " --belief mirrored --belief-at 20"),
+            std::string::npos)
+      << command;
+  std::istringstream split(command);
+  Words words;
+  for (std::string word; split >> word;) words.push_back(word);
+  words.erase(words.begin());  // reorient
+  words.insert(words.end(), {"--out", file("shown"), "--json", file("run.json")});
+  run_reorient(words);
+  const auto json = nlohmann::json::parse(std::ifstream(file("run.json")));
+  for (const auto& request : json["commands"]) EXPECT_NE(request["command"], "flip_pose");
+}
+
 TEST_F(Footage, HasOneDigestWhateverItIsStoredIn) {
   const Words what{"--belief", "mirrored", "--belief-at", "25"};
   const std::string digest = digest_of(run(what));

@@ -109,6 +109,17 @@ TEST(FootageRobot, IsToldAMirroredPoseAndCarriesOutAFlip) {
   expect_pose(observation.belief->pose, Pose2(1.2, 0.5, 0.2));
 }
 
+TEST(FootageRobot, TakesAMomentThatWasRoundedToMicroseconds) {
+  FootageOptions options;
+  options.change = BeliefChange{.at = 0.5000004, .mirrored = true};
+  FootageRobot robot = robot_of(walk(4), options);
+  Observation observation;
+  ASSERT_TRUE(robot.observe(observation));
+  ASSERT_TRUE(robot.observe(observation));
+  EXPECT_NEAR(observation.time, 0.5, 1e-9);
+  EXPECT_TRUE(observation.told.initial_pose);
+}
+
 TEST(FootageRobot, IsToldARotationThatIsOff) {
   FootageOptions options;
   options.change = BeliefChange{.at = 0.0, .turned_by = 0.3};
