@@ -239,7 +239,7 @@ TEST_F(Footage, GivesATrialTheSameResultAsARunThatLivedThroughEverything) {
 
 TEST_F(Footage, PrintsForEachFailedTrialTheCommandThatShowsIt) {
   // Nothing flips the pose here, so each mirrored pose stays.
-  const std::string scripts = std::filesystem::absolute("scripts").string();
+  const std::string scripts = std::string(kSourceFolder) + "/scripts";
   const ProgramRun tried =
       run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn", "20", "--watch", "5",
                     "--starts", "2", "--behaviors", "background_training", "--scripts", scripts, "--out", file("out")});
