@@ -38,6 +38,10 @@ end
 
 local function believed_pose_won() return may_decide() and decision.for_believed() end
 
+local function reflected_pose_won()
+  return may_decide() and confidence.evidence > decision.in_doubt() and not is_taking_back()
+end
+
 local function is_upright() return robot.posture == "upright" end
 
 behavior "orientation" {
@@ -57,7 +61,7 @@ behavior "orientation" {
 
     state "in doubt" {
       { "correcting",
-        when = function() return may_decide() and confidence.evidence > decision.in_doubt() and not is_taking_back() end,
+        when = reflected_pose_won,
         lasting = "hold_time", because = "the reflected pose won" },
       { "in peace", when = believed_pose_won, lasting = "hold_time", because = "the believed pose won" },
     },
@@ -92,6 +96,10 @@ behavior "orientation" {
       memory.confirm = false
       command.purge_reflection()
     end,
+    -- The room may change its mind: what was purged on the first views must not delay a flip.
+    { "correcting",
+      when = reflected_pose_won,
+      lasting = "hold_time", because = "the reflected pose won after a purge" },
     { "watching", after = "min_time" },
   },
 

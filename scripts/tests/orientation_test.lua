@@ -103,6 +103,17 @@ test("purges when the current pose wins while reflected beliefs linger", functio
   expect.reason("orientation", "the believed pose won while reflected beliefs may linger")
 end)
 
+test("flips at once after a purge when the room changes its mind", function()
+  learned_room()
+  set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.3 } }
+  advance(0.3)
+  expect.command("purge_reflection", "granted")
+  set_world { confidence = { evidence = 9 }, pose = { reflected_weight = 0 } }
+  advance(0.3)
+  expect.command("flip_pose", "granted")
+  expect.reason("orientation", "the reflected pose won after a purge")
+end)
+
 test("does not purge when hardly any reflected belief is left", function()
   learned_room()
   set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.02 } }
