@@ -50,7 +50,7 @@ class FootageBelief {
   void apply(const BeliefChange& change);
   void apply(Reorientation reorientation);
   Pose2 of(const Pose2& recorded) const;
-  /// After a reset: the pose and its reflection are equally likely.
+  /// After a reset: both the pose and its reflection are possible.
   bool is_ambiguous() const { return is_ambiguous_; }
 
  private:
