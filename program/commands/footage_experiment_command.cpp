@@ -37,7 +37,6 @@ struct FootageExperimentOptions {
   FootageSetup setup;
   FootageTrialOptions trials;
   double off_degrees = 10.0;
-  std::filesystem::path scripts;  ///< as given, or empty; `setup` has the folder that is used
   int jobs = 1;
   std::filesystem::path out, json, report;
 };
@@ -79,9 +78,7 @@ Experiment experiment_of(const FootageExperimentOptions& options, const std::vec
   experiment.description = fmt::format(
       "Each trial goes on from a robot that lived through everything before with the recorded poses. Told: somebody "
       "tells it the pose; told, off: the same, {:g} degrees off; lifted: it is lifted and put down with the belief "
-      "that it "
-      "had. "
-      "Watched for {:g} s.",
+      "that it had. Watched for {:g} s.",
       options.off_degrees, options.trials.watch);
   experiment.trials = options.trials.starts;
   experiment.base.scenario = "footage";
@@ -138,7 +135,7 @@ std::string shared_options(const FootageExperimentOptions& options) {
   for (const std::string& assignment : setup.parameters.assignments) add("--set", assignment);
   add("--seed", std::to_string(setup.seed));
   if (!setup.behaviors.empty()) add("--behaviors", fmt::format("{}", fmt::join(setup.behaviors, ",")));
-  if (!options.scripts.empty()) add("--scripts", options.scripts.string());
+  if (!setup.scripts.empty()) add("--scripts", setup.scripts.string());
   return line;
 }
 
@@ -233,18 +230,18 @@ std::filesystem::path usual_folder(const std::vector<std::unique_ptr<FootageTria
 
 int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
-  options.scripts = options.setup.scripts;
-  options.setup.scripts = scripts_root(options.setup.scripts);
+  const std::filesystem::path root = scripts_root(options.setup.scripts);
   options.trials.turned_by = from_degrees(options.off_degrees);
   if (!options.out.empty()) require_writable_folder(options.out, "--out");
   if (!options.json.empty()) require_writable_file(options.json, "--json");
   if (!options.report.empty()) require_writable_folder(options.report, "--report");
-  const ScriptTexts scripts = read_scripts(options.setup.scripts);
+  const ScriptTexts scripts = read_scripts(root);
   std::vector<std::string> names;
   std::vector<std::unique_ptr<FootageTrials>> footages;
   for (const std::string& source : options.sources) {
     FootageSetup setup = options.setup;
     setup.source = source;
+    setup.scripts = root;
     std::string name = name_of(source);
     if (std::find(names.begin(), names.end(), name) != names.end()) name = source;
     if (std::find(names.begin(), names.end(), name) != names.end())

@@ -110,11 +110,11 @@ bool FootageRobot::observe(Observation& observation) {
   const BeliefChange* const change = options_.change ? &*options_.change : nullptr;
   // A moment on the command line has microseconds at most.
   const auto is_reached = [this](double moment) { return time_ > moment - 1e-6; };
-  is_carried_ = change != nullptr && change->kind == BeliefChange::Kind::lifted && is_reached(change->at) &&
-                !is_reached(change->at + change->lifted_for);
+  const bool is_due = change != nullptr && is_reached(change->at);
+  is_carried_ = is_due && change->kind == BeliefChange::Kind::lifted && !is_reached(change->at + change->lifted_for);
   feel_body(observation);
   // Who is lifted believes what it believed until it stands elsewhere.
-  if (change != nullptr && is_reached(change->at) && !is_carried_ && !std::exchange(is_changed_, true)) {
+  if (is_due && !is_carried_ && !std::exchange(is_changed_, true)) {
     belief_.apply(*change);
     if (change->kind == BeliefChange::Kind::told && truth_)
       observation.told.initial_pose = InitialPose{belief_.of(*truth_)};

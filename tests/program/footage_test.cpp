@@ -255,7 +255,8 @@ TEST_F(Footage, PrintsForEachFailedTrialTheCommandThatShowsIt) {
   for (std::string word; split >> word;) words.push_back(word);
   words.erase(words.begin());  // reorient
   words.insert(words.end(), {"--out", file("shown"), "--json", file("run.json")});
-  run_reorient(words);
+  const ProgramRun shown = run_reorient(words);
+  EXPECT_EQ(shown.code, 1) << "the mirrored pose stays\n" << shown.out << shown.err;
   const auto json = nlohmann::json::parse(std::ifstream(file("run.json")));
   for (const auto& request : json["commands"]) EXPECT_NE(request["command"], "flip_pose");
 }
