@@ -16,6 +16,7 @@
 #include "program/calibrate/footage_images.h"
 #include "program/program.h"
 #include "program/run/venue.h"
+#include "program/shell_word.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/calibration_file.h"
@@ -258,8 +259,11 @@ int calibrate_by_footage(const FootageCalibrationOptions& options, std::ostream&
     out << "picture: " << file.string() << "\n";
   }
   write_whole_file(options.out, to_toml({{found, CameraOffset()}, found_offset.recorded}));
-  out << fmt::format("written: {0}; reorient run --robot footage {1} --camera-offset {0}\n", options.out.string(),
-                     options.source.string());
+  FootageArguments corrected_footage = options.footage;
+  corrected_footage.camera_offset = options.out;
+  out << fmt::format("written: {}; reorient run --robot footage {}{}{}\n", options.out.string(),
+                     shell_word(options.source.string()), words_of(corrected_footage),
+                     options.body.empty() ? "" : " --body " + shell_word(options.body.string()));
   return kSuccess;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -115,19 +116,11 @@ std::string cause_of(const TrialResult& result) {
 
 /// What a run and many trials have in common.
 std::string shared_options(const FootageExperimentOptions& options) {
-  std::string line;
+  std::string line = words_of(options.setup.footage);
   const auto add = [&line](const char* option, const std::string& value) {
     line.append(" ").append(option).append(" ").append(shell_word(value));
   };
   const FootageSetup& setup = options.setup;
-  if (!setup.footage.table.empty()) add("--frames", setup.footage.table.string());
-  for (const std::string& column : setup.footage.columns) add("--column", column);
-  for (const std::string& topic : setup.footage.topics) add("--topic", topic);
-  for (const std::string& frame : setup.footage.frames) add("--frame", frame);
-  if (setup.footage.fov_degrees) add("--fov-degrees", fmt::format("{}", *setup.footage.fov_degrees));
-  add("--wall", setup.footage.wall);
-  if (!setup.footage.camera_offset.empty()) add("--camera-offset", setup.footage.camera_offset.string());
-  if (setup.footage.images_per_second) add("--images-per-second", fmt::format("{}", *setup.footage.images_per_second));
   if (!setup.body.empty()) add("--body", setup.body.string());
   if (!setup.field.empty()) add("--field", setup.field.string());
   if (!setup.at.empty()) add("--at", setup.at);
@@ -147,6 +140,9 @@ std::string command_of(const FootageExperimentOptions& options) {
                      options.trials.watch, options.off_degrees);
 }
 
+/// As a number on the command line has it.
+double to_microseconds(double seconds) { return std::round(seconds * 1e6) / 1e6; }
+
 /// What shows one trial.
 std::string trial_command(const FootageExperimentOptions& options, const std::string& source,
                           const FootageTrials::Start& start, const FootageCase& one) {
@@ -154,7 +150,7 @@ std::string trial_command(const FootageExperimentOptions& options, const std::st
   if (one.change.turned_by != 0.0 && !one.change.mirrored) belief = fmt::format("{}", options.off_degrees);
   if (one.change.turned_by != 0.0 && one.change.mirrored) belief = fmt::format("mirrored:{}", options.off_degrees);
   return "reorient run --robot footage " + shell_word(source) + shared_options(options) +
-         fmt::format(" --belief {} --belief-at {}{}", belief, std::round(start.time * 1e6) / 1e6,
+         fmt::format(" --belief {} --belief-at {}{}", belief, to_microseconds(start.time),
                      one.change.kind == BeliefChange::Kind::lifted ? " --lifted" : "");
 }
 
@@ -162,10 +158,11 @@ bool has_failed(const TrialResult& result, const FootageCase& one) {
   return one.change.mirrored ? result.failed() : result.false_flips > 0;
 }
 
-std::string what_went_wrong(const TrialResult& result, const FootageCase& one) {
+std::string what_went_wrong(const TrialResult& result, const FootageCase& one, const FootageTrialOptions& options) {
   if (!one.change.mirrored) return "flipped";
   if (!result.mended_after) return "not found";
-  return fmt::format("found after {:.1f} s, but not for good", *result.mended_after);
+  return fmt::format("found after {:.1f} s, {}", *result.mended_after,
+                     *result.mended_after > options.watch ? "too late" : "but wrong again later");
 }
 
 void print_failures(const FootageExperimentOptions& options, const std::vector<CellResults>& cells,
@@ -175,15 +172,50 @@ void print_failures(const FootageExperimentOptions& options, const std::vector<C
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const FootageCase& one = cases[i % cases.size()];
     const std::size_t footage = i / cases.size();
+    bool any_here = false;
     for (const TrialResult& result : cells[i].trials) {
       if (!has_failed(result, one)) continue;
-      if (!std::exchange(any, true)) out << "\nTrials that went wrong:\n";
+      if (!std::exchange(any, true))
+        out << "\nTrials that went wrong. A command shows the first of its row; the others differ in --belief-at:\n";
       const FootageTrials::Start& start = footages[footage]->starts()[result.seed - 1];
-      out << fmt::format("  {}, {}, {}, image {} ({:.1f} s): {}; {}\n    {}\n", as_line(cells[i].choices[0]), one.start,
-                         one.pose, start.frame, start.time, what_went_wrong(result, one), cause_of(result),
-                         trial_command(options, options.sources[footage], start, one));
+      if (!std::exchange(any_here, true))
+        out << fmt::format("{}, {}, {}:\n    {}\n", as_line(cells[i].choices[0]), one.start, one.pose,
+                           trial_command(options, options.sources[footage], start, one));
+      out << fmt::format("  {} s, image {}: {}; {}\n", to_microseconds(start.time), as_line(start.image),
+                         what_went_wrong(result, one, options.trials), cause_of(result));
     }
   }
+}
+
+/// Trials in which nothing could be found, since the robot still learned the room.
+void print_unlearned(const std::vector<std::string>& names, const std::vector<std::unique_ptr<FootageTrials>>& footages,
+                     std::ostream& out) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto& starts = footages[i]->starts();
+    const auto early =
+        std::count_if(starts.begin(), starts.end(), [](const auto& one) { return !one.room_is_learned; });
+    if (early == 0) continue;
+    const std::optional<double> learned = footages[i]->room_learned_at();
+    out << fmt::format(
+        "\n{}: {} of {} starts come before the room was learned{}\n", as_line(names[i]), early, starts.size(),
+        learned ? fmt::format(" (at {:.1f} s); --learn {:.0f} leaves them out", *learned, std::ceil(*learned))
+                : std::string(", which never happened"));
+  }
+}
+
+/// The answer in one line.
+void print_answer(const std::vector<CellResults>& cells, const std::vector<FootageCase>& cases, std::ostream& out) {
+  int mirrored = 0, found = 0, right = 0, flipped = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const FootageCase& one = cases[i % cases.size()];
+    for (const TrialResult& result : cells[i].trials) {
+      (one.change.mirrored ? mirrored : right) += 1;
+      if (one.change.mirrored) found += has_failed(result, one) ? 0 : 1;
+      if (!one.change.mirrored) flipped += has_failed(result, one) ? 1 : 0;
+    }
+  }
+  out << fmt::format("\n{} of {} mirrored poses were found ({:.1f} %); {} of {} right poses were flipped ({:.1f} %)\n",
+                     found, mirrored, 100.0 * found / mirrored, flipped, right, 100.0 * flipped / right);
 }
 
 /// The same times, counted in images: what is left of them where images come seldom.
@@ -302,9 +334,11 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
   print_rows(experiment, cells, out);
   print_images(cells, cases, footages, out);
   print_failures(options, cells, cases, footages, out);
+  print_unlearned(names, footages, out);
   if (options.trials.starts > 1 && have_common_images(footages, options.trials))
     out << "\nTrials follow each other so closely that they share images: the intervals are narrower than they should "
            "be.\n";
+  print_answer(cells, cases, out);
   std::vector<std::string> failures;
   if (!options.json.empty())
     try_to_write(failures, [&] { write_whole_file(options.json, rows_as_json(experiment, cells)); });

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/nearest_name.h"
 #include "geometry/angle.h"
@@ -13,6 +14,7 @@
 #include "geometry/pinned_math.h"
 #include "program/footage/recorded_footage.h"
 #include "program/options.h"
+#include "program/shell_word.h"
 #include "workbench/files/calibration_file.h"
 #include "workbench/footage/decoder_library.h"
 #include "workbench/footage/mcap_log.h"
@@ -104,10 +106,12 @@ McapLogOptions log_options_of(const FootageArguments& arguments, const RobotBody
   return options;
 }
 
+bool is_log(const std::filesystem::path& source) { return source.extension() == ".mcap"; }
+
 /// As recorded, without the camera offset.
 std::unique_ptr<FootageSource> open_recorded(const std::filesystem::path& source, const FootageArguments& arguments,
                                              const RobotBody& body) {
-  if (source.extension() == ".mcap") {
+  if (is_log(source)) {
     if (is_recording(source)) return open_recorded_footage(source);
     return std::make_unique<McapLog>(source, log_options_of(arguments, body));
   }
@@ -197,6 +201,27 @@ std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source,
   if (arguments.camera_offset.empty()) return open_recorded(source, arguments, body);
   const Calibration calibration = load_calibration(arguments.camera_offset);
   return std::make_unique<OffsetFootage>(open_recorded(source, arguments, body), calibration);
+}
+
+std::vector<std::string> unused_columns(const std::filesystem::path& source, const FootageArguments& arguments,
+                                        const RobotBody& body) {
+  return is_log(source) ? std::vector<std::string>() : unused_columns(request_of(source, arguments, body));
+}
+
+std::string words_of(const FootageArguments& arguments) {
+  std::string line;
+  const auto add = [&line](const char* option, const std::string& value) {
+    line.append(" ").append(option).append(" ").append(shell_word(value));
+  };
+  if (!arguments.table.empty()) add("--frames", arguments.table.string());
+  for (const std::string& column : arguments.columns) add("--column", column);
+  for (const std::string& topic : arguments.topics) add("--topic", topic);
+  for (const std::string& frame : arguments.frames) add("--frame", frame);
+  if (arguments.fov_degrees) add("--fov-degrees", fmt::format("{}", *arguments.fov_degrees));
+  if (arguments.images_per_second) add("--images-per-second", fmt::format("{}", *arguments.images_per_second));
+  if (arguments.wall != FootageArguments().wall) add("--wall", arguments.wall);
+  if (!arguments.camera_offset.empty()) add("--camera-offset", arguments.camera_offset.string());
+  return line;
 }
 
 }  // namespace reorient

@@ -42,4 +42,11 @@ FootageRequest request_of(const std::filesystem::path& source, const FootageArgu
 std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
                                             const RobotBody& body);
 
+/// Headers of the table that are not used; none where there is no table. Throws BadFootage with one line.
+std::vector<std::string> unused_columns(const std::filesystem::path& source, const FootageArguments& arguments,
+                                        const RobotBody& body);
+
+/// The same arguments on a command line, each after a space.
+std::string words_of(const FootageArguments& arguments);
+
 }  // namespace reorient

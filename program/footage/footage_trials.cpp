@@ -36,15 +36,22 @@ class StartStates : public Observer {
   void before(const FrameInputs& inputs, const FrameLoop& engine) override {
     if (next_ == starts_.size() || frame_++ != starts_[next_].frame) return;
     starts_[next_].time = inputs.observation.time;
+    starts_[next_].room_is_learned = room_learned_at_.has_value();
     engine.save(starts_[next_++].state);
   }
-  void observe(const FrameRecord& /*frame*/, const StageRecord& /*stage*/) override {}
+  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+    const RoomStatus status = frame.world.room_status;
+    if (!room_learned_at_ && (status == RoomStatus::usable || status == RoomStatus::symmetric))
+      room_learned_at_ = frame.world.time;
+  }
+  std::optional<double> room_learned_at() const { return room_learned_at_; }
   bool are_all_kept() const { return next_ == starts_.size(); }
 
  private:
   std::vector<FootageTrials::Start>& starts_;
   std::size_t next_ = 0;
   std::size_t frame_ = 0;
+  std::optional<double> room_learned_at_;
 };
 
 }  // namespace
@@ -123,7 +130,7 @@ void FootageTrials::choose_starts() {
         setup_.source.string(), wanted, candidates, options_.learn, needed, all.empty() ? 0.0 : all.back()));
   for (std::size_t i = 0; i < wanted; ++i) {
     const std::size_t frame = static_cast<std::size_t>(first - all.begin()) + i * candidates / wanted;
-    starts_.push_back({frame, all[frame], {}});
+    starts_.push_back({frame, footage_.frames()[frame].name, all[frame], false, {}});
   }
 }
 
@@ -134,6 +141,7 @@ void FootageTrials::live_through(FrameSetup frame) {
   StartStates states(starts_);
   RunParts parts{instance, engine, nullptr, nullptr, {}, {&states}, [&] { return states.are_all_kept(); }, 0.0, false};
   RunLoop(std::move(parts)).run();
+  room_learned_at_ = states.room_learned_at();
 }
 
 TrialResult FootageTrials::run(std::size_t start, const FootageCase& one) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,10 +53,14 @@ class FootageTrials {
 
   struct Start {
     std::size_t frame = 0;         ///< of the footage
+    std::string image;             ///< its file, or whatever names it
     double time = 0.0;             ///< s, the robot's
+    bool room_is_learned = false;  ///< the evidence counts
     std::vector<std::byte> state;  ///< of the engine, before that frame
   };
   const std::vector<Start>& starts() const { return starts_; }
+  /// s, when the evidence counted for the first time; nothing: not before the last start.
+  std::optional<double> room_learned_at() const { return room_learned_at_; }
   /// Which wall it has, for people.
   const std::string& wall() const { return wall_; }
   /// Of all that the results follow from but the case.
@@ -77,6 +82,7 @@ class FootageTrials {
   RobotBody body_;
   std::string wall_;
   std::vector<Start> starts_;
+  std::optional<double> room_learned_at_;
   std::uint64_t origin_ = 0;
 };
 

@@ -111,9 +111,10 @@ void add_options(CLI::App& run, RunOptions& options) {
   run.add_option("--record-rotate", options.record_rotate, "begin another file after so much: 500MB, 10min")
       ->check(check_not_empty);
   run.add_option("--json", options.json, "write the summary into this file, for programs")->check(check_not_empty);
-  run.add_option("--seconds", options.seconds, "longest run, in the robot's seconds")
-      ->check(check_seconds)
-      ->capture_default_str();
+  run.add_option(
+         "--seconds", options.seconds,
+         fmt::format("longest run, in the robot's seconds (default: {:g}; of footage: all of it)", kUsualSeconds))
+      ->check(check_seconds);
   run.add_flag("--every-transition", options.every_transition, "show in the timeline what repeats itself, too");
 }
 

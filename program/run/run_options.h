@@ -33,10 +33,13 @@ struct SimulationOptions {
   std::filesystem::path model;        ///< of the room, if the file is there; empty: none
   std::optional<SavedModel> learned;  ///< a model of the room, instead of one from a file
   bool sides_changed = false;         ///< the team plays towards the other goal than the model's axes say
-  double seconds = 600.0;             ///< of the robot's time, at most
+  /// Of the robot's time, at most. Nothing: kUsualSeconds of a simulation; footage ends by itself.
+  std::optional<double> seconds;
   ParameterOptions parameters;
   std::map<std::string, std::string> said_at;  ///< of an experiment: file and line of "scenario", of "with head_scan"
 };
+
+constexpr double kUsualSeconds = 600.0;
 
 struct RunOptions : SimulationOptions {
   // Of the companion (program/run/companion/).

@@ -108,7 +108,8 @@ Venue Simulation::check(const SimulationOptions& options,
 }
 
 Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool makes_robot)
-    : model_(options.learned ? options.learned : model_to_begin_with(options)), longest_(options.seconds) {
+    : model_(options.learned ? options.learned : model_to_begin_with(options)),
+      longest_(options.seconds.value_or(kUsualSeconds)) {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
   const std::string scenario =

@@ -74,7 +74,8 @@ class FootageRobot : public Robot, public GroundTruthSource {
   /// Why the footage ended before its end: one line; empty: it did not.
   const std::string& failure() const { return failure_; }
   std::uint64_t frames() const { return frames_; }
-  double seconds() const { return time_; }  ///< of the last frame, the engine's
+  double seconds() const { return time_; }   ///< of the last frame, the engine's
+  bool is_over() const { return is_over_; }  ///< each image was seen
   /// The footage is over, and the belief was to change after its end.
   bool missed_change() const { return is_over_ && options_.change && !is_changed_; }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <span>
+#include <sstream>
 
 #include "robots/footage/messages/bad_message.h"
 
@@ -12,8 +14,11 @@ namespace {
 
 using messages::in_quotes;
 
-constexpr double kFarthest = 1e4;    // m
-constexpr double kMostTurned = 1e6;  // rad: odometry may count turns
+constexpr double kFarthest = 1e4;            // m
+constexpr double kHighest = 10.0;            // m: whoever gives centimeters is above it
+constexpr double kMostTilted = 2.0 * kPi;    // rad
+constexpr double kMostTurned = 20.0 * kPi;   // rad: some count turns; whoever gives degrees is soon above it
+constexpr double kMostOdometryTurned = 1e6;  // rad: counted for hours
 constexpr std::size_t kMostRows = 10'000'000;
 constexpr std::size_t kMostCells = 1000;
 
@@ -38,11 +43,11 @@ constexpr std::array<ColumnKind, kFrameColumns> kColumns{{{"time", kSeconds, kLa
                                                           {"rotation", kAngles, kMostTurned},
                                                           {"odometry_x", kMetres, kFarthest},
                                                           {"odometry_y", kMetres, kFarthest},
-                                                          {"odometry_rotation", kAngles, kMostTurned},
-                                                          {"camera_height", kMetres, kFarthest},
-                                                          {"roll", kAngles, kMostTurned},
-                                                          {"pitch", kAngles, kMostTurned},
-                                                          {"camera_yaw", kAngles, kMostTurned}}};
+                                                          {"odometry_rotation", kAngles, kMostOdometryTurned},
+                                                          {"camera_height", kMetres, kHighest},
+                                                          {"roll", kAngles, kMostTilted},
+                                                          {"pitch", kAngles, kMostTilted},
+                                                          {"camera_yaw", kAngles, kMostTilted}}};
 constexpr std::string_view kImage = "image";
 
 std::string units_text(std::span<const Unit> units) {
@@ -62,15 +67,21 @@ class FramesParser {
  public:
   FramesParser(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
 
-  FramesTable parse(const ColumnHeaders& headers) {
+  TableHeaders read_headers(const ColumnHeaders& headers) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
     if (rest_.empty()) refuse("expected a line of column headers, found an empty file");
     separator_ = separator_of(rest_.substr(0, rest_.find('\n')));
     read_line();
     find_columns(headers);
-    FramesTable table = columns_table(headers);
-    std::vector<FrameRow>& rows = table.rows;
+    return table_headers(headers);
+  }
+
+  /// After read_headers().
+  std::vector<FrameRow> read_rows() {
+    require_together({FrameColumn::x, FrameColumn::y, FrameColumn::rotation}, true);
+    require_together({FrameColumn::odometry_x, FrameColumn::odometry_y, FrameColumn::odometry_rotation}, false);
+    std::vector<FrameRow> rows;
     while (!rest_.empty()) {
       read_line();
       if (cells_.size() == 1 && cells_[0].empty()) continue;
@@ -80,7 +91,7 @@ class FramesParser {
       rows.push_back(std::move(row));
     }
     if (rows.empty()) refuse("expected a row for each image, found none");
-    return table;
+    return rows;
   }
 
  private:
@@ -152,8 +163,6 @@ class FramesParser {
         }
       }
     }
-    require_together({FrameColumn::x, FrameColumn::y, FrameColumn::rotation}, true);
-    require_together({FrameColumn::odometry_x, FrameColumn::odometry_y, FrameColumn::odometry_rotation}, false);
   }
 
   /// As the caller said.
@@ -186,13 +195,13 @@ class FramesParser {
          unit == kind->units.end() ? kind->units.front().factor : unit->factor);
   }
 
-  /// Without rows. A column that the caller does not want is not missing.
-  FramesTable columns_table(const ColumnHeaders& headers) const {
-    FramesTable table;
+  /// A column that the caller does not want is not missing.
+  TableHeaders table_headers(const ColumnHeaders& headers) const {
+    TableHeaders table;
     for (std::size_t cell = 0; cell < headers_.size(); ++cell) {
       const auto is_here = [cell](const Place& place) { return place.is_there && place.cell == cell; };
       if (!is_here(image_) && std::none_of(places_.begin(), places_.end(), is_here))
-        table.passed_over.push_back(headers_[cell]);
+        table.unused.push_back(headers_[cell]);
     }
     if (!image_.is_there && !headers.contains(std::string(kImage))) table.missing.emplace_back(kImage);
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
@@ -228,10 +237,14 @@ class FramesParser {
   void require_together(const std::array<FrameColumn, 3>& columns, bool last_alone) const {
     const bool x = has(columns[0]), y = has(columns[1]), rotation = has(columns[2]);
     if (x == y && (y == rotation || (last_alone && !x))) return;
-    std::string names;
-    for (const FrameColumn column : columns)
-      names.append(names.empty() ? "" : ", ").append(kColumns[static_cast<std::size_t>(column)].name);
-    refuse("expected all of the columns " + names + ", or none of them, found " + headers_text());
+    std::string names, missing;
+    for (const FrameColumn column : columns) {
+      const std::string_view name = kColumns[static_cast<std::size_t>(column)].name;
+      names.append(names.empty() ? "" : ", ").append(name);
+      if (!has(column) && missing.empty()) missing = name;
+    }
+    refuse("expected all of the columns " + names + ", or none of them, found " + headers_text() + "; --column " +
+           missing + "=HEADER[:UNIT] names one that is called otherwise");
   }
 
   FrameRow row_of_line() const {
@@ -246,9 +259,7 @@ class FramesParser {
       const Place& place = places_[i];
       if (!place.is_there || cells_[place.cell].empty()) continue;
       row.values[i] = number(cells_[place.cell], headers_[place.cell]) * place.factor;
-      if (!(std::abs(row.values[i]) <= kColumns[i].most))
-        refuse(in_quotes(headers_[place.cell]) + ": expected a number of a size that makes sense, found " +
-               in_quotes(cells_[place.cell]));
+      if (!(std::abs(row.values[i]) <= kColumns[i].most)) refuse_size(kColumns[i], place);
     }
     const auto is_whole = [&](FrameColumn x, FrameColumn y, FrameColumn rotation) {
       return row.value(x).has_value() == row.value(y).has_value() && (!row.value(x) || row.value(rotation).has_value());
@@ -257,6 +268,15 @@ class FramesParser {
         !is_whole(FrameColumn::odometry_x, FrameColumn::odometry_y, FrameColumn::odometry_rotation))
       refuse("expected x, y and rotation together, found an empty cell among them");
     return row;
+  }
+
+  [[noreturn]] void refuse_size(const ColumnKind& kind, const Place& place) const {
+    std::ostringstream most;
+    most << std::setprecision(3) << kind.most;
+    refuse(in_quotes(headers_[place.cell]) + ": expected at most " + most.str() + " " +
+           std::string(kind.units.front().name) + ", found " + in_quotes(cells_[place.cell]) +
+           "; a header ends with the unit, as in " + std::string(kind.name) + "_" +
+           std::string(kind.units.back().name));
   }
 
   double number(std::string cell, const std::string& header) const {
@@ -324,8 +344,14 @@ std::vector<std::string> frame_column_names() {
   return names;
 }
 
-FramesTable parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers) {
-  return FramesParser(text, name).parse(headers);
+TableHeaders read_headers(std::string_view text, const std::string& name, const ColumnHeaders& headers) {
+  return FramesParser(text, name).read_headers(headers);
+}
+
+std::vector<FrameRow> parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers) {
+  FramesParser parser(text, name);
+  static_cast<void>(parser.read_headers(headers));
+  return parser.read_rows();
 }
 
 }  // namespace reorient

@@ -54,15 +54,18 @@ using ColumnHeaders = std::map<std::string, std::string>;
 /// The columns' names, "image" among them.
 std::vector<std::string> frame_column_names();
 
-struct FramesTable {
-  std::vector<FrameRow> rows;
-  std::vector<std::string> passed_over;  ///< headers that are no column's
-  std::vector<std::string> missing;      ///< usual headers of the columns that are not there, with each unit
+/// What the first line of a table does not say.
+struct TableHeaders {
+  std::vector<std::string> unused;   ///< headers that are no column's
+  std::vector<std::string> missing;  ///< usual headers of the columns that are not there, with each unit
 };
 
+/// Of a table that parse_frames() may still refuse. Throws BadFootage.
+TableHeaders read_headers(std::string_view text, const std::string& name, const ColumnHeaders& headers = {});
+
 /// Cells are separated by commas, semicolons or tabs, as the first line says; numbers may have a decimal comma. Columns
-/// that nobody knows are passed over. `name`: of the file, for messages. Throws BadFootage with one line: file, line,
+/// of other names are not used. `name`: of the file, for messages. Throws BadFootage with one line: file, line,
 /// what was expected, what was found. Times increase from row to row, if there are any.
-FramesTable parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers = {});
+std::vector<FrameRow> parse_frames(std::string_view text, const std::string& name, const ColumnHeaders& headers = {});
 
 }  // namespace reorient

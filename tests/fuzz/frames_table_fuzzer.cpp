@@ -17,7 +17,7 @@ void try_table(std::string_view text, const ColumnHeaders& headers) {
   const Haste haste(5.0);
   std::vector<FrameRow> rows;
   try {
-    rows = parse_frames(text, "frames.csv", headers).rows;
+    rows = parse_frames(text, "frames.csv", headers);
   } catch (const BadFootage& error) {
     require_message(error.what());
     require(std::string_view(error.what()).starts_with("frames.csv:"), "a refusal names the file");

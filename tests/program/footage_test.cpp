@@ -165,6 +165,36 @@ TEST_F(Footage, SaysThatABeliefChangesAfterTheEnd) {
   EXPECT_EQ(run({"--belief", "mirrored", "--belief-at", "500", "--seconds", "2"}).code, 0) << "it was ended before";
 }
 
+TEST_F(Footage, LastsUntilItsEndUnlessToldOtherwise) {
+  std::string slow = "image,time_s,x_m,y_m,rotation_rad\n";
+  for (int i = 0; i < 12; ++i) slow += fmt::format("{},{},0,0,0\n", image_file(i).string(), 100 * i);
+  const std::string table = folder_.write("slow.csv", slow).string();
+  const ProgramRun whole = run({}, table);
+  EXPECT_NE(whole.out.find("right: the footage is over after 12 images"), std::string::npos) << whole.out;
+  const ProgramRun part = run({"--seconds", "250"}, table);
+  EXPECT_NE(part.out.find("right: ended after 4 images, as --seconds says"), std::string::npos) << part.out;
+}
+
+TEST_F(Footage, WithoutAPoseIsNotJudgedAndTellsWhichColumnsAreNotUsed) {
+  const ProgramRun lost =
+      run({"--json", file("run.json"), "--frames", table_with("x_m,y_m,rotation_rad", "pos_east,pos_north,theta")});
+  EXPECT_EQ(lost.code, 0) << lost.out << lost.err;
+  EXPECT_NE(lost.err.find("beginning at an unknown place; columns that are not used: pos_east, pos_north, theta"),
+            std::string::npos)
+      << lost.err;
+  EXPECT_NE(lost.out.find("not judged: the footage is over after 220 images; it does not say where the robot was"),
+            std::string::npos)
+      << lost.out;
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("run.json")))["correct"], nullptr);
+}
+
+TEST_F(Footage, TellsThatTrialsBeginBeforeTheRoomIsLearned) {
+  const ProgramRun tried = run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn",
+                                         "1", "--watch", "5", "--starts", "2", "--out", file("out")});
+  ASSERT_EQ(tried.code, 0) << tried.err;
+  EXPECT_NE(tried.out.find(": 1 of 2 starts come before the room was learned (at "), std::string::npos) << tried.out;
+}
+
 TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
   const std::pair<Words, const char*> cases[] = {
       {{"--belief", "upside down"}, "--belief: expected right, mirrored, degrees"},
@@ -177,6 +207,7 @@ TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
       {{"--column", "x_m=x"}, "there is no column 'x_m'; there are image, time, x, y"},
       {{"--column", "pitch=pitch_rad:deg"}, "'pitch_rad': expected 'rad' as its unit, as its name says, found 'deg'"},
       {{"--frames", table_with("pitch_rad", "pich_deg")}, "found 'pich_deg' (did you mean 'pitch_deg'?)"},
+      {{"--frames", table_with(",rotation_rad", ",roation_rad")}, "found 'roation_rad' (did you mean 'rotation_rad'?)"},
       {{"--frames", table_with("pitch_rad", "pitch")}, "found 'pitch' (did you mean 'pitch_rad'?)"},
       {{"--frames", "/nowhere.csv"}, "/nowhere.csv: expected a table, found nothing of that name"},
       {{"--room", "hall.hdr"}, "--room: only the simulator heeds it"},
@@ -244,6 +275,11 @@ TEST_F(Footage, PrintsForEachFailedTrialTheCommandThatShowsIt) {
       run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn", "20", "--watch", "5",
                     "--starts", "2", "--behaviors", "background_training", "--scripts", scripts, "--out", file("out")});
   ASSERT_EQ(tried.code, 0) << tried.err;
+  EXPECT_NE(tried.out.find("Trials that went wrong"), std::string::npos);
+  EXPECT_NE(tried.out.find("\n  20 s, image images/0100.png: not found; evidence "), std::string::npos) << tried.out;
+  EXPECT_NE(tried.out.find("\n0 of 6 mirrored poses were found (0.0 %); 0 of 6 right poses were flipped (0.0 %)\n"),
+            std::string::npos)
+      << tried.out;
   const std::size_t begin = tried.out.find("    reorient run --robot footage ");
   ASSERT_NE(begin, std::string::npos) << tried.out;
   const std::string command = tried.out.substr(begin, tried.out.find('\n', begin) - begin);

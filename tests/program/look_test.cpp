@@ -77,7 +77,7 @@ WalkImages walk_images(const std::filesystem::path& folder, int images, int widt
   std::ifstream in(folder / "frames.csv");
   std::ostringstream text;
   text << in.rdbuf();
-  WalkImages walk{{}, parse_frames(text.str(), "frames.csv").rows};
+  WalkImages walk{{}, parse_frames(text.str(), "frames.csv")};
   for (const FrameRow& row : walk.rows) walk.files.push_back((folder / row.image).string());
   return walk;
 }

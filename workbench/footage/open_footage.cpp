@@ -168,14 +168,21 @@ fs::path table_of(const FootageRequest& request) {
 }
 
 std::vector<FrameRow> read_table(const fs::path& table, const ColumnHeaders& headers) {
-  FramesTable parsed = parse_frames(read_file(table, "a table"), table.string(), headers);
+  const std::string text = read_file(table, "a table");
+  const TableHeaders found = read_headers(text, table.string(), headers);
   // What looks like a slip of the finger would be missed without a word.
-  for (const std::string& header : parsed.passed_over) {
-    if (const std::string meant = did_you_mean(header, parsed.missing); !meant.empty())
+  for (const std::string& header : found.unused) {
+    if (const std::string meant = did_you_mean(header, found.missing); !meant.empty())
       throw BadFootage(table.string() + ":1: expected a known column, found " + messages::in_quotes(header) + meant +
                        "; --column NAME=HEADER names it, --column NAME= leaves NAME out");
   }
-  return std::move(parsed.rows);
+  return parse_frames(text, table.string(), headers);
+}
+
+std::vector<std::string> unused_columns(const FootageRequest& request) {
+  const fs::path table = table_of(request);
+  if (table.empty()) return {};
+  return read_headers(read_file(table, "a table"), table.string(), request.headers).unused;
 }
 
 std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const FootageDecoder& decoder) {

@@ -33,6 +33,8 @@ Image read_image(const std::filesystem::path& file, const FootageDecoder& decode
 std::filesystem::path table_of(const FootageRequest& request);
 /// Throws BadFootage with one line.
 std::vector<FrameRow> read_table(const std::filesystem::path& table, const ColumnHeaders& headers);
+/// Headers of the table that open_footage() passes over. Throws BadFootage with one line.
+std::vector<std::string> unused_columns(const FootageRequest& request);
 
 /// Throws BadFootage with one line.
 std::unique_ptr<FootageSource> open_footage(const FootageRequest& request, const FootageDecoder& decoder);

@@ -69,7 +69,7 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   FootageRobot& itself = *robot;
   RobotInstance instance{std::move(robot), body, RobotInstance::Clock::simulated, nullptr, &itself};
   FrameLoop engine(std::move(prepared.frame));
-  err << "reorient: " << prepared.wall << '\n';
+  err << "reorient: " << prepared.wall << "\nreorient: " << prepared.pose << '\n';
   const auto failure = [&] {
     if (!itself.missed_change()) return itself.failure();
     return fmt::format("--belief-at {}: expected a moment of the footage, which lasts {:.1f} s",
@@ -78,12 +78,14 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   const auto verdict = [&](RunSummary& summary) {
     if (!itself.failure().empty()) {
       summary.verdict = "the footage cannot be read any further";
-    } else {
-      summary.verdict = fmt::format("the footage is over after {} images", itself.frames());
-      summary.succeeded = !summary.error || summary.correct;
+      return;
     }
+    summary.verdict = itself.is_over() ? fmt::format("the footage is over after {} images", itself.frames())
+                                       : fmt::format("ended after {} images, as --seconds says", summary.frames);
+    summary.succeeded = !summary.error || summary.correct;
+    if (!summary.truth) summary.verdict += "; it does not say where the robot was";
   };
-  RunParts parts{instance, engine, nullptr, nullptr, {}, {}, {}, options.seconds, false};
+  RunParts parts{instance, engine, nullptr, nullptr, {}, {}, {}, options.seconds.value_or(0.0), false};
   return run_prepared(options,
                       {.parts = std::move(parts),
                        .venue = setup.source.string(),

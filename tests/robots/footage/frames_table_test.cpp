@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kName = "frames.csv";
 
 std::vector<FrameRow> rows_of(std::string_view text, const ColumnHeaders& headers = {}) {
-  return parse_frames(text, kName, headers).rows;
+  return parse_frames(text, kName, headers);
 }
 
 /// What is thrown; empty: it was taken.
@@ -101,9 +101,18 @@ TEST(FramesTable, SaysInOneLineWhatIsWrongAndWhere) {
       {"image,time_s\na,inf\n", "frames.csv:2: 'time_s': expected a finite number, found 'inf'"},
       {"image,time_s\na,1x\n", "frames.csv:2: 'time_s': expected a finite number, found '1x'"},
       {"image,x_m,y_m,rotation_rad\na,1,nan,2\n", "frames.csv:2: 'y_m': expected a finite number, found 'nan'"},
-      {"image,x_m,y_m,rotation_rad\na,1e9,0,2\n", "frames.csv:2: 'x_m': expected a number of a size that makes sense"},
+      {"image,x_m,y_m,rotation_rad\na,1e9,0,2\n",
+       "frames.csv:2: 'x_m': expected at most 1e+04 m, found '1e9'; a header ends with the unit, as in x_mm"},
+      {"image,x_m,y_m,rotation_rad\na,1,0,90\n",
+       "frames.csv:2: 'rotation_rad': expected at most 62.8 rad, found '90'; a header ends with the unit, as in "
+       "rotation_deg"},
+      {"image,pitch_rad\na,-12.5\n", "frames.csv:2: 'pitch_rad': expected at most 6.28 rad, found '-12.5'"},
+      {"image,camera_height_m\na,51\n", "frames.csv:2: 'camera_height_m': expected at most 10 m, found '51'"},
       {"image,x_m,y_m,rotation_rad\na,1,,2\n", "frames.csv:2: expected x, y and rotation together"},
       {"image,x_m,y_m\na,1,2\n", "frames.csv:1: expected all of the columns x, y, rotation, or none of them"},
+      {"image,x_m,y_m,yaw_rad\na,1,2,3\n",
+       "frames.csv:1: expected all of the columns x, y, rotation, or none of them, found 'image', 'x_m', 'y_m', "
+       "'yaw_rad'; --column rotation=HEADER[:UNIT] names one that is called otherwise"},
       {"image,odometry_rotation_rad\na,1\n", "frames.csv:1: expected all of the columns odometry_x"},
       {"image,time_s,time_ms\na,1,1\n", "frames.csv:1: expected one column for time, found two"},
       {"image,image\na,1\n", "frames.csv:1: expected one column with images, found two"},
