@@ -12,8 +12,8 @@ RoomStatus room_status(const World& world, const RoomStatusParameters& p) {
   if (!world.room_awareness) return RoomStatus::off;
   if (!world.evaluating) return RoomStatus::resting;
   if (world.confidence.coverage < p.coverage) return RoomStatus::unlearned;
-  if (world.confidence.distinctiveness < p.distinctiveness || world.confidence.asymmetry < p.asymmetry)
-    return RoomStatus::symmetric;
+  const bool looks_the_same = world.confidence.paired > 0.0 && world.confidence.distinctiveness < p.distinctiveness;
+  if (looks_the_same || world.confidence.separability < p.separability) return RoomStatus::symmetric;
   if (world.recovery_probability > p.recovery_probability) return RoomStatus::lost;
   if (world.confidence.age < p.age) return RoomStatus::fresh;
   return RoomStatus::usable;

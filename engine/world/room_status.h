@@ -11,7 +11,7 @@ namespace reorient {
 struct RoomStatusParameters {
   double coverage = 0.3;
   double distinctiveness = 0.05;
-  double asymmetry = 0.79;
+  double separability = 0.5;
   double recovery_probability = 0.3;
   double age = 0.2;
 };
@@ -21,8 +21,8 @@ void describe(RoomStatusParameters& p, Visit&& visit) {
   visit("coverage", p.coverage, 0.0, 1.0, "", "share of the wall that must be learned before the room may speak");
   visit("distinctiveness", p.distinctiveness, 0.0, 1.0, "",
         "how much the room must differ from itself turned by half a turn");
-  visit("asymmetry", p.asymmetry, 0.0, 1.0, "",
-        "how much of what other turns change half a turn must change, or the room is called symmetric");
+  visit("separability", p.separability, 0.0, 1.0, "",
+        "how probable it must be that half a turn changes the room, or the room is called symmetric");
   visit("recovery_probability", p.recovery_probability, 0.0, 1.0, "",
         "beyond this the pose filter counts as lost: then both poses may be wrong");
   visit("age", p.age, 0.0, 60.0, "s", "how long known tiles must have been in view since the confidences began anew");

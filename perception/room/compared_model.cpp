@@ -27,6 +27,12 @@ void ComparedModel::prepare(const BackgroundModel& model, const Wall& wall, cons
   if (any) summarize(wall);
 }
 
+std::optional<double> ComparedModel::difference_to(int tile, const ColorHistogram& look) const {
+  const auto place = static_cast<std::size_t>(tile);
+  if (place >= tiles_.size() || !tiles_[place].trusted) return std::nullopt;
+  return distance(Distance::hellinger, prepared(Distance::hellinger, look), tiles_[place].roots);
+}
+
 void ComparedModel::summarize(const Wall& wall) {
   double sum = 0.0;
   int trusted = 0;

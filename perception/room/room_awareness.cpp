@@ -28,12 +28,12 @@ const Confidences& RoomAwareness::update(const RoomObservation& view) {
   perceive(view, elapsed);
   if (view.train) train(step);
   compared_model_.prepare(model_, wall_, comparison());
-  self_similarity_.observe(compared_model_, wall_);
+  separability_.observe(compared_model_, wall_);
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
   confidences_.paired = compared_model_.paired();
   confidences_.distinctiveness = compared_model_.distinctiveness();
-  confidences_.asymmetry = self_similarity_.asymmetry();
+  confidences_.separability = separability_.probability();
   views_.choose(wall_, compared_model_, view.belief, view.robot_from_camera, step, parameters_.perception.min_incidence,
                 parameters_.views);
   return confidences_;
@@ -73,10 +73,19 @@ void RoomAwareness::train(double step) {
   how.n = background.time_constant / step;
   how.true_mean_start = background.true_mean_start;
   how.prior_variance = background.prior_deviation * background.prior_deviation;
+  // Again, since whoever read a saved state has not yet.
+  compared_model_.prepare(model_, wall_, comparison());
+  double misfit = 0.0;
+  int known = 0;
   for (const PerceivedTile& tile : perceived_.tiles()) {
-    if (tile.counts && tile.coverage() >= parameters_.perception.min_learned_coverage)
-      model_.train(tile.tile, tile.histogram, how);
+    if (!tile.counts || tile.coverage() < parameters_.perception.min_learned_coverage) continue;
+    if (const std::optional<double> difference = compared_model_.difference_to(tile.tile, tile.histogram)) {
+      misfit += *difference;
+      ++known;
+    }
+    model_.train(tile.tile, tile.histogram, how);
   }
+  if (known > 0) separability_.note_misfit(misfit / known, step);
   for (const TileLight& tile : perceived_.lights()) {
     if (tile.counts()) model_.train_light(tile.tile, relative(tile.sums.mean(), believed_light_), how);
   }
@@ -92,7 +101,7 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   filter_.find_clusters();
   take_shares(confidences_, filter_, *view_center_, parameters_.confidence);
   evidence_.observe(scores_.places(), compared_model_, step, parameters_.evidence);
-  confidences_.evidence = evidence_.log_odds();
+  take_evidence();
   if (step <= 0.0) return;
   if (!scores_.places().empty()) confidences_.age += step;
   if (!scores_.evidence()) return;
@@ -135,14 +144,17 @@ void RoomAwareness::reflect_evidence() {
   evidence_.reflect(wall_);
   pose_lights_.reflect(wall_);
   views_.turn_half();
-  confidences_.evidence = evidence_.log_odds();
+  take_evidence();
 }
+
+/// What looks like evidence is none in a room that cannot tell a pose from its reflection.
+void RoomAwareness::take_evidence() { confidences_.evidence = separability_.weight() * evidence_.log_odds(); }
 
 void RoomAwareness::restart_evidence() {
   evidence_.restart(wall_.tiles());
   pose_lights_.restart(wall_.tiles());
   views_.restart(wall_.columns());
-  confidences_.evidence = 0.0;
+  take_evidence();
 }
 
 void RoomAwareness::on_purge() {
@@ -171,7 +183,7 @@ void RoomAwareness::on_belief_reflected() {
 void RoomAwareness::on_half_time() {
   model_.turn_half(wall_);
   compared_model_.clear();
-  self_similarity_.turn_half();
+  separability_.turn_half();
   light_.turn_half(wall_);
   pose_lights_.turn_half(wall_);
   evidence_.turn_half(wall_);
@@ -184,7 +196,7 @@ void RoomAwareness::on_half_time() {
 void RoomAwareness::forget() {
   model_.forget(wall_.tiles());
   compared_model_.clear();
-  self_similarity_.restart(wall_.columns());
+  separability_.restart(wall_.columns());
   scores_.clear();
   perceived_.clear();
   filter_.spread(parameters_.view_filter);

@@ -17,7 +17,7 @@
 #include "perception/room/evidence/pose_lights.h"
 #include "perception/room/room_observation.h"
 #include "perception/room/saved_model.h"
-#include "perception/room/self_similarity.h"
+#include "perception/room/separability.h"
 #include "perception/room/view/confidences.h"
 #include "perception/room/view/view_filter.h"
 #include "perception/room/view/viewpoint_scores.h"
@@ -112,7 +112,7 @@ class RoomAwareness {
   /// they are. Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(light_, pose_lights_, model_, self_similarity_, filter_, evidence_, views_, confidences_, last_time_,
+    archive(light_, pose_lights_, model_, separability_, filter_, evidence_, views_, confidences_, last_time_,
             last_direction_, view_center_);
     if constexpr (Archive::kReads) complete();
   }
@@ -127,6 +127,7 @@ class RoomAwareness {
   void restart_confidences();
   void restart_evidence();
   void reflect_evidence();
+  void take_evidence();
   Comparison comparison() const;
 
   RoomParameters parameters_;
@@ -136,7 +137,7 @@ class RoomAwareness {
   PerceivedTiles perceived_;
   BackgroundModel model_;
   ComparedModel compared_model_;
-  SelfSimilarity self_similarity_;
+  Separability separability_;
   ViewpointScores scores_;
   ViewFilter filter_;
   Evidence evidence_;

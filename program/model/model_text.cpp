@@ -9,7 +9,7 @@
 #include "engine/world/room_status.h"
 #include "geometry/angle.h"
 #include "perception/room/compared_model.h"
-#include "perception/room/self_similarity.h"
+#include "perception/room/separability.h"
 
 namespace reorient {
 namespace {
@@ -33,11 +33,11 @@ std::string place_of(int tile, const Wall& wall) {
 }
 
 /// All columns, as RoomAwareness compares them one a frame.
-double asymmetry_of(const ComparedModel& model, const Wall& wall) {
-  SelfSimilarity similarity;
-  similarity.restart(wall.columns());
-  for (int column = 0; column < wall.columns(); ++column) similarity.observe(model, wall);
-  return similarity.asymmetry();
+double separability_of(const ComparedModel& model, const Wall& wall) {
+  Separability separability;
+  separability.restart(wall.columns());
+  for (int column = 0; column < wall.columns(); ++column) separability.observe(model, wall);
+  return separability.probability();
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void print_model(const SavedModel& model, std::ostream& out) {
   const std::string different = differences({}, model.basis);
   ComparedModel compared;
   compared.prepare(model.model, wall, Comparison());
-  const double asymmetry = asymmetry_of(compared, wall);
+  const double separability = separability_of(compared, wall);
   const RoomStatusParameters least;
   out << fmt::format("  learned for {:.1f} s\n", model.learned)
       << fmt::format("  wall: {} m from the field's centre, {} to {} m high, {} rows of {} columns\n", wall.radius(),
@@ -62,8 +62,8 @@ void print_model(const SavedModel& model, std::ostream& out) {
                      compared.distinctiveness() < least.distinctiveness
                          ? "after half a turn it looks the same: it says nothing about the pose"
                          : "it can be told from itself turned by half a turn")
-      << fmt::format("  asymmetry: {:.2f} ({})\n", asymmetry,
-                     asymmetry < least.asymmetry
+      << fmt::format("  separability: {:.2f} ({})\n", separability,
+                     separability < least.separability
                          ? "half a turn changes it less than other turns do: it counts as symmetric"
                          : "half a turn changes it as other turns do");
 }

@@ -44,10 +44,10 @@ void log_pose(const World& world, const std::optional<GroundTruth>& truth) {
   };
   spdlog::debug(
       "{:.1f} s: belief {} weight {:.2f} reflected {:.2f}, truth {}; {} line points, {} posts, {} tiles, "
-      "coverage {:.2f}, distinctiveness {:.2f}, asymmetry {:.2f}, goals {:.2f} {:.2f}",
+      "coverage {:.2f}, distinctiveness {:.2f}, separability {:.2f}, goals {:.2f} {:.2f}",
       world.time, text(world.pose.pose), world.pose.cluster_weight, world.pose.reflected_weight,
       truth ? text(truth->pose) : "unknown", world.line_points, world.goal_posts, world.confidence.visible_tiles,
-      world.confidence.coverage, world.confidence.distinctiveness, world.confidence.asymmetry,
+      world.confidence.coverage, world.confidence.distinctiveness, world.confidence.separability,
       world.confidence.goal_opponent, world.confidence.goal_own);
 }
 

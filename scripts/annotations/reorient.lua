@@ -71,7 +71,8 @@ pose = {}
 ---@field coverage number share of the wall that is trained well enough to be compared with
 ---@field paired number the same, together with what lies on the other side of the room
 ---@field distinctiveness number how much the room differs from itself turned by half a turn; 0: it looks the same
----@field asymmetry number how much the room differs from itself after half a turn, as share of how much it does after an odd number of eighths: about 1, and below 0.79 (room_status.asymmetry) where it repeats itself
+---@field separability number how probable it is that the room can tell a pose from its reflection; below 0.5 (room_status.separability) it counts as symmetric
+---@field asymmetry number former name of confidence.separability
 ---@field age number s, for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told pose, a flip or a jump of the belief
 ---@field status "usable"|"off"|"resting"|"unlearned"|"symmetric"|"lost"|"fresh" whether the confidences say something about the believed pose; if not, why not
 ---@field visible_tiles number how many tiles of the wall counted in this frame

@@ -15,7 +15,7 @@ local p = param {
   paired        = { 0.4,  range = { 0, 1 },               doc = "share of the wall that must be known with its other side to end sooner" },
   patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "after which time less of it is enough: a still body cannot see more" },
   least_paired  = { 0.25, range = { 0, 1 },               doc = "share that is enough then" },
-  asymmetry     = { 0.9,  range = { 0, 1.5 },             doc = "what confidence.asymmetry must reach to end sooner, too" },
+  separability  = { 0.7,  range = { 0, 1 },               doc = "what confidence.separability must reach to end sooner, too" },
   lingering     = { 0.05, range = { 0, 1 },               doc = "share of reflected pose particles that is purged meanwhile" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
   proof         = { 4.6,  range = { -50, 50 },             doc = "log-odds of the believed pose that it takes to train on" },
@@ -30,7 +30,7 @@ local function stands_on_the_field() return robot.undisturbed_for > p.undisturbe
 local function knows_the_room()
   if training.seconds >= p.max_time then return true end
   local enough = training.seconds >= p.patience and p.least_paired or p.paired
-  return training.seconds >= p.min_time and confidence.paired >= enough and confidence.asymmetry >= p.asymmetry
+  return training.seconds >= p.min_time and confidence.paired >= enough and confidence.separability >= p.separability
 end
 
 local function is_known_no_more() return training.seconds < p.min_time and not knows_the_room() end

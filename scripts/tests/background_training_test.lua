@@ -47,10 +47,10 @@ end)
 
 test("it goes on learning a room that hardly differs from itself turned by half a turn", function()
   start()
-  set_world { training = { seconds = 12 }, confidence = { paired = 0.5, asymmetry = 0.8 } }
+  set_world { training = { seconds = 12 }, confidence = { paired = 0.5, separability = 0.6 } }
   advance(1)
   expect.state("background_training", "learning/studying")
-  set_world { confidence = { asymmetry = 0.92 } }
+  set_world { confidence = { separability = 0.8 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
 end)
@@ -60,10 +60,10 @@ test("less of the wall is enough after a while, since a still body cannot see mo
   set_world { training = { seconds = 13.8 }, confidence = { coverage = 0.6, paired = 0.3 } }
   advance(0.1)
   expect.state("background_training", "learning/studying")
-  set_world { training = { seconds = 14.2 }, confidence = { asymmetry = 0.8 } }
+  set_world { training = { seconds = 14.2 }, confidence = { separability = 0.6 } }
   advance(0.1)
   expect.state("background_training", "learning/studying")
-  set_world { confidence = { asymmetry = 1.0 } }
+  set_world { confidence = { separability = 1.0 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
 end)

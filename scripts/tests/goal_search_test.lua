@@ -69,7 +69,7 @@ end)
 
 test("does not search in a room that looks the same after half a turn", function()
   start()
-  set_world { confidence = { evidence = 0, distinctiveness = 0.01 } }
+  set_world { confidence = { evidence = 0, paired = 0.5, distinctiveness = 0.01 } }
   advance(60)
   expect.state("goal_search", "resting")
 end)

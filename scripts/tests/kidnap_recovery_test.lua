@@ -233,7 +233,7 @@ end)
 
 for what, world in pairs {
   ["is not known"] = { confidence = { coverage = 0.1 } },
-  ["looks the same after half a turn"] = { confidence = { distinctiveness = 0.01 } },
+  ["looks the same after half a turn"] = { confidence = { paired = 0.5, distinctiveness = 0.01 } },
 } do
   test("forgets nothing when the room " .. what .. ", and goes on in the end", function()
     put_down()

@@ -89,10 +89,21 @@ end)
 
 test("does not flip in a room that looks the same after half a turn", function()
   learned_room()
-  set_world { confidence = { evidence = 10, distinctiveness = 0.0 } }
+  set_world { confidence = { evidence = 10, paired = 0.5, distinctiveness = 0.0 } }
   advance(10)
   expect.no_command()
   expect.state("orientation", "watching/in doubt")
+end)
+
+test("does not flip in a room that is symmetric, as far as was seen", function()
+  learned_room()
+  set_world { confidence = { evidence = 10, separability = 0.4 } }
+  advance(10)
+  expect.no_command()
+  expect.state("orientation", "watching/in doubt")
+  set_world { confidence = { separability = 0.6 } }
+  advance(1)
+  expect.command("flip_pose")
 end)
 
 test("purges when the current pose wins while reflected beliefs linger", function()

@@ -60,6 +60,13 @@ TEST_F(ParameterModulesTest, WarnsOnceOfAModuleThatNoRunCouldLoad) {
       "values are kept, but nobody reads them\n");
 }
 
+TEST_F(ParameterModulesTest, WarnsOfAFormerNameAndLeavesItOut) {
+  EXPECT_TRUE(kept_for_others({in_file("room_status.asymmetry", "0.6")}, modules).empty());
+  EXPECT_EQ(log.str(),
+            "team.toml:7: parameter 'room_status.asymmetry' is not used any more: 'room_status.separability', a "
+            "probability, took its place\n");
+}
+
 TEST_F(ParameterModulesTest, RefusesWhatAModuleThatIsThereDoesNotHave) {
   EXPECT_EQ(refusal(in_file("orientation.lingring")),
             "team.toml:7: there is no parameter 'orientation.lingring' (set by the file) (did you mean "

@@ -31,7 +31,8 @@ struct WorldField {
   std::span<const std::string_view> names;                    ///< of a name: all that it can be; its value is the index
   double minimum = -std::numeric_limits<double>::infinity();  ///< of a number
   double maximum = std::numeric_limits<double>::infinity();
-  bool is_integer = false;  ///< of a number
+  bool is_integer = false;            ///< of a number
+  std::string_view replacement = {};  ///< of a former name, for scripts that still have it: the field to use instead
 
   std::string full_name() const { return std::string(table) + "." + std::string(name); }
   std::string_view type_name() const {

@@ -27,6 +27,7 @@ struct BoundField {
   std::string_view unit;
   std::string_view description;
   Access access;
+  std::string_view replacement = {};  ///< of a former name
 };
 
 constexpr WorldTable kTables[] = {
@@ -110,10 +111,12 @@ const BoundField kFields[] = {
     {"confidence", "distinctiveness", "",
      "how much the room differs from itself turned by half a turn; 0: it looks the same",
      [](World& w) { return &w.confidence.distinctiveness; }},
-    {"confidence", "asymmetry", "",
-     "how much the room differs from itself after half a turn, as share of how much it does after an odd number of "
-     "eighths: about 1, and below 0.79 (room_status.asymmetry) where it repeats itself",
-     [](World& w) { return &w.confidence.asymmetry; }},
+    {"confidence", "separability", "",
+     "how probable it is that the room can tell a pose from its reflection; below 0.5 (room_status.separability) it "
+     "counts as symmetric",
+     [](World& w) { return &w.confidence.separability; }},
+    {"confidence", "asymmetry", "", "former name of confidence.separability",
+     [](World& w) { return &w.confidence.separability; }, "confidence.separability"},
     {"confidence", "age", "s",
      "for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told "
      "pose, a flip or a jump of the belief",
@@ -164,7 +167,12 @@ std::span<const std::string_view> names_of() {
 /// What a value of this C++ type is to a script.
 template <typename Value>
 WorldField described(const BoundField& field, Value* (*)(World&)) {
-  WorldField result{field.table, field.name, field.unit, field.description, Type::number, {}};
+  WorldField result;
+  result.table = field.table;
+  result.name = field.name;
+  result.unit = field.unit;
+  result.description = field.description;
+  result.replacement = field.replacement;
   if constexpr (std::is_same_v<Value, bool>) {
     result.type = Type::boolean;
   } else if constexpr (std::is_integral_v<Value>) {  // a count

@@ -20,7 +20,7 @@ struct Confidences {
   double coverage = 0.0;         ///< share of the wall's tiles that are trained well enough to be compared with
   double paired = 0.0;           ///< the same, together with their reflections
   double distinctiveness = 0.0;  ///< how much the model differs from itself turned by 180 degrees: 0 is the same
-  double asymmetry = 1.0;        ///< the same, as a share of what other turns differ by (self_similarity.h)
+  double separability = 1.0;     ///< probability that the room can tell a pose from its reflection (separability.h)
   double evidence = 0.0;         ///< log-odds for the opposite pose against the current one (evidence/evidence.h)
   double age = 0.0;              ///< s of views of known tiles since the confidences began anew
   double smoothed_for = 0.0;     ///< s of those of them that the smoothed ones are made of
@@ -30,7 +30,7 @@ struct Confidences {
 template <typename Visit>
 void fields(Visit&& visit, Confidences& c) {
   visit(c.current, c.opposite, c.raw_current, c.raw_opposite, c.goal_opponent, c.goal_own, c.coverage, c.paired,
-        c.distinctiveness, c.asymmetry, c.evidence, c.age, c.smoothed_for, c.visible_tiles);
+        c.distinctiveness, c.separability, c.evidence, c.age, c.smoothed_for, c.visible_tiles);
 }
 
 struct ConfidenceParameters {

@@ -91,6 +91,17 @@ TEST_F(ScriptCheckTest, WarnsOfAnInitialStateWhenEveryWayInLeadsPastIt) {
   EXPECT_EQ(findings(), "behaviors/odd.lua:4:64: warning: state 'two/early' is never reached\n");
 }
 
+TEST_F(ScriptCheckTest, WarnsOfAFormerName) {
+  folder.write("behaviors/old.lua", R"(behavior "old" {
+  initial = "one",
+  state "one" { { "two", when = function() return confidence.asymmetry > 0.5 end } },
+  state "two" { { "one", after = 1 } },
+}
+)");
+  EXPECT_EQ(findings(),
+            "behaviors/old.lua:3:62: warning: confidence.asymmetry is a former name: use confidence.separability\n");
+}
+
 TEST_F(ScriptCheckTest, WarnsOfACopyThatKeptItsName) {
   folder.write("behaviors/near/second.lua", "\nbehavior \"first\" { state \"a\" {} }\n");
   folder.write("scenarios/evening.lua", "scenario \"morning\" { state \"a\" {} }\n");

@@ -128,7 +128,7 @@ class Generator {
     const std::span<const WorldField> fields = world_fields();
     for (;;) {
       const WorldField& one = fields[below(fields.size())];
-      if (one.type == type) return one.full_name();
+      if (one.type == type && one.replacement.empty()) return one.full_name();
     }
   }
 

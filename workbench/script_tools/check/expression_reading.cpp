@@ -141,7 +141,12 @@ Meaning ScriptReading::field_of(const Meaning& owner, const LuaToken& field) {
   if (owner.own_table != nullptr) return own_field_of(owner, field);
   if (owner.table != nullptr) {
     const auto found = owner.table->fields.find(field.text);
-    if (found != owner.table->fields.end()) return meaning_of(found->second, owner.name + "." + field.text);
+    if (found != owner.table->fields.end()) {
+      const std::string name = owner.name + "." + field.text;
+      if (!found->second.replacement.empty())
+        note(field, name + " is a former name: use " + found->second.replacement, Finding::Severity::warning);
+      return meaning_of(found->second, name);
+    }
     note_missing(*owner.table, field);
     return {};
   }

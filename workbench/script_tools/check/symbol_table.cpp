@@ -23,7 +23,9 @@ Symbol one_of(std::set<std::string> names) { return {kString, nullptr, nullptr, 
 
 Symbol field_symbol(const WorldField& field) {
   if (field.type == WorldField::Type::name) return one_of({field.names.begin(), field.names.end()});
-  return {field.type == WorldField::Type::boolean ? kBoolean : kNumber};
+  Symbol symbol{field.type == WorldField::Type::boolean ? kBoolean : kNumber};
+  symbol.replacement = field.replacement;
+  return symbol;
 }
 
 /// Tables are made while they are filled; then they are the globals'.

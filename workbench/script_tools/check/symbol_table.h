@@ -21,6 +21,7 @@ struct Symbol {
   std::shared_ptr<const TableSymbol> table = nullptr;
   std::shared_ptr<const FunctionSymbol> function = nullptr;
   std::shared_ptr<const std::set<std::string>> names = nullptr;  ///< all that a string can be
+  std::string replacement = {};                                  ///< of a former name: what to use instead
 };
 
 struct TableSymbol {
