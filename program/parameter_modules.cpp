@@ -18,12 +18,13 @@ namespace {
 constexpr std::size_t kMostWarnings = 10;
 constexpr std::size_t kLongestName = 200;  // as far as it is told
 
-/// Names in the files of people whose values mean nothing any more, and what took their places.
+/// Parameters of earlier versions that are not used any more, and the parameter that replaces each.
 constexpr std::pair<std::string_view, std::string_view> kFormerNames[] = {
     {"background_training.asymmetry", "background_training.separability"},
     {"room_status.asymmetry", "room_status.separability"}};
 
-bool is_former_name(const ParameterChange& change) {
+/// Warns of a former name; false: it is none.
+bool warn_of_former_name(const ParameterChange& change) {
   const auto* const former = std::find_if(std::begin(kFormerNames), std::end(kFormerNames),
                                           [&](const auto& names) { return names.first == change.name; });
   if (former == std::end(kFormerNames)) return false;
@@ -72,7 +73,7 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
   std::map<std::string, ParameterChange> kept;   // the last one of a name holds
   std::map<std::string, std::string> strangers;  // module and where it is named first
   for (const ParameterChange& change : overrides) {
-    if (names.contains(change.name) || is_former_name(change)) continue;
+    if (names.contains(change.name) || warn_of_former_name(change)) continue;
     const std::string module = module_of(change.name);
     if (change.origin != ParameterOrigin::file || module.empty() || loaded.contains(module)) {
       const bool may_be_loaded = !loaded.contains(module) && modules.anywhere.contains(module);

@@ -50,6 +50,9 @@ struct TileModel {
   double trained = 0.0;  ///< s
   RelativeLight light;   ///< mean
   int light_visits = 0;  ///< those with enough pixels that are neither too dark nor too bright
+
+  /// Whether it was seen, and trained for at least so many seconds.
+  bool is_trained_for(double seconds) const { return visits > 0 && trained >= seconds; }
 };
 template <typename Visit>
 void fields(Visit&& visit, TileModel& tile) {

@@ -15,7 +15,7 @@ void ComparedModel::prepare(const BackgroundModel& model, const Wall& wall, cons
     any = true;
     tile.visits = learned[i].visits;
     tile.trained = learned[i].trained;
-    tile.trusted = tile.visits > 0 && tile.trained >= comparison.trusted_after;
+    tile.trusted = learned[i].is_trained_for(comparison.trusted_after);
     tile.histogram = prepared(comparison.measure, learned[i].mean);
     tile.roots = prepared(Distance::hellinger, learned[i].mean);
     const auto other = static_cast<std::size_t>(wall.reflected(static_cast<int>(i)));
@@ -25,12 +25,6 @@ void ComparedModel::prepare(const BackgroundModel& model, const Wall& wall, cons
     tile.difference = tiles_[other].difference = difference;
   }
   if (any) summarize(wall);
-}
-
-std::optional<double> ComparedModel::difference_to(int tile, const ColorHistogram& look) const {
-  const auto place = static_cast<std::size_t>(tile);
-  if (place >= tiles_.size() || !tiles_[place].trusted) return std::nullopt;
-  return distance(Distance::hellinger, prepared(Distance::hellinger, look), tiles_[place].roots);
 }
 
 void ComparedModel::summarize(const Wall& wall) {

@@ -33,8 +33,6 @@ class ComparedModel {
     return distance(Distance::hellinger, tiles_[static_cast<std::size_t>(tile)].roots,
                     tiles_[static_cast<std::size_t>(other)].roots);
   }
-  /// The same of a tile and a look at it; nothing where the tile is not trusted.
-  std::optional<double> difference_to(int tile, const ColorHistogram& look) const;
   /// The same of a tile and its reflection; nothing where one of the two is not trusted.
   std::optional<double> difference_to_reflection(int tile) const {
     return tiles_[static_cast<std::size_t>(tile)].difference;

@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-bool is_known(const TileModel& tile) { return tile.visits > 0 && tile.trained >= BackgroundParameters().trusted_after; }
+bool is_known(const TileModel& tile) { return tile.is_trained_for(BackgroundParameters().trusted_after); }
 
 double difference(const TileModel& a, const TileModel& b) { return distance(Distance::hellinger, a.mean, b.mean); }
 

@@ -73,14 +73,13 @@ void RoomAwareness::train(double step) {
   how.n = background.time_constant / step;
   how.true_mean_start = background.true_mean_start;
   how.prior_variance = background.prior_deviation * background.prior_deviation;
-  // Again, since whoever read a saved state has not yet.
-  compared_model_.prepare(model_, wall_, comparison());
   double misfit = 0.0;
   int known = 0;
   for (const PerceivedTile& tile : perceived_.tiles()) {
     if (!tile.counts || tile.coverage() < parameters_.perception.min_learned_coverage) continue;
-    if (const std::optional<double> difference = compared_model_.difference_to(tile.tile, tile.histogram)) {
-      misfit += *difference;
+    const TileModel& learned = model_[tile.tile];
+    if (learned.is_trained_for(background.trusted_after)) {
+      misfit += distance(Distance::hellinger, tile.histogram, learned.mean);
       ++known;
     }
     model_.train(tile.tile, tile.histogram, how);
@@ -147,7 +146,7 @@ void RoomAwareness::reflect_evidence() {
   take_evidence();
 }
 
-/// What looks like evidence is none in a room that cannot tell a pose from its reflection.
+/// In a symmetric room the evidence is zero, whatever the tiles contribute.
 void RoomAwareness::take_evidence() { confidences_.evidence = separability_.weight() * evidence_.log_odds(); }
 
 void RoomAwareness::restart_evidence() {

@@ -158,7 +158,7 @@ void Separability::check(std::size_t columns) const {
               "the likeness of a wall with another number of columns");
   check_bytes(probability_ >= 0.0 && probability_ <= 1.0, "the likeness of the wall to itself is no probability");
   check_bytes(misfit_ >= 0.0 && misfit_ <= 1.0 && misfit_age_ >= 0.0 && std::isfinite(misfit_age_),
-              "the misfit is none");
+              "the misfit is invalid");
   for (const Column& column : columns_)
     check_bytes(column.half >= 0.0 && std::isfinite(column.half) && column.eighths >= 0.0 &&
                     std::isfinite(column.eighths) && column.tiles >= 0 && column.tiles <= kMostRows,

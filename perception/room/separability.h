@@ -8,10 +8,11 @@
 
 namespace reorient {
 
-/// A statistical test of the model of the wall against itself, turned. How much a tile differs from its reflection says
-/// little: from where the robot stood, the two ends of a symmetric room looked different, too, and in a colorless room
-/// everything looks alike. But where the room repeats itself after half a turn, it is then nearer to itself than after
-/// an eighth of a turn or three, at which no room with two or four equal sides repeats itself.
+/// A statistical test of the model of the wall against the same model, rotated. The difference between a tile and its
+/// reflection is not enough: from where the robot stood, the two ends of a symmetric room looked different, too, and in
+/// a colorless room all tiles are similar. But a room that repeats itself after half a turn differs less from itself
+/// after half a turn than after one or three eighths of a turn, at which no room with two or four equal sides repeats
+/// itself.
 ///
 /// With H and O the mean differences after half a turn and after the odd eighths of a turn, and m the misfit, by which
 /// a tile differs from its own next look although the pose is known, the test is about the share of what differs beyond
@@ -32,7 +33,7 @@ class Separability {
   /// A look at known tiles from a known pose, before it is learned: their mean difference to the model (Hellinger), and
   /// for how long it was looked, s.
   void note_misfit(double difference, double step);
-  /// Once a frame: the next column of the wall, in turn. So what is told is at most a few seconds old.
+  /// Once a frame: compares the next column of the wall, in turn. The result is at most a few seconds old.
   void observe(const ComparedModel& model, const Wall& wall);
   /// The wall's tiles are counted from the other end of the field.
   void turn_half();

@@ -192,10 +192,10 @@ void print_unlearned(const std::vector<std::string>& names, const std::vector<st
                      std::ostream& out) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto& starts = footages[i]->starts();
-    const auto early =
-        std::count_if(starts.begin(), starts.end(), [](const auto& one) { return !one.room_is_learned; });
-    if (early == 0) continue;
     const std::optional<double> learned = footages[i]->room_learned_at();
+    const auto early =
+        std::count_if(starts.begin(), starts.end(), [&](const auto& one) { return !learned || one.time <= *learned; });
+    if (early == 0) continue;
     out << fmt::format(
         "\n{}: {} of {} starts come before the room was learned{}\n", as_line(names[i]), early, starts.size(),
         learned ? fmt::format(" (at {:.1f} s); --learn {:.0f} leaves them out", *learned, std::ceil(*learned))
@@ -209,9 +209,10 @@ void print_answer(const std::vector<CellResults>& cells, const std::vector<Foota
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const FootageCase& one = cases[i % cases.size()];
     for (const TrialResult& result : cells[i].trials) {
+      const bool failed = has_failed(result, one);
       (one.change.mirrored ? mirrored : right) += 1;
-      if (one.change.mirrored) found += has_failed(result, one) ? 0 : 1;
-      if (!one.change.mirrored) flipped += has_failed(result, one) ? 1 : 0;
+      if (one.change.mirrored && !failed) ++found;
+      if (!one.change.mirrored && failed) ++flipped;
     }
   }
   out << fmt::format("\n{} of {} mirrored poses were found ({:.1f} %); {} of {} right poses were flipped ({:.1f} %)\n",

@@ -1,6 +1,5 @@
 #include "program/footage/footage_run.h"
 
-#include "engine/parameters/nearest_name.h"
 #include "program/footage/footage_wall.h"
 #include "program/parameter_modules.h"
 #include "program/run/places.h"
@@ -11,23 +10,6 @@
 #include "workbench/files/field_file.h"
 
 namespace reorient {
-namespace {
-
-/// How the robot knows its pose, as far as the first image tells.
-std::string pose_line(const FootageSetup& setup, const RobotBody& body) {
-  FootageFrame first;
-  if (!open_footage(setup.source, setup.footage, body)->next(first)) return "pose: none";
-  if (first.pose) return "pose: as recorded";
-  const std::string at = setup.at.empty() ? "an unknown place" : setup.at;
-  if (first.heading) return "pose: the recorded rotation, at " + at;
-  std::string line = std::string("pose: by field lines") + (first.odometry ? " and the recorded odometry" : "") +
-                     ", beginning at " + at;
-  const std::vector<std::string> unused = unused_columns(setup.source, setup.footage, body);
-  if (!unused.empty()) line += "; columns that are not used: " + list_of(unused);
-  return line;
-}
-
-}  // namespace
 
 PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& scripts) {
   PreparedFootage prepared;
@@ -56,7 +38,6 @@ PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& sc
   FootageWall wall =
       footage_wall(*open_footage(setup.source, setup.footage, frame.body), setup.footage.wall, frame.field, frame.body);
   prepared.wall = std::move(wall.told);
-  prepared.pose = pose_line(setup, frame.body);
   // What a person sets comes last, and counts.
   frame.parameters.insert(frame.parameters.begin(), wall.parameters.begin(), wall.parameters.end());
   return prepared;

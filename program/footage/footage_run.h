@@ -33,7 +33,6 @@ struct PreparedFootage {
   FrameSetup frame;                   ///< with the wall that suits the footage
   std::vector<ParameterChange> kept;  ///< overrides that belong to scripts which are not in this run
   std::string wall;                   ///< a line for people
-  std::string pose;                   ///< the same: how the pose is known
 };
 
 /// Finds mistakes before it looks for the wall, which takes a while. Throws std::runtime_error (of scripts:

@@ -36,7 +36,6 @@ class StartStates : public Observer {
   void before(const FrameInputs& inputs, const FrameLoop& engine) override {
     if (next_ == starts_.size() || frame_++ != starts_[next_].frame) return;
     starts_[next_].time = inputs.observation.time;
-    starts_[next_].room_is_learned = room_learned_at_.has_value();
     engine.save(starts_[next_++].state);
   }
   void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
@@ -130,7 +129,7 @@ void FootageTrials::choose_starts() {
         setup_.source.string(), wanted, candidates, options_.learn, needed, all.empty() ? 0.0 : all.back()));
   for (std::size_t i = 0; i < wanted; ++i) {
     const std::size_t frame = static_cast<std::size_t>(first - all.begin()) + i * candidates / wanted;
-    starts_.push_back({frame, footage_.frames()[frame].name, all[frame], false, {}});
+    starts_.push_back({frame, footage_.frames()[frame].name, all[frame], {}});
   }
 }
 

@@ -55,7 +55,6 @@ class FootageTrials {
     std::size_t frame = 0;         ///< of the footage
     std::string image;             ///< its file, or whatever names it
     double time = 0.0;             ///< s, the robot's
-    bool room_is_learned = false;  ///< the evidence counts
     std::vector<std::byte> state;  ///< of the engine, before that frame
   };
   const std::vector<Start>& starts() const { return starts_; }

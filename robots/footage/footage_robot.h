@@ -71,6 +71,8 @@ class FootageRobot : public Robot, public GroundTruthSource {
     return truth_ ? std::optional(GroundTruth{*truth_, false, is_carried_}) : std::nullopt;
   }
 
+  /// The last image that was taken from the source: before the first observe(), the first one.
+  const FootageFrame& frame() const { return frame_; }
   /// Why the footage ended before its end: one line; empty: it did not.
   const std::string& failure() const { return failure_; }
   std::uint64_t frames() const { return frames_; }

@@ -15,9 +15,9 @@ namespace {
 using messages::in_quotes;
 
 constexpr double kFarthest = 1e4;            // m
-constexpr double kHighest = 10.0;            // m: whoever gives centimeters is above it
+constexpr double kHighest = 10.0;            // m: a height in centimeters is larger
 constexpr double kMostTilted = 2.0 * kPi;    // rad
-constexpr double kMostTurned = 20.0 * kPi;   // rad: some count turns; whoever gives degrees is soon above it
+constexpr double kMostTurned = 20.0 * kPi;   // rad: may count turns; degrees soon exceed it
 constexpr double kMostOdometryTurned = 1e6;  // rad: counted for hours
 constexpr std::size_t kMostRows = 10'000'000;
 constexpr std::size_t kMostCells = 1000;

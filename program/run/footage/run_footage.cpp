@@ -8,9 +8,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/nearest_name.h"
 #include "program/footage/footage_run.h"
 #include "program/interruption.h"
 #include "program/run/run_scenario.h"
@@ -45,6 +47,18 @@ std::optional<BeliefChange> belief_change_of(const RunOptions& options) {
   return change;
 }
 
+/// How the robot knows its pose, as far as the first image tells.
+std::string pose_line(const FootageSetup& setup, const RobotBody& body, const FootageFrame& first) {
+  const std::string at = setup.at.empty() ? "an unknown place" : setup.at;
+  if (first.heading) return "pose: the recorded rotation, at " + at;
+  if (first.pose) return "pose: as recorded";
+  std::string line = std::string("pose: by field lines") + (first.odometry ? " and the recorded odometry" : "") +
+                     ", beginning at " + at;
+  const std::vector<std::string> unused = unused_columns(setup.source, setup.footage, body);
+  if (!unused.empty()) line += "; columns that are not used: " + list_of(unused);
+  return line;
+}
+
 }  // namespace
 
 int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err) {
@@ -69,7 +83,7 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   FootageRobot& itself = *robot;
   RobotInstance instance{std::move(robot), body, RobotInstance::Clock::simulated, nullptr, &itself};
   FrameLoop engine(std::move(prepared.frame));
-  err << "reorient: " << prepared.wall << "\nreorient: " << prepared.pose << '\n';
+  err << "reorient: " << prepared.wall << "\nreorient: " << pose_line(setup, body, itself.frame()) << '\n';
   const auto failure = [&] {
     if (!itself.missed_change()) return itself.failure();
     return fmt::format("--belief-at {}: expected a moment of the footage, which lasts {:.1f} s",
