@@ -198,7 +198,7 @@ void print_unlearned(const std::vector<std::string>& names, const std::vector<st
     if (early == 0) continue;
     out << fmt::format(
         "\n{}: {} of {} starts come before the room was learned{}\n", as_line(names[i]), early, starts.size(),
-        learned ? fmt::format(" (at {:.1f} s); --learn {:.0f} leaves them out", *learned, std::ceil(*learned))
+        learned ? fmt::format(" (at {:.1f} s); --learn {:.0f} leaves them out", *learned, std::floor(*learned) + 1.0)
                 : std::string(", which never happened"));
   }
 }

@@ -39,7 +39,7 @@ nlohmann::json or_null(const std::optional<Value>& value) {
 }  // namespace
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out) {
-  const char* const judgement = !summary.succeeded ? "wrong" : summary.truth ? "right" : "not judged";
+  const char* const judgement = !summary.succeeded ? "wrong" : summary.error ? "right" : "not judged";
   out << fmt::format("\n{}: {}\n", judgement, summary.verdict);
   if (summary.corrected_after) {
     out << fmt::format("  belief wrong at {:.1f} s, corrected after {:.1f} s\n", *summary.belief_wrong_at,
@@ -69,7 +69,7 @@ void write_summary(const RunSummary& summary, const CommandHistory& commands, co
       {"room", circumstances.room},
       {"seed", circumstances.seed},
       {"room_awareness", circumstances.room_awareness},
-      {"correct", summary.truth ? nlohmann::json(summary.correct) : nlohmann::json()},
+      {"correct", summary.error ? nlohmann::json(summary.correct) : nlohmann::json()},
       {"succeeded", summary.succeeded},
       {"verdict", summary.verdict},
       {"belief_wrong_at_seconds", or_null(summary.belief_wrong_at)},

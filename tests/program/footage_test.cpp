@@ -188,6 +188,15 @@ TEST_F(Footage, WithoutAPoseIsNotJudgedAndTellsWhichColumnsAreNotUsed) {
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("run.json")))["correct"], nullptr);
 }
 
+TEST_F(Footage, IsJudgedByTheLastPoseWhereTheLastImageHasNone) {
+  std::string text = "image,time_s,x_m,y_m,rotation_rad\n";
+  for (int i = 0; i < 4; ++i) text += fmt::format("{},{},0,0,0\n", image_file(i).string(), i);
+  text += image_file(4).string() + ",4,,,\n";
+  const ProgramRun judged = run({"--json", file("run.json")}, folder_.write("gap.csv", text));
+  EXPECT_NE(judged.out.find("right: the footage is over after 5 images\n"), std::string::npos) << judged.out;
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("run.json")))["correct"], true);
+}
+
 TEST_F(Footage, TellsThatTrialsBeginBeforeTheRoomIsLearned) {
   const ProgramRun tried = run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn",
                                          "1", "--watch", "5", "--starts", "2", "--out", file("out")});

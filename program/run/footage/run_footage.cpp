@@ -97,7 +97,7 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
     summary.verdict = itself.is_over() ? fmt::format("the footage is over after {} images", itself.frames())
                                        : fmt::format("ended after {} images, as --seconds says", summary.frames);
     summary.succeeded = !summary.error || summary.correct;
-    if (!summary.truth) summary.verdict += "; it does not say where the robot was";
+    if (!summary.error) summary.verdict += "; it does not say where the robot was";
   };
   RunParts parts{instance, engine, nullptr, nullptr, {}, {}, {}, options.seconds.value_or(0.0), false};
   return run_prepared(options,
