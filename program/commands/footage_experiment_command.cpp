@@ -1,15 +1,12 @@
 #include "program/commands/footage_experiment_command.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <numeric>
-#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -20,9 +17,9 @@
 #include "program/experiment/countdown.h"
 #include "program/experiment/outputs/report_folder.h"
 #include "program/experiment/outputs/rows_report.h"
-#include "program/experiment/outputs/text_table.h"
 #include "program/experiment/task_results.h"
 #include "program/experiment/worker_pool.h"
+#include "program/footage/footage_tables.h"
 #include "program/footage/footage_trials.h"
 #include "program/interruption.h"
 #include "program/program.h"
@@ -96,24 +93,6 @@ Experiment experiment_of(const FootageExperimentOptions& options, const std::vec
   return experiment;
 }
 
-/// Why a mirrored pose was not found, or a right one lost: what the room said meanwhile.
-std::string cause_of(const TrialResult& result) {
-  std::map<RoomStatus, int> statuses;
-  double most = -1e9, least = 1e9;
-  for (const ConfidenceSample& sample : result.confidences) {
-    ++statuses[sample.status];
-    most = std::max(most, sample.evidence);
-    least = std::min(least, sample.evidence);
-  }
-  if (statuses.empty()) return "no image was seen";
-  std::string text;
-  for (const auto& [status, count] : statuses)
-    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", to_string(status),
-                        100.0 * count / static_cast<double>(result.confidences.size()));
-  text = fmt::format("evidence {:.1f} to {:.1f}; the room was {}", least, most, text);
-  return text;
-}
-
 /// What a run and many trials have in common.
 std::string shared_options(const FootageExperimentOptions& options) {
   std::string line = words_of(options.setup.footage);
@@ -140,9 +119,6 @@ std::string command_of(const FootageExperimentOptions& options) {
                      options.trials.watch, options.off_degrees);
 }
 
-/// As a number on the command line has it.
-double to_microseconds(double seconds) { return std::round(seconds * 1e6) / 1e6; }
-
 /// What shows one trial.
 std::string trial_command(const FootageExperimentOptions& options, const std::string& source,
                           const FootageTrials::Start& start, const FootageCase& one) {
@@ -152,106 +128,6 @@ std::string trial_command(const FootageExperimentOptions& options, const std::st
   return "reorient run --robot footage " + shell_word(source) + shared_options(options) +
          fmt::format(" --belief {} --belief-at {}{}", belief, to_microseconds(start.time),
                      one.change.kind == BeliefChange::Kind::lifted ? " --lifted" : "");
-}
-
-bool has_failed(const TrialResult& result, const FootageCase& one) {
-  return one.change.mirrored ? result.failed() : result.false_flips > 0;
-}
-
-std::string what_went_wrong(const TrialResult& result, const FootageCase& one, const FootageTrialOptions& options) {
-  if (!one.change.mirrored) return "flipped";
-  if (!result.mended_after) return "not found";
-  return fmt::format("found after {:.1f} s, {}", *result.mended_after,
-                     *result.mended_after > options.watch ? "too late" : "but wrong again later");
-}
-
-void print_failures(const FootageExperimentOptions& options, const std::vector<CellResults>& cells,
-                    const std::vector<FootageCase>& cases, const std::vector<std::unique_ptr<FootageTrials>>& footages,
-                    std::ostream& out) {
-  bool any = false;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const FootageCase& one = cases[i % cases.size()];
-    const std::size_t footage = i / cases.size();
-    bool any_here = false;
-    for (const TrialResult& result : cells[i].trials) {
-      if (!has_failed(result, one)) continue;
-      if (!std::exchange(any, true))
-        out << "\nTrials that went wrong. A command shows the first of its row; the others differ in --belief-at:\n";
-      const FootageTrials::Start& start = footages[footage]->starts()[result.seed - 1];
-      if (!std::exchange(any_here, true))
-        out << fmt::format("{}, {}, {}:\n    {}\n", as_line(cells[i].choices[0]), one.start, one.pose,
-                           trial_command(options, options.sources[footage], start, one));
-      out << fmt::format("  {} s, image {}: {}; {}\n", to_microseconds(start.time), as_line(start.image),
-                         what_went_wrong(result, one, options.trials), cause_of(result));
-    }
-  }
-}
-
-/// Trials in which nothing could be found, since the robot still learned the room.
-void print_unlearned(const std::vector<std::string>& names, const std::vector<std::unique_ptr<FootageTrials>>& footages,
-                     std::ostream& out) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto& starts = footages[i]->starts();
-    const std::optional<double> learned = footages[i]->room_learned_at();
-    const auto early =
-        std::count_if(starts.begin(), starts.end(), [&](const auto& one) { return !learned || one.time <= *learned; });
-    if (early == 0) continue;
-    out << fmt::format(
-        "\n{}: {} of {} starts come before the room was learned{}\n", as_line(names[i]), early, starts.size(),
-        learned ? fmt::format(" (at {:.1f} s); --learn {:.0f} leaves them out", *learned, std::floor(*learned) + 1.0)
-                : std::string(", which never happened"));
-  }
-}
-
-/// The answer in one line.
-void print_answer(const std::vector<CellResults>& cells, const std::vector<FootageCase>& cases, std::ostream& out) {
-  int mirrored = 0, found = 0, right = 0, flipped = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const FootageCase& one = cases[i % cases.size()];
-    for (const TrialResult& result : cells[i].trials) {
-      const bool failed = has_failed(result, one);
-      (one.change.mirrored ? mirrored : right) += 1;
-      if (one.change.mirrored && !failed) ++found;
-      if (!one.change.mirrored && failed) ++flipped;
-    }
-  }
-  out << fmt::format("\n{} of {} mirrored poses were found ({:.1f} %); {} of {} right poses were flipped ({:.1f} %)\n",
-                     found, mirrored, 100.0 * found / mirrored, flipped, right, 100.0 * flipped / right);
-}
-
-/// The same times, counted in images: what is left of them where images come seldom.
-void print_images(const std::vector<CellResults>& cells, const std::vector<FootageCase>& cases,
-                  const std::vector<std::unique_ptr<FootageTrials>>& footages, std::ostream& out) {
-  TextTable lines{{"room", "start", "found", "images until then: median", "p90", "most"}};
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!cases[i % cases.size()].change.mirrored) continue;
-    std::vector<int> images;
-    for (const TrialResult& result : cells[i].trials) {
-      if (result.right_after)
-        images.push_back(footages[i / cases.size()]->images_within(result.seed - 1,
-                                                                   result.mended_after.value_or(*result.right_after)));
-    }
-    std::sort(images.begin(), images.end());
-    const auto quantile = [&](double share) {
-      if (images.empty()) return std::string("-");
-      return std::to_string(
-          images[static_cast<std::size_t>(std::lround(share * static_cast<double>(images.size() - 1)))]);
-    };
-    lines.push_back({as_line(cells[i].choices[0]), cells[i].choices[1],
-                     fmt::format("{} of {}", images.size(), cells[i].trials.size()), quantile(0.5), quantile(0.9),
-                     quantile(1.0)});
-  }
-  out << '\n';
-  print_table(lines, 2, out);
-}
-
-/// Whether the next trial begins before one is over, on the average.
-bool have_common_images(const std::vector<std::unique_ptr<FootageTrials>>& footages,
-                        const FootageTrialOptions& options) {
-  return std::any_of(footages.begin(), footages.end(), [&](const std::unique_ptr<FootageTrials>& footage) {
-    const auto& starts = footage->starts();
-    return starts.back().time - starts.front().time < options.watch * static_cast<double>(starts.size() - 1);
-  });
 }
 
 /// Another one where anything is another: what is there is of the same footage, options and scripts.
@@ -269,8 +145,8 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
   if (!options.json.empty()) require_writable_file(options.json, "--json");
   if (!options.report.empty()) require_writable_folder(options.report, "--report");
   const ScriptTexts scripts = read_scripts(root);
-  std::vector<std::string> names;
-  std::vector<std::unique_ptr<FootageTrials>> footages;
+  FootageResults results;
+  std::vector<std::string>& names = results.names;
   for (const std::string& source : options.sources) {
     FootageSetup setup = options.setup;
     setup.source = source;
@@ -280,20 +156,30 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
     if (std::find(names.begin(), names.end(), name) != names.end())
       throw std::runtime_error("the footage " + source + " is named twice");
     names.push_back(std::move(name));
-    footages.push_back(std::make_unique<FootageTrials>(setup, options.trials, scripts));
+    results.footages.push_back(std::make_unique<FootageTrials>(setup, options.trials, scripts));
   }
-  for (std::size_t i = 0; i < names.size(); ++i) out << as_line(names[i]) << ": " << footages[i]->wall() << '\n';
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out << as_line(names[i]) << ": " << results.footages[i]->wall() << '\n';
   const Experiment experiment = experiment_of(options, names);
-  const std::vector<FootageCase> cases = cases_of(options.trials);
+  results.cases = cases_of(options.trials);
   const auto starts = static_cast<std::size_t>(options.trials.starts);
-  const std::size_t of_footage = cases.size() * starts;
-  const std::filesystem::path folder = options.out.empty() ? usual_folder(footages) : options.out;
+  const std::size_t of_footage = results.cases.size() * starts;
+  // Tasks are numbered from 1: all starts of a case, all cases of a footage.
+  struct Trial {
+    std::size_t footage, start;
+    const FootageCase& one;
+  };
+  const auto trial_of = [&](int task) {
+    const std::size_t index = static_cast<std::size_t>(task - 1), within = index % of_footage;
+    return Trial{index / of_footage, within % starts, results.cases[within / starts]};
+  };
+  const auto origin_of = [&](int task) { return results.footages[trial_of(task).footage]->origin(); };
+  const std::filesystem::path folder = options.out.empty() ? usual_folder(results.footages) : options.out;
   require_writable_folder(folder, "--out");
-  const TaskResults results(folder);
-  const auto origin_of = [&](int task) { return footages[static_cast<std::size_t>(task - 1) / of_footage]->origin(); };
+  const TaskResults tasks(folder);
   std::vector<int> missing;
-  for (int task = 1; task <= static_cast<int>(footages.size() * of_footage); ++task) {
-    if (!results.read(task, origin_of(task))) missing.push_back(task);
+  for (int task = 1; task <= static_cast<int>(results.footages.size() * of_footage); ++task) {
+    if (!tasks.read(task, origin_of(task))) missing.push_back(task);
   }
   out.flush();  // what is still to be written must not be written by each process
   Countdown countdown(err, missing.size());
@@ -301,9 +187,8 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
   run_in_processes(
       missing, options.jobs,
       [&](int task) {
-        const std::size_t index = static_cast<std::size_t>(task - 1), within = index % of_footage;
-        results.write(task, origin_of(task),
-                      footages[index / of_footage]->run(within % starts, cases[within / starts]));
+        const Trial trial = trial_of(task);
+        tasks.write(task, origin_of(task), results.footages[trial.footage]->run(trial.start, trial.one));
       },
       [&](const TaskEnd& end) {
         countdown.count();
@@ -320,36 +205,30 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
                        folder.string());
     return exit_code_of(Interruption::signal());
   }
-  std::vector<CellResults> cells;
   int task = 1;
   for (const std::string& name : names) {
-    for (const FootageCase& one : cases) {
-      CellResults& cell = cells.emplace_back();
+    for (const FootageCase& one : results.cases) {
+      CellResults& cell = results.cells.emplace_back();
       cell.choices = {name, one.start, one.pose};
       for (std::size_t start = 0; start < starts; ++start, ++task)
-        cell.trials.push_back(results.read(task, origin_of(task)).value());
+        cell.trials.push_back(tasks.read(task, origin_of(task)).value());
       cell.row = row_of(cell.trials);
     }
   }
   out << '\n' << experiment.title << "\n\n";
-  print_rows(experiment, cells, out);
-  print_images(cells, cases, footages, out);
-  print_failures(options, cells, cases, footages, out);
-  print_unlearned(names, footages, out);
-  if (options.trials.starts > 1 && have_common_images(footages, options.trials))
-    out << "\nTrials follow each other so closely that they share images: the intervals are narrower than they should "
-           "be.\n";
-  print_answer(cells, cases, out);
+  print_rows(experiment, results.cells, out);
+  const auto shown_by = [&](std::size_t footage, std::size_t start, const FootageCase& one) {
+    return trial_command(options, options.sources[footage], results.footages[footage]->starts()[start], one);
+  };
+  print_footage_results(results, options.trials, shown_by, out);
   std::vector<std::string> failures;
   if (!options.json.empty())
-    try_to_write(failures, [&] { write_whole_file(options.json, rows_as_json(experiment, cells)); });
+    try_to_write(failures, [&] { write_whole_file(options.json, rows_as_json(experiment, results.cells)); });
   if (!options.report.empty()) {
     const std::string command = command_of(options);
-    Report report{experiment, std::move(cells), provenance_here(command), [&](int number) {
-                    const std::size_t index = static_cast<std::size_t>(number - 1), within = index % of_footage;
-                    return trial_command(options, options.sources[index / of_footage],
-                                         footages[index / of_footage]->starts()[within % starts],
-                                         cases[within / starts]);
+    Report report{experiment, std::move(results.cells), provenance_here(command), [&](int number) {
+                    const Trial trial = trial_of(number);
+                    return shown_by(trial.footage, trial.start, trial.one);
                   }};
     for (std::string& failure : write_report(report, options.report)) failures.push_back(std::move(failure));
     out << "\nreport: " << (options.report / "index.html").string() << "\n";
