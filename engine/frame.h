@@ -79,6 +79,7 @@ class FrameLoop {
   void describe_world();
   void decide();
   void rearrange(const CommandRecord& granted);
+  void flip_between_equals();
   void answer();
   void complete_record();
 

@@ -82,6 +82,7 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
     // It is carried out elsewhere, or not: what becomes of the belief, the next observations say.
     record.belief_after = expected_after(record.reorientation, world_.pose);
     if (room_ && record.reorientation == Reorientation::purge_reflection) room_->on_purge();
+    if (record.reorientation == Reorientation::flip_pose) flip_between_equals();
     return;
   }
   switch (granted.request.reorientation) {
@@ -101,6 +102,15 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
   // After a reset nobody knows the orientation; a flip or a purge says that the room, or somebody, has told it.
   world_.pose_known = granted.request.reorientation != Reorientation::reset_orientation;
   record.belief_after = world_.pose = pose_filter_.belief();
+}
+
+/// Of two opposite hypotheses of another localization that weigh alike, the one that was believed stays believed. The
+/// flip of such a pair is the same pair, so no observation would ever show it: it is carried out here.
+void FrameLoop::flip_between_equals() {
+  if (world_.pose.cluster_weight > parameters_.pose_filter.clusters.lead_to_switch * world_.pose.reflected_weight)
+    return;
+  world_.pose = flipped(world_.pose);
+  if (room_) room_->on_flip();
 }
 
 void FrameLoop::append_poses(std::vector<Pose2>& poses) const {

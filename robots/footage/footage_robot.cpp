@@ -155,8 +155,7 @@ void FootageRobot::tell_belief(Observation& observation) {
   belief.pose = believed;
   belief.covariance = belief_covariance();
   if (!belief_.is_ambiguous()) return;
-  // With equal weights a flip would change nothing: the two are the same pair, and the engine stays with the last pose.
-  hypotheses_ = {{{believed, 1.0}, {reflect(believed), 0.5}}};
+  hypotheses_ = {{{believed, 1.0}, {reflect(believed), 1.0}}};
   belief.particles = hypotheses_;
 }
 

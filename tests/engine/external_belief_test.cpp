@@ -90,6 +90,32 @@ TEST(ExternalBelief, GetsAReorientationAsAnAnswerAndIsNotTouched) {
   expect_near(loop.world().pose.pose, reflect(kHere));
 }
 
+TEST(ExternalBelief, OfTwoEqualHypothesesIsTheOtherOneAfterAFlip) {
+  const std::vector<ExternalBelief::Particle> pair{{kHere, 1.0}, {reflect(kHere), 1.0}};
+  HandFedLoop loop(then("command.flip_pose()"));
+  loop.inputs.observation.belief.emplace().particles = pair;
+  loop.step();
+  const Pose2 before = loop.world().pose.pose;
+  const FrameRecord& record = loop.reoriented();
+  expect_near(record.reorientation->belief_before.pose, before);
+  expect_near(loop.world().pose.pose, reflect(before));
+  loop.step(30);
+  expect_near(loop.world().pose.pose, reflect(before));
+}
+
+TEST(ExternalBelief, OfTwoHypothesesStaysTheHeavierOneUntilTheFlipIsCarriedOut) {
+  const std::vector<ExternalBelief::Particle> before{{kHere, 2.0}, {reflect(kHere), 1.0}};
+  const std::vector<ExternalBelief::Particle> after{{reflect(kHere), 2.0}, {kHere, 1.0}};
+  HandFedLoop loop(then("command.flip_pose()"));
+  loop.inputs.observation.belief.emplace().particles = before;
+  loop.reoriented();
+  loop.step(10);
+  expect_near(loop.world().pose.pose, kHere);
+  loop.inputs.observation.belief->particles = after;
+  loop.step();
+  expect_near(loop.world().pose.pose, reflect(kHere));
+}
+
 TEST(ExternalBelief, ThatIsToBeResetIsExpectedToKnowNoDirection) {
   HandFedLoop loop(then("command.reset_orientation()"));
   loop.inputs.observation.belief = sure_of(kHere);
