@@ -4,7 +4,6 @@
 #             ./test --groups NAME,... and .ci/run run some groups; CONTRIBUTING.md lists them and the files of each
 # The targets `gate` and `extended.GROUP` build what the tests of a tier or a group need.
 add_custom_target(gate)
-set(REORIENT_TEST_FLAGS $<$<CONFIG:Release>:-O1>)  # of the tests alone, not of what they test
 
 # Headers that most tests include are compiled once, not once a source: without RapidCheck and with it. The preset `debug` compiles
 # without them, so that no include goes missing unseen.
@@ -17,7 +16,7 @@ foreach(kind test property_test)
   add_library(${kind}_headers OBJECT EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/precompiled/${kind}.cpp")
   target_link_libraries(${kind}_headers PRIVATE geometry GTest::gtest)
   target_compile_options(${kind}_headers PRIVATE
-    ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE} ${REORIENT_UNITY_FLAGS} ${REORIENT_TEST_FLAGS})
+    ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE} ${REORIENT_UNITY_FLAGS} ${REORIENT_QUICKLY_COMPILED})
   target_precompile_headers(${kind}_headers PRIVATE ${headers})
 endforeach()
 target_link_libraries(property_test_headers PRIVATE rapidcheck)
@@ -39,7 +38,7 @@ function(reorient_add_tests name)
   cmake_parse_arguments(TESTS UNSANITIZED "" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
   reorient_add_program(${name}
     SOURCES ${TESTS_SOURCES} LINKS ${TESTS_LINKS} test_support GTest::gtest GTest::gtest_main)
-  target_compile_options(${name} PRIVATE ${REORIENT_TEST_FLAGS})
+  target_compile_options(${name} PRIVATE ${REORIENT_QUICKLY_COMPILED})
   set(kind test)
   if(rapidcheck IN_LIST TESTS_LINKS)
     set(kind property_test)
