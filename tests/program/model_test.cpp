@@ -148,7 +148,7 @@ TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
   ASSERT_GT(before.size(), 16u * 1024u);
   const std::string json = (folder.path() / "run.json").string();
   ChildProgram run(folder.path(),
-                   {"run", "--model", good, "--no-pictures", "--seconds", "3", "--width", "160", "--json", json},
+                   {"run", "--model", good, "--no-pictures", "--seconds", "10", "--width", "160", "--json", json},
                    files_up_to(16 * 1024));
   EXPECT_EQ(run.wait(), kBadInput);
   EXPECT_NE(run.err().find("reorient: cannot write '" + good + "': File too large\n"), std::string::npos) << run.err();

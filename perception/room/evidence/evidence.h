@@ -19,6 +19,7 @@ struct EvidenceParameters {
   double settle = 1.0;
   double look = 0.05;
   double leak = 5.0;
+  double tolerance = 0.4;
 };
 template <typename Visit>
 void describe(EvidenceParameters& p, Visit&& visit) {
@@ -32,6 +33,8 @@ void describe(EvidenceParameters& p, Visit&& visit) {
   visit("settle", p.settle, 0.01, 60.0, "s", "over how long the mean of a tile runs while it is in view");
   visit("look", p.look, 0.0, 10.0, "s", "after which time in view a tile has half of its say");
   visit("leak", p.leak, 0.1, 1000.0, "s", "time constant with which the time in view fades while it is out of view");
+  visit("tolerance", p.tolerance, 0.0, 1.5, "rad",
+        "by how much what is in view may appear beside the tiles where it was learned");
 }
 
 /// Each tile has one say, however long it is looked at: what is wrong with it, because the light or the wall has

@@ -8,17 +8,23 @@ namespace reorient {
 void ViewpointScores::clear() {
   cells_.clear();
   places_.clear();
+  compared_tiles_.clear();
+  tile_distances_.clear();
   best_ = 0;
   average_ = 0.0;
   evidence_ = false;
 }
 
 void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const ComparedModel& model, const Wall& wall,
-                              const Comparison& comparison) {
+                              const Comparison& comparison, int tolerance) {
   const int columns = wall.columns();
+  const auto tiles = static_cast<std::size_t>(wall.tiles());
   cells_.assign(static_cast<std::size_t>(columns), ViewpointScore{});
-  places_.clear();
-  places_.reserve(static_cast<std::size_t>(wall.tiles()));
+  places_.reserve(tiles);
+  compared_tiles_.clear();
+  compared_tiles_.reserve(tiles);
+  tile_distances_.clear();
+  tile_distances_.reserve(tiles * cells_.size());
   turns_.reserve(cells_.size());
   models_.reserve(cells_.size());
   distances_.reserve(cells_.size());
@@ -51,6 +57,34 @@ void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const Co
                        [](const ViewpointScore& a, const ViewpointScore& b) { return a.distance < b.distance; });
   best_ = static_cast<int>(best - cells_.begin());
   evidence_ = at(0).known && at(columns / 2).known;
+  find_places(tolerance);
+}
+
+/// The cell in which the view fits best, the nearest one of several.
+int ViewpointScores::best_about(int turn, int tolerance) const {
+  int best = turn;
+  for (int aside = 1; aside <= tolerance; ++aside) {
+    for (const int other : {turn - aside, turn + aside}) {
+      if (at(other).known && (!at(best).known || at(other).distance < at(best).distance)) best = other;
+    }
+  }
+  return (best + columns()) % columns();
+}
+
+void ViewpointScores::find_places(int tolerance) {
+  places_.clear();
+  const auto believed = static_cast<std::size_t>(best_about(0, tolerance));
+  const auto reflected = static_cast<std::size_t>(best_about(columns() / 2, tolerance));
+  for (std::size_t i = 0; i < compared_tiles_.size(); ++i) {
+    const double* const distances = &tile_distances_[i * cells_.size()];
+    ComparedPlace place;
+    place.tile = compared_tiles_[i];
+    place.believed_known = distances[believed] != kUnknown;
+    place.reflected_known = distances[reflected] != kUnknown;
+    if (place.believed_known) place.as_believed = distances[believed];
+    if (place.reflected_known) place.as_reflected = distances[reflected];
+    if (place.believed_known || place.reflected_known) places_.push_back(place);
+  }
 }
 
 /// One perceived tile with the whole of its row.
@@ -58,8 +92,6 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
                               const Comparison& comparison) {
   const int columns = wall.columns();
   const int row = wall.row_of(perceived.tile);
-  ComparedPlace place;
-  place.tile = perceived.tile;
   turns_.resize(cells_.size());
   models_.resize(cells_.size());
   std::size_t known = 0;
@@ -88,20 +120,15 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
   compare_part(0, first_behind, perceived.histogram);
   compare_part(first_behind, last_behind, perceived.reflected_histogram);
   compare_part(last_behind, std::ssize(turns_), perceived.histogram);
+  const std::size_t begin = tile_distances_.size();
+  tile_distances_.resize(begin + cells_.size(), kUnknown);
+  compared_tiles_.push_back(perceived.tile);
   for (std::size_t i = 0; i < turns_.size(); ++i) {
-    ViewpointScore& cell = cells_[static_cast<std::size_t>(turns_[i])];
-    cell.distance += std::min(comparison.cap, distances_[i]);
-    ++cell.compared;
-    if (turns_[i] == 0) {
-      place.as_believed = distances_[i];
-      place.believed_known = true;
-    }
-    if (2 * turns_[i] == columns) {
-      place.as_reflected = distances_[i];
-      place.reflected_known = true;
-    }
+    const auto turn = static_cast<std::size_t>(turns_[i]);
+    cells_[turn].distance += std::min(comparison.cap, distances_[i]);
+    ++cells_[turn].compared;
+    tile_distances_[begin + turn] = distances_[i];
   }
-  if (place.believed_known || place.reflected_known) places_.push_back(place);
 }
 
 const ViewpointScore& ViewpointScores::at(int turn) const {

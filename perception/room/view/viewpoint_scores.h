@@ -23,22 +23,27 @@ struct ComparedPlace {
   double as_believed = 0.0;      ///< distance to the model's tile there, in the light of the believed pose
   double as_reflected = 0.0;     ///< distance to the reflected tile, in the light of the reflection
   bool believed_known = false;   ///< the model's tile is trusted; otherwise the distance is 0
-  bool reflected_known = false;  ///< at least one of the two is
+  bool reflected_known = false;  ///< the same of the reflected tile
 };
 
 /// A score for every whole number of columns by which the believed direction may be wrong, each in the light of the
 /// pose or of its reflection, whichever is nearer.
+///
+/// From another place than where it was learned, a part of the room that is not as far away as the virtual wall appears
+/// beside its tile (parallax). A camera sees a small part of the room, whose tiles move together. So the places are
+/// compared where all of the view fits best, at most `tolerance` columns beside the believed direction, and where it
+/// fits best beside the opposite one.
 class ViewpointScores {
  public:
   void compute(std::span<const PerceivedTile> perceived, const ComparedModel& model, const Wall& wall,
-               const Comparison& comparison);
+               const Comparison& comparison, int tolerance);
   void clear();
 
   /// The cell `turn` columns to the left of the belief; any whole number.
   const ViewpointScore& at(int turn) const;
   /// Interpolated between the two nearest cells. `turn`: columns, any number.
   double distance(double turn) const;
-  /// The perceived tiles that count, where the model's tile there or its reflection is trusted.
+  /// The perceived tiles that count and of which the model's tile or its reflection is trusted.
   std::span<const ComparedPlace> places() const { return places_; }
   int columns() const { return static_cast<int>(cells_.size()); }
   int best() const { return best_; }
@@ -56,9 +61,15 @@ class ViewpointScores {
   };
 
   void compare(const Perceived& perceived, const ComparedModel& model, const Wall& wall, const Comparison& comparison);
+  int best_about(int turn, int tolerance) const;
+  void find_places(int tolerance);
+
+  static constexpr double kUnknown = -1.0;  // less than any distance
 
   std::vector<ViewpointScore> cells_;
   std::vector<ComparedPlace> places_;
+  std::vector<int> compared_tiles_;     // where the belief says that they are
+  std::vector<double> tile_distances_;  // of each of them the distance in each cell, or kUnknown
   std::vector<int> turns_;  // of the tiles in a row that are trusted, their histograms, and how far they are away
   std::vector<const ComparedHistogram*> models_;
   std::vector<double> distances_;

@@ -25,7 +25,7 @@ struct OneRow {
     return histogram;
   }
   /// The scores if the belief says that columns first...first + 3 are in view, and they are `turn` further left.
-  ViewpointScores scores(int first, int turn) const {
+  ViewpointScores scores(int first, int turn, int tolerance = 0) const {
     std::vector<PerceivedTile> perceived;
     for (int column = first; column < first + 4; ++column) {
       PerceivedTile tile;
@@ -35,7 +35,7 @@ struct OneRow {
       perceived.push_back(tile);
     }
     ViewpointScores result;
-    result.compute(perceived, compared, wall, comparison);
+    result.compute(perceived, compared, wall, comparison, tolerance);
     return result;
   }
   Wall wall;

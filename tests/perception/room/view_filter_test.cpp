@@ -47,6 +47,34 @@ TEST(ViewpointScores, AViewThatPredictsNothingIsNoEvidence) {
   EXPECT_NEAR(room.compared.coverage(), 6.0 / 16.0, 1e-9);
 }
 
+RC_GTEST_PROP(ViewpointScores, WhatAppearsBesideItsTileIsFoundWithinTheTolerance, ()) {
+  const OneRow room;
+  const int first = *rc::gen::inRange(0, 16), aside = *rc::gen::inRange(-1, 2), tolerance = *rc::gen::inRange(0, 3);
+  for (const bool reflected : {false, true}) {
+    const ViewpointScores scores = room.scores(first, 16 + aside + (reflected ? 8 : 0), tolerance);
+    RC_ASSERT(scores.places().size() == 4u);
+    for (const ComparedPlace& place : scores.places()) {
+      const double right = reflected ? place.as_reflected : place.as_believed;
+      RC_ASSERT((right < 1e-3) == (std::abs(aside) <= tolerance));
+    }
+  }
+}
+
+TEST(ViewpointScores, TilesOfAViewAreNotFoundEachOnAnotherSide) {
+  const OneRow room;
+  std::vector<PerceivedTile> perceived;
+  for (const auto& [tile, shown] : {std::pair{3, 2}, {4, 5}}) {
+    PerceivedTile& seen = perceived.emplace_back();
+    seen.tile = tile;
+    seen.counts = true;
+    seen.histogram = seen.reflected_histogram = OneRow::colors_of(shown);
+  }
+  ViewpointScores scores;
+  scores.compute(perceived, room.compared, room.wall, room.comparison, 2);
+  ASSERT_EQ(scores.places().size(), 2u);
+  EXPECT_GT(scores.places()[0].as_believed + scores.places()[1].as_believed, 0.1);
+}
+
 constexpr double kFrame = 1.0 / 30.0;  // s
 
 class ViewFilterBy : public ::testing::TestWithParam<ViewMethod> {
