@@ -95,7 +95,8 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   if (view_center_) view_center_ = to_azimuth(*view_center_);
   if (!view_center_ || !std::isfinite(view.odometry_rotation)) return;
   filter_.predict(turn_since_last(view), step, parameters_.view_filter);
-  scores_.compute(perceived_.tiles(), compared_model_, wall_, comparison(), tolerance());
+  scores_.compute(perceived_.tiles(), compared_model_, wall_, comparison(),
+                  tolerated_columns(parameters_.evidence, wall_));
   filter_.correct(scores_, *view_center_, step, parameters_.view_filter);
   filter_.find_clusters();
   take_shares(confidences_, filter_, *view_center_, parameters_.confidence);
@@ -127,11 +128,6 @@ Comparison RoomAwareness::comparison() const {
   comparison.cap = parameters_.distance.cap;
   comparison.trusted_after = parameters_.background.trusted_after;
   return comparison;
-}
-
-/// In whole columns.
-int RoomAwareness::tolerance() const {
-  return static_cast<int>(std::lround(parameters_.evidence.tolerance / wall_.column_width()));
 }
 
 void RoomAwareness::restart_confidences() {

@@ -129,7 +129,6 @@ class RoomAwareness {
   void reflect_evidence();
   void take_evidence();
   Comparison comparison() const;
-  int tolerance() const;
 
   RoomParameters parameters_;
   Wall wall_;

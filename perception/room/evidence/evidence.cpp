@@ -8,6 +8,10 @@
 
 namespace reorient {
 
+int tolerated_columns(const EvidenceParameters& parameters, const Wall& wall) {
+  return static_cast<int>(std::lround(parameters.tolerance / wall.column_width()));
+}
+
 void Evidence::restart(int tiles) {
   tiles_.assign(static_cast<std::size_t>(tiles), SeenTile{});
   log_odds_ = 0.0;

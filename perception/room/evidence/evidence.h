@@ -37,6 +37,9 @@ void describe(EvidenceParameters& p, Visit&& visit) {
         "by how much what is in view may appear beside the tiles where it was learned");
 }
 
+/// EvidenceParameters::tolerance, in columns.
+int tolerated_columns(const EvidenceParameters& parameters, const Wall& wall);
+
 /// Each tile has one say, however long it is looked at: what is wrong with it, because the light or the wall has
 /// changed, stays wrong from frame to frame. So a look at another tile is new evidence, and more of the same is not.
 ///
