@@ -37,6 +37,7 @@ constexpr const char* kExamples = R"(Examples:
   reorient check                            mistakes in scripts, with line and column
   reorient test --coverage                  the scripted behaviour tests, and what they leave out
   reorient look photo.jpg                   what the field vision sees in it: lines, carpet, posts, obstacles, tiles
+  reorient room rate hall.hdr               will room awareness work in this hall, and what would help?
   reorient graph orientation                its states as a Mermaid diagram
   reorient graph kidnapped --with-behaviors a scenario and all that it loads, with who looks at whom
   reorient reference                        what scripts can see and say, your own libraries among it
@@ -114,7 +115,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   const std::array subcommands{add_run(app),       add_test(app),        add_experiment(app), add_model(app),
                                add_check(app),     add_new(app),         add_params(app),     add_graph(app),
                                add_reference(app), add_calibrate(app),   add_look(app),       add_replay(app),
-                               add_recording(app), add_record_test(app), add_version(app)};
+                               add_recording(app), add_record_test(app), add_room(app),       add_version(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -31,6 +31,7 @@ Subcommand add_model(CLI::App& program);
 Subcommand add_new(CLI::App& program);
 Subcommand add_record_test(CLI::App& program);
 Subcommand add_replay(CLI::App& program);
+Subcommand add_room(CLI::App& program);
 Subcommand add_version(CLI::App& program);
 
 }  // namespace reorient

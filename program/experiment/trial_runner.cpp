@@ -8,8 +8,8 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
-#include "engine/record/frame_record.h"
 #include "program/experiment/compass_parameters.h"
+#include "program/model/known_room.h"
 #include "program/run/simulation.h"
 #include "workbench/experiments/trial/compass_observer.h"
 #include "workbench/experiments/trial/trial_observer.h"
@@ -39,27 +39,6 @@ SimulationOptions options_of(const Condition& condition, std::uint64_t seed, con
 }
 
 namespace {
-
-/// What the engine knows of the room.
-class KnownRoom : public Observer {
- public:
-  Topics wanted() const override { return Topics{Topic::room}; }
-  void observe(const FrameRecord& frame, const StageRecord&) override {
-    basis_ = frame.room.basis;
-    tiles_ = frame.room.model;
-    learned_ = frame.world.trained_seconds;
-  }
-  /// Nothing where room awareness is off.
-  std::optional<SavedModel> model() const {
-    if (tiles_.empty()) return std::nullopt;
-    return SavedModel{basis_, learned_, BackgroundModel(tiles_)};
-  }
-
- private:
-  ModelBasis basis_;
-  std::vector<TileModel> tiles_;
-  double learned_ = 0.0;
-};
 
 /// The room on another day: the same parameters, but in peace, and with another seed, so among other people. Nothing:
 /// it was not learned before.

@@ -1,0 +1,32 @@
+// What the engine knows of the room, at the end of a run.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "perception/room/saved_model.h"
+#include "workbench/run/observer.h"
+
+namespace reorient {
+
+class KnownRoom : public Observer {
+ public:
+  Topics wanted() const override { return Topics{Topic::room}; }
+  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+    basis_ = frame.room.basis;
+    tiles_ = frame.room.model;
+    learned_ = frame.world.trained_seconds;
+  }
+  /// Nothing where room awareness is off.
+  std::optional<SavedModel> model() const {
+    if (tiles_.empty()) return std::nullopt;
+    return SavedModel{basis_, learned_, BackgroundModel(tiles_)};
+  }
+
+ private:
+  ModelBasis basis_;
+  std::vector<TileModel> tiles_;
+  double learned_ = 0.0;
+};
+
+}  // namespace reorient

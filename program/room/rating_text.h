@@ -1,0 +1,20 @@
+// What a person reads of a rated room, and what programs read of it.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "program/room/learned_room.h"
+#include "workbench/rating/room_rating.h"
+
+namespace reorient {
+
+void print_rating(const LearnedRoom& room, const RoomRating& rating, std::ostream& out);
+
+/// JSON with the same numbers (docs/new-halls.md), ended by a line break.
+std::string rating_as_json(const LearnedRoom& room, const RoomRating& rating);
+
+/// "a mirrored robot is right after 1.6 s on average", or why not.
+std::string verdict_in_words(const RoomRating& rating);
+
+}  // namespace reorient
