@@ -117,6 +117,19 @@ TEST_F(BadInput, ARoomThatIsNoPanoramaIsNamedWithItsSize) {
   expect_refused_run({"--room", file("hall.hdr", radiance(64, 64))}, {"hall.hdr", "64 x 64"});
 }
 
+TEST_F(BadInput, ABannerInAPanoramaIsRefused) {
+  expect_refused_run({"--room", file("gym.hdr", radiance(64, 32)), "--set", "room_shape.mark=3"},
+                     {"gym.hdr", "room_shape.mark is 3 m", "only the built-in hall"});
+}
+
+TEST_F(BadInput, ASymmetryOutOfItsRangeIsNamedWithItsRange) {
+  for (const char* value : {"-0.1", "1.01", "nan", "inf", "half", ""})
+    expect_refused_run({"--set", std::string("room_shape.symmetry_strength=") + value},
+                       {"room_shape.symmetry_strength"});
+  for (const char* value : {"-0.1", "10.01", "nan", "wide"})
+    expect_refused_run({"--set", std::string("room_shape.mark=") + value}, {"room_shape.mark"});
+}
+
 TEST_F(BadInput, AnUnknownParameterIsNamedWithOneThatWasPerhapsMeant) {
   expect_refused_run({"--set", "orientation.lingring=0.3"},
                      {"orientation.lingring", "did you mean 'orientation.lingering'"});

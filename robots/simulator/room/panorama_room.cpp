@@ -3,6 +3,9 @@
 // believable elsewhere.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "geometry/angle.h"
 #include "geometry/pinned_math.h"
@@ -116,21 +119,32 @@ LinearImage bake_level(const Viewpoint& viewpoint, const RoomShape& shape, doubl
   return image;
 }
 
+/// A banner in the colors of the hall is painted in the hall only. A panorama without it would pass for a room with it.
+void check_panorama_shape(const std::string& name, const RoomShape& shape) {
+  check(shape);
+  if (shape.mark == 0.0) return;
+  std::ostringstream message;
+  message << "panorama '" << name << "': room_shape.mark is " << shape.mark
+          << " m (expected 0: only the built-in hall has a banner)";
+  throw std::runtime_error(message.str());
+}
+
 }  // namespace
 
 Room load_room(const std::string& path, const RoomShape& shape) {
-  check(shape);  // before a large file is read in vain
+  check_panorama_shape(path, shape);  // before a large file is read without effect
   return room_from(read_panorama(path), path, shape);
 }
 
 Room room_from(LinearImage panorama, const std::string& name, const RoomShape& shape) {
-  check(shape);
+  check_panorama_shape(name, shape);
   while (panorama.width > kWidest) panorama = halve(panorama);
   normalize(panorama);
   const Viewpoint viewpoint(panorama, shape);
-  return room_of(
-      {bake_walls(viewpoint, shape), bake_level(viewpoint, shape, shape.height), bake_level(viewpoint, shape, 0.0)},
-      name, shape, light_of(panorama));
+  RoomImages images{bake_walls(viewpoint, shape), bake_level(viewpoint, shape, shape.height),
+                    bake_level(viewpoint, shape, 0.0)};
+  make_symmetric(images, shape);
+  return room_of(std::move(images), name, shape, light_of(panorama));
 }
 
 }  // namespace reorient

@@ -2,6 +2,7 @@
 // people, windows, a stage, a wooden sports wall); the seed deals the themes, the colours and everything in detail.
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "geometry/random.h"
 #include "robots/simulator/room/room.h"
@@ -294,6 +295,19 @@ TexturePainter paint_walls(const RoomShape& shape, const Palette& palette, Rando
   return canvas;
 }
 
+/// Hangs a banner of `shape.mark` meters at the middle of the wall along the sideline at -y, where the robot sees it.
+/// It is all that differs after half a turn in a room whose walls are already symmetric.
+LinearImage with_mark(LinearImage walls, const RoomShape& shape, const Palette& palette, Random& random) {
+  constexpr int kSide = 3;
+  constexpr double kBottom = 1.0, kTop = 2.5;  // m
+  TexturePainter canvas(wall_perimeter(shape), shape.height, std::move(walls));
+  Wall wall(canvas, wall_begin(shape, kSide), wall_begin(shape, kSide + 1), shape.height);
+  const double half = 0.5 * std::min(shape.mark, wall.width());
+  const double middle = 0.5 * wall.width();
+  banner(wall, {middle - half, kBottom, middle + half, kTop}, palette.strong(0), kWhitePaint, random);
+  return canvas.image();
+}
+
 TexturePainter paint_ceiling(const RoomShape& shape, Random& random) {
   const Eigen::Vector2d extent = floor_extent(shape);
   TexturePainter canvas(extent.x(), extent.y(), kCeilingTexelsPerMeter, LinearColor(0.2f, 0.19f, 0.17f));
@@ -340,14 +354,19 @@ TexturePainter paint_floor(const RoomShape& shape, const Palette& palette, Rando
 
 Room procedural_hall(std::uint64_t seed, const RoomShape& shape) {
   check(shape);
-  enum Stream : std::uint64_t { kColors = 0x4a11, kWalls, kCeiling, kFloor };
+  enum Stream : std::uint64_t { kColors = 0x4a11, kWalls, kCeiling, kFloor, kMark };
   const Palette palette{Random(seed, kColors).uniform()};
   Random wall_random(seed, kWalls);
   Random ceiling_random(seed, kCeiling);
   Random floor_random(seed, kFloor);
-  return room_of({paint_walls(shape, palette, wall_random).image(), paint_ceiling(shape, ceiling_random).image(),
-                  paint_floor(shape, palette, floor_random).image()},
-                 "hall", shape, LinearColor(0.56f, 0.55f, 0.52f));
+  RoomImages images{paint_walls(shape, palette, wall_random).image(), paint_ceiling(shape, ceiling_random).image(),
+                    paint_floor(shape, palette, floor_random).image()};
+  make_symmetric(images, shape);
+  if (shape.mark > 0.0) {
+    Random mark_random(seed, kMark);
+    images.walls = with_mark(std::move(images.walls), shape, palette, mark_random);
+  }
+  return room_of(std::move(images), "hall", shape, LinearColor(0.56f, 0.55f, 0.52f));
 }
 
 }  // namespace reorient

@@ -14,6 +14,13 @@ namespace {
 // Where a cylinder's wall coordinate begins: the same corner as the box's, seen from the centre of a square.
 constexpr double kCylinderStart = -kPi / 4.0;
 
+void check_range(const char* name, double value, double greatest) {
+  if (value >= 0.0 && value <= greatest) return;
+  std::ostringstream message;
+  message << "room_shape." << name << " is " << value << " (expected 0 to " << greatest << ")";
+  throw std::runtime_error(message.str());
+}
+
 }  // namespace
 
 double wall_perimeter(const RoomShape& shape) {
@@ -60,7 +67,11 @@ void check(const RoomShape& shape) {
   const bool sound = (extent.array() >= kLeast).all() && (extent.array() <= kGreatest).all() && shape.height >= 2.5 &&
                      shape.height <= 30.0 && shape.viewpoint_height >= 0.3 &&
                      shape.viewpoint_height <= 0.96 * shape.height && std::isfinite(shape.turn);
-  if (sound) return;
+  if (sound) {
+    check_range("symmetry_strength", shape.symmetry_strength, 1.0);
+    check_range("mark", shape.mark, kWidestMark);
+    return;
+  }
   std::ostringstream message;
   message << "a room of " << extent.x() << " x " << extent.y() << " x " << shape.height << " m, seen from "
           << shape.viewpoint_height

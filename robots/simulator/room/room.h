@@ -26,8 +26,15 @@ struct RoomShape {
   double viewpoint_height = 1.3;  ///< m above the floor, where a panorama was taken
   double turn = 0.0;              ///< rad to the left, by which a panorama is turned about the field's centre
   RoomSymmetry symmetry = RoomSymmetry::none;
+  /// Weight of the repeated pictures in a room with a symmetry. They are blended in linear light with the pictures that
+  /// they replace. At 1 the room is exactly symmetric, at 0 walls, ceiling and floor are as without symmetry. People,
+  /// lamps, furniture and changed walls are repeated at any strength, so that only the pictures can break the symmetry.
+  double symmetry_strength = 1.0;
+  double mark = 0.0;   ///< m, width of the banner on one side wall of the hall, which no symmetry repeats; 0: no banner
   double color = 1.0;  ///< share of its colours that is left; 0: grey
 };
+
+inline constexpr double kWidestMark = 10.0;  // m
 
 template <typename Visit>
 void describe(RoomShape& shape, Visit&& visit) {
@@ -39,6 +46,11 @@ void describe(RoomShape& shape, Visit&& visit) {
   visit("turn", shape.turn, -3.1416, 3.1416, "rad", "turns the panorama to the left about the field's centre");
   visit("symmetry", shape.symmetry, {"none", "two_fold", "four_fold"},
         "two_fold: opposite walls are the same; four_fold: all of them are, stretched to their width");
+  visit("symmetry_strength", shape.symmetry_strength, 0.0, 1.0, "",
+        "weight of the repeated half of walls, ceiling and floor in a symmetric room; 1: exactly symmetric, 0: walls, "
+        "ceiling and floor as without symmetry, while people, lamps and furniture stay repeated");
+  visit("mark", shape.mark, 0.0, kWidestMark, "m",
+        "width of a banner on one side wall of the built-in hall only, also in a symmetric hall; 0: no banner");
   visit("color", shape.color, 0.0, 1.0, "", "share of the room's colours that is left; 0: a grey room");
 }
 
@@ -59,7 +71,7 @@ struct Room {
 /// Throws std::runtime_error with one line that names the file and what to do about it.
 Room load_room(const std::string& path, const RoomShape& shape);
 
-/// The same from the panorama itself.
+/// The same from the panorama itself. Panoramas take no mark: throws std::runtime_error with one line.
 Room room_from(LinearImage panorama, const std::string& name, const RoomShape& shape);
 
 /// The room that the program ships: a sports hall on a tournament day, another one for every seed. Its four walls
@@ -77,7 +89,7 @@ double wall_begin(const RoomShape& shape, int side);
 /// from the corner (+length / 2, -width / 2) or, in a cylinder, from the azimuth of -45 degrees.
 Eigen::Vector2d wall_point(const RoomShape& shape, double wall_coordinate);
 
-/// Throws std::runtime_error where the shape cannot hold a field.
+/// Throws std::runtime_error where the shape cannot hold a field, or a value is outside of its range.
 void check(const RoomShape& shape);
 
 /// The extent in metres of ceiling and floor textures.

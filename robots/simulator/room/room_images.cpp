@@ -6,22 +6,30 @@
 namespace reorient {
 namespace {
 
-/// Half a turn about the middle leaves it as it is.
-void make_point_symmetric(LinearImage& level) {
-  const std::size_t count = level.pixels.size();
-  for (std::size_t i = 0; i < count / 2; ++i) level.pixels[count - 1 - i] = level.pixels[i];
+/// Exact at both ends: at a strength of 1 it is `repeated`, at 0 `painted`, bit for bit.
+LinearColor mixed(const LinearColor& painted, const LinearColor& repeated, float strength) {
+  return (1.0f - strength) * painted + strength * repeated;
 }
 
-/// The second half of the way around is the first one again.
-void repeat_half(LinearImage& walls) {
-  const int half = walls.width / 2;
-  for (int y = 0; y < walls.height; ++y) {
-    for (int x = 0; x < half; ++x) walls.at(half + x, y) = walls.at(x, y);
+/// At a strength of 1, half a turn about the middle leaves it as it is.
+void make_point_symmetric(LinearImage& level, float strength) {
+  const std::size_t count = level.pixels.size();
+  for (std::size_t i = 0; i < count / 2; ++i) {
+    LinearColor& opposite = level.pixels[count - 1 - i];
+    opposite = mixed(opposite, level.pixels[i], strength);
   }
 }
 
-/// Each wall is the first one, as wide as the wall is.
-void repeat_first_wall(LinearImage& walls, const RoomShape& shape) {
+/// At a strength of 1, the second half of the way around is the first one again.
+void repeat_half(LinearImage& walls, float strength) {
+  const int half = walls.width / 2;
+  for (int y = 0; y < walls.height; ++y) {
+    for (int x = 0; x < half; ++x) walls.at(half + x, y) = mixed(walls.at(half + x, y), walls.at(x, y), strength);
+  }
+}
+
+/// At a strength of 1, each wall is the first one, as wide as the wall is.
+void repeat_first_wall(LinearImage& walls, const RoomShape& shape, float strength) {
   const double columns = walls.width / wall_perimeter(shape);  // in a metre
   const double first = wall_begin(shape, 1) - wall_begin(shape, 0);
   const LinearImage painted = walls;
@@ -32,7 +40,9 @@ void repeat_first_wall(LinearImage& walls, const RoomShape& shape) {
     for (int x = static_cast<int>(columns * begin); x < last; ++x) {
       const double share = ((x + 0.5) / columns - begin) / width;
       const int from = std::clamp(static_cast<int>(share * first * columns), 0, static_cast<int>(first * columns) - 1);
-      for (int y = 0; y < walls.height; ++y) walls.at(x, y) = painted.at(from, y);
+      for (int y = 0; y < walls.height; ++y) {
+        walls.at(x, y) = mixed(painted.at(x, y), painted.at(from, y), strength);
+      }
     }
   }
 }
@@ -47,13 +57,16 @@ void fade(LinearImage& image, float share) {
 
 }  // namespace
 
+void make_symmetric(RoomImages& images, const RoomShape& shape) {
+  if (shape.symmetry == RoomSymmetry::none) return;
+  const auto strength = static_cast<float>(shape.symmetry_strength);
+  if (shape.symmetry == RoomSymmetry::two_fold) repeat_half(images.walls, strength);
+  if (shape.symmetry == RoomSymmetry::four_fold) repeat_first_wall(images.walls, shape, strength);
+  make_point_symmetric(images.ceiling, strength);
+  make_point_symmetric(images.floor, strength);
+}
+
 Room room_of(RoomImages images, const std::string& name, const RoomShape& shape, const LinearColor& light) {
-  if (shape.symmetry == RoomSymmetry::two_fold) repeat_half(images.walls);
-  if (shape.symmetry == RoomSymmetry::four_fold) repeat_first_wall(images.walls, shape);
-  if (shape.symmetry != RoomSymmetry::none) {
-    make_point_symmetric(images.ceiling);
-    make_point_symmetric(images.floor);
-  }
   if (shape.color < 1.0) {
     for (LinearImage* const image : {&images.walls, &images.ceiling, &images.floor})
       fade(*image, static_cast<float>(shape.color));

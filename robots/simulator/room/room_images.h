@@ -1,4 +1,4 @@
-// What is painted on a room's surfaces before it becomes textures; here a room can be made harder to know one's way in.
+// What is painted on a room's surfaces before it becomes textures. Here a room is made symmetric and its colors fade.
 #pragma once
 
 #include <string>
@@ -14,7 +14,10 @@ struct RoomImages {
   LinearImage floor;
 };
 
-/// The room, with the symmetry and the colours that its shape asks for.
+/// Repeats one half of the pictures as the other half, as the shape's symmetry and its strength say.
+void make_symmetric(RoomImages& images, const RoomShape& shape);
+
+/// The room, with the share of its colors that its shape asks for.
 Room room_of(RoomImages images, const std::string& name, const RoomShape& shape, const LinearColor& light);
 
 }  // namespace reorient

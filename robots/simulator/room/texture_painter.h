@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/random.h"
 #include "robots/simulator/room/texture.h"
@@ -24,6 +25,9 @@ class TexturePainter {
  public:
   /// Of at least `per_meter` texels a metre; its size suits a Texture.
   TexturePainter(double width, double height, double per_meter, const LinearColor& color);
+  /// Paints over an image of this many meters.
+  TexturePainter(double width, double height, LinearImage image)
+      : width_(width), height_(height), image_(std::move(image)) {}
 
   void rectangle(const Area& area, const LinearColor& color, double opacity = 1.0);
   void ellipse(double x, double y, double radius_x, double radius_y, const LinearColor& color, double opacity = 1.0);

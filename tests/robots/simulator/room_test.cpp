@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include "geometry/random.h"
+#include "robots/simulator/room/room_images.h"
 
 namespace reorient {
 namespace {
@@ -61,6 +67,28 @@ TEST(RoomShape, GrowsWithTheField) {
   field.width += 3.0;
   EXPECT_DOUBLE_EQ(room_shape_for(field).length, RoomShape().length + 5.0);
   EXPECT_DOUBLE_EQ(room_shape_for(field).width, RoomShape().width + 3.0);
+}
+
+TEST(RoomShape, OutsideOfTheRangesOfItsParametersIsRefused) {
+  const auto refusal = [](const RoomShape& shape) -> std::string {
+    try {
+      procedural_hall(1, shape);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  for (const double value : {-0.01, 1.01, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    RoomShape shape;
+    shape.symmetry_strength = value;
+    EXPECT_NE(refusal(shape).find("room_shape.symmetry_strength is "), std::string::npos) << value;
+    EXPECT_NE(refusal(shape).find("(expected 0 to 1)"), std::string::npos) << value;
+  }
+  for (const double value : {-0.01, 10.01, std::nan("")}) {
+    RoomShape shape;
+    shape.mark = value;
+    EXPECT_NE(refusal(shape).find("room_shape.mark is "), std::string::npos) << value;
+  }
 }
 
 TEST(Texture, KeepsItsMeanOnEveryLevel) {
@@ -140,6 +168,186 @@ TEST(SymmetricRoom, OfFourEqualWallsLooksMuchTheSameAfterAQuarter) {
   shape.width = shape.length;
   shape.symmetry = RoomSymmetry::four_fold;
   EXPECT_LT(difference_after_quarters(procedural_hall(1, shape), 1), 0.1f);
+}
+
+LinearImage random_picture(int width, int height, std::uint64_t seed) {
+  Random random(seed, 1);
+  LinearImage image(width, height);
+  for (LinearColor& color : image.pixels) {
+    for (int channel = 0; channel < 3; ++channel) color[channel] = static_cast<float>(random.uniform(0.0, 12.0));
+  }
+  return image;
+}
+
+/// Pictures with which a room of the default size gets along, without a hall's colors.
+RoomImages random_pictures() {
+  return {random_picture(128, 64, 1), random_picture(64, 64, 2), random_picture(64, 64, 3)};
+}
+
+RoomImages pictures_at(RoomSymmetry symmetry, double strength) {
+  RoomShape shape;
+  shape.symmetry = symmetry;
+  shape.symmetry_strength = strength;
+  RoomImages images = random_pictures();
+  make_symmetric(images, shape);
+  return images;
+}
+
+bool are_equal(const LinearImage& one, const LinearImage& other) {
+  return std::equal(one.pixels.begin(), one.pixels.end(), other.pixels.begin(), other.pixels.end(),
+                    [](const LinearColor& a, const LinearColor& b) { return (a == b).all(); });
+}
+
+TEST(SymmetryStrength, OfOneRepeatsThePicturesExactly) {
+  const RoomImages painted = random_pictures();
+  const RoomImages symmetric = pictures_at(RoomSymmetry::two_fold, 1.0);
+  for (int y = 0; y < painted.walls.height; ++y) {
+    for (int x = 0; x < painted.walls.width; ++x)
+      ASSERT_TRUE((symmetric.walls.at(x, y) == painted.walls.at(x % (painted.walls.width / 2), y)).all());
+  }
+  for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
+    const RoomImages images = pictures_at(symmetry, 1.0);
+    for (const auto& [level, before] : {std::pair(images.ceiling, painted.ceiling), {images.floor, painted.floor}}) {
+      const std::size_t count = level.pixels.size();
+      for (std::size_t i = 0; i < count; ++i)
+        ASSERT_TRUE((level.pixels[i] == before.pixels[std::min(i, count - 1 - i)]).all());
+    }
+  }
+}
+
+TEST(SymmetryStrength, OfOneMakesFourEqualWallsOfTheFirst) {
+  const RoomImages painted = random_pictures();
+  const RoomImages symmetric = pictures_at(RoomSymmetry::four_fold, 1.0);
+  const int first = static_cast<int>(painted.walls.width * wall_begin(RoomShape{}, 1) / wall_perimeter(RoomShape{}));
+  for (int x = 0; x < painted.walls.width; ++x) {
+    bool is_of_the_first = false;
+    for (int from = 0; from <= first; ++from) {
+      bool is_equal = true;
+      for (int y = 0; y < painted.walls.height; ++y)
+        is_equal &= (symmetric.walls.at(x, y) == painted.walls.at(from, y)).all();
+      is_of_the_first |= is_equal;
+    }
+    EXPECT_TRUE(is_of_the_first) << x;
+  }
+}
+
+TEST(SymmetryStrength, OfZeroLeavesThePicturesAsTheyAre) {
+  const RoomImages painted = random_pictures();
+  for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
+    const RoomImages images = pictures_at(symmetry, 0.0);
+    EXPECT_TRUE(are_equal(images.walls, painted.walls));
+    EXPECT_TRUE(are_equal(images.ceiling, painted.ceiling));
+    EXPECT_TRUE(are_equal(images.floor, painted.floor));
+  }
+}
+
+TEST(SymmetryStrength, InBetweenBlendsInLinearLight) {
+  for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
+    const RoomImages plain = pictures_at(symmetry, 0.0), symmetric = pictures_at(symmetry, 1.0);
+    const RoomImages blended = pictures_at(symmetry, 0.3);
+    for (LinearImage RoomImages::*const image : {&RoomImages::walls, &RoomImages::ceiling, &RoomImages::floor}) {
+      for (std::size_t i = 0; i < (plain.*image).pixels.size(); ++i) {
+        const LinearColor& from = (plain.*image).pixels[i];
+        const LinearColor& to = (symmetric.*image).pixels[i];
+        ASSERT_LT(((blended.*image).pixels[i] - (0.7f * from + 0.3f * to)).abs().maxCoeff(), 1e-5f);
+      }
+    }
+  }
+}
+
+TEST(SymmetryStrength, MeansNothingInARoomWithoutSymmetry) {
+  const RoomImages painted = random_pictures();
+  EXPECT_TRUE(are_equal(pictures_at(RoomSymmetry::none, 1.0).walls, painted.walls));
+  EXPECT_TRUE(are_equal(pictures_at(RoomSymmetry::none, 1.0).floor, painted.floor));
+}
+
+TEST(SymmetryStrength, StepsFromThePlainHallToTheSymmetricOne) {
+  RoomShape shape;
+  const auto difference = [&](double strength) {
+    shape.symmetry_strength = strength;
+    return difference_after_quarters(procedural_hall(1, shape), 2);
+  };
+  const float plain = difference(0.0);
+  shape.symmetry = RoomSymmetry::two_fold;
+  EXPECT_EQ(difference(0.0), plain);
+  EXPECT_LT(difference(0.9), difference(0.5));
+  EXPECT_LT(difference(0.5), plain);
+  EXPECT_GT(difference(0.9), 0.01f);
+}
+
+/// Where along the walls a hall with a mark differs from the same one without: meters from the wall's beginning.
+struct Marked {
+  double first = 1e9, last = -1e9;
+};
+Marked marked(const RoomShape& shape, int side) {
+  RoomShape plain = shape;
+  plain.mark = 0.0;
+  const Room with = procedural_hall(1, shape), without = procedural_hall(1, plain);
+  Marked range;
+  const double begin = wall_begin(shape, side), end = wall_begin(shape, side + 1);
+  constexpr double kCorner = 0.03;  // m: a sample there mixes both walls
+  for (double along = begin + kCorner; along < end - kCorner; along += 0.02) {
+    for (double height = 0.1; height < shape.height; height += 0.2) {
+      if ((color_of(with.walls, along, height, 0) == color_of(without.walls, along, height, 0)).all()) continue;
+      EXPECT_GT(height, 0.9);
+      EXPECT_LT(height, 2.55);
+      range.first = std::min(range.first, along - begin);
+      range.last = std::max(range.last, along - begin);
+    }
+  }
+  return range;
+}
+
+TEST(Mark, IsOnOneSideWallOnlyAndAsWideAsItIsSet) {
+  RoomShape shape;
+  shape.symmetry = RoomSymmetry::two_fold;
+  for (const double width : {6.0, 0.4}) {
+    shape.mark = width;
+    for (const int side : {0, 1, 2}) EXPECT_LT(marked(shape, side).last, 0.0) << side;
+    const Marked range = marked(shape, 3);
+    EXPECT_NEAR(range.last - range.first, width, 0.1);
+    EXPECT_NEAR(0.5 * (range.first + range.last), 0.5 * shape.length, 0.05);
+  }
+}
+
+TEST(Mark, IsTheOnlyThingThatDiffersAfterHalfATurn) {
+  RoomShape shape;
+  shape.symmetry = RoomSymmetry::two_fold;
+  EXPECT_LT(difference_after_quarters(procedural_hall(1, shape), 2), 1e-3f);
+  shape.mark = 3.0;
+  EXPECT_GT(difference_after_quarters(procedural_hall(1, shape), 2), 0.05f);
+}
+
+TEST(Mark, StaysOnItsWallInTheSmallestRoom) {
+  RoomShape shape;
+  shape.length = shape.width = 4.0;
+  shape.height = 2.5;
+  shape.mark = kWidestMark;
+  for (const int side : {0, 1, 2}) EXPECT_LT(marked(shape, side).last, 0.0) << side;
+  EXPECT_GT(marked(shape, 3).last, 3.9);
+}
+
+TEST(Mark, LosesItsColorWithTheHall) {
+  RoomShape shape;
+  shape.mark = 6.0;
+  shape.color = 0.0;
+  const Room hall = procedural_hall(1, shape);
+  for (double along = wall_begin(shape, 3); along < wall_perimeter(shape); along += 0.5) {
+    const Eigen::Array3f color = color_of(hall.walls, along, 1.7, 2);
+    EXPECT_LT(color.maxCoeff() - color.minCoeff(), 2e-3f);
+  }
+}
+
+TEST(Mark, IsRefusedForAPanorama) {
+  RoomShape shape;
+  shape.mark = 0.4;
+  try {
+    room_from(LinearImage(64, 32, LinearColor::Ones()), "room.hdr", shape);
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "panorama 'room.hdr': room_shape.mark is 0.4 m (expected 0: only the built-in hall has a banner)");
+  }
 }
 
 TEST(ColorlessRoom, IsGreyAndAsBrightAsBefore) {
