@@ -147,8 +147,11 @@ void RoomAwareness::reflect_evidence() {
   take_evidence();
 }
 
-/// In a symmetric room the evidence is zero, whatever the tiles contribute.
-void RoomAwareness::take_evidence() { confidences_.evidence = separability_.weight() * evidence_.log_odds(); }
+/// In a symmetric room the evidence is zero, whatever the tiles contribute, unless the parameters say otherwise.
+void RoomAwareness::take_evidence() {
+  const double weight = parameters_.evidence.use_separability ? separability_.weight() : 1.0;
+  confidences_.evidence = weight * evidence_.log_odds();
+}
 
 void RoomAwareness::restart_evidence() {
   evidence_.restart(wall_.tiles());

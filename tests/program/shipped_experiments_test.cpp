@@ -78,9 +78,10 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
-                         ::testing::Values("table1", "orientation", "false_flips", "symmetric", "another_day", "bodies",
-                                           "disturbances", "elsewhere", "companions", "stress", "ablation", "filters",
-                                           "gaze", "paper_thresholds", "peers", "turned_round", "walls"),
+                         ::testing::Values("table1", "orientation", "false_flips", "symmetric", "symmetry_ladder",
+                                           "symmetry_mark", "another_day", "bodies", "disturbances", "elsewhere",
+                                           "companions", "stress", "ablation", "filters", "gaze", "paper_thresholds",
+                                           "peers", "turned_round", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
@@ -100,15 +101,81 @@ TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
   }
 }
 
+std::vector<std::string> choices_of(const Experiment& experiment, const std::string& axis) {
+  std::vector<std::string> names;
+  for (const Axis& one : experiment.axes) {
+    if (one.name != axis) continue;
+    for (const AxisChoice& choice : one.choices) names.push_back(choice.name);
+  }
+  return names;
+}
+
+/// The last value that a condition sets; empty: it sets none.
+std::string value_of(const Condition& condition, const std::string& parameter) {
+  std::string value;
+  for (const ParameterChange& change : condition.parameters) {
+    if (change.name == parameter) value = change.value;
+  }
+  return value;
+}
+
+/// Each choice of `axis` sets `parameter` to `scale` times its number, and only the choice called `symmetric` is
+/// exactly symmetric.
+void expect_rungs(const Experiment& experiment, std::size_t axis, const std::string& parameter, double scale,
+                  const std::string& symmetric) {
+  for (const Cell& cell : cells_of(experiment)) {
+    const std::string& choice = cell.choices[axis];
+    EXPECT_EQ(value_of(cell.condition, "room_shape.symmetry"), "two_fold");
+    EXPECT_DOUBLE_EQ(std::stod(value_of(cell.condition, parameter)), scale * std::stod(choice)) << choice;
+    EXPECT_EQ(cell.condition.measurement.symmetric_room, choice == symmetric) << choice;
+    EXPECT_EQ(value_of(cell.condition, "evidence.use_separability"), "") << "the guard as shipped";
+    int mirrored = 0, others = 0;
+    for (int trial = 0; trial < experiment.trials; ++trial) {
+      const std::string event = event_of(condition_of(experiment, cell, {0, 0, trial, 1}));
+      ++(event == "turned_round" ? mirrored : others);
+    }
+    EXPECT_EQ(mirrored, others);
+  }
+}
+
+TEST(SymmetryLadder, StepsFromAsymmetricToExactlySymmetric) {
+  const Experiment experiment = shipped("symmetry_ladder");
+  EXPECT_EQ(choices_of(experiment, "color"), (std::vector<std::string>{"1", "0.3", "0.1", "0"}));
+  EXPECT_EQ(choices_of(experiment, "strength"), (std::vector<std::string>{"0 %", "10 %", "20 %", "30 %", "40 %", "50 %",
+                                                                          "60 %", "70 %", "80 %", "90 %", "100 %"}));
+  EXPECT_EQ(cells_of(experiment).size(), 44u);
+  expect_rungs(experiment, 2, "room_shape.symmetry_strength", 0.01, "100 %");
+}
+
+TEST(SymmetryMark, StepsDownToNoBanner) {
+  const Experiment experiment = shipped("symmetry_mark");
+  EXPECT_EQ(choices_of(experiment, "mark"),
+            (std::vector<std::string>{"6 m", "3 m", "1.5 m", "0.75 m", "0.4 m", "0 m"}));
+  EXPECT_EQ(cells_of(experiment).size(), 24u);
+  expect_rungs(experiment, 2, "room_shape.mark", 1.0, "0 m");
+}
+
+TEST(GuardAgainstSymmetricRooms, IsWhollyOffWhereItIsOff) {
+  for (const char* name : {"symmetry_ladder", "symmetry_mark"}) {
+    Experiment experiment = shipped(name);
+    choose(experiment, "guard", {"off"}, {});
+    for (const Cell& cell : cells_of(experiment)) {
+      EXPECT_EQ(value_of(cell.condition, "evidence.use_separability"), "false");
+      EXPECT_EQ(value_of(cell.condition, "room_status.separability"), "0");
+      EXPECT_EQ(value_of(cell.condition, "background_training.separability"), "0");
+    }
+  }
+}
+
 TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"ablation", "another_day", "bodies", "companions", "disturbances", "elsewhere",
-                                      "false_flips", "filters", "gaze", "orientation", "paper_thresholds", "peers",
-                                      "stress", "symmetric", "table1", "turned_round", "walls"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"ablation", "another_day", "bodies", "companions", "disturbances",
+                                             "elsewhere", "false_flips", "filters", "gaze", "orientation",
+                                             "paper_thresholds", "peers", "stress", "symmetric", "symmetry_ladder",
+                                             "symmetry_mark", "table1", "turned_round", "walls"}));
 }
 
 }  // namespace

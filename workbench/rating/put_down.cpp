@@ -160,7 +160,7 @@ RatedModel::RatedModel(const SavedModel& model, const CoreParameters& core)
   test.restart(wall.columns());
   for (int column = 0; column < wall.columns(); ++column) test.observe(compared, wall);
   separability = test.probability();
-  separability_weight = test.weight();
+  separability_weight = core.room.evidence.use_separability ? test.weight() : 1.0;
 }
 
 RoomStatus RatedModel::status(const RoomStatusParameters& parameters) const {

@@ -20,6 +20,7 @@ struct EvidenceParameters {
   double look = 0.05;
   double leak = 5.0;
   double tolerance = 0.4;
+  bool use_separability = true;
 };
 template <typename Visit>
 void describe(EvidenceParameters& p, Visit&& visit) {
@@ -35,6 +36,8 @@ void describe(EvidenceParameters& p, Visit&& visit) {
   visit("leak", p.leak, 0.1, 1000.0, "s", "time constant with which the time in view fades while it is out of view");
   visit("tolerance", p.tolerance, 0.0, 1.5, "rad",
         "by how much what is in view may appear beside the tiles where it was learned");
+  visit("use_separability", p.use_separability,
+        "whether confidence.separability p scales the evidence by 2 p - 1, down to zero where p is at most 0.5");
 }
 
 /// EvidenceParameters::tolerance, in columns.

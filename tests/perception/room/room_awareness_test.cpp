@@ -339,7 +339,7 @@ TEST(RoomAwareness, DeclaresParametersWhoseDefaultsAreWithinTheirRanges) {
     EXPECT_GT(reader.numbers + reader.choices, before) << name;
   });
   EXPECT_EQ(parts.size(), 11u);
-  EXPECT_EQ(reader.choices, 7);
+  EXPECT_EQ(reader.choices, 8);
 }
 
 }  // namespace

@@ -78,6 +78,17 @@ TEST(Separability, IsImprobableInASymmetricRoomAndThenNothingIsEvidence) {
   }
 }
 
+TEST(Separability, DoesNotScaleTheEvidenceWhereTheParametersSaySo) {
+  RoomParameters parameters;
+  parameters.evidence.use_separability = false;
+  ScanningRobot without = scanned(PaintedRoom::symmetric(1), parameters), with = scanned(PaintedRoom::symmetric(1));
+  without.run(2.0);
+  with.run(2.0);
+  EXPECT_EQ(without.awareness.confidences().separability, with.awareness.confidences().separability);
+  EXPECT_NE(without.awareness.confidences().evidence, 0.0);
+  EXPECT_EQ(with.awareness.confidences().evidence, 0.0);
+}
+
 TEST(Separability, KnowsTwoAndFourEqualSides) {
   for (const int columns : {16, 32, 48, 64, 128}) {
     EXPECT_GT(KnownWall(columns, one_wave).probability(), 0.95) << columns;

@@ -148,6 +148,74 @@ TEST(ReportPage, OfAnExperimentWithoutAxesHasOneSeries) {
   EXPECT_TRUE(has(page, "all trials"));
 }
 
+/// With an axis of these choices instead of the first one, and two modes.
+Report report_along(const std::vector<std::string>& choices, int trials) {
+  Report report = report_with("halls", 1);
+  report.experiment.references.clear();
+  report.experiment.axes[0] = {"strength", {}};
+  for (const std::string& choice : choices) report.experiment.axes[0].choices.push_back({choice, {}});
+  report.cells.clear();
+  for (const Cell& cell : cells_of(report.experiment)) {
+    CellResults results{cell.choices, {}, {}};
+    for (int i = 0; i < trials; ++i) results.trials.push_back(shown_result(1 + i, i % 2 == 0));
+    results.row = row_of(results.trials);
+    report.cells.push_back(std::move(results));
+  }
+  return report;
+}
+
+TEST(ReportLadder, ShowsDetectionAndFalseFlipsAlongAnAxisOfNumbers) {
+  Report report = report_along({"100 %", "0 %", "50 %"}, 10);
+  report.cells[0].trials[1].false_flips = 2;  // one trial
+  report.cells[0].trials[0].false_flips = 1;  // after the belief came right
+  const std::string page = report_page(report);
+  EXPECT_EQ(mistake_in_markup(page), "");
+  EXPECT_TRUE(has(page, "<figure id=\"ladder\">"));
+  EXPECT_TRUE(has(page, "strength, %"));
+  for (const char* mode : {"mode default", "mode halls"}) EXPECT_TRUE(has(page, mode)) << mode;
+  // Seed 5 of the seeds 1, 3, 5, 7 and 9 never comes right.
+  EXPECT_TRUE(has(page, "<p class=\"reading\">detected 12 of 15, flipped 2 of 30</p>"));
+  EXPECT_TRUE(has(page, "<p class=\"reading\">detected 12 of 15, flipped 0 of 30</p>"));
+}
+
+TEST(ReportLadder, CountsAnExcusedFailureAsNotDetected) {
+  Report report = report_along({"0", "0.5", "1"}, 2);
+  for (CellResults& cell : report.cells) {
+    cell.trials[0].right_after.reset();
+    cell.trials[0].symmetric_room = cell.trials[0].ended_uninformative = true;
+    ASSERT_FALSE(cell.trials[0].failed());
+  }
+  EXPECT_TRUE(has(report_page(report), "detected 0 of 3, flipped 0 of 6"));
+}
+
+TEST(ReportLadder, PoolsTheRooms) {
+  Report report = report_along({"0 m", "1 m", "2 m"}, 2);
+  report.experiment.axes[1].name = "room";
+  EXPECT_TRUE(has(report_page(report), "detected 6 of 6, flipped 0 of 12"));
+}
+
+TEST(ReportLadder, IsDrawnForNumbersOfOneUnitOnly) {
+  const auto draws = [](const std::vector<std::string>& choices) {
+    const std::string page = report_page(report_along(choices, 2));
+    EXPECT_EQ(mistake_in_markup(page), "") << choices.front();
+    return has(page, "<figure id=\"ladder\">");
+  };
+  EXPECT_TRUE(draws({"1", "2", "3"}));
+  EXPECT_TRUE(draws({"-1 m", "0 m", "0.75 m"}));
+  EXPECT_FALSE(draws({"1", "2"})) << "too few";
+  EXPECT_FALSE(draws({"1", "1.0", "1e0"})) << "one number";
+  EXPECT_FALSE(draws({"1 m", "2 m", "3 %"}));
+  EXPECT_FALSE(draws({"none", "2 robots", "9 robots"}));
+  EXPECT_FALSE(draws({"1", "2", "inf"}));
+  EXPECT_FALSE(draws({"1", "2", "nan"}));
+  EXPECT_FALSE(draws({"1", "2", "1e999"}));
+  EXPECT_FALSE(draws({"1e308", "-1e308", "0"}));
+  EXPECT_FALSE(draws({"1e-320", "2e-320", "3e-320"}));
+  EXPECT_FALSE(draws({kHostile, kHostile + "1", kHostile + "2"}));
+  EXPECT_TRUE(draws({"1 " + kHostile, "2 " + kHostile, "3 " + kHostile}));
+  EXPECT_TRUE(draws({"1", "1.0000000000000002", "1.0000000000000004"}));
+}
+
 TEST(TrialsCsv, HasALineForEachTrial) {
   const std::string csv = trials_as_csv(report_with("halls", 3));
   EXPECT_TRUE(csv.starts_with("halls,mode,task,seed,started,disturbed,failed,measured_s,right_after_s,"));

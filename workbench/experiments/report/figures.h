@@ -10,6 +10,10 @@ namespace reorient {
 void draw_failures(Markup& out, const Report& report);
 void draw_false_flips(Markup& out, const Report& report);
 
+/// Detection and false flips along the last axis whose choices are at least three numbers of one unit ("30 %"), such
+/// as the strength of a room's symmetry; nothing where there is no such axis. Pools the rooms.
+void draw_ladder(Markup& out, const Report& report);
+
 /// Which share of the beliefs is right, over time: a line for each series, a picture for each group.
 void draw_time_to_right(Markup& out, const Report& report);
 

@@ -113,6 +113,7 @@ std::string report_page(const Report& report) {
       draw_time_to_right(out, report);
       draw_comparisons(out, report);
       draw_false_flips(out, report);
+      draw_ladder(out, report);
       draw_roc(out, report);
       draw_reliability(out, report);
       draw_confidences(out, report);
