@@ -68,7 +68,7 @@ void Compare(benchmark::State& state) {
   }
   state.SetLabel(std::string(kCompassMethods[method]));
 }
-BENCHMARK(Compare)->ArgsProduct({{0, 1, 2, 3, 4, 5, 6}, {160, 320, 640}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(Compare)->ArgsProduct({{0, 1, 2, 3, 4, 5, 6, 7}, {160, 320, 640}})->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace reorient

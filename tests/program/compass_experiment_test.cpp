@@ -51,6 +51,8 @@ TEST_F(CompassExperiment, GivesARowForEachMethod) {
       EXPECT_LE(rows[i][key], 1.0) << key;
     }
     EXPECT_LE(rows[i]["auc_3s_low"], rows[i]["auc_3s_high"]);
+    EXPECT_EQ(rows[i]["flipped_3s"].is_null(), !kHasFlipRule[i]);
+    EXPECT_EQ(rows[i]["false_flipped_3s"].is_null(), !kHasFlipRule[i]);
   }
   EXPECT_EQ(rows[0]["auc_3s"], 1.0) << "the light has not changed: room awareness knows";
   const std::string page = read_text(path("report/index.html"));
@@ -70,6 +72,45 @@ TEST_F(CompassExperiment, TakesAPeersParametersAndRefusesThoseThatItDoesNotHave)
   expect_refused({"--set", "tile_row_compass.colums=24"}, "tile_row_compass.columns");
   expect_refused({"--set", "horizon_compass.band=-1"}, "horizon_compass.band");
   EXPECT_EQ(run({"--out", path("out"), "--trials", "1", "--set", "tile_row_compass.columns=24"}).code, kSuccess);
+}
+
+TEST_F(CompassExperiment, TeachesTheMirroredPoseForAsLongAsItIsSet) {
+  EXPECT_EQ(run({"--out", path("out"), "--json", path("rows.json"), "--set", "comparison.learn_mirrored=600"}).code,
+            kSuccess);
+  const auto rows = nlohmann::json::parse(read_text(path("rows.json")));
+  EXPECT_EQ(rows[0]["auc_3s"], 0.0) << "to a map that was learned mirrored, the mirrored pose is the right one";
+  EXPECT_LT(rows.back()["auc_3s"], 0.5);
+  expect_refused({"--set", "comparison.learn_mirrored=-1"}, "comparison.learn_mirrored");
+  expect_refused({"--set", "comparison.learn_miror=1"}, "comparison.learn_mirrored");
+}
+
+TEST_F(CompassExperiment, ShowsRightPosesBeforeAKidnapping) {
+  std::string text = kCompared;
+  text.replace(text.find("limit = 8.2"), 11, "limit = 12.2");
+  folder.write("short.toml", text);
+  EXPECT_EQ(run({"--out", path("out"), "--json", path("rows.json"), "--set", "comparison.mirrored_after=4"}).code,
+            kSuccess);
+  const auto rows = nlohmann::json::parse(read_text(path("rows.json")));
+  EXPECT_EQ(rows[0]["looks"], 2);
+  EXPECT_EQ(rows[0]["auc_3s"], 1.0);
+  EXPECT_EQ(rows[0]["false_flipped_3s"], 0.0);
+}
+
+TEST_F(CompassExperiment, AsksARobotThatWasCarriedToItsMirroredPose) {
+  std::string text = kCompared;
+  const auto replace = [&text](const std::string& old, const std::string& with) {
+    text.replace(text.find(old), old.size(), with);
+  };
+  replace("event = \"none\"", "event = \"turned_round\"");
+  replace("wait_least = 100.0", "wait_least = 0.0");
+  replace("wait_most = 100.0", "wait_most = 0.0");
+  replace("measured_from = \"waiting\"", "measured_from = \"measured\"");
+  replace("limit = 8.2", "limit = 12.2");
+  folder.write("short.toml", text);
+  EXPECT_EQ(run({"--out", path("out"), "--json", path("rows.json")}).code, kSuccess);
+  const auto rows = nlohmann::json::parse(read_text(path("rows.json")));
+  ASSERT_FALSE(rows.empty()) << "the reflection of the belief is right, so there are looks";
+  EXPECT_EQ(rows[0]["auc_3s"], 1.0);
 }
 
 TEST_F(CompassExperiment, RefusesAPeersParametersWhereNothingIsCompared) {

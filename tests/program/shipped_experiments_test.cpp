@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                          ::testing::Values("table1", "orientation", "false_flips", "symmetric", "symmetry_ladder",
                                            "symmetry_mark", "another_day", "bodies", "disturbances", "elsewhere",
                                            "companions", "stress", "ablation", "filters", "gaze", "paper_thresholds",
-                                           "peers", "turned_round", "walls"),
+                                           "peers", "peers_failures", "turned_round", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
@@ -172,10 +172,11 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"ablation", "another_day", "bodies", "companions", "disturbances",
-                                             "elsewhere", "false_flips", "filters", "gaze", "orientation",
-                                             "paper_thresholds", "peers", "stress", "symmetric", "symmetry_ladder",
-                                             "symmetry_mark", "table1", "turned_round", "walls"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"ablation",       "another_day", "bodies",           "companions",
+                                             "disturbances",   "elsewhere",   "false_flips",      "filters",
+                                             "gaze",           "orientation", "paper_thresholds", "peers",
+                                             "peers_failures", "stress",      "symmetric",        "symmetry_ladder",
+                                             "symmetry_mark",  "table1",      "turned_round",     "walls"}));
 }
 
 }  // namespace

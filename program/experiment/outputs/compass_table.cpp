@@ -1,6 +1,7 @@
 #include "program/experiment/outputs/compass_table.h"
 
 #include <cmath>
+#include <optional>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
@@ -26,6 +27,14 @@ void add(ordered_json& json, const std::string& key, double value, const Interva
   json[key + "_high"] = interval.high;
 }
 
+ordered_json as_json(const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(); }
+
+/// Of mirrored poses and of right ones, by the method's own rule.
+std::string flips_of(const CompassFigure& figure) {
+  if (!figure.flipped || !figure.false_flipped) return "-";
+  return fmt::format("{:.1f} %, {:.1f} %", 100.0 * *figure.flipped, 100.0 * *figure.false_flipped);
+}
+
 }  // namespace
 
 void print_compasses(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out) {
@@ -36,6 +45,7 @@ void print_compasses(const Experiment& experiment, const std::vector<CellResults
     lines[0].push_back("AUC " + time_key(time) + " [95 %]");
     lines[0].push_back("equal errors [95 %]");
   }
+  lines[0].push_back("flipped, false");
   for (const CompassRow& row : compass_rows(experiment, cells)) {
     std::vector<std::string> line;
     for (const std::string& choice : row.choices) line.push_back(as_line(choice));
@@ -48,6 +58,7 @@ void print_compasses(const Experiment& experiment, const std::vector<CellResults
       line.push_back(fmt::format("{:.1f} % [{:.1f}, {:.1f}]", 100.0 * figure.equal_error,
                                  100.0 * figure.equal_error_interval.low, 100.0 * figure.equal_error_interval.high));
     }
+    line.push_back(flips_of(row.figures.back()));
     lines.push_back(std::move(line));
   }
   print_table(lines, experiment.axes.size() + 1, out);
@@ -67,6 +78,8 @@ std::string compasses_as_json(const Experiment& experiment, const std::vector<Ce
       add(json, "auc_" + time_key(time), figure.area, figure.area_interval);
       add(json, "eer_" + time_key(time), figure.equal_error, figure.equal_error_interval);
       json["silent_" + time_key(time)] = figure.silent;
+      json["flipped_" + time_key(time)] = as_json(figure.flipped);
+      json["false_flipped_" + time_key(time)] = as_json(figure.false_flipped);
     }
     text.append(text.empty() ? "[\n  " : ",\n  ").append(json.dump());
   }

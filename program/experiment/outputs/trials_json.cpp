@@ -42,7 +42,9 @@ ordered_json looks_as_json(const std::vector<CompassLook>& looks) {
     ordered_json& methods = json.emplace_back();
     for (std::size_t i = 0; i < look.size(); ++i)
       methods[std::string(kCompassMethods[i])] = {{"if_right", look[i].if_right},
-                                                  {"if_reflected", look[i].if_reflected}};
+                                                  {"if_reflected", look[i].if_reflected},
+                                                  {"flips_if_right", look[i].flips_if_right},
+                                                  {"flips_if_reflected", look[i].flips_if_reflected}};
   }
   return json;
 }

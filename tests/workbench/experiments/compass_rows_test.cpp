@@ -67,6 +67,22 @@ TEST(CompassRows, TellWhoKnowsFromWhoGuesses) {
   }
 }
 
+TEST(CompassRows, CountFlipsOfMethodsThatHaveARule) {
+  std::vector<CellResults> cells = cells_with({1.0, 2.0});
+  for (CellResults& cell : cells) {
+    cell.trials[0].looks[0][0].flips_if_reflected = {0.0, 1.0, 1.0};
+    cell.trials[1].looks[0][0].flips_if_reflected = {0.0, 0.0, 1.0};
+    cell.trials[1].looks[0][0].flips_if_right = {0.0, 0.0, 1.0};
+  }
+  const auto rows = compass_rows(experiment_of_rooms_and_lights(), cells);
+  EXPECT_EQ(rows[0].figures[0].flipped, 0.0);
+  EXPECT_EQ(rows[0].figures[1].flipped, 0.5);
+  EXPECT_EQ(rows[0].figures[2].flipped, 1.0);
+  EXPECT_EQ(rows[0].figures[2].false_flipped, 0.5);
+  for (std::size_t i = 0; i < kCompassMethods.size(); ++i)
+    EXPECT_EQ(rows[i].figures[2].flipped.has_value(), kHasFlipRule[i]) << i;
+}
+
 TEST(CompassRows, LeaveOutTrialsWithoutALook) {
   std::vector<CellResults> cells = cells_with({1.0});
   EXPECT_TRUE(have_looks(cells));

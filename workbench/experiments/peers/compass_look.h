@@ -7,9 +7,12 @@
 
 namespace reorient {
 
-inline constexpr std::array<std::string_view, 7> kCompassMethods{
+inline constexpr std::array<std::string_view, 8> kCompassMethods{
     "room awareness",      "its paper recipe",   "colour transitions", "horizon features",
-    "single row of tiles", "four rows of tiles", "half icosahedron"};
+    "single row of tiles", "four rows of tiles", "half icosahedron",   "corner landmarks"};
+/// Whether a rule is known by which the method flips the pose.
+inline constexpr std::array<bool, kCompassMethods.size()> kHasFlipRule{true,  true,  false, false,
+                                                                       false, false, false, true};
 
 /// After how many seconds of looking about a method is asked; 0: after a single frame.
 inline constexpr std::array<double, 3> kLookTimes{0.0, 1.0, 3.0};
@@ -18,6 +21,9 @@ inline constexpr std::array<double, 3> kLookTimes{0.0, 1.0, 3.0};
 struct CompassScores {
   std::array<double, kLookTimes.size()> if_right{};      ///< of a belief that is right
   std::array<double, kLookTimes.size()> if_reflected{};  ///< of the reflection of that belief
+  /// 1: by then its own rule has flipped the pose; 0: it has not, or no rule is known.
+  std::array<double, kLookTimes.size()> flips_if_right{};
+  std::array<double, kLookTimes.size()> flips_if_reflected{};
 };
 /// One stretch of looking about, by method.
 using CompassLook = std::array<CompassScores, kCompassMethods.size()>;
@@ -28,6 +34,8 @@ void visit_scores(Visit&& visit, Look& look) {
   for (auto& scores : look) {
     for (auto& score : scores.if_right) visit(score);
     for (auto& score : scores.if_reflected) visit(score);
+    for (auto& flips : scores.flips_if_right) visit(flips);
+    for (auto& flips : scores.flips_if_reflected) visit(flips);
   }
 }
 

@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<OrientationCompass>> make_compasses(const CompassPar
   compasses.push_back(std::make_unique<TileRowCompass>(parameters.tile_row));
   compasses.push_back(std::make_unique<TileRowCompass>(parameters.tile_rows));
   compasses.push_back(std::make_unique<DomeCompass>(parameters.dome));
+  compasses.push_back(std::make_unique<CornerCompass>(parameters.corners));
   return compasses;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "perception/room/room_awareness.h"
+#include "workbench/experiments/peers/corner_compass.h"
 #include "workbench/experiments/peers/dome_compass.h"
 #include "workbench/experiments/peers/horizon_compass.h"
 #include "workbench/experiments/peers/orientation_compass.h"
@@ -14,7 +15,21 @@
 
 namespace reorient {
 
+/// How all methods are taught and asked.
+struct ComparisonParameters {
+  double learn_mirrored = 0.0;
+  double mirrored_after = 0.0;
+};
+template <typename Visit>
+void describe(ComparisonParameters& p, Visit&& visit) {
+  visit("learn_mirrored", p.learn_mirrored, 0.0, 600.0, "s",
+        "time at the start of learning in which the methods learn from the mirrored pose instead of the right one");
+  visit("mirrored_after", p.mirrored_after, 0.0, 600.0, "s",
+        "time for which a look shows the right pose before one copy of each method is shown the mirrored pose");
+}
+
 struct CompassParameters {
+  ComparisonParameters comparison;
   RoomParameters room;        ///< of room awareness
   RoomParameters room_paper;  ///< of the recipe as it was published
   TransitionCompassParameters transitions;
@@ -22,16 +37,19 @@ struct CompassParameters {
   TileRowCompassParameters tile_row;
   TileRowCompassParameters tile_rows{.rows = 4, .top = 5.5};  ///< on the shipped wall
   DomeCompassParameters dome;
+  CornerCompassParameters corners;
 };
 
-/// Calls visit(prefix, part) for each peer; room awareness has parameters of its own everywhere.
+/// Calls visit(prefix, part) for the comparison and for each peer; room awareness has parameters of its own everywhere.
 template <typename Visit>
 void for_each_peer(CompassParameters& p, Visit&& visit) {
+  visit("comparison", p.comparison);
   visit("transition_compass", p.transitions);
   visit("horizon_compass", p.horizon);
   visit("tile_row_compass", p.tile_row);
   visit("tile_rows_compass", p.tile_rows);
   visit("dome_compass", p.dome);
+  visit("corner_compass", p.corners);
 }
 
 /// In the order of kCompassMethods (compass_look.h).

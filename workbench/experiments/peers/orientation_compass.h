@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "perception/room/room_observation.h"
 
@@ -20,6 +21,10 @@ class OrientationCompass {
   /// since begin() speak for the reflection of the believed pose against that pose itself: 0 where they tell nothing,
   /// and always a finite number. Its unit is the method's own.
   virtual double compare(const RoomObservation& view) = 0;
+
+  /// Whether the method's own published rule flips the believed pose after what compare() has seen since begin(). No
+  /// value: no rule is known.
+  virtual std::optional<bool> wants_flip() const { return std::nullopt; }
 
   /// With all that it has learned.
   virtual std::unique_ptr<OrientationCompass> clone() const = 0;

@@ -14,7 +14,16 @@ double RoomCompass::compare(const RoomObservation& view) {
   compared.train = false;
   compared.evaluate = true;
   const Confidences& confidences = awareness_.update(compared);
-  return score_ == RoomScore::evidence ? confidences.evidence : confidences.opposite - confidences.current;
+  said_ = score_ == RoomScore::evidence ? confidences.evidence : confidences.opposite - confidences.current;
+  return said_;
+}
+
+std::optional<bool> RoomCompass::wants_flip() const {
+  // Thresholds of the shipped behaviors, without their other conditions: scripts/lib/decision.lua for a pose that was
+  // confirmed, ln(240 / 0.02), and scripts/behaviors/paper/paper_orientation.lua.
+  constexpr double kEvidence = 9.39;
+  constexpr double kLead = 0.3;
+  return said_ > (score_ == RoomScore::evidence ? kEvidence : kLead);
 }
 
 }  // namespace reorient

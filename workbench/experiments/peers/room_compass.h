@@ -20,13 +20,18 @@ class RoomCompass : public OrientationCompass {
       : awareness_(parameters, seed), score_(score) {}
 
   void learn(const RoomObservation& view) override;
-  void begin() override { awareness_.begin_anew(); }
+  void begin() override {
+    awareness_.begin_anew();
+    said_ = 0.0;
+  }
   double compare(const RoomObservation& view) override;
+  std::optional<bool> wants_flip() const override;
   std::unique_ptr<OrientationCompass> clone() const override { return std::make_unique<RoomCompass>(*this); }
 
  private:
   RoomAwareness awareness_;
   RoomScore score_;
+  double said_ = 0.0;  // by the last compare() since begin()
 };
 
 }  // namespace reorient

@@ -7,12 +7,12 @@ std::string_view report_style() {
 :root {
   color-scheme: light dark;
   --paper: #fdfdfb; --ink: #1c1e21; --soft: #5c6168; --rule: #d5d7d3; --faint: #f0f1ed; --wrong: #d9d9d3;
-  --c0: #0072b2; --c1: #c84e00; --c2: #00815e; --c3: #a8568a; --c4: #b07d00; --c5: #2f8fc4; --c6: #55585c;
+  --c0: #0072b2; --c1: #c84e00; --c2: #00815e; --c3: #a8568a; --c4: #b07d00; --c5: #2f8fc4; --c6: #55585c; --c7: #b3243a;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --paper: #15171a; --ink: #e4e5e2; --soft: #a0a5ab; --rule: #3a3e43; --faint: #1f2226; --wrong: #373b40;
-    --c0: #56a8e8; --c1: #f08a4b; --c2: #35c79b; --c3: #dd95c2; --c4: #e3b341; --c5: #8fd0f5; --c6: #b9bdc2;
+    --c0: #56a8e8; --c1: #f08a4b; --c2: #35c79b; --c3: #dd95c2; --c4: #e3b341; --c5: #8fd0f5; --c6: #b9bdc2; --c7: #f27a8a;
   }
 }
 * { box-sizing: border-box; }
@@ -86,6 +86,7 @@ svg text { fill: var(--soft); font: 10.5px system-ui, sans-serif; font-variant-n
 .s4 { --c: var(--c4); --dash: 4 2; }
 .s5 { --c: var(--c5); --dash: 12 4; }
 .s6 { --c: var(--c6); --dash: 1.5 4; }
+.s7 { --c: var(--c7); --dash: 6 2 1.5 2; }
 .line { fill: none; stroke: var(--c); stroke-width: 1.8; stroke-dasharray: var(--dash); stroke-linejoin: round; }
 .line.chance { --c: var(--soft); --dash: 1.5 3; stroke-width: 1; }
 .line.solid { stroke-dasharray: none; }
@@ -109,7 +110,7 @@ footer { margin-top: 3rem; padding-top: 1rem; border-top: 1px solid var(--rule);
   :root {
     color-scheme: light;
     --paper: #ffffff; --ink: #000000; --soft: #44484d; --rule: #c8cac6; --faint: #f2f2ef; --wrong: #dcdcd6;
-    --c0: #0072b2; --c1: #c84e00; --c2: #00815e; --c3: #a8568a; --c4: #b07d00; --c5: #2f8fc4; --c6: #55585c;
+    --c0: #0072b2; --c1: #c84e00; --c2: #00815e; --c3: #a8568a; --c4: #b07d00; --c5: #2f8fc4; --c6: #55585c; --c7: #b3243a;
   }
   html { font-size: 11.5px; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
   body { max-width: none; padding: 0; }

@@ -15,6 +15,7 @@ CompassFigure figure_of(const Trials& trials, std::size_t method, std::size_t ti
   std::vector<ScoredGroup> groups;
   std::vector<double> positives, negatives;
   int silent = 0;
+  double flips = 0.0, false_flips = 0.0;
   for (const TrialResult* trial : trials) {
     ScoredGroup& group = groups.emplace_back();
     for (const CompassLook& look : trial->looks) {
@@ -22,6 +23,8 @@ CompassFigure figure_of(const Trials& trials, std::size_t method, std::size_t ti
       group.positives.push_back(scores.if_reflected[time]);
       group.negatives.push_back(scores.if_right[time]);
       silent += scores.if_reflected[time] == 0.0 && scores.if_right[time] == 0.0 ? 1 : 0;
+      flips += scores.flips_if_reflected[time];
+      false_flips += scores.flips_if_right[time];
     }
     positives.insert(positives.end(), group.positives.begin(), group.positives.end());
     negatives.insert(negatives.end(), group.negatives.begin(), group.negatives.end());
@@ -29,6 +32,10 @@ CompassFigure figure_of(const Trials& trials, std::size_t method, std::size_t ti
   const auto looks = static_cast<int>(positives.size());
   CompassFigure figure;
   figure.silent = static_cast<double>(silent) / looks;
+  if (kHasFlipRule[method]) {
+    figure.flipped = flips / looks;
+    figure.false_flipped = false_flips / looks;
+  }
   figure.curve = roc_curve(std::move(positives), std::move(negatives));
   figure.area = area_below(figure.curve);
   figure.area_interval = bootstrap_area_interval(groups);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@ struct CompassFigure {
   double area = 0.0;            ///< below it
   Interval area_interval;       ///< by bootstrap of whole trials
   double equal_error = 0.0;
-  Interval equal_error_interval;  ///< Wilson's, as if looks were independent
-  double silent = 0.0;            ///< share of looks in which the method says nothing
+  Interval equal_error_interval;        ///< Wilson's, as if looks were independent
+  double silent = 0.0;                  ///< share of looks in which the method says nothing
+  std::optional<double> flipped;        ///< share of mirrored poses that its own rule has flipped by then
+  std::optional<double> false_flipped;  ///< the same of right poses; no value: no rule is known
 };
 
 struct CompassRow {
