@@ -104,8 +104,9 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
   record.belief_after = world_.pose = pose_filter_.belief();
 }
 
-/// Of two opposite hypotheses of another localization that weigh alike, the one that was believed stays believed. The
-/// flip of such a pair is the same pair, so no observation would ever show it: it is carried out here.
+/// If another localization has two opposite hypotheses of about equal weight, the engine keeps the one that it
+/// believes. The flip of such a pair is the same pair, which no observation can show. So the engine flips its own
+/// belief here.
 void FrameLoop::flip_between_equals() {
   if (world_.pose.cluster_weight > parameters_.pose_filter.clusters.lead_to_switch * world_.pose.reflected_weight)
     return;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/nearest_name.h"
 #include "program/run/venue.h"
@@ -119,6 +120,13 @@ bool is_number(const std::string& text, double least, double most) {
 }
 
 }  // namespace
+
+std::function<std::string(const std::string&)> check_number(double least, double most) {
+  return [least, most](const std::string& text) {
+    if (is_number(text, least, most)) return std::string();
+    return fmt::format("expected a number from {:g} to {:g}, found '{}'", least, most, text);
+  };
+}
 
 std::string check_seconds(const std::string& text) {
   return is_number(text, 0.1, 86400.0) ? "" : "'" + text + "' is not a number from 0.1 to 86400";

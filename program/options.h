@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ std::filesystem::path scripts_root(const std::filesystem::path& told, Scripts sc
 std::string check_seed(const std::string& text);
 /// An empty word is rather a variable of the shell without a value than a wish for the default.
 std::string check_not_empty(const std::string& text);
+/// Of numbers from `least` to `most`, both included.
+std::function<std::string(const std::string&)> check_number(double least, double most);
 std::string check_seconds(const std::string& text);
 /// A time of a robot that has been on for a while.
 std::string check_moment(const std::string& text);

@@ -17,6 +17,18 @@ constexpr double kLongestStep = 0.2;       // s; a longer gap is not time in whi
 
 }  // namespace
 
+Comparison comparison_of(const RoomParameters& parameters) {
+  Comparison comparison;
+  comparison.measure = parameters.distance.measure;
+  comparison.cap = parameters.distance.cap;
+  comparison.trusted_after = parameters.background.trusted_after;
+  return comparison;
+}
+
+double evidence_weight(const RoomParameters& parameters, const Separability& separability) {
+  return parameters.evidence.use_separability ? separability.weight() : 1.0;
+}
+
 RoomAwareness::RoomAwareness(const RoomParameters& parameters, std::uint64_t seed)
     : parameters_(parameters), wall_(parameters.wall), filter_(seed) {
   forget();
@@ -27,7 +39,7 @@ const Confidences& RoomAwareness::update(const RoomObservation& view) {
   const double step = std::min(elapsed, kLongestStep);
   perceive(view, elapsed);
   if (view.train) train(step);
-  compared_model_.prepare(model_, wall_, comparison());
+  compared_model_.prepare(model_, wall_, comparison_of(parameters_));
   separability_.observe(compared_model_, wall_);
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
@@ -95,7 +107,7 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   if (view_center_) view_center_ = to_azimuth(*view_center_);
   if (!view_center_ || !std::isfinite(view.odometry_rotation)) return;
   filter_.predict(turn_since_last(view), step, parameters_.view_filter);
-  scores_.compute(perceived_.tiles(), compared_model_, wall_, comparison(),
+  scores_.compute(perceived_.tiles(), compared_model_, wall_, comparison_of(parameters_),
                   tolerated_columns(parameters_.evidence, wall_));
   filter_.correct(scores_, *view_center_, step, parameters_.view_filter);
   filter_.find_clusters();
@@ -122,14 +134,6 @@ double RoomAwareness::turn_since_last(const RoomObservation& view) {
   return before ? angle_difference(*view_center_, *before) : turn;
 }
 
-Comparison RoomAwareness::comparison() const {
-  Comparison comparison;
-  comparison.measure = parameters_.distance.measure;
-  comparison.cap = parameters_.distance.cap;
-  comparison.trusted_after = parameters_.background.trusted_after;
-  return comparison;
-}
-
 void RoomAwareness::restart_confidences() {
   confidences_.current = confidences_.opposite = 0.0;
   confidences_.age = confidences_.smoothed_for = 0.0;
@@ -147,10 +151,8 @@ void RoomAwareness::reflect_evidence() {
   take_evidence();
 }
 
-/// In a symmetric room the evidence is zero, whatever the tiles contribute, unless the parameters say otherwise.
 void RoomAwareness::take_evidence() {
-  const double weight = parameters_.evidence.use_separability ? separability_.weight() : 1.0;
-  confidences_.evidence = weight * evidence_.log_odds();
+  confidences_.evidence = evidence_weight(parameters_, separability_) * evidence_.log_odds();
 }
 
 void RoomAwareness::restart_evidence() {

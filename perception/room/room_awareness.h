@@ -58,6 +58,11 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("views", p.views);
 }
 
+/// How tiles are compared.
+Comparison comparison_of(const RoomParameters& parameters);
+/// The fraction of the log-odds that counts as evidence: none in a symmetric room, unless the parameters say otherwise.
+double evidence_weight(const RoomParameters& parameters, const Separability& separability);
+
 class RoomAwareness {
  public:
   explicit RoomAwareness(const RoomParameters& parameters = {}, std::uint64_t seed = 0);
@@ -128,7 +133,6 @@ class RoomAwareness {
   void restart_evidence();
   void reflect_evidence();
   void take_evidence();
-  Comparison comparison() const;
 
   RoomParameters parameters_;
   Wall wall_;

@@ -1,12 +1,10 @@
 // `reorient room rate`: will room awareness work in this hall, and what would help?
-#include <charconv>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -123,17 +121,6 @@ int rate_named_room(RoomOptions options, std::ostream& out) {
   return rating.verdict == RoomVerdict::told ? kSuccess : kWrong;
 }
 
-/// As CLI::Range, which lets what is not a number through.
-std::function<std::string(const std::string&)> number_within(double least, double most) {
-  return [least, most](const std::string& text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = error == std::errc() && end == text.data() + text.size();
-    if (is_number && value >= least && value <= most) return std::string();
-    return fmt::format("expected a number from {:g} to {:g}, found '{}'", least, most, text);
-  };
-}
-
 void add_rate_options(CLI::App& parser, RoomOptions& options) {
   parser
       .add_option("room", options.source,
@@ -147,7 +134,7 @@ void add_rate_options(CLI::App& parser, RoomOptions& options) {
   parser
       .add_option("--learn", options.learning.seconds,
                   "time for which the simulator learns a panorama, s of the robot's time")
-      ->check(number_within(1.0, 600.0))
+      ->check(check_number(1.0, 600.0))
       ->capture_default_str();
   parser.add_flag("--still", options.learning.stands_still,
                   "learn a panorama from one place beside the field, without walking");
@@ -160,10 +147,10 @@ void add_rate_options(CLI::App& parser, RoomOptions& options) {
       .add_option("--misfit", options.rating.misfit,
                   "mean difference between a look and the model, Hellinger distance: 0.35 on another day in hard "
                   "light, 0.2 in the same light")
-      ->check(number_within(0.0, 0.9))
+      ->check(check_number(0.0, 0.9))
       ->capture_default_str();
   parser.add_option("--banner", options.rating.banner_width, "width of the banner that is tried, m; 0: none is tried")
-      ->check(number_within(0.0, 20.0))
+      ->check(check_number(0.0, 20.0))
       ->capture_default_str();
   parser.add_option("--seed", options.rating.seed, "seed of places, looks and the simulator's noise")
       ->check(check_seed)

@@ -69,10 +69,7 @@ void print_images(const FootageResults& results, std::ostream& out) {
   print_table(lines, 2, out);
 }
 
-void print_failures(
-    const FootageResults& results, double watch,
-    const std::function<std::string(std::size_t footage, std::size_t start, const FootageCase& one)>& command,
-    std::ostream& out) {
+void print_failures(const FootageResults& results, double watch, const TrialCommand& command, std::ostream& out) {
   bool any = false;
   for (std::size_t i = 0; i < results.cells.size(); ++i) {
     const FootageCase& one = results.case_of(i);
@@ -137,10 +134,8 @@ void print_answer(const FootageResults& results, std::ostream& out) {
 
 double to_microseconds(double seconds) { return std::round(seconds * 1e6) / 1e6; }
 
-void print_footage_results(
-    const FootageResults& results, const FootageTrialOptions& options,
-    const std::function<std::string(std::size_t footage, std::size_t start, const FootageCase& one)>& command,
-    std::ostream& out) {
+void print_footage_results(const FootageResults& results, const FootageTrialOptions& options,
+                           const TrialCommand& command, std::ostream& out) {
   print_images(results, out);
   print_failures(results, options.watch, command, out);
   print_unlearned(results, out);

@@ -25,14 +25,14 @@ struct FootageResults {
   const FootageCase& case_of(std::size_t cell) const { return cases[cell % cases.size()]; }
 };
 
+/// What shows the trial of a footage, a start and a case.
+using TrialCommand = std::function<std::string(std::size_t footage, std::size_t start, const FootageCase& one)>;
+
 /// s, as a number on the command line has it.
 double to_microseconds(double seconds);
 
 /// Times in images, what went wrong and why, what limits the figures, and the answer in one line.
-/// `command`: what shows the trial of a footage, a start and a case.
-void print_footage_results(
-    const FootageResults& results, const FootageTrialOptions& options,
-    const std::function<std::string(std::size_t footage, std::size_t start, const FootageCase& one)>& command,
-    std::ostream& out);
+void print_footage_results(const FootageResults& results, const FootageTrialOptions& options,
+                           const TrialCommand& command, std::ostream& out);
 
 }  // namespace reorient

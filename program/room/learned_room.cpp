@@ -1,10 +1,8 @@
 #include "program/room/learned_room.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -15,6 +13,9 @@
 #include "program/model/known_room.h"
 #include "program/model/model_file.h"
 #include "program/run/simulation.h"
+#include "program/run/venue.h"
+#include "workbench/recording/mcap/contents.h"
+#include "workbench/recording/mcap/source.h"
 #include "workbench/recording/recording.h"
 #include "workbench/recording/replay.h"
 #include "workbench/run/run_loop.h"
@@ -26,22 +27,16 @@ constexpr std::string_view kBuiltInHall = "hall";
 constexpr int kRatedWidth = 160;  // pixels of the camera image
 
 bool is_panorama_name(const std::string& source) {
-  constexpr std::array<std::string_view, 4> kPanoramas{".hdr", ".png", ".jpg", ".jpeg"};
   std::string extension = std::filesystem::path(source).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return std::find(kPanoramas.begin(), kPanoramas.end(), extension) != kPanoramas.end();
+  return std::find(kPanoramaExtensions.begin(), kPanoramaExtensions.end(), extension) != kPanoramaExtensions.end();
 }
 
-/// By its first bytes (https://mcap.dev/spec), so that a recording may have any name.
-bool has_magic_of_mcap(const std::filesystem::path& file) {
-  constexpr std::string_view kMagic("\x89MCAP", 5);
+/// By its first bytes, so that a recording may have any name.
+bool is_recording(const std::filesystem::path& file) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return false;  // a pipe would wait
-  std::array<char, kMagic.size()> bytes{};
-  std::ifstream in(file, std::ios::binary);
-  in.read(bytes.data(), bytes.size());
-  return in && std::string_view(bytes.data(), bytes.size()) == kMagic;
+  return std::filesystem::is_regular_file(file, error) && mcap::is_mcap(mcap::FileSource(file));  // a pipe would wait
 }
 
 SavedModel learned_by_simulator(const std::string& source, const Learning& learning, SimulationOptions options,
@@ -111,7 +106,7 @@ LearnedRoom learned_room(const std::string& source, const Learning& learning, Si
     return {what + how, learned_by_simulator(source, learning, std::move(simulation), stop)};
   }
   try {
-    if (has_magic_of_mcap(source)) return {"recording " + name + ", at its end", known_in_recording(source, stop)};
+    if (is_recording(source)) return {"recording " + name + ", at its end", known_in_recording(source, stop)};
     return {"saved model " + name, known_in_file(source)};
   } catch (const std::runtime_error& error) {
     const std::string words = error.what();

@@ -20,8 +20,8 @@ struct LearnedRoom {
   SavedModel model;
 };
 
-/// `source`: "hall" (the built-in one) or a panorama file, which the simulator learns for `learn` seconds of the
-/// robot's time as in the scenario `trial`; a file that `run --model` wrote; or a recording, whose last state counts.
+/// `source`: "hall" (the built-in one) or a panorama file, which the simulator learns as in the
+/// scenario `trial`; a file that `run --model` wrote; or a recording, whose last state counts.
 /// `simulation`: body, field, scripts, parameters and seed. `stop` is asked after each frame. Throws std::runtime_error
 /// with one line.
 LearnedRoom learned_room(const std::string& source, const Learning& learning, SimulationOptions simulation,

@@ -12,7 +12,6 @@
 namespace reorient {
 namespace {
 
-constexpr std::string_view kRooms[] = {".hdr", ".png", ".jpg", ".jpeg"};
 constexpr std::string_view kTomlFiles[] = {".toml"};
 
 /// The files of a folder that may be meant.
@@ -81,7 +80,7 @@ Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting,
   Venue venue;
   const bool room_is_told = !options.room.empty() || options.hall_seed;
   const std::string room = room_is_told ? options.room : file_named_by_script(options.scripts, setting.room);
-  if (!room.empty()) venue.room = existing_file("room", "rooms", room, kRooms).string();
+  if (!room.empty()) venue.room = existing_file("room", "rooms", room, kPanoramaExtensions).string();
   venue.hall_seed = (room_is_told ? options.hall_seed : setting.hall_seed).value_or(1);
   const std::string field =
       options.field.empty() ? file_named_by_script(options.scripts, setting.field) : options.field.string();

@@ -2,15 +2,20 @@
 // and the body's field.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "engine/script/machine/machine_definition.h"
 #include "program/run/run_options.h"
 #include "robots/robot_body.h"
 
 namespace reorient {
+
+/// Of files that may be the panorama of a room.
+inline constexpr std::array<std::string_view, 4> kPanoramaExtensions{".hdr", ".png", ".jpg", ".jpeg"};
 
 struct Venue {
   std::string room;             ///< panorama file; empty: the procedural hall

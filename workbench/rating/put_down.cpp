@@ -25,13 +25,10 @@ void take_overrides(ParameterRegistry& registry, const RatedRobot& robot) {
 /// RoomAwareness behind the images.
 class SyntheticAwareness {
  public:
-  SyntheticAwareness(const RatedModel& model, const CoreParameters& core) : model_(model), core_(core) {
+  SyntheticAwareness(const RatedModel& model, const CoreParameters& core)
+      : model_(model), core_(core), confidences_(model.confidences()) {
     evidence_.restart(model.wall.tiles());
     views_.restart(model.wall.columns());
-    confidences_.coverage = model.compared.coverage();
-    confidences_.paired = model.compared.paired();
-    confidences_.distinctiveness = model.compared.distinctiveness();
-    confidences_.separability = model.separability;
   }
 
   void observe(const std::vector<PerceivedTile>& visible, const Looks& looks, bool is_mirrored) {
@@ -151,25 +148,28 @@ std::optional<DecisionLimits> decision_limits_of(const RatedRobot& robot) {
 }
 
 RatedModel::RatedModel(const SavedModel& model, const CoreParameters& core)
-    : learned(model.model),
-      learned_for(model.learned),
-      wall(model.basis.wall),
-      comparison{core.room.distance.measure, core.room.distance.cap, core.room.background.trusted_after} {
+    : learned(model.model), learned_for(model.learned), wall(model.basis.wall), comparison(comparison_of(core.room)) {
   compared.prepare(learned, wall, comparison);
   Separability test;
   test.restart(wall.columns());
   for (int column = 0; column < wall.columns(); ++column) test.observe(compared, wall);
   separability = test.probability();
-  separability_weight = core.room.evidence.use_separability ? test.weight() : 1.0;
+  separability_weight = evidence_weight(core.room, test);
+}
+
+Confidences RatedModel::confidences() const {
+  Confidences confidences;
+  confidences.coverage = compared.coverage();
+  confidences.paired = compared.paired();
+  confidences.distinctiveness = compared.distinctiveness();
+  confidences.separability = separability;
+  return confidences;
 }
 
 RoomStatus RatedModel::status(const RoomStatusParameters& parameters) const {
   World world;
   world.evaluating = true;
-  world.confidence.coverage = compared.coverage();
-  world.confidence.paired = compared.paired();
-  world.confidence.distinctiveness = compared.distinctiveness();
-  world.confidence.separability = separability;
+  world.confidence = confidences();
   world.confidence.age = parameters.age;
   return room_status(world, parameters);
 }

@@ -53,6 +53,8 @@ struct RatedModel {
   double separability = 0.0;         ///< probability (perception/room/separability.h)
   double separability_weight = 0.0;  ///< of the evidence
 
+  /// Before any look.
+  Confidences confidences() const;
   /// As long as the robot stands and looks around: usable, unlearned or symmetric.
   RoomStatus status(const RoomStatusParameters& parameters) const;
 };

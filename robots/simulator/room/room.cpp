@@ -67,17 +67,17 @@ void check(const RoomShape& shape) {
   const bool sound = (extent.array() >= kLeast).all() && (extent.array() <= kGreatest).all() && shape.height >= 2.5 &&
                      shape.height <= 30.0 && shape.viewpoint_height >= 0.3 &&
                      shape.viewpoint_height <= 0.96 * shape.height && std::isfinite(shape.turn);
-  if (sound) {
-    check_range("symmetry_strength", shape.symmetry_strength, 1.0);
-    check_range("mark", shape.mark, kWidestMark);
-    return;
+  if (!sound) {
+    std::ostringstream message;
+    message
+        << "a room of " << extent.x() << " x " << extent.y() << " x " << shape.height << " m, seen from "
+        << shape.viewpoint_height
+        << " m, cannot be built: choose 4...200 x 4...200 x 2.5...30 m and a viewpoint between 0.3 m and just below "
+           "the ceiling";
+    throw std::runtime_error(message.str());
   }
-  std::ostringstream message;
-  message << "a room of " << extent.x() << " x " << extent.y() << " x " << shape.height << " m, seen from "
-          << shape.viewpoint_height
-          << " m, cannot be built: choose 4...200 x 4...200 x 2.5...30 m and a viewpoint between 0.3 m and just below "
-             "the ceiling";
-  throw std::runtime_error(message.str());
+  check_range("symmetry_strength", shape.symmetry_strength, 1.0);
+  check_range("mark", shape.mark, kWidestMark);
 }
 
 }  // namespace reorient

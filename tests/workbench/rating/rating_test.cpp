@@ -1,4 +1,4 @@
-// What a model of a room promises, on models of rooms that nobody has seen.
+// Ratings of models of rooms, which are drawn at random.
 #include <cmath>
 #include <numeric>
 #include <string>

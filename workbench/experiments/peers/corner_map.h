@@ -31,7 +31,8 @@ void describe(CornerMapParameters& p, Visit&& visit) {
   visit("bits_deviation", p.bits_deviation, 1.0, 256.0, "",
         "standard deviation of the number of bits in which their descriptors differ");
   visit("gain", p.gain, 0.0, 20.0, "", "log-likelihood ratio of a perfect match against a corner without a landmark");
-  visit("least_seen", p.least_seen, 1, 1000, "", "number of frames from which on a landmark counts as evidence");
+  visit("least_seen", p.least_seen, 1, 1000, "",
+        "smallest number of frames in which a landmark was seen before it counts as evidence");
   visit("least_share", p.least_share, 0.0, 1.0, "",
         "smallest share of the frames that should show a landmark in which it has to be found");
 }
