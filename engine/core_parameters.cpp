@@ -64,6 +64,7 @@ void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   for_each_part(parameters.room, [&](const char* prefix, auto& part) { registry.bind(prefix, part); });
   registry.bind("room_status", parameters.room_status);
   registry.bind("goal_view", parameters.goal_view);
+  registry.bind("seen_view", parameters.seen_view);
   registry.bind("arbiter", parameters.arbiter);
 }
 

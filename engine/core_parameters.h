@@ -5,6 +5,7 @@
 #include "engine/world/goal_view.h"
 #include "engine/world/posture.h"
 #include "engine/world/room_status.h"
+#include "engine/world/seen_view.h"
 #include "geometry/field_dimensions.h"
 #include "localization/pose_filter.h"
 #include "perception/field/field_features.h"
@@ -22,6 +23,7 @@ struct CoreParameters {
   RoomParameters room;
   RoomStatusParameters room_status;
   GoalViewParameters goal_view;
+  SeenViewParameters seen_view;
   ArbiterParameters arbiter;
 };
 

@@ -5,6 +5,7 @@
 #include "engine/frame.h"
 #include "engine/stage_timer.h"
 #include "engine/world/goal_view.h"
+#include "engine/world/seen_view.h"
 #include "localization/reorientation.h"
 
 namespace reorient {
@@ -15,9 +16,17 @@ void FrameLoop::localize() {
   if (!take_external_belief()) {
     if (external_belief_) go_on_by_ourselves();
     pose_filter_.predict(odometry_step_, world_.time_step);
-    pose_filter_.update(record_.percepts[kUpper], record_.percepts[kLower],
-                        room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown);
+    pose_filter_.update(
+        record_.percepts[kUpper], record_.percepts[kLower],
+        room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown,
+        room_ ? seen_view(*room_, observation_->odometry.rotation, parameters_.seen_view) : std::nullopt);
     world_.pose = pose_filter_.belief();
+    const auto is_bare = [](const FieldPercept& percept) {
+      return percept.line_points.empty() && percept.goal_posts.empty();
+    };
+    const bool looks = world_.upright() && (observation_->upper || observation_->lower);
+    if (looks && std::all_of(record_.percepts.begin(), record_.percepts.end(), is_bare))
+      pose_filter_.see_nothing(world_.time_step);
     world_.recovery_probability =
         pose_filter_.recovery().recovery_probability(parameters_.pose_filter.injection.lost_margin);
   }

@@ -22,4 +22,12 @@ void fields(Visit&& visit, PoseBelief& belief) {
 /// Which of the two goals is in view, where that is known (the paper's goal views).
 enum class SeenGoal { unknown, opponent, own };
 
+/// Where on the wall the room says that the camera looked. It gives each place on the field its heading.
+struct SeenView {
+  double azimuth = 0.0;    ///< of the point on the wall, rad, field frame
+  double deviation = 0.0;  ///< standard deviation of the azimuth, rad
+  double radius = 1.0;     ///< of the wall, m
+  double direction = 0.0;  ///< in which the camera looked, rad, in the robot's present frame
+};
+
 }  // namespace reorient

@@ -20,6 +20,12 @@ std::size_t particle_count(const PoseFilterParameters& parameters) {
   return static_cast<std::size_t>(std::max(1, parameters.particles));
 }
 
+/// The pose or its reflection, whichever looks nearer to where the room says that the camera looks.
+Pose2 side_of_view(const Pose2& pose, const SeenView& view) {
+  const double off = angle_difference(pose.rotation, heading_of_view(view, pose.position, view.azimuth));
+  return std::abs(off) <= kPi / 2.0 ? pose : reflect(pose);
+}
+
 }  // namespace
 
 PoseFilter::PoseFilter(const PoseFilterParameters& parameters, const FieldDimensions& field, std::uint64_t seed)
@@ -28,6 +34,7 @@ PoseFilter::PoseFilter(const PoseFilterParameters& parameters, const FieldDimens
       random_(seed, kRandomStream),
       measurement_(field, parameters.measurement),
       injection_(field),
+      view_injection_(field),
       clusters_(field),
       particles_(particle_count(parameters)),
       scratch_(particle_count(parameters)),
@@ -76,21 +83,26 @@ void PoseFilter::predict(const Pose2& odometry_step, double time_step) {
   belief_.pose.position = belief_.pose.position.cwiseMax(-half_size_).cwiseMin(half_size_);
 }
 
-void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal) {
+void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view) {
   measurement_.observe(percept);
   if (measurement_.terms() > 0.0) {
     weigh();
     resample();
-    inject(percept, seen_goal);
+    inject(percept, seen_goal, view);
   }
   find_belief();
   if (belief_.cluster_weight > kFoundShare) searching_ = false;
 }
 
-void PoseFilter::update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal) {
-  if (lower.line_points.empty() && lower.goal_posts.empty()) return update(upper, seen_goal);
+void PoseFilter::update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
+                        const std::optional<SeenView>& view) {
+  if (lower.line_points.empty() && lower.goal_posts.empty()) return update(upper, seen_goal, view);
   merge(upper, lower, merged_);
-  update(merged_, seen_goal);
+  update(merged_, seen_goal, view);
+}
+
+void PoseFilter::see_nothing(double time_step) {
+  if (time_step > 0.0) recovery_.see_nothing(std::min(time_step, kLongestStep), parameters_.injection.blind_time);
 }
 
 void PoseFilter::weigh() {
@@ -121,22 +133,31 @@ void PoseFilter::resample() {
   std::swap(particles_, scratch_);
 }
 
-void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal) {
+void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view) {
   const InjectionParameters& p = parameters_.injection;
   if (!p.enabled) return;
-  const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_, p);
-  if (!goal) return;
   const double recovery_probability = searching_ ? 1.0 : recovery_.recovery_probability(p.lost_margin);
-  const double rate =
-      (seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate) + p.lost_rate * recovery_probability;
+  const bool use_view = view && p.use_view && recovery_probability > 0.0 &&
+                        measurement_.line_points() >= static_cast<std::size_t>(p.line_points_with_view);
+  const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_, p);
+  if (!goal && !use_view) return;
+  double rate = p.lost_rate * recovery_probability;
+  if (goal) rate += seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate;
   // Fractions of a particle are injected by chance, so that rates below one particle a frame count as well.
   const auto count = static_cast<int>(rate * static_cast<double>(particles_.size()) + random_.uniform());
   for (int i = 0; i < count; ++i) {
-    const std::optional<Pose2> pose = injection_.draw(*goal, seen_goal, measurement_, p, random_);
+    std::optional<Pose2> pose = goal ? injection_.draw(*goal, seen_goal, measurement_, p, random_)
+                                     : view_injection_.draw(*view, measurement_, p, random_);
     if (!pose) continue;
+    if (goal && seen_goal == SeenGoal::unknown) {
+      if (use_view) {
+        pose = side_of_view(*pose, *view);
+      } else if (!searching_) {
+        pose = keep_sides(*pose);
+      }
+    }
     const std::size_t replaced = random_.below(particles_.size());
-    const bool could_be_either = seen_goal == SeenGoal::unknown && !searching_;
-    particles_.set_pose(replaced, could_be_either ? keep_sides(*pose) : *pose);
+    particles_.set_pose(replaced, *pose);
     particles_.weight[replaced] = 1.0f / static_cast<float>(particles_.size());
   }
   if (count > 0) normalize_weights(particles_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/field_dimensions.h"
@@ -11,6 +12,7 @@
 #include "localization/measurement/goal_injection.h"
 #include "localization/measurement/measurement_model.h"
 #include "localization/measurement/recovery_estimator.h"
+#include "localization/measurement/view_injection.h"
 #include "localization/particles/motion_model.h"
 #include "localization/particles/particle_set.h"
 #include "localization/particles/pose_clusters.h"
@@ -47,14 +49,19 @@ class PoseFilter {
   void set_initial_pose(const Pose2& pose, double position_deviation, double rotation_deviation);
   /// Nobody knows.
   void initialize_globally();
+  /// The robot looked, and saw nothing of the field. `time_step`: s.
+  void see_nothing(double time_step);
+  /// The robot was carried or fell: it may stand elsewhere than where the particles are.
+  void doubt() { recovery_.doubt(); }
 
   /// Follows the robot's motion since the last frame, `odometry_step` = last.inverse() * now, over `time_step` seconds.
   void predict(const Pose2& odometry_step, double time_step);
-  /// Weighs and resamples the particles by what was seen, and injects new ones where a goal was seen. What is not
-  /// finite in the percept is left out.
-  void update(const FieldPercept& percept, SeenGoal seen_goal);
+  /// Weighs and resamples the particles by what was seen, and injects new ones where a goal was seen; where the robot
+  /// is lost, with the headings that the view gives, too. What is not finite in the percept is left out.
+  void update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view = std::nullopt);
   /// The same with what two cameras saw; each in the robot's present frame.
-  void update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal);
+  void update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
+              const std::optional<SeenView>& view = std::nullopt);
 
   /// The commands; belief() is up to date when they return.
   void flip_pose();
@@ -82,7 +89,7 @@ class PoseFilter {
   void complete();
   void weigh();
   void resample();
-  void inject(const FieldPercept& percept, SeenGoal seen_goal);
+  void inject(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view);
   Pose2 keep_sides(const Pose2& drawn);
   void find_belief() { belief_ = clusters_.find(particles_, belief_, parameters_.clusters); }
 
@@ -91,6 +98,7 @@ class PoseFilter {
   Random random_;
   MeasurementModel measurement_;
   GoalInjection injection_;
+  ViewInjection view_injection_;
   RecoveryEstimator recovery_;
   PoseClusters clusters_;
   ParticleSet particles_;

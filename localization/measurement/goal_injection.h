@@ -22,6 +22,9 @@ struct InjectionParameters {
   double slow_time = 60.0;
   double fast_time = 0.7;
   double lost_margin = 0.6;
+  double blind_time = 10.0;
+  bool use_view = true;
+  int line_points_with_view = 20;
   int candidates = 25;
   double goal_width_tolerance = 0.5;
   int line_points_with_one_post = 8;
@@ -37,6 +40,12 @@ void describe(InjectionParameters& p, Visit&& visit) {
   visit("fast_time", p.fast_time, 0.05, 60.0, "s", "time over which their present fit is averaged");
   visit("lost_margin", p.lost_margin, 0.05, 1.0, "",
         "the robot counts as lost once the present fit is below this share of the usual");
+  visit("blind_time", p.blind_time, 1.0, 600.0, "s",
+        "time in which the present fit fades while the robot looks and sees nothing of the field");
+  visit("use_view", p.use_view,
+        "whether a lost robot gets headings from where the room says that the camera looks, without a goal, too");
+  visit("line_points_with_view", p.line_points_with_view, 0, 200, "",
+        "how many line points must be seen for a place to be drawn without a goal");
   visit("candidates", p.candidates, 1, 100, "", "how many poses are drawn for each new particle; the best is taken");
   visit("goal_width_tolerance", p.goal_width_tolerance, 0.05, 1.5, "m",
         "two posts make a goal when their distance is right within this");

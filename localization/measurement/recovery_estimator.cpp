@@ -9,18 +9,21 @@ namespace reorient {
 
 void RecoveryEstimator::update(double fit, double elapsed, double slow_time, double fast_time) {
   age_ += elapsed;
-  const auto approach = [&](double from, double time) {
-    const double share = age_ <= time ? elapsed / age_ : 1.0 - pinned::exp(-elapsed / time);
+  fast_age_ += elapsed;
+  const auto approach = [&](double from, double age, double time) {
+    const double share = age <= time ? elapsed / age : 1.0 - pinned::exp(-elapsed / time);
     return from + share * (fit - from);
   };
-  if (age_ <= 0.0) return;
-  slow_ = approach(slow_, slow_time);
-  fast_ = approach(fast_, fast_time);
+  if (fast_age_ <= 0.0) return;
+  slow_ = approach(slow_, age_, slow_time);
+  fast_ = approach(fast_, fast_age_, fast_time);
 }
+
+void RecoveryEstimator::see_nothing(double elapsed, double blind_time) { fast_ *= pinned::exp(-elapsed / blind_time); }
 
 /// After reading.
 void RecoveryEstimator::complete() const {
-  check_bytes(age_ >= 0.0 && std::isfinite(age_), "a time is not a time");
+  for (const double age : {age_, fast_age_}) check_bytes(age >= 0.0 && std::isfinite(age), "a time is not a time");
   for (const double fit : {slow_, fast_})
     check_bytes(fit >= 0.0 && fit <= 1.0, "how well the pose particles fit is not a share");
 }

@@ -11,10 +11,16 @@ class RecoveryEstimator {
  public:
   /// Forgets what fit is usual here.
   void restart() { *this = RecoveryEstimator(); }
+  /// The robot may be elsewhere by now: the present fit is that from now on.
+  void doubt() { fast_age_ = 0.0; }
 
   /// Takes in the fit of a frame, a likelihood per observation in [0, 1], `elapsed` seconds after the one before.
   /// Both averages are true means until their time constants (s) have passed.
   void update(double fit, double elapsed, double slow_time, double fast_time);
+
+  /// Nothing of the field was seen for `elapsed` seconds, although the robot looked: the present fit fades, and is gone
+  /// after some times `blind_time`, s.
+  void see_nothing(double elapsed, double blind_time);
 
   double slow() const { return slow_; }
   double fast() const { return fast_; }
@@ -26,14 +32,15 @@ class RecoveryEstimator {
   /// Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(age_, slow_, fast_);
+    archive(age_, fast_age_, slow_, fast_);
     if constexpr (Archive::kReads) complete();
   }
 
  private:
   void complete() const;
 
-  double age_ = 0.0;  ///< s
+  double age_ = 0.0;       ///< s
+  double fast_age_ = 0.0;  ///< s since the doubt
   double slow_ = 0.0;
   double fast_ = 0.0;
 };

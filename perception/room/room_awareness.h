@@ -110,6 +110,8 @@ class RoomAwareness {
   const Light& light() const { return light_.light(); }
   /// Where on the wall the belief says that the camera looked in the last frame, rad; nothing if nowhere.
   std::optional<double> center_of_view() const { return view_center_; }
+  /// In which direction the camera looked in the last frame that was evaluated: rad, in the frame of the odometry.
+  std::optional<double> last_direction() const { return last_direction_; }
   /// Which way to turn the camera, as of the last frame.
   const InformativeViews& informative_views() const { return views_.views(); }
 

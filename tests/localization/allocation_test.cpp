@@ -47,5 +47,21 @@ TEST(PoseFilterMemory, IsNotAllocatedInTheSteadyStateNorByCommands) {
   EXPECT_GT(before, 0u);
 }
 
+TEST(PoseFilterMemory, IsNotAllocatedByALostRobotThatKnowsItsView) {
+  PoseFilter filter(PoseFilterParameters(), FieldDimensions(), 1);  // which starts anywhere
+  const Pose2 start(2.0, 0.5, 0.0);
+  SyntheticField field(FieldDimensions(), PerceptErrors{.missed_posts = 1.0}, 1);
+  const FieldPercept percept = field.look(start, 0.0, 0.0);
+  const SeenView view{.azimuth = azimuth_from(start, 0.0, 8.0), .deviation = 0.2, .radius = 8.0, .direction = 0.0};
+  const auto frame = [&] {
+    filter.predict(Pose2(), 1.0 / 30.0);
+    filter.update(percept, SeenGoal::unknown, view);
+  };
+  frame();
+  const std::size_t before = allocations;
+  frame();
+  EXPECT_EQ(allocations, before);
+}
+
 }  // namespace
 }  // namespace reorient

@@ -199,6 +199,26 @@ TEST(PoseFilter, IsNotLostForOneBadFrameAfterALongTimeWithoutAny) {
   EXPECT_GT(filter.recovery().recovery_probability(InjectionParameters().lost_margin), 0.0);
 }
 
+TEST(PoseFilter, IsLostAfterItHasLookedForLongAndSeenNothing) {
+  PoseFilter filter = spl_filter();
+  filter.see_nothing(30.0);  // before anything was seen nothing is usual
+  const Pose2 start(-3.2, 0.0, 0.0);
+  filter.set_initial_pose(start, 0.1, 0.05);
+  SyntheticRobot robot(filter, start, 1);
+  robot.stand_for(10.0);
+  const auto probability = [&] { return filter.recovery().recovery_probability(InjectionParameters().lost_margin); };
+  const auto see_nothing_for = [&](double seconds) {
+    for (double time = 0.0; time < seconds; time += 0.1) filter.see_nothing(0.1);
+  };
+  see_nothing_for(3.0);
+  EXPECT_EQ(probability(), 0.0);
+  see_nothing_for(12.0);
+  EXPECT_GT(probability(), 0.3);
+  robot.stand_for(3.0);  // it was right all the while
+  EXPECT_EQ(probability(), 0.0);
+  EXPECT_TRUE(robot.believes_truth());
+}
+
 TEST(PoseFilter, InjectsNothingWhenInjectionIsSwitchedOff) {
   PoseFilterParameters parameters;
   parameters.injection.enabled = false;
@@ -245,7 +265,7 @@ TEST(PoseFilter, DescribesEachParameterOnceWithADefaultInItsRange) {
   EXPECT_EQ(count(parameters), 2u);
   EXPECT_EQ(count(parameters.motion), sizeof(MotionModelParameters) / sizeof(double));
   EXPECT_EQ(count(parameters.measurement), sizeof(MeasurementModelParameters) / sizeof(double));
-  EXPECT_EQ(count(parameters.injection), 10u);
+  EXPECT_EQ(count(parameters.injection), 13u);
   EXPECT_EQ(count(parameters.clusters), sizeof(PoseClusterParameters) / sizeof(double));
 }
 

@@ -31,6 +31,23 @@ TEST(RecoveryEstimator, IsLostSoonAfterTheFitDrops) {
   EXPECT_GT(estimator.recovery_probability(0.6), 0.4);
 }
 
+TEST(RecoveryEstimator, IsLostAtOnceAfterADoubtWhereNothingFits) {
+  RecoveryEstimator estimator;
+  feed(estimator, 0.6, 10.0);
+  estimator.doubt();
+  EXPECT_EQ(estimator.recovery_probability(0.6), 0.0);
+  feed(estimator, 0.1, 0.1);
+  EXPECT_GT(estimator.recovery_probability(0.6), 0.4);
+}
+
+TEST(RecoveryEstimator, IsNotLostAfterADoubtWhereAllFitsAsBefore) {
+  RecoveryEstimator estimator;
+  feed(estimator, 0.6, 10.0);
+  estimator.doubt();
+  feed(estimator, 0.6, 0.1);
+  EXPECT_EQ(estimator.recovery_probability(0.6), 0.0);
+}
+
 TEST(RecoveryEstimator, OverlooksASingleBadFrame) {
   RecoveryEstimator estimator;
   feed(estimator, 0.6, 10.0);
@@ -58,7 +75,7 @@ TEST(RecoveryEstimator, IsNotReadFromWhatCannotBe) {
   for (const double bad : {kNaN, -1.0, 2.0}) {
     std::vector<std::byte> bytes;
     ByteWriter writer(bytes);
-    writer(1.0, 0.5, bad);
+    writer(1.0, 1.0, 0.5, bad);
     RecoveryEstimator estimator;
     ByteReader reader(bytes);
     EXPECT_THROW(reader(estimator), BadBytes) << bad;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/transform.h"
 #include "localization/measurement/field_map.h"
 
 namespace reorient {
@@ -77,6 +78,13 @@ FieldPercept SyntheticField::look(const Pose2& truth, double head_yaw, double ti
   return percept;
 }
 
+double azimuth_from(const Pose2& robot, double yaw, double radius) {
+  const Eigen::Vector2d ahead = unit_vector(robot.rotation + yaw);
+  const double along = ahead.dot(robot.position);
+  const double to_wall = -along + std::sqrt(along * along + radius * radius - robot.position.squaredNorm());
+  return direction_of(robot.position + to_wall * ahead);
+}
+
 SyntheticRobot::SyntheticRobot(PoseFilter& filter, const Pose2& where, std::uint64_t seed, const PerceptErrors& errors)
     : truth(where), filter_(filter), field_(FieldDimensions(), errors, seed), random_(seed, 2) {}
 
@@ -99,7 +107,12 @@ void SyntheticRobot::step(const Pose2& motion, SeenGoal seen_goal) {
   const double way = motion.position.norm();
   const Eigen::Vector2d jitter(0.1 * way * random_.normal(), 0.1 * way * random_.normal());
   filter_.predict({1.08 * motion.position + jitter, 0.93 * motion.rotation + 0.035 * way}, kFrame);
-  filter_.update(field_.look(truth, scanning_yaw(time), time), seen_goal);
+  const double yaw = scanning_yaw(time);
+  std::optional<SeenView> view;
+  if (wall_radius)
+    view = {
+        .azimuth = azimuth_from(truth, yaw, *wall_radius), .deviation = 0.2, .radius = *wall_radius, .direction = yaw};
+  filter_.update(field_.look(truth, yaw, time), seen_goal, view);
 }
 
 double SyntheticRobot::rotation_error() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/field_dimensions.h"
@@ -53,6 +54,9 @@ class SyntheticField {
 /// Head movement of a scanning robot, rad.
 inline double scanning_yaw(double time) { return 1.4 * std::sin(2.0 * kPi * time / 5.0); }
 
+/// Where on a wall of `radius` m around the center of the field a robot looks whose camera is turned by `yaw`: rad.
+double azimuth_from(const Pose2& robot, double yaw, double radius);
+
 /// A robot with a pose filter, both a frame (1/30 s) at a time.
 class SyntheticRobot {
  public:
@@ -61,6 +65,8 @@ class SyntheticRobot {
   /// Where it really is; may be overwritten to pick it up and put it down.
   Pose2 truth;
   double time = 0.0;  ///< s
+  /// Of a room that tells where on its wall the camera looks, m. Nothing: no room.
+  std::optional<double> wall_radius;
 
   /// Stands and scans its head for a frame.
   void stand(SeenGoal seen_goal = SeenGoal::unknown) { step(Pose2(), seen_goal); }

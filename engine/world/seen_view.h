@@ -1,0 +1,40 @@
+// Where the camera looks, by the room alone: a heading for a pose filter that is lost.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "localization/pose_belief.h"
+#include "perception/room/room_awareness.h"
+
+namespace reorient {
+
+struct SeenViewParameters {
+  double share = 0.6;
+  double separability = 0.8;
+  double deviation = 0.2;
+};
+
+template <typename Visit>
+void describe(SeenViewParameters& p, Visit&& visit) {
+  visit("share", p.share, 0.5, 1.0, "", "share of the belief of the view that must gather at one place of the wall");
+  visit("separability", p.separability, 0.5, 1.0, "",
+        "how probable it must be that the room can tell a pose from its reflection");
+  visit("deviation", p.deviation, 0.01, 1.0, "rad",
+        "by how much, at least, the view may be off, since the robot may stand far from where it learned the room");
+}
+
+/// Of the last frame that the room has seen. `odometry_rotation`: now, rad. Nothing where the room cannot say.
+inline std::optional<SeenView> seen_view(const RoomAwareness& room, double odometry_rotation,
+                                         const SeenViewParameters& parameters) {
+  const auto clusters = room.view_filter().clusters();
+  const std::optional<double> direction = room.last_direction();
+  if (clusters.empty() || !direction || clusters.front().share < parameters.share) return std::nullopt;
+  if (room.confidences().separability < parameters.separability) return std::nullopt;
+  return SeenView{.azimuth = clusters.front().azimuth,
+                  .deviation = std::max(clusters.front().spread, parameters.deviation),
+                  .radius = room.wall().radius(),
+                  .direction = angle_difference(*direction, odometry_rotation)};
+}
+
+}  // namespace reorient

@@ -1,0 +1,56 @@
+#include "localization/measurement/view_injection.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "geometry/angle.h"
+#include "geometry/transform.h"
+
+namespace reorient {
+namespace {
+
+constexpr double kBesideBest = 0.5;         // m, standard deviation
+constexpr double kTurnedBesideBest = 0.15;  // rad
+
+double rough(double deviation, Random& random) { return deviation * static_cast<double>(rough_normal(random)); }
+
+}  // namespace
+
+double heading_of_view(const SeenView& view, const Eigen::Vector2d& position, double azimuth) {
+  return angle_difference(direction_of(view.radius * unit_vector(azimuth) - position), view.direction);
+}
+
+ViewInjection::ViewInjection(const FieldDimensions& field) : carpet_(carpet_half_size(field)) {}
+
+Pose2 ViewInjection::draw(const SeenView& view, const MeasurementModel& observed, const InjectionParameters& parameters,
+                          Random& random) {
+  const auto half = static_cast<std::size_t>(std::max(1, parameters.candidates / 2));
+  if (candidates_.size() != half) candidates_ = ParticleSet(half);
+  Pose2 best;
+  float least = 0.0f;
+  const auto take_best = [&](bool is_first) {
+    observed.costs(candidates_, costs_);
+    const auto found = std::min_element(costs_.begin(), costs_.end());
+    if (!is_first && *found >= least) return;
+    least = *found;
+    best = candidates_.pose(static_cast<std::size_t>(found - costs_.begin()));
+  };
+  for (std::size_t i = 0; i < half; ++i) {
+    const double x = random.uniform(-carpet_.x(), carpet_.x());
+    const double y = random.uniform(-carpet_.y(), carpet_.y());
+    const double azimuth = view.azimuth + rough(view.deviation, random);
+    candidates_.set_pose(i, {{x, y}, heading_of_view(view, {x, y}, azimuth)});
+  }
+  take_best(true);
+  const Pose2 center = best;
+  for (std::size_t i = 0; i < half; ++i) {
+    const double x = center.position.x() + rough(kBesideBest, random);
+    const double y = center.position.y() + rough(kBesideBest, random);
+    const double turn = rough(kTurnedBesideBest, random);
+    candidates_.set_pose(i, {Eigen::Vector2d(x, y).cwiseMax(-carpet_).cwiseMin(carpet_), center.rotation + turn});
+  }
+  take_best(false);
+  return best;
+}
+
+}  // namespace reorient
