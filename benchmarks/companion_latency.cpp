@@ -117,10 +117,13 @@ int measure(const char* program, double seconds) {
           nullptr);
     _exit(127);
   }
-  std::this_thread::sleep_for(std::chrono::seconds(1));
   static reorient_client client;
   const reorient_hello hello = hello_of(shots.front().camera);
-  if (reorient_open(&client, socket.c_str(), &hello) != 0) return std::perror("companion_latency"), 2;
+  const Clock::time_point latest = Clock::now() + std::chrono::seconds(30);
+  while (reorient_open(&client, socket.c_str(), &hello) != 0) {  // the server does not listen yet
+    if (Clock::now() > latest) return std::perror("companion_latency"), 2;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
   std::vector<double> times;
   int lost = 0;
   const Clock::time_point begin = Clock::now();
