@@ -76,7 +76,7 @@ pictures::RatingView rating_picture(const LearnedRoom& room, const RoomRating& r
   pictures::RatingView view;
   view.field = field;
   view.title = "Where the evidence comes from";
-  view.notes = {room.from, verdict_in_words(rating)};
+  view.notes = {room.from, "verdict: " + verdict_in_words(rating)};
   if (rating.times && rating.times->mean)
     view.notes.push_back(fmt::format("time to correction: mean {:.1f} s", *rating.times->mean));
   const Wall wall(room.model.basis.wall);
@@ -118,7 +118,7 @@ int rate_named_room(RoomOptions options, std::ostream& out) {
     pictures::write_png(options.picture, pictures::draw_rating(rating_picture(room, rating, robot.field)));
     out << "picture: " << options.picture.string() << '\n';
   }
-  return rating.verdict == RoomVerdict::told ? kSuccess : kWrong;
+  return rating.verdict == RoomVerdict::works ? kSuccess : kWrong;
 }
 
 void add_rate_options(CLI::App& parser, RoomOptions& options) {

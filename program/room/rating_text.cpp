@@ -113,21 +113,21 @@ ordered_json rating_part(const BannerRating& rating) {
 
 std::string verdict_in_words(const RoomRating& rating) {
   switch (rating.verdict) {
-    case RoomVerdict::told:
-      return "told";
+    case RoomVerdict::works:
+      return "works";
     case RoomVerdict::unlearned:
-      return fmt::format("not told: too little was learned, {:.0f} % of the wall (at least {:.0f} % are needed){}",
+      return fmt::format("does not work: too little was learned, {:.0f} % of the wall (at least {:.0f} % are needed){}",
                          100.0 * rating.coverage, 100.0 * rating.least_coverage,
                          rating.coverage < rating.least_coverage ? "" : " and background_training would learn on");
     case RoomVerdict::symmetric:
       return fmt::format(
-          "not told: the room looks the same after half a turn, separability {:.2f} (at least {:.2f} is "
+          "does not work: the room looks the same after half a turn, separability {:.2f} (at least {:.2f} is "
           "needed), distinctiveness {:.2f} (at least {:.2f})",
           rating.separability, rating.least_separability, rating.distinctiveness, rating.least_distinctiveness);
     case RoomVerdict::weak:
       break;
   }
-  return "not told: the evidence is too weak for most robots";
+  return "does not work: the evidence is too weak for most robots";
 }
 
 void print_rating(const LearnedRoom& room, const RoomRating& rating, std::ostream& out) {
@@ -164,7 +164,7 @@ std::string rating_as_json(const LearnedRoom& room, const RoomRating& rating) {
   for (const DirectionRating& one : rating.directions) directions.push_back(rating_part(one));
   const ordered_json json{{"room", as_utf8(room.from)},
                           {"verdict", to_string(rating.verdict)},
-                          {"told", rating.verdict == RoomVerdict::told},
+                          {"works", rating.verdict == RoomVerdict::works},
                           {"reason", verdict_in_words(rating)},
                           {"learned_s", rounded(room.model.learned, 3)},
                           {"misfit", rating.misfit},

@@ -63,13 +63,13 @@ std::pair<int, int> size_of_png(const std::string& file) {
 TEST_F(RoomRate, TellsTheBuiltInHallAndWritesPictureAndNumbers) {
   const ProgramRun run = rate({"hall", "--learn", "30", "--picture", path("ring.png"), "--json", path("hall.json")});
   ASSERT_EQ(run.code, kSuccess) << run.err << run.out;
-  for (const char* const line : {"verdict: told\n", "time to correction of a mirrored belief: mean ",
+  for (const char* const line : {"verdict: works\n", "time to correction of a mirrored belief: mean ",
                                  "false flips: ", "  best:\n", "  worst:\n", "what would help: ", "picture: "})
     EXPECT_NE(run.out.find(line), std::string::npos) << line << run.out;
   EXPECT_EQ(size_of_png(path("ring.png")), (std::pair{pictures::kRatingWidth, pictures::kRatingHeight}));
   const auto json = read_json(path("hall.json"));
-  EXPECT_EQ(json["verdict"], "told");
-  EXPECT_EQ(json["told"], true);
+  EXPECT_EQ(json["verdict"], "works");
+  EXPECT_EQ(json["works"], true);
   EXPECT_EQ(json["times"]["trials"], 8);
   EXPECT_GT(json["times"]["mean_s"], 1.0);
   EXPECT_LT(json["times"]["mean_s"], 5.0);
@@ -80,7 +80,8 @@ TEST_F(RoomRate, SaysOfTheTwoFoldTwinThatNothingTellsItsEndsApart) {
   const ProgramRun run =
       rate({"hall", "--set", "room_shape.symmetry=two_fold", "--banner", "0", "--json", path("twin.json")});
   EXPECT_EQ(run.code, kWrong) << run.err << run.out;
-  EXPECT_NE(run.out.find("verdict: not told: the room looks the same after half a turn"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("verdict: does not work: the room looks the same after half a turn"), std::string::npos)
+      << run.out;
   const auto json = read_json(path("twin.json"));
   EXPECT_EQ(json["verdict"], "symmetric");
   EXPECT_TRUE(json["times"].is_null());
@@ -89,8 +90,9 @@ TEST_F(RoomRate, SaysOfTheTwoFoldTwinThatNothingTellsItsEndsApart) {
 TEST_F(RoomRate, SaysOfAQuarterOfAWallThatItIsTooLittle) {
   const ProgramRun run = rate({file_of(some_model(1, 0, 0.1, 0, 12))});
   EXPECT_EQ(run.code, kWrong) << run.err;
-  EXPECT_NE(run.out.find("verdict: not told: too little was learned, 25 % of the wall (at least 30 % are needed)\n"),
-            std::string::npos)
+  EXPECT_NE(
+      run.out.find("verdict: does not work: too little was learned, 25 % of the wall (at least 30 % are needed)\n"),
+      std::string::npos)
       << run.out;
   EXPECT_NE(run.out.find("what would help: let the robot learn more"), std::string::npos) << run.out;
 }
@@ -102,7 +104,7 @@ TEST_F(RoomRate, WritesTheFieldsThatAreDocumented) {
     for (const std::string& name : names) EXPECT_TRUE(object.contains(name)) << name;
     EXPECT_EQ(object.size(), names.size()) << object.dump();
   };
-  has_all(json, {"room", "verdict", "told", "reason", "learned_s", "misfit", "coverage", "distinctiveness",
+  has_all(json, {"room", "verdict", "works", "reason", "learned_s", "misfit", "coverage", "distinctiveness",
                  "separability", "times", "false_flips", "directions", "banner"});
   has_all(json["times"], {"trials", "evaluated", "corrected", "limit_s", "mean_s", "p90_s", "mean_up_to_limit_s"});
   has_all(json["false_flips"], {"per_hour", "trials", "flips", "seconds", "mean_evidence", "evidence_deviation"});

@@ -137,7 +137,7 @@ RoomVerdict verdict_of(RoomStatus status, const std::optional<CorrectionTimes>& 
   if (status == RoomStatus::unlearned || (times && times->evaluated == 0)) return RoomVerdict::unlearned;
   if (status == RoomStatus::symmetric) return RoomVerdict::symmetric;
   const bool is_weak = !times || 2 * times->corrected < times->trials;
-  return is_weak ? RoomVerdict::weak : RoomVerdict::told;
+  return is_weak ? RoomVerdict::weak : RoomVerdict::works;
 }
 
 BannerRating rate_banners(Rating& rating, const SavedModel& model, const RatedModel& rated) {
@@ -169,8 +169,8 @@ BannerRating rate_banners(Rating& rating, const SavedModel& model, const RatedMo
 
 std::string_view to_string(RoomVerdict verdict) {
   switch (verdict) {
-    case RoomVerdict::told:
-      return "told";
+    case RoomVerdict::works:
+      return "works";
     case RoomVerdict::unlearned:
       return "unlearned";
     case RoomVerdict::symmetric:

@@ -24,12 +24,12 @@ struct RatingOptions {
 
 /// Whether the room tells a pose from the mirrored pose.
 enum class RoomVerdict {
-  told,       ///< it does
+  works,      ///< it does
   unlearned,  ///< too little of the wall is learned, or too short a time
   symmetric,  ///< it looks the same after half a turn
   weak        ///< more than half of the robots are not corrected within the limit
 };
-/// "told", "unlearned", "symmetric", "weak".
+/// "works", "unlearned", "symmetric", "weak".
 std::string_view to_string(RoomVerdict verdict);
 
 /// Of robots with a mirrored belief.

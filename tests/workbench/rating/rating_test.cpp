@@ -71,7 +71,7 @@ double mean_misfit(const SavedModel& model, double scale) {
 
 TEST(RoomRating, TellsHowSoonAMirroredRobotIsRightInARoomOfManyColors) {
   const RoomRating rating = rate_room(some_model(1), a_robot(), few_robots());
-  EXPECT_EQ(rating.verdict, RoomVerdict::told);
+  EXPECT_EQ(rating.verdict, RoomVerdict::works);
   ASSERT_TRUE(rating.times && rating.times->mean && rating.times->within_90);
   EXPECT_EQ(rating.times->corrected, 12);
   EXPECT_GT(*rating.times->mean, 1.0);
