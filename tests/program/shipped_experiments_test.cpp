@@ -28,7 +28,8 @@ Condition shortened(Condition condition) {
   condition.seconds = 20.0;
   condition.measurement.limit = 1.0;
   condition.measurement.hold = 0.5;
-  for (const char* name : {"trial.learn", "turned_round.learn", "kidnapped.learn", "fallen.learn", "elsewhere.learn"})
+  for (const char* name : {"trial.learn", "turned_round.learn", "kidnapped.learn", "fallen.learn", "elsewhere.learn",
+                           "learned_mirrored.learn"})
     condition.parameters.push_back({name, "2", ParameterOrigin::file, "this test"});
   for (const char* name : {"trial.wait_least", "trial.wait_most"})
     condition.parameters.push_back({name, "0", ParameterOrigin::file, "this test"});
@@ -80,8 +81,8 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                          ::testing::Values("table1", "orientation", "false_flips", "symmetric", "symmetry_ladder",
                                            "symmetry_mark", "another_day", "bodies", "disturbances", "elsewhere",
-                                           "companions", "stress", "ablation", "filters", "gaze", "paper_thresholds",
-                                           "peers", "peers_failures", "turned_round", "walls"),
+                                           "companions", "stress", "ablation", "filters", "gaze", "learned_mirrored",
+                                           "paper_thresholds", "peers", "peers_failures", "turned_round", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
@@ -172,11 +173,12 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"ablation",       "another_day", "bodies",           "companions",
-                                             "disturbances",   "elsewhere",   "false_flips",      "filters",
-                                             "gaze",           "orientation", "paper_thresholds", "peers",
-                                             "peers_failures", "stress",      "symmetric",        "symmetry_ladder",
-                                             "symmetry_mark",  "table1",      "turned_round",     "walls"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{
+                "ablation",    "another_day",    "bodies", "companions",       "disturbances",    "elsewhere",
+                "false_flips", "filters",        "gaze",   "learned_mirrored", "orientation",     "paper_thresholds",
+                "peers",       "peers_failures", "stress", "symmetric",        "symmetry_ladder", "symmetry_mark",
+                "table1",      "turned_round",   "walls"}));
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+--- Tests of scenarios/learned_mirrored.lua.
+
+local function learn(remedy)
+  set_param("learned_mirrored.learn", "5")
+  set_param("learned_mirrored.timeout", "10")
+  set_param("learned_mirrored.remedy", remedy)
+  load_scenario "learned_mirrored"
+  advance(0.1)
+  expect.action("put_down")
+  expect.action("set_initial_pose")
+  set_world {
+    truth = { x = 1, y = 0.5, rotation = 0.3 },
+    pose = { x = -1, y = -0.5, rotation = 0.3 - math.pi },
+  }
+  advance(5.1)
+  expect.state("learned_mirrored", "measured")
+end
+
+test("fails when nothing is done and the belief stays mirrored", function()
+  learn("none")
+  advance(10.1)
+  expect.verdict(false, "2.24 m and 180 degrees off")
+end)
+
+test("sets the true pose as a remedy, and succeeds when the belief stays right", function()
+  learn("told")
+  expect.action("set_initial_pose")
+  set_world { pose = { x = 1, y = 0.5, rotation = 0.3 } }
+  advance(10.1)
+  expect.verdict(true, "0.00 m and 0 degrees off")
+end)
