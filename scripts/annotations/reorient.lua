@@ -341,6 +341,10 @@ function library.is_belief_right() end
 ---@return string
 function library.error_in_words() end
 
+--- Ends the run; the verdict names the error of the belief.
+---@param is_right boolean whether the run succeeds
+function library.give_verdict(is_right) end
+
 --- Whether the robot really stands near a penalty mark.
 ---@param side number -1 for the mark of its own half, 1 for the other
 ---@param distance number m

@@ -43,6 +43,13 @@ function ground_truth.error_in_words()
   return string.format("%.2f m and %.0f degrees off", distance, math.deg(turn))
 end
 
+--- Ends the run; the verdict names the error of the belief.
+---@param is_right boolean whether the run succeeds
+function ground_truth.give_verdict(is_right)
+  local judge = is_right and verdict.succeed or verdict.fail
+  judge("in the end the belief is " .. ground_truth.error_in_words())
+end
+
 --- Whether the robot really stands near a penalty mark.
 ---@param side number -1 for the mark of its own half, 1 for the other
 ---@param distance number m
