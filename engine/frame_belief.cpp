@@ -21,11 +21,8 @@ void FrameLoop::localize() {
         room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown,
         room_ ? seen_view(*room_, observation_->odometry.rotation, parameters_.seen_view) : std::nullopt);
     world_.pose = pose_filter_.belief();
-    const auto is_bare = [](const FieldPercept& percept) {
-      return percept.line_points.empty() && percept.goal_posts.empty();
-    };
     const bool looks = world_.upright() && (observation_->upper || observation_->lower);
-    if (looks && std::all_of(record_.percepts.begin(), record_.percepts.end(), is_bare))
+    if (looks && !record_.percepts[kUpper].has_landmarks() && !record_.percepts[kLower].has_landmarks())
       pose_filter_.see_nothing(world_.time_step);
     world_.recovery_probability =
         pose_filter_.recovery().recovery_probability(parameters_.pose_filter.injection.lost_margin);

@@ -96,7 +96,7 @@ void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal, const s
 
 void PoseFilter::update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
                         const std::optional<SeenView>& view) {
-  if (lower.line_points.empty() && lower.goal_posts.empty()) return update(upper, seen_goal, view);
+  if (!lower.has_landmarks()) return update(upper, seen_goal, view);
   merge(upper, lower, merged_);
   update(merged_, seen_goal, view);
 }

@@ -49,8 +49,6 @@ class PoseFilter {
   void set_initial_pose(const Pose2& pose, double position_deviation, double rotation_deviation);
   /// Nobody knows.
   void initialize_globally();
-  /// The robot looked, and saw nothing of the field. `time_step`: s.
-  void see_nothing(double time_step);
   /// The robot was carried or fell: it may stand elsewhere than where the particles are.
   void doubt() { recovery_.doubt(); }
 
@@ -62,6 +60,8 @@ class PoseFilter {
   /// The same with what two cameras saw; each in the robot's present frame.
   void update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
               const std::optional<SeenView>& view = std::nullopt);
+  /// The robot looked, and saw nothing of the field. `time_step`: s.
+  void see_nothing(double time_step);
 
   /// The commands; belief() is up to date when they return.
   void flip_pose();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "geometry/angle.h"
 #include "geometry/transform.h"
@@ -27,11 +28,11 @@ Pose2 ViewInjection::draw(const SeenView& view, const MeasurementModel& observed
   const auto half = static_cast<std::size_t>(std::max(1, parameters.candidates / 2));
   if (candidates_.size() != half) candidates_ = ParticleSet(half);
   Pose2 best;
-  float least = 0.0f;
-  const auto take_best = [&](bool is_first) {
+  float least = std::numeric_limits<float>::infinity();
+  const auto take_best = [&] {
     observed.costs(candidates_, costs_);
     const auto found = std::min_element(costs_.begin(), costs_.end());
-    if (!is_first && *found >= least) return;
+    if (*found >= least) return;
     least = *found;
     best = candidates_.pose(static_cast<std::size_t>(found - costs_.begin()));
   };
@@ -41,7 +42,7 @@ Pose2 ViewInjection::draw(const SeenView& view, const MeasurementModel& observed
     const double azimuth = view.azimuth + rough(view.deviation, random);
     candidates_.set_pose(i, {{x, y}, heading_of_view(view, {x, y}, azimuth)});
   }
-  take_best(true);
+  take_best();
   const Pose2 center = best;
   for (std::size_t i = 0; i < half; ++i) {
     const double x = center.position.x() + rough(kBesideBest, random);
@@ -49,7 +50,7 @@ Pose2 ViewInjection::draw(const SeenView& view, const MeasurementModel& observed
     const double turn = rough(kTurnedBesideBest, random);
     candidates_.set_pose(i, {Eigen::Vector2d(x, y).cwiseMax(-carpet_).cwiseMin(carpet_), center.rotation + turn});
   }
-  take_best(false);
+  take_best();
   return best;
 }
 

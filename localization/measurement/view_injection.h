@@ -2,7 +2,6 @@
 // view gives it.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "geometry/field_dimensions.h"

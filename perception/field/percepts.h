@@ -62,6 +62,9 @@ struct FieldPercept {
     boundary.reserve(128);
   }
 
+  /// Whether it shows anything by which a pose can be judged.
+  bool has_landmarks() const { return !line_points.empty() || !goal_posts.empty(); }
+
   void clear() {
     line_points.clear();
     goal_posts.clear();

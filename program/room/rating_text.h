@@ -14,7 +14,7 @@ void print_rating(const LearnedRoom& room, const RoomRating& rating, std::ostrea
 /// JSON with the same numbers (docs/new-halls.md), ended by a line break.
 std::string rating_as_json(const LearnedRoom& room, const RoomRating& rating);
 
-/// "told", or "not told: " and why.
+/// "works", or "does not work: " and why.
 std::string verdict_in_words(const RoomRating& rating);
 
 }  // namespace reorient

@@ -43,7 +43,7 @@ TEST(ViewInjection, DrawsPosesOnTheCarpetOfWhichSomeAreNearTheTruth) {
   EXPECT_EQ(turned_away, 0);
 }
 
-/// A robot that was told a pose, stood there for 10 s, and was then carried without being told. It sees no goals.
+/// A robot that stood at its initial pose for 10 s and was then carried elsewhere. It sees no goals.
 struct CarriedRobot {
   explicit CarriedRobot(bool use_view, std::uint64_t seed) : filter(parameters(use_view), FieldDimensions(), seed) {
     filter.set_initial_pose(robot.truth, 0.1, 0.05);
