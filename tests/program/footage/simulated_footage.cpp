@@ -1,4 +1,4 @@
-#include "tests/program/simulated_footage.h"
+#include "tests/program/footage/simulated_footage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,8 +13,8 @@
 #include "geometry/angle.h"
 #include "robots/footage/frames_table.h"
 #include "tests/paths.h"
+#include "tests/program/footage/simulated_footage.h"
 #include "tests/program/program_run.h"
-#include "tests/program/simulated_footage.h"
 #include "tests/shared_data.h"
 #include "tests/temporary_folder.h"
 

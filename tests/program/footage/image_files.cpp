@@ -1,4 +1,4 @@
-#include "tests/program/image_files.h"
+#include "tests/program/footage/image_files.h"
 
 #ifdef REORIENT_FOOTAGE_IMAGES
 #include <opencv2/imgcodecs.hpp>
