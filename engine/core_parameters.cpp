@@ -65,6 +65,7 @@ void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   registry.bind("room_status", parameters.room_status);
   registry.bind("goal_view", parameters.goal_view);
   registry.bind("seen_view", parameters.seen_view);
+  registry.bind("repeated_pose", parameters.repeated_pose);
   registry.bind("arbiter", parameters.arbiter);
 }
 

@@ -4,6 +4,7 @@
 #include "engine/world/arbiter.h"
 #include "engine/world/goal_view.h"
 #include "engine/world/posture.h"
+#include "engine/world/repeated_pose.h"
 #include "engine/world/room_status.h"
 #include "engine/world/seen_view.h"
 #include "geometry/field_dimensions.h"
@@ -24,6 +25,7 @@ struct CoreParameters {
   RoomStatusParameters room_status;
   GoalViewParameters goal_view;
   SeenViewParameters seen_view;
+  RepeatedPoseParameters repeated_pose;
   ArbiterParameters arbiter;
 };
 

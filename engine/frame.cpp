@@ -106,6 +106,11 @@ void FrameLoop::take_told(const Told& told) {
   if (!told.initial_pose) return;
   record_.inputs.initial_pose = told.initial_pose;
   const InitialPose& initial = *told.initial_pose;
+  if (repeated_pose_.note_set(initial.pose, world_.pose.pose, world_.time, parameters_.repeated_pose) && room_) {
+    room_->turn_half();
+    record_.logs.push_back(
+        {0, 0, "a set pose undoes a flip: the room that was learned is turned by half a turn", 0, true});
+  }
   pose_filter_.set_initial_pose(initial.pose, initial.position_deviation, initial.rotation_deviation);
   world_.pose_known = true;
   if (room_) room_->begin_anew();

@@ -16,6 +16,7 @@
 #include "engine/world/arbiter.h"
 #include "engine/world/external_belief.h"
 #include "engine/world/posture.h"
+#include "engine/world/repeated_pose.h"
 #include "engine/world/world.h"
 #include "geometry/bytes.h"
 #include "localization/pose_filter.h"
@@ -104,6 +105,7 @@ class FrameLoop {
   std::optional<RoomAwareness> room_;
   Arbiter arbiter_;
   PostureEstimator posture_;
+  RepeatedPose repeated_pose_;
   RobotBody body_;
   bool asked_to_get_up_ = false;  ///< in the frame before
   ExternalBeliefReader external_reader_;

@@ -74,8 +74,9 @@ void FrameLoop::watch_belief(const Pose2& expected) {
 void FrameLoop::change_sides() {
   world_.sides_changed = !world_.sides_changed;
   pose_filter_.flip_pose();
+  repeated_pose_ = {};
   world_.pose = flipped(world_.pose);
-  if (room_) room_->on_half_time();
+  if (room_) room_->turn_half();
 }
 
 void FrameLoop::rearrange(const CommandRecord& granted) {
@@ -94,6 +95,7 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
   switch (granted.request.reorientation) {
     case Reorientation::flip_pose:
       pose_filter_.flip_pose();
+      repeated_pose_.note_flip(world_.time);
       if (room_) room_->on_flip();
       break;
     case Reorientation::purge_reflection:

@@ -4,7 +4,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x3865746174537252ull;  // "RrState8": another layout gets another number
+constexpr std::uint64_t kStateMagic = 0x3965746174537252ull;  // "RrState9": another layout gets another number
 
 /// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
 FrameSetup read_setup(ByteReader& in) {
@@ -20,7 +20,7 @@ FrameSetup read_setup(ByteReader& in) {
 
 template <typename Archive>
 void FrameLoop::archive(Archive& archive) {
-  archive(field_features_, pose_filter_, arbiter_, posture_, asked_to_get_up_, external_belief_, world_,
+  archive(field_features_, pose_filter_, arbiter_, posture_, repeated_pose_, asked_to_get_up_, external_belief_, world_,
           last_odometry_);
   if (room_) archive(*room_);
 }

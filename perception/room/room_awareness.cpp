@@ -185,7 +185,7 @@ void RoomAwareness::on_belief_reflected() {
   reflect_evidence();
 }
 
-void RoomAwareness::on_half_time() {
+void RoomAwareness::turn_half() {
   model_.turn_half(wall_);
   compared_model_.clear();
   separability_.turn_half();

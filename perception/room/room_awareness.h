@@ -84,8 +84,9 @@ class RoomAwareness {
   void on_belief_reflected();
 
   /// The teams change sides: the axes turn by half a turn, and with them the belief. Everything is known of the same
-  /// places as before, under their new coordinates; the confidences stay. Done twice, it is the identity.
-  void on_half_time();
+  /// places as before, under their new coordinates; the confidences stay. Done twice, it is the identity. Also for a
+  /// room that was learned mirrored; begin_anew() follows then, since the belief does not turn with it.
+  void turn_half();
 
   /// Forgets the model, the belief of the view, the confidences and the light; the random numbers go on.
   void forget();

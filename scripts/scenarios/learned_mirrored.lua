@@ -1,12 +1,17 @@
 --- A robot starts with the mirrored pose as its belief and learns the room for some time: what it learns is turned by half a
---- turn, and so agrees with its wrong belief. Then the true pose is set, or nothing happens.
+--- turn, and so agrees with its wrong belief. Then the true pose is set once, or set again after the robot has flipped it, or
+--- nothing happens.
 
 local ground_truth = require "lib.ground_truth"
 
+local function set_true_pose() experimenter.set_initial_pose(truth.x, truth.y, truth.rotation) end
+
 local p = param {
-  learn   = { 60.0, range = { 0, 600 }, unit = "s", doc = "how long the robot learns with the mirrored pose as its belief" },
-  remedy  = { "none", choices = { "none", "told" }, doc = "what happens then: nothing, or the true pose is set" },
-  timeout = { 30.0, range = { 1, 36000 }, unit = "s", doc = "how long the belief is observed after that" },
+  learn    = { 60.0, range = { 0, 600 }, unit = "s", doc = "how long the robot learns with the mirrored pose as its belief" },
+  remedy   = { "none", choices = { "none", "set", "set_again" },
+               doc = "what happens then: nothing, or the true pose is set, or it is set and set again after a flip" },
+  reaction = { 2.0, range = { 0, 60 }, unit = "s", doc = "how long after the first time it is set again at the earliest" },
+  timeout  = { 30.0, range = { 1, 36000 }, unit = "s", doc = "how long the belief is observed after that" },
 }
 
 scenario "learned_mirrored" {
@@ -32,8 +37,17 @@ scenario "learned_mirrored" {
   state "measured" {
     enter = function()
       ground_truth.note("learned with the mirrored pose")
-      if p.remedy == "told" then experimenter.set_initial_pose(truth.x, truth.y, truth.rotation) end
+      if p.remedy ~= "none" then set_true_pose() end
     end,
+    { "set again",
+      when = function() return p.remedy == "set_again" and not ground_truth.is_belief_right() end,
+      after = "reaction", because = "the robot has flipped the pose that was set" },
+    { "right", when = ground_truth.is_belief_right, after = "timeout", because = "the time is up and the belief is right" },
+    { "wrong", after = "timeout", because = "the time is up and the belief is wrong" },
+  },
+
+  state "set again" {
+    enter = set_true_pose,
     { "right", when = ground_truth.is_belief_right, after = "timeout", because = "the time is up and the belief is right" },
     { "wrong", after = "timeout", because = "the time is up and the belief is wrong" },
   },

@@ -54,9 +54,9 @@ RC_GTEST_PROP(HalfTime, DoneTwiceIsTheIdentityBitForBit, ()) {
   ScanningRobot robot(PaintedRoom::colorful(seed), parameters, seed);
   robot.run(*rc::gen::inRange(0, 8) / 10.0);
   const std::vector<std::byte> before = bytes_of(robot.awareness);
-  robot.awareness.on_half_time();
+  robot.awareness.turn_half();
   RC_ASSERT(bytes_of(robot.awareness) != before);
-  robot.awareness.on_half_time();
+  robot.awareness.turn_half();
   RC_ASSERT(bytes_of(robot.awareness) == before);
 }
 
@@ -65,7 +65,7 @@ TEST(HalfTime, MakesTheModelThatIsLearnedFromTurnedPoses) {
   turned.belief = reflect(turned.truth);
   robot.run(10.0);
   turned.run(10.0);
-  robot.awareness.on_half_time();
+  robot.awareness.turn_half();
   for (int tile = 0; tile < robot.awareness.wall().tiles(); ++tile) {
     const TileModel& one = robot.awareness.model()[tile];
     const TileModel& other = turned.awareness.model()[tile];
@@ -84,7 +84,7 @@ TEST(HalfTime, LeavesTheConfidencesOfParticlesAsIfNothingHadHappened) {
   robot.run(15.0);
   robot.train = false;
   ScanningRobot turned = robot;
-  turned.awareness.on_half_time();
+  turned.awareness.turn_half();
   turned.belief = reflect(turned.belief);
   EXPECT_EQ(turned.awareness.confidences().current, robot.awareness.confidences().current);
   EXPECT_EQ(turned.awareness.confidences().age, robot.awareness.confidences().age);
@@ -110,7 +110,7 @@ TEST(HalfTime, LeavesTheConfidencesOfAGridAsIfNothingHadHappened) {
   robot.run(15.0);
   robot.train = false;
   ScanningRobot turned = robot;
-  turned.awareness.on_half_time();
+  turned.awareness.turn_half();
   turned.belief = reflect(turned.belief);
   ASSERT_GT(robot.awareness.confidences().current, 0.5);
   for (int frame = 0; frame < 30; ++frame) {
@@ -134,7 +134,7 @@ TEST(HalfTime, TurnsTheViewParticlesWithTheWall) {
                                          robot.awareness.view_filter().particles().end());
   const std::optional<double> center = robot.awareness.center_of_view();
   ASSERT_TRUE(center);
-  robot.awareness.on_half_time();
+  robot.awareness.turn_half();
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(robot.awareness.view_filter().particles()[i].azimuth, opposite(before[i].azimuth));
     EXPECT_EQ(robot.awareness.view_filter().particles()[i].weight, before[i].weight);
