@@ -1,15 +1,14 @@
 #include "program/parameter_modules.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include <spdlog/spdlog.h>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/former_names.h"
 #include "program/robots.h"
 
 namespace reorient {
@@ -17,21 +16,6 @@ namespace {
 
 constexpr std::size_t kMostWarnings = 10;
 constexpr std::size_t kLongestName = 200;  // as far as it is told
-
-/// Parameters of earlier versions that are not used any more, and the parameter that replaces each.
-constexpr std::pair<std::string_view, std::string_view> kFormerNames[] = {
-    {"background_training.asymmetry", "background_training.separability"},
-    {"room_status.asymmetry", "room_status.separability"}};
-
-/// Warns of a former name; false: it is none.
-bool warn_of_former_name(const ParameterChange& change) {
-  const auto* const former = std::find_if(std::begin(kFormerNames), std::end(kFormerNames),
-                                          [&](const auto& names) { return names.first == change.name; });
-  if (former == std::end(kFormerNames)) return false;
-  spdlog::warn("{}parameter '{}' is not used any more: '{}', a probability, took its place",
-               change.source.empty() ? "" : change.source + ": ", former->first, former->second);
-  return true;
-}
 
 void warn_of_strangers(const std::map<std::string, std::string>& sources, const ParameterModules& modules) {
   const std::vector<std::string> known(modules.anywhere.begin(), modules.anywhere.end());

@@ -1,6 +1,7 @@
 #include "program/footage/footage_run.h"
 
 #include "program/footage/footage_wall.h"
+#include "program/former_names.h"
 #include "program/parameter_modules.h"
 #include "program/run/places.h"
 #include "program/run/shipped_behaviors.h"
@@ -32,7 +33,9 @@ PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& sc
     frame.behaviors.push_back(behavior_file(setup.scripts, scripts, name));
     modules.loaded.insert(module_of_script(frame.behaviors.back()));
   }
-  modules.parameters = FrameLoop(frame).parameters();
+  const FrameLoop engine(frame);
+  modules.parameters = engine.parameters();
+  warn_of_former_fields(scripts, files_of(engine));
   prepared.kept = kept_for_others(frame.parameters, modules);
 
   FootageWall wall =

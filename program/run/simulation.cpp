@@ -1,9 +1,11 @@
 #include "program/run/simulation.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/former_names.h"
 #include "program/model/model_file.h"
 #include "program/parameter_modules.h"
 #include "program/robots.h"
@@ -140,6 +142,9 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
   }
   modules.parameters = parameters();
   kept_parameters_ = kept_for_others(overrides, modules);
+  std::set<std::string> files = files_of(*engine_);
+  files.insert(scenario);
+  warn_of_former_fields(scripts, files);
 }
 
 RunParts Simulation::parts() {

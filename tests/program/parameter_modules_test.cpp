@@ -8,6 +8,8 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include "program/former_names.h"
+
 namespace reorient {
 namespace {
 
@@ -65,6 +67,17 @@ TEST_F(ParameterModulesTest, WarnsOfAFormerNameAndLeavesItOut) {
   EXPECT_EQ(log.str(),
             "team.toml:7: parameter 'room_status.asymmetry' is not used any more: 'room_status.separability', a "
             "probability, took its place\n");
+}
+
+TEST_F(ParameterModulesTest, WarnsOnceOfAFormerFieldInAFileThatIsLoaded) {
+  ScriptTexts scripts("team");
+  const std::string behavior =
+      "behavior \"mine\" { update = function() return confidence.asymmetry, confidence.asymmetry end }";
+  scripts.apply({"behaviors/mine.lua", ScriptText{behavior, ""}});
+  scripts.apply({"behaviors/other.lua", ScriptText{"-- confidence.asymmetry_of_mine", ""}});
+  scripts.apply({"behaviors/unused.lua", ScriptText{"-- confidence.asymmetry", ""}});
+  warn_of_former_fields(scripts, {"behaviors/mine.lua", "behaviors/other.lua", "behaviors/gone.lua"});
+  EXPECT_EQ(log.str(), "team/behaviors/mine.lua: confidence.asymmetry is a former name: use confidence.separability\n");
 }
 
 TEST_F(ParameterModulesTest, RefusesWhatAModuleThatIsThereDoesNotHave) {
