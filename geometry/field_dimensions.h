@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <Eigen/Core>
+
 namespace reorient {
 
 /// Defaults: the Standard Platform League's field of today.
@@ -25,6 +27,11 @@ struct FieldDimensions {
   double goal_post_diameter = 0.1;
   bool yellow_goals = false;  ///< 2013: both goals yellow; today: both white
 };
+
+/// Half of the carpet's length and width, m.
+inline Eigen::Vector2d carpet_half_size(const FieldDimensions& field) {
+  return {0.5 * field.length + field.border, 0.5 * field.width + field.border};
+}
 
 template <typename Visit>
 void fields(Visit&& visit, FieldDimensions& field) {

@@ -88,10 +88,6 @@ std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field) {
   return {{{x, y}, {x, -y}, {-x, -y}, {-x, y}}};
 }
 
-Eigen::Vector2d carpet_half_size(const FieldDimensions& field) {
-  return {field.length / 2.0 + field.border, field.width / 2.0 + field.border};
-}
-
 Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
   return carpet_half_size(field) + Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
 }

@@ -31,9 +31,6 @@ std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field);
 /// The robot may stand beside the carpet, but not far from it, m.
 inline constexpr double kBelievableBeyondCarpet = 1.0;
 
-/// How far from the centre the carpet reaches, m.
-Eigen::Vector2d carpet_half_size(const FieldDimensions& field);
-
 /// How far from the centre a robot may be believed to stand: the carpet and one metre more, m.
 Eigen::Vector2d believable_half_size(const FieldDimensions& field);
 

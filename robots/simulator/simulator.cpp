@@ -203,7 +203,7 @@ void Simulator::move() {
   if (!parameters_.ball) return;
   if (body_.posture() == Body::Posture::upright) ball_.touch(body_.pose().position);
   for (const Player& player : players_.all()) ball_.touch(player.pose.position);
-  ball_.advance(time_step, {0.5 * field_.length + field_.border, 0.5 * field_.width + field_.border});
+  ball_.advance(time_step, carpet_half_size(field_));
 }
 
 CameraFrame Simulator::moment(HeadCamera camera, const BodySample& body) const {

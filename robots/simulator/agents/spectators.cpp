@@ -33,8 +33,7 @@ Spectators::Spectators(int count, const RoomShape& room, const FieldDimensions& 
 std::optional<Spectators::Spectator> Spectators::somebody(Random& random) const {
   constexpr double kFromCarpet = 0.4;  // m
   constexpr double kFromWall = 0.5;    // m
-  const Eigen::Vector2d carpet(0.5 * field_.length + field_.border + kFromCarpet,
-                               0.5 * field_.width + field_.border + kFromCarpet);
+  const Eigen::Vector2d carpet = carpet_half_size(field_) + Eigen::Vector2d::Constant(kFromCarpet);
   // A place between the carpet and the wall, anywhere along the wall.
   const Eigen::Vector2d wall = wall_point(room_, random.uniform(0.0, wall_perimeter(room_)));
   const double inner =

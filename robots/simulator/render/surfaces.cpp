@@ -56,8 +56,8 @@ Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width, dou
     : room_(std::move(room)),
       lines_(field, worn_lines),
       carpet_(make_carpet(field.length + 2.0 * field.border, field.width + 2.0 * field.border, room_.light)),
-      carpet_half_length_(static_cast<float>(0.5 * field.length + field.border)),
-      carpet_half_width_(static_cast<float>(0.5 * field.width + field.border)),
+      carpet_half_length_(static_cast<float>(carpet_half_size(field).x())),
+      carpet_half_width_(static_cast<float>(carpet_half_size(field).y())),
       hits_(image_width) {}
 
 void Surfaces::render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, const Changes& changes,

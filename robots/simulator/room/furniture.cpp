@@ -39,8 +39,7 @@ bool has_space(const FurniturePiece& piece, const RoomShape& room, const FieldDi
   const Eigen::Vector2d along = 0.5 * piece.length * unit_vector(piece.rotation);
   const Eigen::Vector2d across = 0.5 * piece.depth * unit_vector(piece.rotation + 0.5 * kPi);
   const Eigen::Vector2d extent = along.cwiseAbs() + across.cwiseAbs();
-  const Eigen::Vector2d carpet(0.5 * field.length + field.border + kFromCarpet,
-                               0.5 * field.width + field.border + kFromCarpet);
+  const Eigen::Vector2d carpet = carpet_half_size(field) + Eigen::Vector2d::Constant(kFromCarpet);
   const Eigen::Vector2d away = piece.center.cwiseAbs();
   const auto beyond = [&](const Eigen::Vector2d& half) {
     const Eigen::Vector2d normal = half.normalized();

@@ -91,8 +91,7 @@ void draw_direction_names(Canvas& canvas, const Pixel& center) {
 Picture draw_rating(const RatingView& rating) {
   Canvas canvas(kRatingWidth, kRatingHeight);
   const Pixel center(kRatingWidth / 2.0, kRatingHeight / 2.0 + 30.0);
-  const double half_diagonal =
-      std::hypot(rating.field.length / 2.0 + rating.field.border, rating.field.width / 2.0 + rating.field.border);
+  const double half_diagonal = carpet_half_size(rating.field).norm();
   const double scale = kRatedField / half_diagonal;
   const double full = full_scale(rating);
   draw_field(canvas, {center, std::isfinite(scale) && scale > 0.0 ? scale : 1.0}, rating.field);

@@ -205,8 +205,7 @@ void draw_chart_legend(Canvas& canvas, bool any_perceived) {
 Picture draw_world_view(const WorldView& world) {
   Canvas canvas(kWorldWidth, kHeight);
   const Pixel center(kWorldWidth / 2.0, kHeight / 2.0);
-  const double half_diagonal =
-      std::hypot(world.field.length / 2.0 + world.field.border, world.field.width / 2.0 + world.field.border);
+  const double half_diagonal = carpet_half_size(world.field).norm();
   const double scale = std::min(kFieldRadius / half_diagonal, kModelInner / world.wall_radius);
   const FieldView view{center, std::isfinite(scale) && scale > 0.0 ? scale : 1.0};
 
