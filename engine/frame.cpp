@@ -133,6 +133,7 @@ void FrameLoop::feel_body() {
   record_.posture_change.reset();
   if (world_.posture != before) record_.posture_change = {before, world_.posture};
   world_.undisturbed_for = world_.disturbed() ? 0.0 : world_.undisturbed_for + world_.time_step;
+  if (world_.disturbed()) repeated_pose_.forget();
   if (was_disturbed && !world_.disturbed()) pose_filter_.doubt();
   if (room_ && was_disturbed != world_.disturbed()) room_->begin_anew();
   odometry_step_ = last_odometry_ ? last_odometry_->inverse() * observation_->odometry : Pose2();

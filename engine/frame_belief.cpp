@@ -74,7 +74,7 @@ void FrameLoop::watch_belief(const Pose2& expected) {
 void FrameLoop::change_sides() {
   world_.sides_changed = !world_.sides_changed;
   pose_filter_.flip_pose();
-  repeated_pose_ = {};
+  repeated_pose_.forget();
   world_.pose = flipped(world_.pose);
   if (room_) room_->turn_half();
 }

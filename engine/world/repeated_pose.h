@@ -28,12 +28,14 @@ class RepeatedPose {
   void note_flip(double time) {
     if (set_at_) flipped_at_ = time;
   }
+  /// The robot was carried or fell: what is set next is another pose.
+  void forget() { *this = {}; }
   /// A pose was set while the robot believed `belief`. Whether it undoes the flip of the pose that was set before.
   bool note_set(const Pose2& pose, const Pose2& belief, double time, const RepeatedPoseParameters& parameters) {
     const auto is_soon = [&](double from, double to) { return to - from < parameters.within; };
     const bool undoes =
         flipped_at_ && is_soon(*set_at_, *flipped_at_) && is_soon(*flipped_at_, time) && is_opposite(pose, belief);
-    *this = {};
+    forget();
     if (!undoes) set_at_ = time;
     return undoes;
   }
@@ -50,10 +52,12 @@ class RepeatedPose {
   }
 
  private:
-  /// Nearer to the reflection of `belief` than to `belief`, by place and by direction.
+  /// Nearer to the reflection of `belief` than to `belief`, by direction and, but for what a robot may be off, by
+  /// place: at the center of the field both places are one.
   static bool is_opposite(const Pose2& pose, const Pose2& belief) {
-    return pose.position.dot(belief.position) < 0.0 &&
-           std::abs(angle_difference(pose.rotation, belief.rotation)) > 0.5 * kPi;
+    constexpr double kOff = 0.5;  // m
+    return std::abs(angle_difference(pose.rotation, belief.rotation)) > 0.5 * kPi &&
+           (pose.position + belief.position).norm() < (pose.position - belief.position).norm() + kOff;
   }
 
   std::optional<double> set_at_;      // s, of the last set pose

@@ -30,6 +30,22 @@ TEST(RepeatedPose, MayHaveMovedMeanwhile) {
   EXPECT_TRUE(repeated.note_set({{-1.0, 2.0}, 1.5}, reflect(kSetPose), 15.0, kParameters));
 }
 
+TEST(RepeatedPose, MayBeAtTheCenterOfTheField) {
+  const Pose2 center({0.1, 0.0}, 0.0);
+  RepeatedPose repeated;
+  repeated.note_set(center, {}, 10.0, kParameters);
+  repeated.note_flip(11.0);
+  EXPECT_TRUE(repeated.note_set(center, Pose2({0.2, 0.1}, 3.0), 15.0, kParameters));
+}
+
+TEST(RepeatedPose, IsAnotherOneWhereTheRobotWasCarriedMeanwhile) {
+  RepeatedPose repeated;
+  repeated.note_set(kSetPose, {}, 10.0, kParameters);
+  repeated.note_flip(11.0);
+  repeated.forget();
+  EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
+}
+
 TEST(RepeatedPose, UndoesNothingThatNobodySetBefore) {
   RepeatedPose repeated;
   repeated.note_flip(11.0);
@@ -133,6 +149,20 @@ TEST_F(LearnedMirrored, SpeaksAgainstTheTruePoseUntilThatIsSetAgain) {
   EXPECT_LT(evidence(), -5.0);
   ASSERT_EQ(notes_.size(), 1u);
   EXPECT_NE(notes_.front().find("turned by half a turn"), std::string::npos);
+}
+
+TEST_F(LearnedMirrored, KeepsItsRoomWhereTheRobotWasLiftedBeforeThePoseIsSetAgain) {
+  set_truth();
+  run(3.0);
+  flip();
+  simulator_.pick_up();
+  run(1.0);
+  simulator_.put_down(simulator_.ground_truth().pose);
+  run(2.0);
+  set_truth();
+  run(3.0);
+  EXPECT_GT(evidence(), 5.0);
+  EXPECT_TRUE(notes_.empty());
 }
 
 TEST_F(LearnedMirrored, GoesOnFromASavedStateAsItWouldHave) {
