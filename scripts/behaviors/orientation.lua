@@ -15,7 +15,8 @@ local p = param {
   taken_back = { 0.05, range = { 0, 1 },              doc = "share of what it said that the room may take back meanwhile" },
 }
 
-local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0, age = 0.0, most_evidence = 0.0 }
+local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0, age = 0.0, began = 0.0,
+  most_evidence = 0.0 }
 
 -- A flip turns every belief round, right ones as well, and a reset spreads them: once the believed pose has proved right
 -- after either, what is wrong is purged. The purge also says that the pose is known again, so that training may go on.
@@ -24,7 +25,10 @@ local function is_purge_due() return memory.confirm or pose.reflected_weight > p
 local function may_decide() return confidence.status == "usable" end
 
 local function watch_evidence()
-  if confidence.age < memory.age then memory.most_evidence = 0.0 end
+  if confidence.age < memory.age or confidence.age == 0.0 then
+    memory.most_evidence = 0.0
+    memory.began = clock.time
+  end
   memory.age = confidence.age
   memory.most_evidence = math.max(memory.most_evidence, confidence.evidence)
 end
@@ -33,7 +37,7 @@ end
 -- turned its belief into place. What spoke for the reflection till then is taken back, tile by tile; of a belief that is the
 -- reflection, more and more tiles say so.
 local function is_taking_back()
-  return confidence.age < p.settling and confidence.evidence < (1.0 - p.taken_back) * memory.most_evidence
+  return clock.time - memory.began < p.settling and confidence.evidence < (1.0 - p.taken_back) * memory.most_evidence
 end
 
 local function believed_pose_won() return may_decide() and decision.for_believed() end

@@ -76,7 +76,24 @@ test("follows what is left of what the room said, once the pose has settled", fu
   set_world { confidence = { age = 1.0, evidence = 20 } }
   advance(0.1)
   set_world { confidence = { age = 5.5, evidence = 10 } }
-  advance(0.3)
+  advance(4.5)
+  expect.no_command()
+  advance(0.7)
+  expect.command("flip_pose", "granted")
+end)
+
+test("lets the pose settle for some seconds, however seldom images come", function()
+  learned_room()
+  set_world { confidence = { age = 0.2, evidence = 20 } }
+  advance(1.0)
+  expect.command("flip_pose", "granted")
+  set_world { confidence = { age = 0.0, evidence = 0 } }
+  advance(4.0)
+  for second = 1, 6 do
+    set_world { confidence = { age = 0.2 * second, evidence = second == 1 and 20 or 15 } }
+    if second == 5 then expect.no_command() end
+    advance(1.0)
+  end
   expect.command("flip_pose", "granted")
 end)
 
