@@ -276,7 +276,7 @@ class FramesParser {
     refuse(in_quotes(headers_[place.cell]) + ": expected at most " + most.str() + " " +
            std::string(kind.units.front().name) + ", found " + in_quotes(cells_[place.cell]) +
            "; a header ends with the unit, as in " + std::string(kind.name) + "_" +
-           std::string(kind.units.back().name));
+           std::string(kind.units[1].name));  // the likeliest of the others
   }
 
   double number(std::string cell, const std::string& header) const {

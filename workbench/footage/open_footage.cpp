@@ -148,7 +148,8 @@ std::vector<fs::path> images_in(const fs::path& folder) {
     if (is_image_file(entry->path())) images.push_back(entry->path());
   }
   if (error) throw BadFootage(folder.string() + ": expected a folder that can be read; " + error.message());
-  if (images.empty()) throw BadFootage(folder.string() + ": expected images (JPEG, PNG, ...), found none");
+  if (images.empty())
+    throw BadFootage(folder.string() + ": expected frames.csv or images (JPEG, PNG, ...), found neither");
   std::sort(images.begin(), images.end());
   return images;
 }

@@ -102,7 +102,7 @@ TEST(FramesTable, SaysInOneLineWhatIsWrongAndWhere) {
       {"image,time_s\na,1x\n", "frames.csv:2: 'time_s': expected a finite number, found '1x'"},
       {"image,x_m,y_m,rotation_rad\na,1,nan,2\n", "frames.csv:2: 'y_m': expected a finite number, found 'nan'"},
       {"image,x_m,y_m,rotation_rad\na,1e9,0,2\n",
-       "frames.csv:2: 'x_m': expected at most 1e+04 m, found '1e9'; a header ends with the unit, as in x_mm"},
+       "frames.csv:2: 'x_m': expected at most 1e+04 m, found '1e9'; a header ends with the unit, as in x_cm"},
       {"image,x_m,y_m,rotation_rad\na,1,0,90\n",
        "frames.csv:2: 'rotation_rad': expected at most 62.8 rad, found '90'; a header ends with the unit, as in "
        "rotation_deg"},

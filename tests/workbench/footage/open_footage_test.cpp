@@ -172,7 +172,7 @@ TEST_F(OpenFootage, WaitsForNoPipe) {
 
 TEST_F(OpenFootage, SaysWhatIsNotThere) {
   expect_refused(read(folder() / "nothing").second, "found nothing of that name");
-  expect_refused(read(folder()).second, "expected images (JPEG, PNG, ...), found none");
+  expect_refused(read(folder()).second, "expected frames.csv or images (JPEG, PNG, ...), found neither");
   folder_.write("a.jpg", "16 8 1");
   expect_refused(read(folder(), [&](FootageRequest& request) { request.table = folder() / "other.csv"; }).second,
                  "other.csv: expected a table, found nothing of that name");
