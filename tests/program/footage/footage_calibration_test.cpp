@@ -15,9 +15,9 @@
 #include "program/footage/footage_arguments.h"
 #include "program/run/venue.h"
 #include "tests/paths.h"
+#include "tests/program/footage/decoder.h"
 #include "tests/program/footage/simulated_footage.h"
 #include "tests/program/program_run.h"
-#include "tests/shared_data.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/calibration_file.h"
@@ -26,10 +26,6 @@ namespace reorient {
 namespace {
 
 using Words = std::vector<std::string>;
-
-void use_decoder() { setenv("REORIENT_DECODER", kDecoder, 1); }
-bool is_decoder_missing() { return *kDecoder == '\0'; }
-constexpr const char* kNoDecoder = "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
 
 struct KnownOffset {
   std::uint64_t seed;
@@ -44,10 +40,7 @@ void PrintTo(const KnownOffset& known, std::ostream* out) {
 
 class FootageCalibration : public testing::Test {
  protected:
-  void SetUp() override {
-    if (is_decoder_missing()) GTEST_SKIP() << kNoDecoder;
-    use_decoder();
-  }
+  void SetUp() override { need_decoder(); }
 
   ProgramRun calibrate(const Words& more = {}) const {
     Words words{"calibrate",  "--footage", source(), "--out", file("offset.toml"),
@@ -130,9 +123,9 @@ INSTANTIATE_TEST_SUITE_P(Footage, ManyOffsets,
                                          KnownOffset{15, 0.0, 0.0, 0.0, 0.0}, KnownOffset{16, 2.5, -6.0, 1.0, 2.0}));
 
 /// Real footage of a walking NAO, in a room without a field.
-class RealFootageCalibration : public SharedDataTest {
+class RealFootageCalibration : public DecodedSharedDataTest {
  protected:
-  RealFootageCalibration() : SharedDataTest("footage") {}
+  RealFootageCalibration() : DecodedSharedDataTest("footage") {}
 };
 
 struct HeldOutMedians {
@@ -148,8 +141,6 @@ HeldOutMedians medians_of(const std::vector<EdgeView>& views) {
 
 // The recorded roll of single images does not belong to them there, and is left out.
 TEST_F(RealFootageCalibration, LowersTheAngleOfVerticalEdgesOnImagesThatWereNotUsed) {
-  if (is_decoder_missing()) GTEST_SKIP() << kNoDecoder;
-  use_decoder();
   FootageArguments arguments;
   arguments.fov_degrees = 60.97;
   const auto source = open_footage(folder() / "nao-canteen-01", arguments, load_body(body_file({})));

@@ -15,10 +15,10 @@
 #include "program/footage/footage_arguments.h"
 #include "program/run/venue.h"
 #include "tests/paths.h"
+#include "tests/program/footage/decoder.h"
 #include "tests/program/footage/image_files.h"
 #include "tests/program/footage/simulated_footage.h"
 #include "tests/program/program_run.h"
-#include "tests/shared_data.h"
 #include "tests/temporary_folder.h"
 #include "tests/workbench/footage/ros_log_writer.h"
 #include "workbench/files/body_file.h"
@@ -37,8 +37,6 @@ std::vector<FootageFrame> frames_of(const std::filesystem::path& source) {
   return frames;
 }
 
-bool can_decode() { return *kDecoder != '\0'; }
-
 class Footage : public testing::Test {
  protected:
   static constexpr int kImages = 220;  // 44 s
@@ -50,10 +48,7 @@ class Footage : public testing::Test {
     return folder.path();
   }
 
-  void SetUp() override {
-    if (!can_decode()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
-    setenv("REORIENT_DECODER", kDecoder, 1);
-  }
+  void SetUp() override { need_decoder(); }
 
   ProgramRun run(const Words& more, const std::filesystem::path& source = recorded()) const {
     Words words{"run", "--robot", "footage", source.string(), "--no-pictures", "--log", "off"};
@@ -360,14 +355,12 @@ TEST_F(Footage, OfImagesThatLostALittleShowsTheSameWithinThreeFrames) {
 }
 
 /// Real footage of a walking NAO.
-class RealFootage : public SharedDataTest {
+class RealFootage : public DecodedSharedDataTest {
  protected:
-  RealFootage() : SharedDataTest("footage") {}
+  RealFootage() : DecodedSharedDataTest("footage") {}
 };
 
 TEST_F(RealFootage, ShowsMirroredPosesThatAreFound) {
-  if (!can_decode()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
-  setenv("REORIENT_DECODER", kDecoder, 1);
   const TemporaryFolder out;
   const ProgramRun tried =
       run_reorient({"experiment", "footage", (folder() / "nao-canteen-01").string(), "--fov-degrees", "60.97",

@@ -13,17 +13,15 @@
 #include "geometry/angle.h"
 #include "robots/footage/frames_table.h"
 #include "tests/paths.h"
+#include "tests/program/footage/decoder.h"
 #include "tests/program/footage/simulated_footage.h"
 #include "tests/program/program_run.h"
-#include "tests/shared_data.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
 namespace {
 
 using Words = std::vector<std::string>;
-
-bool has_decoder() { return *kDecoder != '\0'; }
 
 class Look : public testing::Test {
  protected:
@@ -34,10 +32,7 @@ class Look : public testing::Test {
     return folder.path();
   }
 
-  void SetUp() override {
-    if (!has_decoder()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
-    setenv("REORIENT_DECODER", kDecoder, 1);
-  }
+  void SetUp() override { need_decoder(); }
 
   ProgramRun look(Words words) const {
     words.insert(words.begin(), "look");
@@ -148,17 +143,15 @@ TEST_F(Look, SaysInOneLineWhatCannotBeLookedAt) {
 }
 
 /// Real images of NAOs on real fields.
-class LookAtRealImages : public SharedDataTest {
+class LookAtRealImages : public DecodedSharedDataTest {
  protected:
-  LookAtRealImages() : SharedDataTest("images") {}
+  LookAtRealImages() : DecodedSharedDataTest("images") {}
 };
 
 /// Where the cameras were is estimated by hand: in the first image from the size of the center circle
 /// (tests/perception/field/real_images_test.cpp), in the second one from the goal. The horizon crosses its posts at the
 /// camera's height, and its slope from post to post is the roll.
 TEST_F(LookAtRealImages, FindsTheirPitchFromTheirLines) {
-  if (!has_decoder()) GTEST_SKIP() << "built without OpenCV's imgcodecs and videoio (tools/packages-footage)";
-  setenv("REORIENT_DECODER", kDecoder, 1);
   const TemporaryFolder out;
   const std::string json = (out.path() / "o.json").string();
   const ProgramRun run = run_reorient({"look", (folder() / "nao-v4-top-640x480-a.png").string(),
