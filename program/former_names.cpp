@@ -1,13 +1,16 @@
 #include "program/former_names.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <spdlog/spdlog.h>
 
 #include "engine/script/language/world_fields.h"
+#include "engine/script/source/lua_tokens.h"
 
 namespace reorient {
 namespace {
@@ -17,12 +20,11 @@ constexpr std::pair<std::string_view, std::string_view> kFormerParameters[] = {
     {"background_training.asymmetry", "background_training.separability"},
     {"room_status.asymmetry", "room_status.separability"}};
 
-bool has_word(std::string_view text, std::string_view word) {
-  const auto is_part = [&](std::size_t i) {
-    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
-  };
-  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-    if ((at == 0 || !is_part(at - 1)) && !is_part(at + word.size())) return true;
+bool names_field(std::span<const LuaToken> tokens, const WorldField& field) {
+  for (std::size_t i = 2; i < tokens.size(); ++i) {
+    if (tokens[i - 2].is(LuaToken::Kind::name, field.table) && tokens[i - 1].is_symbol(".") &&
+        tokens[i].is(LuaToken::Kind::name, field.name))
+      return true;
   }
   return false;
 }
@@ -48,8 +50,9 @@ void warn_of_former_fields(const ScriptTexts& scripts, const std::set<std::strin
   for (const std::string& file : files) {
     const ScriptText* const script = scripts.find(file);
     if (script == nullptr) continue;
+    const std::vector<LuaToken> tokens = lua_tokens(script->text);
     for (const WorldField& field : world_fields()) {
-      if (!field.replacement.empty() && has_word(script->text, field.full_name()))
+      if (!field.replacement.empty() && names_field(tokens, field))
         spdlog::warn("{}/{}: {} is a former name: use {}", scripts.root(), file, field.full_name(), field.replacement);
     }
   }
