@@ -20,9 +20,9 @@ void describe(RepeatedPoseParameters& p, Visit&& visit) {
         "the room by half a turn; 0: never");
 }
 
-/// Set poses and flips, in their order. A robot whose room was learned mirrored flips every true pose that somebody
-/// sets. One set pose cannot show this, since a wrong one is what flips are for; a person who sees the flip and sets
-/// the pose again can.
+/// Set poses and flips, in their order. A robot whose room was learned mirrored flips every true pose that is set. One
+/// set pose cannot show this, since a wrong one is what flips are for; a person who sees the flip and sets the pose
+/// again can.
 class RepeatedPose {
  public:
   void note_flip(double time) {

@@ -16,6 +16,14 @@ local function learn(remedy)
   expect.state("learned_mirrored", "measured")
 end
 
+local function believe_truth() set_world { pose = { x = 1, y = 0.5, rotation = 0.3 } } end
+
+local function expect_success()
+  believe_truth()
+  advance(10.1)
+  expect.verdict(true, "0.00 m and 0 degrees off")
+end
+
 test("fails when nothing is done and the belief stays mirrored", function()
   learn("none")
   advance(10.1)
@@ -25,15 +33,13 @@ end)
 test("sets the true pose as a remedy, and succeeds when the belief stays right", function()
   learn("set")
   expect.action("set_initial_pose")
-  set_world { pose = { x = 1, y = 0.5, rotation = 0.3 } }
-  advance(10.1)
-  expect.verdict(true, "0.00 m and 0 degrees off")
+  expect_success()
 end)
 
 test("sets the true pose again once the robot has flipped it", function()
   learn("set_again")
   expect.action("set_initial_pose")
-  set_world { pose = { x = 1, y = 0.5, rotation = 0.3 } }
+  believe_truth()
   advance(1.0)
   set_world { pose = { x = -1, y = -0.5, rotation = 0.3 - math.pi } }
   advance(0.9)
@@ -41,14 +47,12 @@ test("sets the true pose again once the robot has flipped it", function()
   advance(0.2)
   expect.state("learned_mirrored", "set again")
   expect.action("set_initial_pose")
-  set_world { pose = { x = 1, y = 0.5, rotation = 0.3 } }
-  advance(10.1)
-  expect.verdict(true, "0.00 m and 0 degrees off")
+  expect_success()
 end)
 
 test("does not set a pose again that the robot keeps", function()
   learn("set_again")
-  set_world { pose = { x = 1, y = 0.5, rotation = 0.3 } }
+  believe_truth()
   advance(9.9)
   expect.state("learned_mirrored", "measured")
 end)

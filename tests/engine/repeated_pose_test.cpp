@@ -16,6 +16,14 @@ namespace {
 const Pose2 kSetPose(-2.0, 1.0, 0.5);
 constexpr RepeatedPoseParameters kParameters;
 
+/// A pose was set at 10 s and flipped at 11 s.
+RepeatedPose flipped_after(const Pose2& pose) {
+  RepeatedPose repeated;
+  EXPECT_FALSE(repeated.note_set(pose, {}, 10.0, kParameters));
+  repeated.note_flip(11.0);
+  return repeated;
+}
+
 TEST(RepeatedPose, UndoesAFlipWhereItIsSetFlippedAndSetAgain) {
   RepeatedPose repeated;
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 10.0, kParameters)) << "nothing was flipped";
@@ -24,24 +32,18 @@ TEST(RepeatedPose, UndoesAFlipWhereItIsSetFlippedAndSetAgain) {
 }
 
 TEST(RepeatedPose, MayHaveMovedMeanwhile) {
-  RepeatedPose repeated;
-  repeated.note_set(kSetPose, {}, 10.0, kParameters);
-  repeated.note_flip(11.0);
+  RepeatedPose repeated = flipped_after(kSetPose);
   EXPECT_TRUE(repeated.note_set({{-1.0, 2.0}, 1.5}, reflect(kSetPose), 15.0, kParameters));
 }
 
 TEST(RepeatedPose, MayBeAtTheCenterOfTheField) {
   const Pose2 center({0.1, 0.0}, 0.0);
-  RepeatedPose repeated;
-  repeated.note_set(center, {}, 10.0, kParameters);
-  repeated.note_flip(11.0);
+  RepeatedPose repeated = flipped_after(center);
   EXPECT_TRUE(repeated.note_set(center, Pose2({0.2, 0.1}, 3.0), 15.0, kParameters));
 }
 
 TEST(RepeatedPose, IsAnotherOneWhereTheRobotWasCarriedMeanwhile) {
-  RepeatedPose repeated;
-  repeated.note_set(kSetPose, {}, 10.0, kParameters);
-  repeated.note_flip(11.0);
+  RepeatedPose repeated = flipped_after(kSetPose);
   repeated.forget();
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
 }
@@ -53,9 +55,7 @@ TEST(RepeatedPose, UndoesNothingThatNobodySetBefore) {
 }
 
 TEST(RepeatedPose, AgreesWithTheFlipWhereItIsNearTheBelief) {
-  RepeatedPose repeated;
-  repeated.note_set(kSetPose, {}, 10.0, kParameters);
-  repeated.note_flip(11.0);
+  RepeatedPose repeated = flipped_after(kSetPose);
   EXPECT_FALSE(repeated.note_set(reflect(kSetPose), reflect(kSetPose), 15.0, kParameters));
 }
 
@@ -69,9 +69,7 @@ TEST(RepeatedPose, UndoesNothingThatIsLongAgo) {
 }
 
 TEST(RepeatedPose, BeginsAgainAfterATurn) {
-  RepeatedPose repeated;
-  repeated.note_set(kSetPose, {}, 10.0, kParameters);
-  repeated.note_flip(11.0);
+  RepeatedPose repeated = flipped_after(kSetPose);
   ASSERT_TRUE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
   repeated.note_flip(16.0);
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 17.0, kParameters));
@@ -84,7 +82,7 @@ TEST(RepeatedPose, IsIgnoredWhereTheTimeIsZero) {
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 10.0, {.within = 0.0}));
 }
 
-/// A robot that learns the room while it believes the mirrored pose, and flips each time that it is told to.
+/// A robot that learns the room while it believes the mirrored pose, and flips where its parameter asks for it.
 class LearnedMirrored : public ::testing::Test {
  protected:
   static constexpr const char* kTurnsAndFlips = R"(
