@@ -101,9 +101,12 @@ class Chooser {
                      in_quotes(topic) + others());
   }
 
-  [[noreturn]] void fail(Content content, const std::set<std::string>& candidates) const {
+  /// `without`: what helps where there is no such topic.
+  [[noreturn]] void fail(Content content, const std::set<std::string>& candidates,
+                         std::string_view without = "") const {
     if (candidates.empty())
-      throw BadFootage("expected a topic with " + std::string(name_of(content)) + " messages, found none" + others());
+      throw BadFootage("expected a topic with " + std::string(name_of(content)) + " messages, found none" + others() +
+                       std::string(without));
     throw BadFootage("expected the name of one " + std::string(name_of(content)) + " topic, because there are " +
                      std::to_string(candidates.size()) + ": " + list_of(candidates));
   }
@@ -131,7 +134,8 @@ void choose_camera_info(Chooser& chooser, const std::string& image) {
   for (const std::string& topic : all)
     if (folder_of(topic) == camera_namespace_of(image)) candidates.insert(topic);
   if (candidates.empty()) candidates = all;
-  if (candidates.size() != 1) chooser.fail(Content::camera_info, candidates);
+  if (candidates.size() != 1)
+    chooser.fail(Content::camera_info, candidates, "; --fov-degrees describes a camera without distortion");
   chooser.use(*candidates.begin(), Content::camera_info);
 }
 

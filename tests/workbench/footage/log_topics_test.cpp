@@ -81,7 +81,8 @@ TEST(LogTopics, ThatAreMissingAreNamedWithWhatCannotBeRead) {
             "expected a topic with image messages, found none; not readable: '/camera/image_raw (sensor_msgs/Image in "
             "ros1, expected cdr)'");
   EXPECT_EQ(error_of(contents_of({{"/camera/image_raw", kImage}})),
-            "expected a topic with camera info messages, found none");
+            "expected a topic with camera info messages, found none; --fov-degrees describes a camera "
+            "without distortion");
   EXPECT_EQ(choose_topics(contents_of({{"/camera/image_raw", kImage}}), {}, false).channels.size(), 1u);
 }
 
