@@ -19,6 +19,8 @@ void ComparedModel::prepare(const BackgroundModel& model, const Wall& wall, cons
     tile.histogram = prepared(comparison.measure, learned[i].mean);
     tile.roots = prepared(Distance::hellinger, learned[i].mean);
     const auto other = static_cast<std::size_t>(wall.reflected(static_cast<int>(i)));
+    tile.reflection_trained = learned[other].trained;
+    tiles_[other].reflection_trained = tile.trained;
     std::optional<double> difference;
     if (tile.trusted && tiles_[other].trusted)
       difference = this->difference(static_cast<int>(i), static_cast<int>(other));

@@ -38,6 +38,10 @@ class ComparedModel {
     return tiles_[static_cast<std::size_t>(tile)].difference;
   }
 
+  /// For how long a tile was trained, and its reflection, s.
+  double trained(int tile) const { return tiles_[static_cast<std::size_t>(tile)].trained; }
+  double reflection_trained(int tile) const { return tiles_[static_cast<std::size_t>(tile)].reflection_trained; }
+
   /// Share of all tiles that are trusted.
   double coverage() const { return coverage_; }
   /// Share of all tiles that are trusted together with their reflections.
@@ -49,9 +53,10 @@ class ComparedModel {
  private:
   struct Tile {
     ComparedHistogram histogram;
-    ComparedHistogram roots;  // for the Hellinger distance
-    int visits = -1;          // of the model's tile that it was made from
-    double trained = 0.0;     // s, the same
+    ComparedHistogram roots;          // for the Hellinger distance
+    int visits = -1;                  // of the model's tile that it was made from
+    double trained = 0.0;             // s, the same
+    double reflection_trained = 0.0;  // s
     std::optional<double> difference;
     bool trusted = false;
   };

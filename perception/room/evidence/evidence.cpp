@@ -7,6 +7,19 @@
 #include "geometry/pinned_math.h"
 
 namespace reorient {
+namespace {
+
+/// w of the class's comment.
+double weight_of(int tile, const ComparedModel& model, const EvidenceParameters& parameters) {
+  const std::optional<double> difference = model.difference_to_reflection(tile);
+  if (!difference) return 1.0;
+  const auto share = [](double amount, double half) { return amount > 0.0 ? amount / (amount + half) : 0.0; };
+  return share(*difference * *difference, parameters.distinct * parameters.distinct) *
+         share(model.trained(tile), parameters.half_trained) *
+         share(model.reflection_trained(tile), parameters.half_trained);
+}
+
+}  // namespace
 
 int tolerated_columns(const EvidenceParameters& parameters, const Wall& wall) {
   return static_cast<int>(std::lround(parameters.tolerance / wall.column_width()));
@@ -37,14 +50,11 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
     seen.say += (say - seen.say) * step / (seen.time + step);
     seen.time = std::min(seen.time + step, parameters.settle);
   }
-  const double distinct = parameters.distinct * parameters.distinct;
   double sum = 0.0;
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
     if (tiles_[i].time <= 0.0) continue;
-    double weight = 1.0;
-    if (const std::optional<double> difference = model.difference_to_reflection(static_cast<int>(i)))
-      weight = *difference > 0.0 ? *difference * *difference / (*difference * *difference + distinct) : 0.0;
-    sum += weight * tiles_[i].say * tiles_[i].time / (tiles_[i].time + parameters.look);
+    sum += weight_of(static_cast<int>(i), model, parameters) * tiles_[i].say * tiles_[i].time /
+           (tiles_[i].time + parameters.look);
   }
   log_odds_ = parameters.gain * sum;
 }

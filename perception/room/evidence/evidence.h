@@ -11,9 +11,10 @@
 namespace reorient {
 
 struct EvidenceParameters {
-  double gain = 4.0;
+  double gain = 5.0;
   double cap = 1.0;
   double distinct = 0.1;
+  double half_trained = 1.6;
   double unknown = 0.3;
   double right = 0.3;
   double settle = 1.0;
@@ -28,6 +29,8 @@ void describe(EvidenceParameters& p, Visit&& visit) {
   visit("cap", p.cap, 0.01, 2.0, "", "by how much more, at most, a tile may be explained better by one of the poses");
   visit("distinct", p.distinct, 0.0, 1.0, "",
         "a tile of the model that differs from its reflection by this much counts half, by much less not at all");
+  visit("half_trained", p.half_trained, 0.0, 60.0, "s",
+        "a tile of the model that was trained for this long counts half, and so does its reflection");
   visit("unknown", p.unknown, 0.0, 1.0, "",
         "weight of a tile that is known for one of the poses only: then only its own distance speaks");
   visit("right", p.right, 0.0, 1.0, "", "distance between a tile and what is seen of it where the pose is right");
@@ -46,9 +49,14 @@ int tolerated_columns(const EvidenceParameters& parameters, const Wall& wall);
 /// Each tile has one say, however long it is looked at: what is wrong with it, because the light or the wall has
 /// changed, stays wrong from frame to frame. So a look at another tile is new evidence, and more of the same is not.
 ///
-/// The say of a tile is gain * d / (d + distinct^2 / d) * (how much nearer the reflected tile of the model is than the
-/// tile itself), d being the distance between those two; the log-odds are the sum over the tiles. A tile of which only
-/// one of the two is known says, with less weight, how well that one fits.
+/// The say of a tile is gain * w * (how much nearer the reflected tile of the model is than the tile itself), and the
+/// log-odds are the sum over the tiles. With d the distance between those two tiles of the model and t1, t2 the times
+/// for which they were trained,
+///
+///     w = d^2 / (d^2 + distinct^2) * t1 / (t1 + half_trained) * t2 / (t2 + half_trained)
+///
+/// since a tile that was seen for a moment only may look otherwise the next time. A tile of which only one of the two
+/// is known says, with the weight `unknown`, how well that one fits.
 class Evidence {
  public:
   /// Nothing was seen yet of a wall with this many tiles.

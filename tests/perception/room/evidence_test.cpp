@@ -65,6 +65,31 @@ TEST(Evidence, IsAskedOfNoPlaceOfWhichNeitherTileIsKnown) {
   EXPECT_TRUE(room.scores(5, 0).places().empty());
 }
 
+/// The log-odds after a look at four tiles that were trained for `one` s, and their reflections for `other` s.
+double log_odds_after(double one, double other) {
+  constexpr int kSeen = 4;  // columns
+  const auto trained = [&](int column) {
+    if (column < kSeen) return one;
+    return column >= kReflected && column < kReflected + kSeen ? other : OneRow::kTrained;
+  };
+  Looking robot;
+  robot.room.model.forget(16);
+  for (int column = 0; column < 16; ++column)
+    robot.room.model.train(column, OneRow::colors_of(column), {trained(column), 100.0, true, 0.0});
+  robot.room.compared.clear();
+  robot.room.compared.prepare(robot.room.model, robot.room.wall, robot.room.comparison);
+  robot.look(0, kReflected, 1.0);
+  return robot.evidence.log_odds();
+}
+
+TEST(Evidence, IsLessOfTilesThatWereSeenForAMoment) {
+  const double half = EvidenceParameters{}.half_trained;
+  const double full = log_odds_after(1e6, 1e6);
+  EXPECT_NEAR(log_odds_after(half, 1e6) / full, 0.5, 1e-3);
+  EXPECT_NEAR(log_odds_after(1e6, half) / full, 0.5, 1e-3);
+  EXPECT_NEAR(log_odds_after(half, half) / full, 0.25, 1e-3);
+}
+
 TEST(Evidence, OfOneTileIsCapped) {
   Looking robot;
   robot.parameters.cap = 0.1;

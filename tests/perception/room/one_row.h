@@ -9,13 +9,14 @@ namespace reorient {
 
 /// A wall of one row whose every column has colours of its own, and what a camera sees of it.
 struct OneRow {
+  static constexpr double kTrained = 60.0;  // s, each column
   OneRow() {
     WallParameters shape;
     shape.rows = 1;
     shape.columns = 16;
     wall = Wall(shape);
     model.forget(16);
-    for (int column = 0; column < 16; ++column) model.train(column, colors_of(column), {1.0, 100.0, true, 0.0});
+    for (int column = 0; column < 16; ++column) model.train(column, colors_of(column), {kTrained, 100.0, true, 0.0});
     compared.prepare(model, wall, comparison);
   }
   static ColorHistogram colors_of(int column) {

@@ -37,7 +37,7 @@ inline SavedModel some_model(std::uint64_t seed, std::uint64_t day = 0, double n
     counts[0] += 1;
     tile.mean = normalized(counts);
     tile.variance.fill(0.01f);
-    tile.visits = 30 + static_cast<int>(room.below(100));
+    tile.visits = 100 + static_cast<int>(room.below(200));
     tile.trained = tile.visits / 30.0;
     tile.light = {room.uniform(0.5, 1.5), room.uniform(-10.0, 10.0), room.uniform(-10.0, 10.0)};
     tile.light_visits = tile.visits;
