@@ -1,4 +1,5 @@
 // `reorient experiment`: many trials of an experiment file, in as many processes as are wanted, and what they showed.
+#include <array>
 #include <cstring>
 #include <memory>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "engine/parameters/utf8.h"
 #include "geometry/image.h"
 #include "program/commands/compare_command.h"
+#include "program/commands/field_images_experiment_command.h"
 #include "program/commands/footage_experiment_command.h"
 #include "program/commands/tables_command.h"
 #include "program/experiment/countdown.h"
@@ -212,9 +214,8 @@ Subcommand add_experiment(CLI::App& program) {
   parser->fallthrough();
   parser->add_option("experiment", options->experiment, "a file, or the name of one in assets/experiments")
       ->check(check_not_empty);
-  const Subcommand compare = add_compare(*parser);
-  const Subcommand tables = add_tables(*parser);
-  const Subcommand footage = add_footage_experiment(*parser);
+  const std::array others = {add_compare(*parser), add_tables(*parser), add_footage_experiment(*parser),
+                             add_field_images_experiment(*parser)};
   parser->add_option("--trials", options->trials, "of each cell (default: the file's)")
       ->check(CLI::Range(1, kMostTrials));
   parser->add_option("--seed", options->seed, "of the first trial of each cell; the others follow")
@@ -253,10 +254,10 @@ Subcommand add_experiment(CLI::App& program) {
       ->check(check_not_empty)
       ->needs(trial);
   parser->add_flag("--resume", options->resume, "go on where an earlier run ended")->excludes(plan);
-  return {parser, [options, compare, tables, footage](std::ostream& out, std::ostream& err) {
-            if (compare.parser->parsed()) return compare.run(out, err);
-            if (tables.parser->parsed()) return tables.run(out, err);
-            if (footage.parser->parsed()) return footage.run(out, err);
+  return {parser, [options, others](std::ostream& out, std::ostream& err) {
+            for (const Subcommand& other : others) {
+              if (other.parser->parsed()) return other.run(out, err);
+            }
             return run_experiment(*options, out, err);
           }};
 }

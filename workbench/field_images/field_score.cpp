@@ -1,0 +1,169 @@
+#include "workbench/field_images/field_score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/pinned_math.h"
+
+namespace reorient {
+namespace {
+
+using Eigen::Vector2d;
+
+// Pixels of an image that is 640 wide.
+constexpr double kUsualWidth = 640.0;
+constexpr double kLeastPiece = 12.0;
+constexpr double kOnLine = 4.0;       // how far a point may be from the middle of its line
+constexpr double kOnPost = 6.0;       // half the width of a post's mask
+constexpr double kPostFound = 10.0;   // how far the foot of a post may be off, sideways
+constexpr double kPieceLength = 0.1;  // m
+
+Vector2d point_between(const Vector2d& a, const Vector2d& b, double share) { return a + share * (b - a); }
+
+double distance_to_segment(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
+  const Vector2d along = b - a;
+  const double square = along.squaredNorm();
+  const double share = square > 0.0 ? std::clamp((point - a).dot(along) / square, 0.0, 1.0) : 0.0;
+  return (point - point_between(a, b, share)).norm();
+}
+
+double distance_to(const LabeledPixels& line, const Vector2d& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    least = std::min(least, distance_to_segment(point, line[i], line[i + 1]));
+  return least;
+}
+
+bool is_inside(const LabeledPixels& polygon, const Vector2d& point) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vector2d &a = polygon[i], &b = polygon[j];
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    if (point.x() < a.x() + (point.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) inside = !inside;
+  }
+  return inside;
+}
+
+bool is_inside_any(const std::vector<LabeledPixels>& polygons, const Vector2d& point) {
+  return std::any_of(polygons.begin(), polygons.end(), [&](const LabeledPixels& one) { return is_inside(one, point); });
+}
+
+/// The same line through points that are at most a pixel apart.
+LabeledPixels dense(const LabeledPixels& line) {
+  LabeledPixels points;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const int steps = std::max(1, static_cast<int>(std::ceil((line[i + 1] - line[i]).norm())));
+    for (int k = 0; k < steps; ++k)
+      points.push_back(point_between(line[i], line[i + 1], static_cast<double>(k) / steps));
+  }
+  points.push_back(line.back());
+  return points;
+}
+
+bool is_in_image(const Vector2d& pixel, const CameraModel& camera) {
+  return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= camera.width - 1.0 && pixel.y() <= camera.height - 1.0;
+}
+
+/// Pieces from the line's beginning on; a rest that is shorter belongs to no piece.
+LineScore score_line(const LabeledPixels& line, const std::vector<Vector2d>& points, const GroundProjection& view,
+                     double scale, double line_range) {
+  LineScore score;
+  LabeledPixels piece;
+  for (const Vector2d& pixel : dense(line)) {
+    const auto ground = view.ground(pixel);
+    if (!ground || view.distance(*ground) > line_range || !is_in_image(pixel, view.camera())) {
+      piece.clear();
+      continue;
+    }
+    piece.push_back(pixel);
+    const auto begin = view.ground(piece.front());
+    if ((pixel - piece.front()).norm() < kLeastPiece * scale || (*ground - *begin).norm() < kPieceLength) continue;
+    ++score.pieces;
+    const bool found = std::any_of(points.begin(), points.end(),
+                                   [&](const Vector2d& point) { return distance_to(piece, point) <= kOnLine * scale; });
+    score.found += found ? 1 : 0;
+    piece = {pixel};
+  }
+  return score;
+}
+
+bool is_in_mask(const FieldLabels& labels, const Vector2d& point) {
+  for (const LabeledBall& ball : labels.balls) {
+    if ((point - ball.center).norm() <= ball.radius) return true;
+  }
+  for (const LabeledPost& post : labels.posts) {
+    if (distance_to_segment(point, post.base, post.top) <= kOnPost) return true;
+  }
+  return is_inside_any(labels.feet, point) || is_inside_any(labels.boards, point) || is_inside_any(labels.marks, point);
+}
+
+void score_posts(const FieldPercept& percept, const FieldLabels& labels, double to_labels, FieldScore& score) {
+  score.posts = static_cast<int>(labels.posts.size());
+  std::vector<bool> found(labels.posts.size());
+  for (const GoalPost& post : percept.goal_posts) {
+    bool fits = false;
+    for (std::size_t i = 0; i < labels.posts.size(); ++i) {
+      if (std::abs(to_labels * post.base.x() - labels.posts[i].base.x()) > kPostFound * labels.width / kUsualWidth)
+        continue;
+      fits = true;
+      found[i] = true;
+    }
+    score.false_posts += fits ? 0 : 1;
+  }
+  score.posts_found = static_cast<int>(std::count(found.begin(), found.end(), true));
+}
+
+}  // namespace
+
+FieldScore operator+(FieldScore a, const FieldScore& b) {
+  a.lines.insert(a.lines.end(), b.lines.begin(), b.lines.end());
+  a.line_points += b.line_points;
+  a.on_lines += b.on_lines;
+  a.in_masks += b.in_masks;
+  a.posts += b.posts;
+  a.posts_found += b.posts_found;
+  a.false_posts += b.false_posts;
+  a.shows_carpet = a.shows_carpet || b.shows_carpet;
+  return a;
+}
+
+CameraModel camera_of(const FieldLabels& labels, int width, int height) {
+  const double vertical = 2.0 * pinned::atan2(std::tan(0.5 * labels.field_of_view) * height, width);
+  return CameraModel::from_fields_of_view(width, height, labels.field_of_view, vertical);
+}
+
+FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, const GroundProjection& view,
+                    double line_range) {
+  FieldScore score;
+  const double to_labels = static_cast<double>(labels.width) / view.camera().width;
+  const auto in_image = [&](const LabeledPixels& line) {
+    LabeledPixels pixels;
+    for (const Vector2d& pixel : line) pixels.push_back(pixel / to_labels);
+    return pixels;
+  };
+  std::vector<Vector2d> points;
+  for (const LinePoint& point : percept.line_points) points.push_back(point.pixel.cast<double>());
+  const double scale = std::max(1.0, view.camera().width / kUsualWidth);
+  for (const LabeledPixels& line : labels.lines)
+    score.lines.push_back(score_line(in_image(line), points, view, scale, line_range));
+
+  for (const Vector2d& point : points) {
+    const Vector2d pixel = to_labels * point;
+    if (is_inside_any(labels.ignored, pixel)) continue;
+    ++score.line_points;
+    const bool on_line = std::any_of(labels.lines.begin(), labels.lines.end(), [&](const LabeledPixels& line) {
+      return distance_to(line, pixel) <= kOnLine * scale * to_labels;
+    });
+    if (on_line)
+      ++score.on_lines;
+    else if (is_in_mask(labels, pixel))
+      ++score.in_masks;
+  }
+  score_posts(percept, labels, to_labels, score);
+  score.shows_carpet = std::any_of(percept.boundary.begin(), percept.boundary.end(),
+                                   [&](float row) { return row < static_cast<float>(view.camera().height); });
+  return score;
+}
+
+}  // namespace reorient

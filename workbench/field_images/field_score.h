@@ -1,0 +1,43 @@
+// What the field vision found in an image against what people labeled there.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "perception/field/field_features.h"
+#include "workbench/field_images/field_labels.h"
+
+namespace reorient {
+
+/// Of one labeled line: in how many of its pieces a line point was found. Pieces are 0.1 m or more, and 12 pixels of an
+/// image of 640 or more. Those farther away than line points are looked for do not count.
+struct LineScore {
+  int pieces = 0;
+  int found = 0;
+  double recall() const { return pieces > 0 ? static_cast<double>(found) / pieces : 1.0; }
+};
+
+struct FieldScore {
+  std::vector<LineScore> lines;  ///< in the order of the labels
+  int line_points = 0;           ///< all but those in ignored areas
+  int on_lines = 0;              ///< of them, those on a labeled line
+  int in_masks = 0;              ///< on a ball, feet, boards, a mark, a post
+  int posts = 0;                 ///< labeled
+  int posts_found = 0;
+  int false_posts = 0;
+  bool shows_carpet = false;
+
+  int elsewhere() const { return line_points - on_lines - in_masks; }  ///< on the plain carpet
+};
+
+FieldScore operator+(FieldScore a, const FieldScore& b);
+
+/// The camera that the labels tell of, at the image's resolution.
+CameraModel camera_of(const FieldLabels& labels, int width, int height);
+
+/// `line_range`: m, how far away line points are looked for. `view`: where the percept was found from.
+FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, const GroundProjection& view,
+                    double line_range);
+
+}  // namespace reorient
