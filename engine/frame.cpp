@@ -30,6 +30,7 @@ FrameLoop::FrameLoop(FrameSetup setup)
       behaviors_(std::move(setup.scripts), registry_, limits_) {
   arbiter_.set_parameters(parameters_.arbiter);
   for (FieldPercept& percept : record_.percepts) percept.reserve();
+  covered_.reserve(record_.percepts[kUpper].obstacles.capacity() + record_.percepts[kUpper].goal_posts.capacity());
   if (setup.room_awareness) room_.emplace(parameters_.room, setup.seed);
   world_ = world_of(setup.field, body_);
   if (room_ && setup.model) {

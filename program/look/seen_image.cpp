@@ -72,8 +72,9 @@ SeenImage see(const LookImage& image, const LookSetup& setup) {
   seen.pose_is_recorded = frame.pose.has_value();
   seen.pose = frame.pose.value_or(setup.pose);
 
+  constexpr int kLooks = 5;  // at the same image, since what is known of the carpet comes from the looks before
   FieldFeatures features(setup.parameters.field_features, setup.field);
-  features.find(frame.image.view(), seen.camera, seen.robot_from_camera, seen.percept);
+  for (int i = 0; i < kLooks; ++i) features.find(frame.image.view(), seen.camera, seen.robot_from_camera, seen.percept);
   const auto height = static_cast<float>(frame.image.height());
   seen.shows_carpet =
       std::any_of(seen.percept.boundary.begin(), seen.percept.boundary.end(), [&](float row) { return row < height; });

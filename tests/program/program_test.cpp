@@ -83,10 +83,12 @@ TEST(Program, LeavesTheVerdictToTheScenario) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/scenarios/easy.lua", R"(scenario "easy" { initial = "a", state "a" {
-  update = function() if clock.time > 1.0 then verdict.succeed("that is all") end end } })");
+  update = function()
+    if clock.time > 1.05 then verdict.succeed("that is all")
+    elseif clock.time > 1.0 then experimenter.put_down(-3, 2, 1) end end } })");
   const ProgramRun run =
       run_reorient({"run", "easy", "--scripts", scripts.string(), "--width", "160", "--no-pictures", "--log", "off"});
-  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // nobody told the robot where it stands
+  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // though it was put down elsewhere in the last moment
   EXPECT_NE(run.out.find("right: that is all\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("belief wrong at the end"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("belief wrong at 0"), std::string::npos) << run.out;

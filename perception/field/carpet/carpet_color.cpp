@@ -1,12 +1,13 @@
 #include "perception/field/carpet/carpet_color.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 
+#include <Eigen/Cholesky>
+
 #include "geometry/bytes.h"
-#include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
@@ -14,17 +15,26 @@ namespace {
 constexpr int kSampleColumns = 48;
 constexpr int kSampleRows = 36;
 constexpr std::size_t kFewestSamples = 40;
-constexpr double kFewestShare = 0.1;     // of the samples must be of one green
-constexpr double kShareOfAnother = 0.3;  // before a known colour is given up for another one
-constexpr double kNear = 4.0;            // m
+constexpr double kFewestShare = 0.1;      // of the samples must be of one color
+constexpr double kShareOfAnyColor = 0.6;  // of them must be near one that is no green
+constexpr double kShareOfAnother = 0.3;   // before a known color is given up for another one
+constexpr int kPatience = 300;            // images, before it is given up for one that is no green
+constexpr double kNear = 4.0;             // m
 
-/// Could any carpet have this chroma? From yellowish to bluish green, with room for a white balance that is off.
+using Terms = Eigen::Matrix<double, 6, 1>;
+
+/// u, v: place in the image, each from -1 to 1.
+Terms terms_at(double u, double v) {
+  Terms terms;
+  terms << 1.0, u, v, u * u, u * v, v * v;
+  return terms;
+}
+
+/// Could any carpet in a good white balance have this chroma? From yellowish to bluish green.
 bool is_greenish(double b, double r) {
   constexpr double kLeast = 5.0;
   return r < 0.0 && -r >= 0.3 * std::abs(b) && b <= 3.0 - 0.3 * r && b * b + r * r >= kLeast * kLeast;
 }
-
-double radius_around(double b, double r) { return std::max(6.0, 0.6 * pinned::hypot(b, r)); }
 
 }  // namespace
 
@@ -33,12 +43,35 @@ CarpetColor::CarpetColor(const FieldFeatureParameters& parameters) : parameters_
 }
 
 void CarpetColor::observe(const ImageView& image, const GroundProjection& view) {
+  constexpr int kSteps = 4;  // from one color to all of the carpet
+  width_ = image.width;
+  height_ = image.height;
   collect(image, view);
-  double b = 0.0;
-  double r = 0.0;
-  if (!find_green(b, r)) return;
-  blend(b, r);
-  prepare_thresholds();
+  if (samples_.size() < kFewestSamples) return;
+  const auto share_of = [this](int count) { return static_cast<double>(count) / static_cast<double>(samples_.size()); };
+  Learned seen = learned_;
+  const bool goes_on = known_ && share_of(fit(seen)) >= kFewestShare;
+  if (!goes_on) {
+    const auto dominant = find_dominant();
+    if (!dominant || (known_ && share_of(dominant->count) < kShareOfAnother)) return;
+    const bool is_green = is_greenish(dominant->b, dominant->r);
+    doubted_ = std::min(doubted_ + 1, kPatience);
+    if (known_ && !is_green && doubted_ < kPatience) return;
+    seen = {};
+    seen.blue.terms[0] = dominant->b;
+    seen.red.terms[0] = dominant->r;
+    int near = 0;
+    for (int step = 0; step < kSteps; ++step) {
+      near = fit(seen);
+      if (near == 0) return;
+    }
+    if (!is_green && share_of(near) < kShareOfAnyColor) return;
+    white_known_ = false;
+  }
+  doubted_ = 0;
+  mix(seen, goes_on ? parameters_.carpet_memory : 0.0);
+  known_ = true;
+  prepare_parts();
 }
 
 void CarpetColor::collect(const ImageView& image, const GroundProjection& view) {
@@ -54,89 +87,138 @@ void CarpetColor::collect(const ImageView& image, const GroundProjection& view) 
       const std::uint8_t* pair = image.row(y) + 2 * x;
       const std::uint8_t* below = image.row(y + 2) + 2 * x;
       const int luma = (pair[0] + pair[2]) / 2;
-      samples_.push_back({luma, pair[1] - 128, pair[3] - 128, std::abs(luma - (below[0] + below[2]) / 2)});
+      samples_.push_back({luma, pair[1] - 128, pair[3] - 128, std::abs(luma - (below[0] + below[2]) / 2),
+                          2.0 * x / image.width - 1.0, 2.0 * y / image.height - 1.0});
     }
   }
 }
 
-/// The densest greenish chroma among the samples.
-bool CarpetColor::find_green(double& b, double& r) const {
+/// The densest chroma among the samples; green counts twice, since most carpets are.
+std::optional<CarpetColor::Dominant> CarpetColor::find_dominant() const {
   constexpr std::size_t kBins = 32;  // 4 steps of chroma each
   constexpr int kRange = 64;
   std::array<std::array<int, kBins>, kBins> histogram{};
   const auto bin = [](int chroma) {
     return static_cast<std::size_t>(std::clamp((chroma + kRange) / 4, 1, static_cast<int>(kBins) - 2));
   };
-  for (const Sample& sample : samples_) {
-    if (is_greenish(sample.b, sample.r)) ++histogram[bin(sample.b)][bin(sample.r)];
-  }
+  for (const Sample& sample : samples_) ++histogram[bin(sample.b)][bin(sample.r)];
   const auto middle = [](std::size_t index) { return 4.0 * static_cast<double>(index) - kRange + 1.5; };
 
+  Dominant best;
   int most = 0;
   for (std::size_t i = 1; i + 1 < kBins; ++i) {
     for (std::size_t j = 1; j + 1 < kBins; ++j) {
-      if (!is_greenish(middle(i), middle(j))) continue;
       int count = 0;
-      for (std::size_t k = i - 1; k <= i + 1; ++k) {
-        count += histogram[k][j - 1] + histogram[k][j] + histogram[k][j + 1];
-      }
-      if (count <= most) continue;
-      most = count;
-      b = middle(i);
-      r = middle(j);
+      for (std::size_t k = i - 1; k <= i + 1; ++k) count += histogram[k][j - 1] + histogram[k][j] + histogram[k][j + 1];
+      const int weighted = is_greenish(middle(i), middle(j)) ? 2 * count : count;
+      if (weighted <= most) continue;
+      most = weighted;
+      best = {middle(i), middle(j), count};
     }
   }
-  return static_cast<std::size_t>(most) >= kFewestSamples &&
-         most >= kFewestShare * static_cast<double>(samples_.size());
+  const bool is_enough = static_cast<std::size_t>(best.count) >= kFewestSamples &&
+                         best.count >= kFewestShare * static_cast<double>(samples_.size());
+  return is_enough ? std::optional(best) : std::nullopt;
 }
 
-/// Mean of the samples around (b, r), mixed into what was known.
-void CarpetColor::blend(double b, double r) {
-  const double radius = radius_around(b, r);
-  double count = 0.0, sum_b = 0.0, sum_r = 0.0, sum_y = 0.0, sum_difference = 0.0;
+/// Least squares over the samples that are near, which change with the color: so it reaches, step by step, corners of
+/// another tint. A little is added to the squares of all terms but the mean, so that few samples do not bend it.
+/// Returns how many samples are near; 0: too few, and the color is as it was.
+int CarpetColor::fit(Learned& color) const {
+  constexpr double kStiffness = 0.02, kLeastRadius = 6.0, kRadius = 0.6;  // of the carpet's saturation
+  Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
+  Terms blue = Terms::Zero(), red = Terms::Zero();
+  double luma = 0.0, difference = 0.0, deviation = 0.0;
+  int near = 0;
   for (const Sample& sample : samples_) {
-    if (!is_greenish(sample.b, sample.r) || pinned::hypot(sample.b - b, sample.r - r) > radius) continue;
-    count += 1.0;
-    sum_b += sample.b;
-    sum_r += sample.r;
-    sum_y += sample.y;
-    sum_difference += std::min(sample.difference, 30);  // the edges of lines are not noise
+    const Terms terms = terms_at(sample.u, sample.v);
+    const double b = color.blue.at(terms), r = color.red.at(terms);
+    const double off = (sample.b - b) * (sample.b - b) + (sample.r - r) * (sample.r - r);
+    if (off > std::max(kLeastRadius * kLeastRadius, kRadius * kRadius * (b * b + r * r))) continue;
+    squares.noalias() += terms * terms.transpose();
+    blue += sample.b * terms;
+    red += sample.r * terms;
+    luma += sample.y;
+    difference += std::min(sample.difference, 30);  // the edges of lines are not noise
+    deviation += off;
+    ++near;
   }
-  if (count == 0.0) return;
-  const double moved = pinned::hypot(sum_b / count - b_, sum_r / count - r_);
-  const bool another = known_ && moved > 0.5 * pinned::hypot(b_, r_);
-  if (another && count < kShareOfAnother * static_cast<double>(samples_.size())) return;
-  const double kept = known_ && !another ? parameters_.carpet_memory : 0.0;
-  const auto mix = [&](double& old, double sum) { old = kept * old + (1.0 - kept) * sum / count; };
-  mix(b_, sum_b);
-  mix(r_, sum_r);
-  mix(luma_, sum_y);
-  mix(noise_, sum_difference);
-  known_ = true;
+  if (near < static_cast<int>(kFewestSamples)) return 0;
+  for (int i = 1; i < 6; ++i) squares(i, i) += kStiffness * near;
+  const auto solver = squares.ldlt();
+  color.blue.set(solver.solve(blue));
+  color.red.set(solver.solve(red));
+  color.luma = luma / near;
+  color.noise = difference / near;
+  color.deviation = std::sqrt(0.5 * deviation / near);
+  return near;
+}
+
+void CarpetColor::mix(const Learned& seen, double kept) {
+  const auto into = [kept](double& old, double value) { old = kept * old + (1.0 - kept) * value; };
+  for (std::size_t i = 0; i < seen.blue.terms.size(); ++i) {
+    into(learned_.blue.terms[i], seen.blue.terms[i]);
+    into(learned_.red.terms[i], seen.red.terms[i]);
+  }
+  into(learned_.luma, seen.luma);
+  into(learned_.noise, seen.noise);
+  into(learned_.deviation, seen.deviation);
+}
+
+void CarpetColor::observe_white(const Eigen::Vector2d& difference) {
+  const double kept = white_known_ ? parameters_.carpet_memory : 0.0;
+  white_less_carpet_ = kept * white_less_carpet_ + (1.0 - kept) * difference;
+  white_known_ = true;
 }
 
 /// After reading.
 void CarpetColor::complete() {
-  constexpr double kMostChroma = 128.0;
+  constexpr double kMostChroma = 1000.0;  // of a term: they may balance each other
   constexpr double kMostLuma = 255.0;
-  check_bytes(std::abs(b_) <= kMostChroma && std::abs(r_) <= kMostChroma && luma_ >= 0.0 && luma_ <= kMostLuma &&
-                  noise_ >= 0.0 && noise_ <= kMostLuma,
-              "the colour of the carpet is none");
-  if (known_) prepare_thresholds();
+  const auto sound = [](double value, double most) { return value >= 0.0 && value <= most; };
+  bool good = sound(learned_.luma, kMostLuma) && sound(learned_.noise, kMostLuma) &&
+              sound(learned_.deviation, kMostLuma) && doubted_ >= 0 && doubted_ <= kPatience &&
+              white_less_carpet_.cwiseAbs().maxCoeff() <= kMostChroma;
+  for (const OverImage* part : {&learned_.blue, &learned_.red}) {
+    for (const double term : part->terms) good = good && std::abs(term) <= kMostChroma;
+  }
+  check_bytes(good, "the color of the carpet is none");
+  if (known_) prepare_parts();
 }
 
-void CarpetColor::prepare_thresholds() {
+void CarpetColor::prepare_parts() {
+  for (int j = 0; j < kRows; ++j) {
+    for (int i = 0; i < kColumns; ++i) {
+      const double u = 2.0 * (i + 0.5) / kColumns - 1.0, v = 2.0 * (j + 0.5) / kRows - 1.0;
+      const Terms terms = terms_at(u, v);
+      parts_[static_cast<std::size_t>(j * kColumns + i)] = part_for({learned_.blue.at(terms), learned_.red.at(terms)});
+    }
+  }
+}
+
+/// A cone of chroma whose apex is white's and whose axis goes through the carpet's. Where the two differ by hardly more
+/// than noise, the cone would end within it: then its apex lies farther back.
+CarpetPart CarpetColor::part_for(const Eigen::Vector2d& carpet) const {
   constexpr double kUnit = 256.0;
-  const double saturation = std::max(pinned::hypot(b_, r_), 1.0);
+  constexpr double kLeastSaturation = 6.0, kDeviations = 4.0;
   const auto whole = [](double value) { return static_cast<int>(std::lround(value)); };
-  hue_b_ = whole(kUnit * b_ / saturation);
-  hue_r_ = whole(kUnit * r_ / saturation);
-  usual_along_ = whole(kUnit * saturation);
-  least_along_ = whole(kUnit * std::max(3.0, parameters_.carpet_saturation * saturation));
-  most_along_ = whole(kUnit * (2.2 * saturation + 5.0));
-  spread_ = whole(kUnit * (2.0 + 0.12 * saturation));
-  brightest_ = whole(2.0 * luma_ + 20.0);
-  darkest_ = whole(0.9 * luma_);
+  const Eigen::Vector2d color = -white_less_carpet(carpet);
+  const double own = color.norm();
+  const double saturation = std::max({own, kLeastSaturation, kDeviations * learned_.deviation});
+  // Without a color of its own, any direction will do.
+  const Eigen::Vector2d hue = own > 1.0 ? Eigen::Vector2d(color / own) : Eigen::Vector2d(-0.6, -0.8);
+  const Eigen::Vector2d apex = carpet - saturation * hue;
+  CarpetPart part;
+  part.apex_b = whole(apex.x());
+  part.apex_r = whole(apex.y());
+  part.hue_b = whole(kUnit * hue.x());
+  part.hue_r = whole(kUnit * hue.y());
+  part.least_along = whole(kUnit * std::max(3.0, parameters_.carpet_saturation * saturation));
+  part.most_along = whole(kUnit * (2.2 * saturation + 5.0));
+  part.spread = whole(kUnit * (2.0 + 0.12 * saturation));
+  part.brightest = whole(2.0 * learned_.luma + 20.0);
+  part.darkest = whole(0.9 * learned_.luma);
+  return part;
 }
 
 }  // namespace reorient

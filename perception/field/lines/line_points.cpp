@@ -73,10 +73,18 @@ std::optional<Vector2d> ground_normal(const GroundProjection& view, const Vector
   return Vector2d(-along.y() / length, along.x() / length);
 }
 
-Ycbcr nearest_pixel(const ImageView& image, const Vector2d& where) {
+struct NearestPixel {
+  Ycbcr color;
+  const CarpetPart& carpet;  ///< there
+};
+
+/// (blue, red), without the offset of 128.
+Vector2d chroma_of(const Ycbcr& color) { return {color.cb - 128.0, color.cr - 128.0}; }
+
+NearestPixel nearest_pixel(const ImageView& image, const CarpetColor& color, const Vector2d& where) {
   const int x = std::clamp(static_cast<int>(std::lround(where.x())), 0, image.width - 1);
   const int y = std::clamp(static_cast<int>(std::lround(where.y())), 0, image.height - 1);
-  return image.at(x, y);
+  return {image.at(x, y), color.at(x, y)};
 }
 
 bool hides(const FieldPercept& percept, const Vector2d& pixel) {
@@ -101,18 +109,22 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
   luma_.reserve(2048);
   segments_.reserve(256);
   candidates_.reserve(kMostCandidates);
+  chroma_.reserve(kMostCandidates);
+  sorted_.reserve(kMostCandidates);
 }
 
-void LinePoints::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-                      FieldPercept& percept) {
+void LinePoints::find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept) {
   constexpr int kSmallest = 16;  // pixels; below, there is no room for a line and carpet on both sides
   candidates_.clear();
+  chroma_.clear();
   percept.line_points.clear();
   if (std::min(image.width, image.height) < kSmallest) return;
   const Frame frame{image, view, color, percept};
   scan_columns(frame);
   scan_rows(frame);
   keep_supported(percept);
+  if (const auto white = usual_chroma()) color.observe_white(*white);
+  keep_white(color, percept);
 }
 
 /// Down from the boundary in evenly spaced columns. Near the robot every second or fourth one is enough.
@@ -180,30 +192,30 @@ void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2
     if (candidates_.size() >= kMostCandidates) return;
     const Vector2d begin = start + segment.begin * step;
     const Vector2d end = start + segment.end * step;
+    Candidate candidate;
     if (lies_on_carpet(frame, start + (segment.before - 1) * step, 0.5 * (begin + end),
-                       start + (segment.after + 1) * step)) {
-      consider(frame, begin, end);
+                       start + (segment.after + 1) * step, candidate)) {
+      consider(frame, begin, end, candidate);
     }
   }
 }
 
 bool LinePoints::lies_on_carpet(const Frame& frame, const Vector2d& before, const Vector2d& center,
-                                const Vector2d& after) const {
-  constexpr double kLessGreen = 0.8;
+                                const Vector2d& after, Candidate& candidate) const {
   if (center.y() < boundary_at(frame.percept.boundary, frame.image.width, center.x()) + 1.0) return false;
-  const Ycbcr stripe = nearest_pixel(frame.image, center);
-  double sides = 0.0;
+  candidate.chroma.carpet = Vector2d::Zero();
   for (const Vector2d& side : {before, after}) {
-    const Ycbcr ground = nearest_pixel(frame.image, side);
-    const Surface surface = frame.color.surface(ground.y, ground.cb, ground.cr);
-    if (surface == Surface::other) return false;
-    sides += 0.5 * std::max(0.3, frame.color.greenness(ground.cb, ground.cr));
+    const auto [ground, carpet] = nearest_pixel(frame.image, frame.color, side);
+    if (carpet.surface(ground.y, ground.cb, ground.cr) == Surface::other) return false;
+    candidate.chroma.carpet += 0.5 * chroma_of(ground);
   }
-  return frame.color.greenness(stripe.cb, stripe.cr) < kLessGreen * sides && !hides(frame.percept, center);
+  candidate.chroma.less_carpet =
+      chroma_of(nearest_pixel(frame.image, frame.color, center).color) - candidate.chroma.carpet;
+  return !hides(frame.percept, center);
 }
 
 /// A stripe counts when it is as wide on the ground as a line, and both of its edges run the same way.
-void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vector2d& end) {
+void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vector2d& end, Candidate& candidate) {
   constexpr double kLeastCoherence = 0.5;
   const auto first = frame.view.ground(begin);
   const auto second = frame.view.ground(end);
@@ -220,7 +232,6 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
   const StructureTensor both{at_begin.xx + at_end.xx, at_begin.xy + at_end.xy, at_begin.yy + at_end.yy};
   if (both.coherence() < kLeastCoherence) return;
 
-  Candidate candidate;
   candidate.position = position;
   candidate.distance = distance;
   candidate.pixel = 0.5 * (begin + end);
@@ -239,7 +250,7 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
 
 /// Noise and marks stand alone, lines go on. The points that continue a line also tell its direction better than
 /// the gradient at one place, since far away a pixel is a large step along the line of sight.
-void LinePoints::keep_supported(FieldPercept& percept) const {
+void LinePoints::keep_supported(FieldPercept& percept) {
   constexpr double kSlant = 0.12;    // tangent of the angle by which a line may bend away from a point's own tangent
   constexpr double kParallel = 0.9;  // cosine
   for (const Candidate& candidate : candidates_) {
@@ -269,7 +280,38 @@ void LinePoints::keep_supported(FieldPercept& percept) const {
     const auto [sine, cosine] = pinned::sincos(along_angle);
     percept.line_points.push_back(
         {candidate.position, half_turn_angle({-sine, cosine}), candidate.pixel.cast<float>()});
+    chroma_.push_back(candidate.chroma);
   }
+}
+
+/// The median of the points.
+std::optional<Vector2d> LinePoints::usual_chroma() {
+  constexpr std::size_t kFewest = 12;
+  if (chroma_.size() < kFewest) return std::nullopt;
+  Vector2d usual;
+  const auto median = [this](auto&& value_of) {
+    sorted_.clear();
+    for (const StripeChroma& chroma : chroma_) sorted_.push_back(value_of(chroma));
+    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
+    std::nth_element(sorted_.begin(), middle, sorted_.end());
+    return *middle;
+  };
+  for (const int channel : {0, 1})
+    usual[channel] = median([&](const StripeChroma& chroma) { return chroma.less_carpet[channel]; });
+  return usual;
+}
+
+/// Bright carpet has the carpet's color. Where white differs from it by hardly more than noise, every point is kept.
+void LinePoints::keep_white(const CarpetColor& color, FieldPercept& percept) const {
+  constexpr double kLeastShare = 0.2, kNoise = 2.0;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < chroma_.size(); ++i) {
+    const Vector2d white = color.white_less_carpet(chroma_[i].carpet);
+    const double norm = white.norm();
+    if (norm > kNoise * color.deviation() && chroma_[i].less_carpet.dot(white) < kLeastShare * norm * norm) continue;
+    percept.line_points[kept++] = percept.line_points[i];
+  }
+  percept.line_points.resize(kept);
 }
 
 }  // namespace reorient

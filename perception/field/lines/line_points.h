@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,15 +20,22 @@ class LinePoints {
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads boundary, goal posts and obstacles of the percept, and fills in its line points.
-  void find(const ImageView& image, const GroundProjection& view, const CarpetColor& color, FieldPercept& percept);
+  /// Tells the carpet's color how white the stripes are.
+  void find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept);
 
  private:
+  /// (blue, red)
+  struct StripeChroma {
+    Eigen::Vector2d carpet = Eigen::Vector2d::Zero();       ///< beside the stripe, without the offset of 128
+    Eigen::Vector2d less_carpet = Eigen::Vector2d::Zero();  ///< of the stripe, less that
+  };
   struct Candidate {
     Eigen::Vector2d position;  ///< m, robot frame
     Eigen::Vector2d pixel;
     Eigen::Vector2d tangent;  ///< unit vector in the image, from the gradient
     Eigen::Vector2d normal;   ///< unit vector on the ground, from the gradient
     double distance = 0.0;    ///< m
+    StripeChroma chroma;
   };
   /// Image, geometry and colour of the frame that find() works on.
   struct Frame {
@@ -41,15 +49,19 @@ class LinePoints {
   void scan_rows(const Frame& frame);
   void search(const Frame& frame, const Eigen::Vector2d& start, const Eigen::Vector2d& step);
   bool lies_on_carpet(const Frame& frame, const Eigen::Vector2d& before, const Eigen::Vector2d& center,
-                      const Eigen::Vector2d& after) const;
-  void consider(const Frame& frame, const Eigen::Vector2d& begin, const Eigen::Vector2d& end);
-  void keep_supported(FieldPercept& percept) const;
+                      const Eigen::Vector2d& after, Candidate& candidate) const;
+  void consider(const Frame& frame, const Eigen::Vector2d& begin, const Eigen::Vector2d& end, Candidate& candidate);
+  void keep_supported(FieldPercept& percept);
+  std::optional<Eigen::Vector2d> usual_chroma();
+  void keep_white(const CarpetColor& color, FieldPercept& percept) const;
 
   FieldFeatureParameters parameters_;
   FieldDimensions field_;
   std::vector<std::int16_t> luma_;  ///< along one scan line, each the sum of two pixels
   std::vector<BrightSegment> segments_;
   std::vector<Candidate> candidates_;
+  std::vector<StripeChroma> chroma_;  ///< of the percept's line points
+  std::vector<double> sorted_;
 };
 
 }  // namespace reorient

@@ -18,6 +18,10 @@ bool inside(const ImageView& image, const Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1;
 }
 
+Surface surface_at(const CarpetColor& color, const Vector2d& pixel, const Ycbcr& seen) {
+  return color.surface(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), seen);
+}
+
 /// For a pixel inside of the image.
 Ycbcr pixel_at(const ImageView& image, const Vector2d& pixel) {
   return image.at(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
@@ -101,7 +105,7 @@ bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, c
   const double chroma = pinned::hypot(seen.cb - look.cb, seen.cr - look.cr);
   const double bright = std::max<double>(seen.y, look.y);
   return std::abs(seen.y - look.y) < 8.0 + 0.25 * look.y && chroma < 6.0 + 0.08 * bright &&
-         frame.color.surface(seen.y, seen.cb, seen.cr) == Surface::other;
+         surface_at(frame.color, pixel, seen) == Surface::other;
 }
 
 /// The last pixel of the candidate's colour, downwards (1) or upwards (-1) along the image of a vertical edge.
@@ -137,7 +141,7 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Cand
   const Vector2d below = candidate.foot + Vector2d(0.0, std::max(3.0, 0.25 * candidate.width));
   if (!inside(frame.image, below)) return std::nullopt;
   const Ycbcr ground = pixel_at(frame.image, below);
-  if (frame.color.surface(ground.y, ground.cb, ground.cr) == Surface::other ||
+  if (surface_at(frame.color, below, ground) == Surface::other ||
       ground.y > candidate.look.y - parameters_.post_contrast) {
     return std::nullopt;
   }

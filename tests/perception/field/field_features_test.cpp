@@ -210,8 +210,8 @@ TEST(FieldFeatures, KeepTheCarpetsColourWhenTheyLookAway) {
   const Image room = up.see(scene);
   percept_in(features, carpet.view(), down.camera, down.robot_from_camera);
   percept_in(features, room.view(), up.camera, up.robot_from_camera);
-  EXPECT_EQ(features.carpet_color().surface(75, 105, 108), Surface::carpet);
-  EXPECT_EQ(features.carpet_color().surface(190, 126, 130), Surface::other);
+  EXPECT_EQ(features.carpet_color().surface(160, 200, {75, 105, 108}), Surface::carpet);
+  EXPECT_EQ(features.carpet_color().surface(160, 200, {190, 126, 130}), Surface::other);
 }
 
 TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
@@ -224,7 +224,68 @@ TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
   percept_in(features, carpet.view(), down.camera, down.robot_from_camera);
   for (int i = 0; i < 20; ++i) percept_in(features, hall.view(), close.camera, close.robot_from_camera);
   EXPECT_NEAR(features.carpet_color().luma(), 75.0, 15.0);
-  EXPECT_EQ(features.carpet_color().surface(95, 132, 134), Surface::other);
+  EXPECT_EQ(features.carpet_color().surface(80, 100, {95, 132, 134}), Surface::other);
+}
+
+/// What a field of these colors shows to a robot that has stood there for some images.
+FieldPercept percept_after(const FlatField& scene, const Stand& stand, int images) {
+  FieldFeatures features({}, scene.field);
+  const Image image = stand.see(scene);
+  FieldPercept percept;
+  for (int i = 0; i < images; ++i) percept = percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
+  return percept;
+}
+
+TEST(FieldFeatures, SeeTheSameLinesOnACarpetOfAnyColor) {
+  const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
+  FlatField scene;
+  const std::size_t on_green = percept_after(scene, here, 5).line_points.size();
+  ASSERT_GE(on_green, 20u);
+  // Yellowish, cyan, blue, red, gray; then green whose lines are as red, as blue, or as green as it.
+  for (const auto& [carpet, line] : {std::pair{Ycbcr{75, 100, 126}, Ycbcr{190, 126, 130}},
+                                     {{75, 134, 108}, {190, 126, 130}},
+                                     {{75, 150, 118}, {190, 126, 130}},
+                                     {{75, 118, 160}, {190, 126, 130}},
+                                     {{75, 128, 128}, {190, 128, 128}},
+                                     {{75, 110, 116}, {190, 115, 165}},
+                                     {{75, 110, 116}, {190, 165, 115}},
+                                     {{75, 105, 108}, {190, 105, 108}}}) {
+    scene.colors.carpet = carpet;
+    scene.colors.line = line;
+    const FieldPercept percept = percept_after(scene, here, 5);
+    EXPECT_GE(percept.line_points.size(), on_green * 9 / 10)
+        << int{carpet.cb} << " " << int{carpet.cr} << ", lines " << int{line.cb} << " " << int{line.cr};
+    expect_line_points_on_lines(percept, scene, here);
+  }
+}
+
+TEST(FieldFeatures, TakeNoBrightCarpetForALineOnceTheyKnowWhite) {
+  const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
+  FlatField scene;
+  FieldFeatures features({}, scene.field);
+  const Image lines = here.see(scene);
+  percept_in(features, lines.view(), here.camera, here.robot_from_camera);
+  scene.colors.line = {150, 84, 90};  // sunlit carpet
+  const Image sunlit = here.see(scene);
+  EXPECT_TRUE(percept_in(features, sunlit.view(), here.camera, here.robot_from_camera).line_points.empty());
+}
+
+TEST(FieldFeatures, GiveUpTheirCarpetForAnotherGreenAtOnceAndForAFloorAfterAWhile) {
+  const Stand here(160, 120, {-2.0, 0.0, 0.0}, {0.0, 0.25});
+  FlatField scene;
+  FieldFeatures features({}, scene.field);
+  const auto look = [&](const Ycbcr& carpet, int images) {
+    scene.colors.carpet = carpet;
+    const Image image = here.see(scene);
+    for (int i = 0; i < images; ++i) percept_in(features, image.view(), here.camera, here.robot_from_camera);
+    return features.carpet_color().surface(80, 100, carpet);
+  };
+  constexpr Ycbcr kGreen{75, 105, 108}, kDarkGreen{40, 118, 112}, kWood{110, 108, 150};
+  look(kGreen, 1);
+  EXPECT_EQ(look(kDarkGreen, 1), Surface::carpet);
+  EXPECT_EQ(look(kWood, 250), Surface::other);
+  EXPECT_EQ(look(kWood, 60), Surface::carpet);
+  EXPECT_EQ(look(kGreen, 1), Surface::carpet);
 }
 
 }  // namespace

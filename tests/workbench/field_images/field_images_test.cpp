@@ -7,6 +7,8 @@
 #include "geometry/camera_attitude.h"
 #include "geometry/head.h"
 #include "tests/paths.h"
+#include "tests/perception/field/picture_file.h"
+#include "tests/shared_data.h"
 #include "workbench/field_images/field_labels.h"
 #include "workbench/field_images/field_score.h"
 #include "workbench/field_images/recoloring.h"
@@ -195,6 +197,40 @@ TEST_F(FieldScoring, ScalesLabelsToTheImage) {
   labels_.lines = {{{0, 400}, {1279, 400}}};
   EXPECT_EQ(score(points_at({{320, 199}})).on_lines, 1);
   EXPECT_EQ(score(points_at({{320, 209}})).on_lines, 0);
+}
+
+class RecoloredImages : public SharedDataTest {
+ protected:
+  RecoloredImages() : SharedDataTest("images") {}
+
+  static FieldScore look(const Image& image, const FieldLabels& labels) {
+    constexpr int kLooks = 5;
+    const CameraModel camera = camera_of(labels, image.width(), image.height());
+    const Isometry3 here =
+        with_attitude(robot_from_camera({}, {}, {}, RobotDimensions{}.torso_height), labels.pitch, labels.roll);
+    FieldFeatures features({}, {});
+    FieldPercept percept;
+    for (int i = 0; i < kLooks; ++i) features.find(image.view(), camera, here, percept);
+    return score_of(percept, labels, *GroundProjection::look(camera, here), FieldFeatureParameters().line_range);
+  }
+};
+
+TEST_F(RecoloredImages, ShowTheSameLines) {
+  const auto all = load_field_labels(std::filesystem::path(kSourceFolder) / "assets/labels/field_images.toml");
+  for (const FieldLabels& labels : all) {
+    const std::filesystem::path file = folder() / labels.name;
+    const Image image =
+        labels.raw ? read_yuyv(file, labels.raw->width, labels.raw->height, labels.raw->header) : read_png(file);
+    const FieldScore plain = look(image, labels);
+    EXPECT_GE(plain.on_lines, 50) << labels.name;
+    for (const Recoloring& recoloring : usual_recolorings()) {
+      SCOPED_TRACE(labels.name + ", " + recoloring.name);
+      const FieldScore seen = look(recolored(image.view(), recoloring), labels);
+      EXPECT_GE(seen.on_lines, 0.85 * plain.on_lines);
+      EXPECT_LE(seen.in_masks, 0.15 * plain.on_lines);
+      EXPECT_EQ(seen.elsewhere(), 0);
+    }
+  }
 }
 
 }  // namespace
