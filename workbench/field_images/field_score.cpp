@@ -139,7 +139,7 @@ FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, cons
   const double to_labels = static_cast<double>(labels.width) / view.camera().width;
   const auto in_image = [&](const LabeledPixels& line) {
     LabeledPixels pixels;
-    for (const Vector2d& pixel : line) pixels.push_back(pixel / to_labels);
+    for (const Vector2d& pixel : line) pixels.emplace_back(pixel / to_labels);
     return pixels;
   };
   std::vector<Vector2d> points;
