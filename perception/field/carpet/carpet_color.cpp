@@ -169,6 +169,7 @@ void CarpetColor::observe_white(const Eigen::Vector2d& difference) {
   const double kept = white_known_ ? parameters_.carpet_memory : 0.0;
   white_less_carpet_ = kept * white_less_carpet_ + (1.0 - kept) * difference;
   white_known_ = true;
+  prepare_parts();  // which follow from what is saved, and from nothing else
 }
 
 /// After reading.

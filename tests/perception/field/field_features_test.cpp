@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/bytes.h"
 #include "geometry/head.h"
 #include "tests/perception/field/flat_field.h"
 #include "tests/perception/field/percept_in.h"
@@ -286,6 +287,28 @@ TEST(FieldFeatures, GiveUpTheirCarpetForAnotherGreenAtOnceAndForAFloorAfterAWhil
   EXPECT_EQ(look(kWood, 250), Surface::other);
   EXPECT_EQ(look(kWood, 60), Surface::carpet);
   EXPECT_EQ(look(kGreen, 1), Surface::carpet);
+}
+
+TEST(FieldFeatures, ThatWereSavedGoOnTheSameWhereNoGroundIsInView) {
+  const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25}), up(320, 240, {-2.0, 0.0, 0.0}, {0.0, -0.6});
+  FlatField scene;
+  scene.colors.carpet = {75, 110, 116};
+  scene.colors.line = {190, 115, 165};  // white is learned behind the carpet
+  FieldFeatures one({}, scene.field), other({}, scene.field);
+  const Image lines = here.see(scene), room = up.see(scene);
+  percept_in(one, lines.view(), here.camera, here.robot_from_camera);
+  std::vector<std::byte> bytes;
+  ByteWriter writer(bytes);
+  one.archive(writer);
+  ByteReader reader(bytes);
+  other.archive(reader);
+  for (FieldFeatures* each : {&one, &other}) percept_in(*each, room.view(), up.camera, up.robot_from_camera);
+  for (int cb = 64; cb < 192; cb += 2) {
+    for (int cr = 64; cr < 192; cr += 2) {
+      const Ycbcr color{70, static_cast<std::uint8_t>(cb), static_cast<std::uint8_t>(cr)};
+      ASSERT_EQ(one.carpet_color().surface(160, 200, color), other.carpet_color().surface(160, 200, color));
+    }
+  }
 }
 
 }  // namespace
