@@ -144,7 +144,7 @@ TEST_F(RunWithAModel, IsRefusedOneThatMayNotBeRead) {
 
 TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
   SavedModel hardly_learned = some_model(1);
-  hardly_learned.learned = 2.0;  // so that the robot goes on learning
+  hardly_learned.learned = 2.0;  // s: too short, so that the robot continues to learn
   const std::string good = file_of(hardly_learned, "hall.model");
   const std::string before = read_text(good);
   ASSERT_GT(before.size(), 16u * 1024u);

@@ -21,15 +21,6 @@ constexpr double kShareOfAnother = 0.3;   // before a known color is given up fo
 constexpr int kPatience = 300;            // images, before it is given up for one that is no green
 constexpr double kNear = 4.0;             // m
 
-using Terms = Eigen::Matrix<double, 6, 1>;
-
-/// u, v: place in the image, each from -1 to 1.
-Terms terms_at(double u, double v) {
-  Terms terms;
-  terms << 1.0, u, v, u * u, u * v, v * v;
-  return terms;
-}
-
 /// Could any carpet in a good white balance have this chroma? From yellowish to bluish green.
 bool is_greenish(double b, double r) {
   constexpr double kLeast = 5.0;
@@ -42,11 +33,23 @@ CarpetColor::CarpetColor(const FieldFeatureParameters& parameters) : parameters_
   samples_.reserve(static_cast<std::size_t>(kSampleColumns) * kSampleRows);
 }
 
+CarpetColor::Terms CarpetColor::terms_at(double u, double v) {
+  Terms terms;
+  terms << 1.0, u, v, u * u, u * v, v * v;
+  return terms;
+}
+
 void CarpetColor::observe(const ImageView& image, const GroundProjection& view) {
-  constexpr int kSteps = 4;  // from one color to all of the carpet
   width_ = image.width;
   height_ = image.height;
   collect(image, view);
+  learn();
+  if (known_) prepare_parts();
+}
+
+/// From the samples.
+void CarpetColor::learn() {
+  constexpr int kSteps = 4;  // from one color to all of the carpet
   if (samples_.size() < kFewestSamples) return;
   const auto share_of = [this](int count) { return static_cast<double>(count) / static_cast<double>(samples_.size()); };
   Learned seen = learned_;
@@ -58,8 +61,8 @@ void CarpetColor::observe(const ImageView& image, const GroundProjection& view) 
     doubted_ = std::min(doubted_ + 1, kPatience);
     if (known_ && !is_green && doubted_ < kPatience) return;
     seen = {};
-    seen.blue.terms[0] = dominant->b;
-    seen.red.terms[0] = dominant->r;
+    seen.blue[0] = dominant->b;
+    seen.red[0] = dominant->r;
     int near = 0;
     for (int step = 0; step < kSteps; ++step) {
       near = fit(seen);
@@ -71,7 +74,6 @@ void CarpetColor::observe(const ImageView& image, const GroundProjection& view) 
   doubted_ = 0;
   mix(seen, goes_on ? parameters_.carpet_memory : 0.0);
   known_ = true;
-  prepare_parts();
 }
 
 void CarpetColor::collect(const ImageView& image, const GroundProjection& view) {
@@ -132,7 +134,7 @@ int CarpetColor::fit(Learned& color) const {
   int near = 0;
   for (const Sample& sample : samples_) {
     const Terms terms = terms_at(sample.u, sample.v);
-    const double b = color.blue.at(terms), r = color.red.at(terms);
+    const double b = color.blue.dot(terms), r = color.red.dot(terms);
     const double off = (sample.b - b) * (sample.b - b) + (sample.r - r) * (sample.r - r);
     if (off > std::max(kLeastRadius * kLeastRadius, kRadius * kRadius * (b * b + r * r))) continue;
     squares.noalias() += terms * terms.transpose();
@@ -146,8 +148,8 @@ int CarpetColor::fit(Learned& color) const {
   if (near < static_cast<int>(kFewestSamples)) return 0;
   for (int i = 1; i < 6; ++i) squares(i, i) += kStiffness * near;
   const auto solver = squares.ldlt();
-  color.blue.set(solver.solve(blue));
-  color.red.set(solver.solve(red));
+  color.blue = solver.solve(blue);
+  color.red = solver.solve(red);
   color.luma = luma / near;
   color.noise = difference / near;
   color.deviation = std::sqrt(0.5 * deviation / near);
@@ -155,11 +157,9 @@ int CarpetColor::fit(Learned& color) const {
 }
 
 void CarpetColor::mix(const Learned& seen, double kept) {
-  const auto into = [kept](double& old, double value) { old = kept * old + (1.0 - kept) * value; };
-  for (std::size_t i = 0; i < seen.blue.terms.size(); ++i) {
-    into(learned_.blue.terms[i], seen.blue.terms[i]);
-    into(learned_.red.terms[i], seen.red.terms[i]);
-  }
+  const auto into = [kept](auto& old, const auto& value) { old = kept * old + (1.0 - kept) * value; };
+  into(learned_.blue, seen.blue);
+  into(learned_.red, seen.red);
   into(learned_.luma, seen.luma);
   into(learned_.noise, seen.noise);
   into(learned_.deviation, seen.deviation);
@@ -169,22 +169,18 @@ void CarpetColor::observe_white(const Eigen::Vector2d& difference) {
   const double kept = white_known_ ? parameters_.carpet_memory : 0.0;
   white_less_carpet_ = kept * white_less_carpet_ + (1.0 - kept) * difference;
   white_known_ = true;
-  prepare_parts();  // which follow from what is saved, and from nothing else
 }
 
 /// After reading.
-void CarpetColor::complete() {
+void CarpetColor::check() const {
   constexpr double kMostChroma = 1000.0;  // of a term: they may balance each other
   constexpr double kMostLuma = 255.0;
   const auto sound = [](double value, double most) { return value >= 0.0 && value <= most; };
-  bool good = sound(learned_.luma, kMostLuma) && sound(learned_.noise, kMostLuma) &&
-              sound(learned_.deviation, kMostLuma) && doubted_ >= 0 && doubted_ <= kPatience &&
-              white_less_carpet_.cwiseAbs().maxCoeff() <= kMostChroma;
-  for (const OverImage* part : {&learned_.blue, &learned_.red}) {
-    for (const double term : part->terms) good = good && std::abs(term) <= kMostChroma;
-  }
-  check_bytes(good, "the color of the carpet is none");
-  if (known_) prepare_parts();
+  const auto is_chroma = [&](const auto& terms) { return (terms.array().abs() <= kMostChroma).all(); };
+  check_bytes(sound(learned_.luma, kMostLuma) && sound(learned_.noise, kMostLuma) &&
+                  sound(learned_.deviation, kMostLuma) && doubted_ >= 0 && doubted_ <= kPatience &&
+                  is_chroma(learned_.blue) && is_chroma(learned_.red) && is_chroma(white_less_carpet_),
+              "the color of the carpet is outside of what can be seen");
 }
 
 void CarpetColor::prepare_parts() {
@@ -192,7 +188,8 @@ void CarpetColor::prepare_parts() {
     for (int i = 0; i < kColumns; ++i) {
       const double u = 2.0 * (i + 0.5) / kColumns - 1.0, v = 2.0 * (j + 0.5) / kRows - 1.0;
       const Terms terms = terms_at(u, v);
-      parts_[static_cast<std::size_t>(j * kColumns + i)] = part_for({learned_.blue.at(terms), learned_.red.at(terms)});
+      parts_[static_cast<std::size_t>(j * kColumns + i)] =
+          part_for({learned_.blue.dot(terms), learned_.red.dot(terms)});
     }
   }
 }

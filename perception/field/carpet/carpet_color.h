@@ -66,7 +66,8 @@ class CarpetColor {
   double noise() const { return learned_.noise; }
 
   /// By how much the chroma of this image's stripes differs from that of the carpet beside them: (blue, red). White
-  /// against the carpet is taken to be as different, until other images say otherwise.
+  /// against the carpet is taken to be as different, until other images say otherwise; the parts from the next image
+  /// on.
   void observe_white(const Eigen::Vector2d& difference);
   /// The same, of the images so far. Before any: as if white had no color, and the carpet that of this place.
   Eigen::Vector2d white_less_carpet(const Eigen::Vector2d& carpet) const {
@@ -79,9 +80,9 @@ class CarpetColor {
   /// What was learned. Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(known_, learned_.blue.terms, learned_.red.terms, learned_.luma, learned_.noise, learned_.deviation,
-            doubted_, white_known_, white_less_carpet_);
-    if constexpr (Archive::kReads) complete();
+    archive(known_, learned_.blue, learned_.red, learned_.luma, learned_.noise, learned_.deviation, doubted_,
+            white_known_, white_less_carpet_);
+    if constexpr (Archive::kReads) check();
   }
 
  private:
@@ -96,27 +97,24 @@ class CarpetColor {
     double b = 0.0, r = 0.0;
     int count = 0;  ///< samples
   };
-  /// A smooth surface over the image: of 1, u, v, u^2, u v, v^2.
-  struct OverImage {
-    using Terms = Eigen::Matrix<double, 6, 1>;
-    std::array<double, 6> terms{};
-    double at(const Terms& place) const { return Eigen::Map<const Terms>(terms.data()).dot(place); }
-    void set(const Terms& values) { Eigen::Map<Terms>(terms.data()) = values; }
-  };
+  /// Of 1, u, v, u^2, u v, v^2: a place in the image, or the factors of a smooth surface over it.
+  using Terms = Eigen::Matrix<double, 6, 1>;
   struct Learned {
-    OverImage blue, red;     ///< chroma without its offset of 128
-    double luma = 0.0;       ///< mean
-    double noise = 0.0;      ///< of luma
-    double deviation = 0.0;  ///< of chroma
+    Terms blue = Terms::Zero(), red = Terms::Zero();  ///< chroma without its offset of 128, over the image
+    double luma = 0.0;                                ///< mean
+    double noise = 0.0;                               ///< of luma
+    double deviation = 0.0;                           ///< of chroma
   };
 
   void collect(const ImageView& image, const GroundProjection& view);
+  static Terms terms_at(double u, double v);
+  void learn();
   std::optional<Dominant> find_dominant() const;
   int fit(Learned& color) const;
   void mix(const Learned& seen, double kept);
   void prepare_parts();
   CarpetPart part_for(const Eigen::Vector2d& carpet) const;
-  void complete();
+  void check() const;
 
   FieldFeatureParameters parameters_;
   std::vector<Sample> samples_;
