@@ -67,6 +67,16 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
   return changes;
 }
 
+void set_overrides(const ParameterOptions& options, ParameterRegistry& registry) {
+  for (const ParameterChange& change : overrides_of(options)) {
+    if (change.origin == ParameterOrigin::command_line) {
+      registry.set(change.name, change.value, change.origin);
+    } else {
+      registry.set_early(change);
+    }
+  }
+}
+
 void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field) {
   parser
       .add_option("--body", body,

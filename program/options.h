@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/parameters/parameter.h"
+#include "engine/parameters/parameter_registry.h"
 
 namespace CLI {
 class App;
@@ -24,6 +24,9 @@ struct ParameterOptions {
 void add_parameter_options(CLI::App& parser, ParameterOptions& options);
 /// Throws std::runtime_error with one line where a file cannot be read or an assignment is none.
 std::vector<ParameterChange> overrides_of(const ParameterOptions& options);
+/// Of a program without scripts: parameters of scripts may stand in files, and are left out. Throws std::runtime_error
+/// with one line where an assignment names no parameter of the engine.
+void set_overrides(const ParameterOptions& options, ParameterRegistry& registry);
 /// The files themselves, those that are named as assets, too. Throws the same.
 std::vector<std::filesystem::path> parameter_files_of(const ParameterOptions& options);
 /// Which humanoid, and on which field.

@@ -28,6 +28,7 @@
 #include "workbench/field_images/field_labels.h"
 #include "workbench/field_images/field_score.h"
 #include "workbench/field_images/recoloring.h"
+#include "workbench/field_images/still_image.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
@@ -42,7 +43,6 @@ namespace reorient {
 namespace {
 
 constexpr const char* kLabels = "field_images";
-constexpr int kLooks = 5;  ///< at each image: what is known of the carpet comes from the image itself
 constexpr int kSheetColumns = 5, kThumbnailWidth = 320;  // pixels
 
 struct FieldImagesOptions {
@@ -124,9 +124,7 @@ struct Eyes {
                       labeled.labels->pitch, labeled.labels->roll);
     const auto view = GroundProjection::look(camera, robot_from_camera);
     if (!view) throw std::runtime_error(as_line(labeled.labels->name + ": no camera looks at the ground like that"));
-    FieldFeatures features(parameters, field);
-    FieldPercept percept;
-    for (int i = 0; i < kLooks; ++i) features.find(image.view(), camera, robot_from_camera, percept);
+    const FieldPercept percept = percept_of_still_image(image.view(), camera, robot_from_camera, parameters, field);
     pictures::CameraView drawn;
     drawn.image = image.view();
     pictures::add_percept(percept, camera, robot_from_camera, drawn);
@@ -193,14 +191,7 @@ Eyes eyes_of(const FieldImagesOptions& options) {
   CoreParameters parameters = core_parameters_for(eyes.field, eyes.body);
   ParameterRegistry registry;
   declare(parameters, registry);
-  for (const ParameterChange& change : overrides_of(options.parameters)) {
-    // A file may also have parameters of scripts, which do not run here.
-    if (change.origin == ParameterOrigin::command_line) {
-      registry.set(change.name, change.value, change.origin);
-    } else {
-      registry.set_early(change);
-    }
-  }
+  set_overrides(options.parameters, registry);
   eyes.parameters = parameters.field_features;
   return eyes;
 }
@@ -269,8 +260,7 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
   print_table(of_images, 1, out);
   out << fmt::format(
       "\nA line is found where line points are in {:.0f} % of its pieces. in masks: line points on balls, feet, "
-      "boards, "
-      "marks and posts; elsewhere: on the plain carpet.\n",
+      "boards, marks and posts; elsewhere: on the plain carpet.\n",
       100.0 * kGoodRecall);
   for (const std::filesystem::path& sheet : sheets) out << "picture: " << sheet.string() << '\n';
   return kSuccess;

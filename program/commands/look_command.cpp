@@ -59,14 +59,7 @@ CoreParameters look_parameters(const LookOptions& options, const RobotBody& body
     for (const ParameterChange& change : footage_wall(*source, options.footage.wall, field, body).parameters)
       registry.set_early(change);
   }
-  for (const ParameterChange& change : overrides_of(options.parameters)) {
-    // A file may also have parameters of scripts, which do not run here.
-    if (change.origin == ParameterOrigin::command_line) {
-      registry.set(change.name, change.value, change.origin);
-    } else {
-      registry.set_early(change);
-    }
-  }
+  set_overrides(options.parameters, registry);
   return parameters;
 }
 

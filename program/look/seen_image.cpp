@@ -4,9 +4,10 @@
 
 #include "engine/covered_areas.h"
 #include "geometry/camera_attitude.h"
-#include "perception/field/field_features.h"
+#include "perception/field/carpet/boundary.h"
 #include "perception/field/ground_projection.h"
 #include "perception/room/room_awareness.h"
+#include "workbench/field_images/still_image.h"
 #include "workbench/views/pictures/record_views.h"
 
 namespace reorient {
@@ -72,12 +73,9 @@ SeenImage see(const LookImage& image, const LookSetup& setup) {
   seen.pose_is_recorded = frame.pose.has_value();
   seen.pose = frame.pose.value_or(setup.pose);
 
-  constexpr int kLooks = 5;  // at the same image, since what is known of the carpet comes from the looks before
-  FieldFeatures features(setup.parameters.field_features, setup.field);
-  for (int i = 0; i < kLooks; ++i) features.find(frame.image.view(), seen.camera, seen.robot_from_camera, seen.percept);
-  const auto height = static_cast<float>(frame.image.height());
-  seen.shows_carpet =
-      std::any_of(seen.percept.boundary.begin(), seen.percept.boundary.end(), [&](float row) { return row < height; });
+  seen.percept = percept_of_still_image(frame.image.view(), seen.camera, seen.robot_from_camera,
+                                        setup.parameters.field_features, setup.field);
+  seen.shows_carpet = shows_carpet(seen.percept.boundary, frame.image.height());
   if (const auto view = GroundProjection::look(seen.camera, seen.robot_from_camera))
     seen.horizon = view->horizon(0.5 * (seen.camera.width - 1.0));
   look_at_wall(image, setup.parameters.room, seen);

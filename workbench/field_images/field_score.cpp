@@ -143,7 +143,7 @@ FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, cons
     return pixels;
   };
   std::vector<Vector2d> points;
-  for (const LinePoint& point : percept.line_points) points.push_back(point.pixel.cast<double>());
+  for (const LinePoint& point : percept.line_points) points.emplace_back(point.pixel.cast<double>());
   const double scale = std::max(1.0, view.camera().width / kUsualWidth);
   for (const LabeledPixels& line : labels.lines)
     score.lines.push_back(score_line(in_image(line), points, view, scale, line_range));
@@ -161,8 +161,7 @@ FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, cons
       ++score.in_masks;
   }
   score_posts(percept, labels, to_labels, score);
-  score.shows_carpet = std::any_of(percept.boundary.begin(), percept.boundary.end(),
-                                   [&](float row) { return row < static_cast<float>(view.camera().height); });
+  score.shows_carpet = shows_carpet(percept.boundary, view.camera().height);
   return score;
 }
 

@@ -70,6 +70,11 @@ void Boundary::find(const CarpetMap& map, int image_height, std::vector<float>& 
   }
 }
 
+bool shows_carpet(const std::vector<float>& boundary, int image_height) {
+  return std::any_of(boundary.begin(), boundary.end(),
+                     [&](float row) { return row < static_cast<float>(image_height); });
+}
+
 double boundary_at(const std::vector<float>& boundary, int width, double column) {
   if (boundary.empty() || width <= 0) return 0.0;
   const double last = static_cast<double>(boundary.size()) - 1.0;

@@ -20,6 +20,9 @@ class Boundary {
   std::array<int, CarpetMap::kColumns> hull_{};  ///< columns
 };
 
+/// Whether any of the rows is above the image's bottom.
+bool shows_carpet(const std::vector<float>& boundary, int image_height);
+
 /// The boundary at any column of an image of this width, between its own columns.
 double boundary_at(const std::vector<float>& boundary, int width, double column);
 

@@ -7,6 +7,7 @@
 #include "geometry/head.h"
 #include "geometry/random.h"
 #include "perception/field/field_features.h"
+#include "tests/perception/field/filled_image.h"
 #include "tests/perception/field/percept_in.h"
 
 namespace reorient {
@@ -16,19 +17,6 @@ const Isometry3 kUpright = robot_from_camera({}, {0.0, 0.2}, {}, 0.248);
 
 CameraModel camera_of(int width, int height) {
   return CameraModel::from_fields_of_view(width, height, from_degrees(56.3), from_degrees(43.7));
-}
-
-Image filled(int width, int height, const Ycbcr& color) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; x += 2) {
-      std::uint8_t* pair = image.row(y) + 2 * x;
-      pair[0] = pair[2] = color.y;
-      pair[1] = color.cb;
-      pair[3] = color.cr;
-    }
-  }
-  return image;
 }
 
 Image noise(int width, int height, std::uint64_t seed) {

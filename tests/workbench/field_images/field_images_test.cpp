@@ -7,11 +7,13 @@
 #include "geometry/camera_attitude.h"
 #include "geometry/head.h"
 #include "tests/paths.h"
+#include "tests/perception/field/filled_image.h"
 #include "tests/perception/field/picture_file.h"
 #include "tests/shared_data.h"
 #include "workbench/field_images/field_labels.h"
 #include "workbench/field_images/field_score.h"
 #include "workbench/field_images/recoloring.h"
+#include "workbench/field_images/still_image.h"
 
 namespace reorient {
 namespace {
@@ -88,33 +90,20 @@ TEST(FieldLabels, ThatMakeNoSenseAreRefusedWithTheirLine) {
   EXPECT_NE(complaint_about(kImage + kImage).find("is there twice"), std::string::npos);
 }
 
-Image of_color(int width, int height, const Ycbcr& color) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; x += 2) {
-      std::uint8_t* pair = image.row(y) + 2 * x;
-      pair[0] = pair[2] = color.y;
-      pair[1] = color.cb;
-      pair[3] = color.cr;
-    }
-  }
-  return image;
-}
-
 TEST(Recoloring, WithoutAChangeLeavesEachByteAsItIs) {
-  const Image image = of_color(16, 8, {75, 105, 108});
+  const Image image = filled(16, 8, {75, 105, 108});
   EXPECT_EQ(recolored(image.view(), {}).bytes(), image.bytes());
 }
 
 TEST(Recoloring, ChangesWhatItSays) {
-  const Image gray = of_color(64, 48, {100, 128, 128});
+  const Image gray = filled(64, 48, {100, 128, 128});
   const auto color_of = [&](const Recoloring& how) { return recolored(gray.view(), how).view().at(32, 24); };
   EXPECT_EQ(color_of({.cr = 16}), (Ycbcr{100, 128, 144}));
   EXPECT_EQ(color_of({.cb = -8}), (Ycbcr{100, 120, 128}));
   // Of gray 100: red 150, so luma 114.95, Cr 0.713 (150 - 114.95), Cb 0.564 (100 - 114.95).
   EXPECT_EQ(color_of({.red = 1.5}), (Ycbcr{115, 120, 153}));
   EXPECT_EQ(color_of({.gamma = 2.0}), (Ycbcr{39, 128, 128}));  // 255 (100 / 255)^2
-  const Image colored = of_color(64, 48, {100, 118, 108});
+  const Image colored = filled(64, 48, {100, 118, 108});
   EXPECT_EQ(recolored(colored.view(), {.saturation = 0.5}).view().at(0, 0), (Ycbcr{100, 123, 118}));
   const Image dark = recolored(gray.view(), {.vignetting = 0.6});
   EXPECT_EQ(dark.view().at(0, 0).y, 40);
@@ -204,13 +193,10 @@ class RecoloredImages : public SharedDataTest {
   RecoloredImages() : SharedDataTest("images") {}
 
   static FieldScore look(const Image& image, const FieldLabels& labels) {
-    constexpr int kLooks = 5;
     const CameraModel camera = camera_of(labels, image.width(), image.height());
     const Isometry3 here =
         with_attitude(robot_from_camera({}, {}, {}, RobotDimensions{}.torso_height), labels.pitch, labels.roll);
-    FieldFeatures features({}, {});
-    FieldPercept percept;
-    for (int i = 0; i < kLooks; ++i) features.find(image.view(), camera, here, percept);
+    const FieldPercept percept = percept_of_still_image(image.view(), camera, here, {}, {});
     return score_of(percept, labels, *GroundProjection::look(camera, here), FieldFeatureParameters().line_range);
   }
 };

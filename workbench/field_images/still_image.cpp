@@ -1,0 +1,15 @@
+#include "workbench/field_images/still_image.h"
+
+namespace reorient {
+
+FieldPercept percept_of_still_image(const ImageView& image, const CameraModel& camera,
+                                    const Isometry3& robot_from_camera, const FieldFeatureParameters& parameters,
+                                    const FieldDimensions& field) {
+  constexpr int kLooks = 5;
+  FieldFeatures features(parameters, field);
+  FieldPercept percept;
+  for (int i = 0; i < kLooks; ++i) features.find(image, camera, robot_from_camera, percept);
+  return percept;
+}
+
+}  // namespace reorient

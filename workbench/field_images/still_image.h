@@ -1,0 +1,13 @@
+// What the field vision sees in an image that has none before it.
+#pragma once
+
+#include "perception/field/field_features.h"
+
+namespace reorient {
+
+/// Looks several times, as a robot that stands: what is known of the carpet and of white comes from the looks before.
+FieldPercept percept_of_still_image(const ImageView& image, const CameraModel& camera,
+                                    const Isometry3& robot_from_camera, const FieldFeatureParameters& parameters,
+                                    const FieldDimensions& field);
+
+}  // namespace reorient
