@@ -4,7 +4,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x4165746174537252ull;  // "RrStateA": another layout gets another number
+constexpr std::uint64_t kStateMagic = 0x4265746174537252ull;  // "RrStateB": another layout gets another number
 
 /// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
 FrameSetup read_setup(ByteReader& in) {

@@ -13,8 +13,8 @@ struct FieldFeatureParameters {
   double line_spacing = 0.03;
   int line_support = 2;
   double post_contrast = 14.0;
-  double post_range = 5.0;
-  double post_agreement = 0.75;
+  double post_range = 9.0;
+  double post_agreement = 0.8;
   double obstacle_range = 4.0;
   double obstacle_width = 0.14;
   double obstacle_height = 0.6;

@@ -30,7 +30,7 @@ void FieldFeatures::find(const ImageView& image, const CameraModel& camera, cons
   carpet_color_.observe(image, *view);
   if (!carpet_color_.known()) return;
   carpet_map_.fill(image, carpet_color_, highest_row_of_ground(*view));
-  boundary_.find(carpet_map_, image.height, percept.boundary);
+  boundary_.find(carpet_map_, view->camera(), percept.boundary);
   goal_posts_.find(image, *view, carpet_color_, percept);
   obstacles_.find(carpet_map_, *view, percept);
   line_points_.find(image, *view, carpet_color_, percept);

@@ -30,6 +30,7 @@ class GroundProjection {
   std::optional<Eigen::Vector2d> at_height(const Eigen::Vector2d& pixel, double height) const;
 
   std::optional<Eigen::Vector2d> pixel(const Eigen::Vector3d& point) const;
+  Eigen::Vector3d in_camera(const Eigen::Vector3d& point) const { return camera_from_robot_ * point; }
 
   /// Along the ground, from the point below the camera.
   double distance(const Eigen::Vector2d& point) const {

@@ -170,17 +170,32 @@ std::vector<std::string> cells_of(const std::string& name, const FieldScore& sco
           std::to_string(score.in_masks),
           std::to_string(score.elsewhere()),
           fmt::format("{} of {}", score.posts_found, score.posts),
-          std::to_string(score.false_posts)};
+          std::to_string(score.false_posts),
+          fmt::format("{} of {}", score.robots_found, score.robots),
+          std::to_string(score.false_obstacles),
+          score.border_columns > 0
+              ? fmt::format("{:.2f}", static_cast<double>(score.border_found) / score.border_columns)
+              : "-"};
 }
 
 nlohmann::ordered_json as_json(const std::string& image, const std::string& recoloring, const FieldScore& score) {
   nlohmann::ordered_json lines = nlohmann::ordered_json::array();
   for (const LineScore& line : score.lines) lines.push_back({{"pieces", line.pieces}, {"found", line.found}});
-  return {{"image", as_utf8(image)},           {"recoloring", recoloring},
-          {"lines", std::move(lines)},         {"line_points", score.line_points},
-          {"on_lines", score.on_lines},        {"in_masks", score.in_masks},
-          {"elsewhere", score.elsewhere()},    {"posts", score.posts},
-          {"posts_found", score.posts_found},  {"false_posts", score.false_posts},
+  return {{"image", as_utf8(image)},
+          {"recoloring", recoloring},
+          {"lines", std::move(lines)},
+          {"line_points", score.line_points},
+          {"on_lines", score.on_lines},
+          {"in_masks", score.in_masks},
+          {"elsewhere", score.elsewhere()},
+          {"posts", score.posts},
+          {"posts_found", score.posts_found},
+          {"false_posts", score.false_posts},
+          {"robots", score.robots},
+          {"robots_found", score.robots_found},
+          {"false_obstacles", score.false_obstacles},
+          {"border_columns", score.border_columns},
+          {"border_found", score.border_found},
           {"shows_carpet", score.shows_carpet}};
 }
 
@@ -219,8 +234,8 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
 
   const std::vector<Recoloring> recolorings = usual_recolorings();
   std::vector<FieldScore> by_recoloring(recolorings.size());
-  TextTable of_images{
-      {"image", "lines found", "mean recall", "worst", "on lines", "in masks", "elsewhere", "posts", "false posts"}};
+  TextTable of_images{{"image", "lines found", "mean recall", "worst", "on lines", "in masks", "elsewhere", "posts",
+                       "false posts", "robots", "false obstacles", "border"}};
   TextTable of_recolorings = of_images;
   of_recolorings[0][0] = "recoloring";
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -260,7 +275,8 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
   print_table(of_images, 1, out);
   out << fmt::format(
       "\nA line is found where line points are in {:.0f} % of its pieces. in masks: line points on balls, feet, "
-      "boards, marks and posts; elsewhere: on the plain carpet.\n",
+      "boards, marks and posts; elsewhere: on the plain carpet. border: share of the columns in which the carpet's "
+      "boundary is at the boards.\n",
       100.0 * kGoodRecall);
   for (const std::filesystem::path& sheet : sheets) out << "picture: " << sheet.string() << '\n';
   return kSuccess;

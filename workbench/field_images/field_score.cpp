@@ -14,9 +14,10 @@ using Eigen::Vector2d;
 // Pixels of an image that is 640 wide.
 constexpr double kUsualWidth = 640.0;
 constexpr double kLeastPiece = 12.0;
-constexpr double kOnLine = 4.0;       // how far a point may be from the middle of its line
-constexpr double kOnPost = 6.0;       // half the width of a post's mask
-constexpr double kPostFound = 10.0;   // how far the foot of a post may be off, sideways
+constexpr double kOnLine = 4.0;      // how far a point may be from the middle of its line
+constexpr double kOnPost = 6.0;      // half the width of a post's mask
+constexpr double kPostFound = 10.0;  // how far the foot of a post may be off, sideways
+constexpr double kBorderFound = 8.0;
 constexpr double kPieceLength = 0.1;  // m
 
 Vector2d point_between(const Vector2d& a, const Vector2d& b, double share) { return a + share * (b - a); }
@@ -114,6 +115,51 @@ void score_posts(const FieldPercept& percept, const FieldLabels& labels, double 
   score.posts_found = static_cast<int>(std::count(found.begin(), found.end(), true));
 }
 
+/// Of the boards in a column; nothing where there are none.
+std::optional<double> lower_edge(const std::vector<LabeledPixels>& boards, double column) {
+  std::optional<double> lowest;
+  for (const LabeledPixels& polygon : boards) {
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+      const Vector2d &a = polygon[i], &b = polygon[j];
+      if ((a.x() > column) == (b.x() > column)) continue;
+      const double row = a.y() + (column - a.x()) * (b.y() - a.y()) / (b.x() - a.x());
+      lowest = std::max(lowest.value_or(row), row);
+    }
+  }
+  return lowest;
+}
+
+void score_border(const FieldPercept& percept, const FieldLabels& labels, double to_labels, FieldScore& score) {
+  const double column_width = static_cast<double>(labels.width) / static_cast<double>(percept.boundary.size());
+  for (std::size_t i = 0; i < percept.boundary.size(); ++i) {
+    const auto row = lower_edge(labels.boards, (static_cast<double>(i) + 0.5) * column_width);
+    if (!row) continue;
+    ++score.border_columns;
+    if (std::abs(to_labels * percept.boundary[i] - *row) <= kBorderFound * labels.width / kUsualWidth)
+      ++score.border_found;
+  }
+}
+
+/// An obstacle belongs to feet where its lower edge's middle lies in their columns.
+void score_obstacles(const FieldPercept& percept, const FieldLabels& labels, double to_labels, FieldScore& score) {
+  score.robots = static_cast<int>(labels.feet.size());
+  std::vector<bool> found(labels.feet.size());
+  for (const Obstacle& obstacle : percept.obstacles) {
+    const double middle = to_labels * 0.5 * (obstacle.left + obstacle.right);
+    bool fits = false;
+    for (std::size_t i = 0; i < labels.feet.size(); ++i) {
+      const auto [left, right] =
+          std::minmax_element(labels.feet[i].begin(), labels.feet[i].end(),
+                              [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
+      if (middle < left->x() || middle > right->x()) continue;
+      fits = true;
+      found[i] = true;
+    }
+    score.false_obstacles += fits ? 0 : 1;
+  }
+  score.robots_found = static_cast<int>(std::count(found.begin(), found.end(), true));
+}
+
 }  // namespace
 
 FieldScore operator+(FieldScore a, const FieldScore& b) {
@@ -124,6 +170,11 @@ FieldScore operator+(FieldScore a, const FieldScore& b) {
   a.posts += b.posts;
   a.posts_found += b.posts_found;
   a.false_posts += b.false_posts;
+  a.border_columns += b.border_columns;
+  a.border_found += b.border_found;
+  a.robots += b.robots;
+  a.robots_found += b.robots_found;
+  a.false_obstacles += b.false_obstacles;
   a.shows_carpet = a.shows_carpet || b.shows_carpet;
   return a;
 }
@@ -161,6 +212,8 @@ FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, cons
       ++score.in_masks;
   }
   score_posts(percept, labels, to_labels, score);
+  score_border(percept, labels, to_labels, score);
+  score_obstacles(percept, labels, to_labels, score);
   score.shows_carpet = shows_carpet(percept.boundary, view.camera().height);
   return score;
 }

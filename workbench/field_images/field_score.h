@@ -26,6 +26,11 @@ struct FieldScore {
   int posts = 0;                 ///< labeled
   int posts_found = 0;
   int false_posts = 0;
+  int border_columns = 0;   ///< of the percept's boundary, in which boards are labeled
+  int border_found = 0;     ///< of them, those in which the boundary is within 8 pixels of the boards' lower edge
+  int robots = 0;           ///< labeled feet
+  int robots_found = 0;     ///< of them, those with an obstacle on them
+  int false_obstacles = 0;  ///< on no feet
   bool shows_carpet = false;
 
   int elsewhere() const { return line_points - on_lines - in_masks; }  ///< on the plain carpet

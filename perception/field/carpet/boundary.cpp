@@ -40,10 +40,29 @@ int without_spike(const std::array<int, kColumns>& rows, int column) {
 
 }  // namespace
 
-void Boundary::find(const CarpetMap& map, int image_height, std::vector<float>& boundary) {
+/// The first row from `row` down that is not beyond an edge.
+int Boundary::within_edges(const CarpetMap& map, int column, int row) const {
+  const auto is_beyond = [&](int at) {
+    return edges_.is_beyond({static_cast<double>(map.column_pixel(column)), static_cast<double>(map.row_pixel(at))});
+  };
+  if (row >= map.rows() || !is_beyond(row)) return row;
+  int beyond = row, within = map.rows();
+  while (within - beyond > 1) {
+    const int middle = (beyond + within) / 2;
+    (is_beyond(middle) ? beyond : within) = middle;
+  }
+  return within;
+}
+
+void Boundary::find(const CarpetMap& map, const CameraModel& camera, std::vector<float>& boundary) {
   const auto row_of = [&](int column) { return smooth_[static_cast<std::size_t>(column)]; };
   for (int i = 0; i < kColumns; ++i) highest_[static_cast<std::size_t>(i)] = highest_carpet(map, i);
   for (int i = 0; i < kColumns; ++i) smooth_[static_cast<std::size_t>(i)] = without_spike(highest_, i);
+  edges_.find(map, camera, smooth_);
+  for (int i = 0; i < kColumns; ++i) {
+    int& row = smooth_[static_cast<std::size_t>(i)];
+    row = within_edges(map, i, row);
+  }
 
   // Upper convex hull of the columns that see carpet (Andrew, 1979); rows count downwards.
   std::size_t size = 0;
@@ -58,7 +77,7 @@ void Boundary::find(const CarpetMap& map, int image_height, std::vector<float>& 
     hull_[size++] = i;
   }
 
-  boundary.assign(kColumns, static_cast<float>(image_height));
+  boundary.assign(kColumns, static_cast<float>(camera.height));
   for (std::size_t k = 0; k < size; ++k) {
     const int from = hull_[k];
     const int to = hull_[std::min(k + 1, size - 1)];

@@ -4,19 +4,25 @@
 #include <array>
 #include <vector>
 
+#include "geometry/camera.h"
 #include "perception/field/carpet/carpet_map.h"
+#include "perception/field/carpet/straight_edges.h"
 
 namespace reorient {
 
 /// One row (pixels) for each column of the map, as FieldPercept wants it: the image's height where no carpet is in
-/// view. The field is convex, so a robot or a post in front of its border does not dent it.
+/// view. The field is convex, so a robot or a post in front of its border does not dent it; and its border is straight,
+/// so what lies beyond the edges that most columns agree on is none of it, whatever color it has.
 class Boundary {
  public:
-  void find(const CarpetMap& map, int image_height, std::vector<float>& boundary);
+  void find(const CarpetMap& map, const CameraModel& camera, std::vector<float>& boundary);
 
  private:
-  std::array<int, CarpetMap::kColumns> highest_{};  ///< topmost row of carpet in each column; the map's rows: none
-  std::array<int, CarpetMap::kColumns> smooth_{};
+  int within_edges(const CarpetMap& map, int column, int row) const;
+
+  StraightEdges edges_;
+  StraightEdges::Rows highest_{};  ///< topmost row of carpet in each column; the map's rows: none
+  StraightEdges::Rows smooth_{};
   std::array<int, CarpetMap::kColumns> hull_{};  ///< columns
 };
 

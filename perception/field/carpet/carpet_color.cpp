@@ -18,7 +18,6 @@ constexpr std::size_t kFewestSamples = 40;
 constexpr double kFewestShare = 0.1;      // of the samples must be of one color
 constexpr double kShareOfAnyColor = 0.6;  // of them must be near one that is no green
 constexpr double kShareOfAnother = 0.3;   // before a known color is given up for another one
-constexpr int kPatience = 300;            // images, before it is given up for one that is no green
 constexpr double kNear = 4.0;             // m
 
 /// Could any carpet in a good white balance have this chroma? From yellowish to bluish green.
@@ -53,27 +52,37 @@ void CarpetColor::learn() {
   if (samples_.size() < kFewestSamples) return;
   const auto share_of = [this](int count) { return static_cast<double>(count) / static_cast<double>(samples_.size()); };
   Learned seen = learned_;
-  const bool goes_on = known_ && share_of(fit(seen)) >= kFewestShare;
+  const bool goes_on = known_ && goes_on_with(seen);
   if (!goes_on) {
     const auto dominant = find_dominant();
     if (!dominant || (known_ && share_of(dominant->count) < kShareOfAnother)) return;
-    const bool is_green = is_greenish(dominant->b, dominant->r);
     doubted_ = std::min(doubted_ + 1, kPatience);
-    if (known_ && !is_green && doubted_ < kPatience) return;
     seen = {};
     seen.blue[0] = dominant->b;
     seen.red[0] = dominant->r;
-    int near = 0;
+    Fit fitted;
     for (int step = 0; step < kSteps; ++step) {
-      near = fit(seen);
-      if (near == 0) return;
+      fitted = fit(seen);
+      if (fitted.near == 0) return;
     }
-    if (!is_green && share_of(near) < kShareOfAnyColor) return;
+    const bool is_green = is_greenish(fitted.chroma.x(), fitted.chroma.y());
+    if (!is_green && (doubted_ < kPatience || share_of(fitted.near) < kShareOfAnyColor)) return;
     white_known_ = false;
   }
   doubted_ = 0;
   mix(seen, goes_on ? parameters_.carpet_memory : 0.0);
   known_ = true;
+}
+
+/// Enough of the carpet is in view, and what is in view is the carpet: something of a similar color beside it would
+/// lead the color away from it, step by step. Fits `seen`.
+bool CarpetColor::goes_on_with(Learned& seen) const {
+  constexpr double kMostStep = 0.25, kLeastStep = 3.0;  // of the saturation; of chroma
+  const Fit fitted = fit(seen);
+  if (static_cast<double>(fitted.near) < kFewestShare * static_cast<double>(samples_.size())) return false;
+  const Eigen::Vector2d known(learned_.blue.dot(fitted.place), learned_.red.dot(fitted.place));
+  if (is_greenish(known.x(), known.y()) && !is_greenish(fitted.chroma.x(), fitted.chroma.y())) return false;
+  return (fitted.chroma - known).norm() <= std::max(kLeastStep, kMostStep * known.norm());
 }
 
 void CarpetColor::collect(const ImageView& image, const GroundProjection& view) {
@@ -125,8 +134,8 @@ std::optional<CarpetColor::Dominant> CarpetColor::find_dominant() const {
 
 /// Least squares over the samples that are near, which change with the color: so it reaches, step by step, corners of
 /// another tint. A little is added to the squares of all terms but the mean, so that few samples do not bend it.
-/// Returns how many samples are near; 0: too few, and the color is as it was.
-int CarpetColor::fit(Learned& color) const {
+/// None are near: they are too few, and the color is as it was.
+CarpetColor::Fit CarpetColor::fit(Learned& color) const {
   constexpr double kStiffness = 0.02, kLeastRadius = 6.0, kRadius = 0.6;  // of the carpet's saturation
   Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
   Terms blue = Terms::Zero(), red = Terms::Zero();
@@ -145,7 +154,8 @@ int CarpetColor::fit(Learned& color) const {
     deviation += off;
     ++near;
   }
-  if (near < static_cast<int>(kFewestSamples)) return 0;
+  if (near < static_cast<int>(kFewestSamples)) return {};
+  const Fit fitted{near, squares.col(0) / near, Eigen::Vector2d(blue[0], red[0]) / near};
   for (int i = 1; i < 6; ++i) squares(i, i) += kStiffness * near;
   const auto solver = squares.ldlt();
   color.blue = solver.solve(blue);
@@ -153,7 +163,7 @@ int CarpetColor::fit(Learned& color) const {
   color.luma = luma / near;
   color.noise = difference / near;
   color.deviation = std::sqrt(0.5 * deviation / near);
-  return near;
+  return fitted;
 }
 
 void CarpetColor::mix(const Learned& seen, double kept) {
@@ -165,10 +175,19 @@ void CarpetColor::mix(const Learned& seen, double kept) {
   into(learned_.deviation, seen.deviation);
 }
 
-void CarpetColor::observe_white(const Eigen::Vector2d& difference) {
+void CarpetColor::observe_white(const Eigen::Vector3d& less_carpet) {
   const double kept = white_known_ ? parameters_.carpet_memory : 0.0;
-  white_less_carpet_ = kept * white_less_carpet_ + (1.0 - kept) * difference;
+  white_less_carpet_ = kept * white_less_carpet_ + (1.0 - kept) * less_carpet;
   white_known_ = true;
+}
+
+double CarpetColor::tint_at(const Eigen::Vector2i& pixel, const Ycbcr& seen) const {
+  if (!white_known_) return Eigen::Vector2d(seen.cb - 128, seen.cr - 128).norm() / std::max<int>(seen.y, 1);
+  const Terms terms = terms_at(2.0 * pixel.x() / width_ - 1.0, 2.0 * pixel.y() / height_ - 1.0);
+  const Eigen::Vector2d carpet(learned_.blue.dot(terms), learned_.red.dot(terms));
+  const Eigen::Vector2d white = carpet + white_less_carpet(carpet), chroma(seen.cb - 128, seen.cr - 128);
+  const double of_light = (chroma - seen.y * light_of(white)).norm();
+  return std::min((chroma - white).norm(), of_light) / std::max<int>(seen.y, 1);
 }
 
 /// After reading.
@@ -194,28 +213,45 @@ void CarpetColor::prepare_parts() {
   }
 }
 
-/// A cone of chroma whose apex is white's and whose axis goes through the carpet's. Where the two differ by hardly more
-/// than noise, the cone would end within it: then its apex lies farther back.
-CarpetPart CarpetColor::part_for(const Eigen::Vector2d& carpet) const {
+/// Where carpet and what has no color differ by hardly more than noise, the cone would end within it: then its apex
+/// lies farther back. `no_color`: as bright as the carpet. `light`: how that changes with luma.
+ChromaCone CarpetColor::cone_for(const Eigen::Vector2d& carpet, const Eigen::Vector2d& no_color,
+                                 const Eigen::Vector2d& light) const {
   constexpr double kUnit = 256.0;
   constexpr double kLeastSaturation = 6.0, kDeviations = 4.0;
   const auto whole = [](double value) { return static_cast<int>(std::lround(value)); };
-  const Eigen::Vector2d color = -white_less_carpet(carpet);
+  const Eigen::Vector2d color = carpet - no_color;
   const double own = color.norm();
   const double saturation = std::max({own, kLeastSaturation, kDeviations * learned_.deviation});
   // Without a color of its own, any direction will do.
   const Eigen::Vector2d hue = own > 1.0 ? Eigen::Vector2d(color / own) : Eigen::Vector2d(-0.6, -0.8);
-  const Eigen::Vector2d apex = carpet - saturation * hue;
+  const Eigen::Vector2d apex = carpet - saturation * hue - learned_.luma * light;
+  ChromaCone cone;
+  cone.apex_b = whole(kUnit * apex.x());
+  cone.apex_r = whole(kUnit * apex.y());
+  cone.light_b = whole(kUnit * light.x());
+  cone.light_r = whole(kUnit * light.y());
+  cone.hue_b = whole(kUnit * hue.x());
+  cone.hue_r = whole(kUnit * hue.y());
+  cone.least_along = whole(kUnit * std::max(3.0, parameters_.carpet_saturation * saturation));
+  cone.most_along = whole(kUnit * (2.2 * saturation + 5.0));
+  cone.spread = whole(kUnit * (2.0 + 0.12 * saturation));
+  return cone;
+}
+
+/// How the chroma of what has no color changes with luma, where a tint of white is one of the light.
+Eigen::Vector2d CarpetColor::light_of(const Eigen::Vector2d& white) const {
+  return white / std::max(1.0, learned_.luma + white_less_carpet_.x());
+}
+
+CarpetPart CarpetColor::part_for(const Eigen::Vector2d& carpet) const {
+  const Eigen::Vector2d white = carpet + white_less_carpet(carpet);
+  const Eigen::Vector2d light = light_of(white);
   CarpetPart part;
-  part.apex_b = whole(apex.x());
-  part.apex_r = whole(apex.y());
-  part.hue_b = whole(kUnit * hue.x());
-  part.hue_r = whole(kUnit * hue.y());
-  part.least_along = whole(kUnit * std::max(3.0, parameters_.carpet_saturation * saturation));
-  part.most_along = whole(kUnit * (2.2 * saturation + 5.0));
-  part.spread = whole(kUnit * (2.0 + 0.12 * saturation));
-  part.brightest = whole(2.0 * learned_.luma + 20.0);
-  part.darkest = whole(0.9 * learned_.luma);
+  part.added = cone_for(carpet, white, Eigen::Vector2d::Zero());
+  part.of_light = cone_for(carpet, learned_.luma * light, light);
+  part.brightest = static_cast<int>(std::lround(2.0 * learned_.luma + 20.0));
+  part.darkest = static_cast<int>(std::lround(0.9 * learned_.luma));
   return part;
 }
 

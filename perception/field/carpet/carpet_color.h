@@ -16,33 +16,60 @@
 
 namespace reorient {
 
-/// What a pixel may show. Shade: too dark to have a color, as carpet is in the corners of a vignetted image.
-enum class Surface : std::uint8_t { other, carpet, shade };
+/// What a pixel may show. Unsure: too dark to have a color, as carpet is in the corners of a vignetted image, or carpet
+/// in one account of the light only.
+enum class Surface : std::uint8_t { other, carpet, unsure };
 
-/// The carpet in one part of the image. `along` and `across` its hue are in 1/256 of a step of chroma.
+/// The chroma of the carpet around an axis from what has no color, in 1/256 of a step.
+struct ChromaCone {
+  int apex_b = 0, apex_r = 0;    ///< on the axis, where luma is 0
+  int light_b = 0, light_r = 0;  ///< how the apex moves with luma
+  int hue_b = 0, hue_r = 0;      ///< along the axis; a vector of length 256
+  int least_along = 0, most_along = 0, spread = 0;
+
+  struct Place {
+    int along = 0, off = 0;  ///< the axis
+  };
+  Place place_of(int y, int cb, int cr) const {
+    const int b = 256 * (cb - 128) - apex_b - light_b * y;
+    const int r = 256 * (cr - 128) - apex_r - light_r * y;
+    const int across = (b * hue_r - r * hue_b) >> 8;
+    return {(b * hue_b + r * hue_r) >> 8, across < 0 ? -across : across};
+  }
+  bool contains(const Place& place) const {
+    return (place.along >= least_along) & (place.along <= most_along) & (place.off <= spread + (place.along >> 1));
+  }
+  bool may_be_dark(const Place& place) const {
+    return (place.off <= 2 * spread) & (place.along <= least_along) & (place.along >= -2 * spread);
+  }
+};
+
+/// The carpet in one part of the image, in two accounts of a tint of all that has no color: added to each pixel, as a
+/// camera's own processing may do, or of the light, and the more of it the brighter a pixel is. Written without
+/// branches, so that a compiler works on several pixels at once.
 class CarpetPart {
  public:
   Surface surface(int y, int cb, int cr) const {
-    const int b = cb - 128 - apex_b;
-    const int r = cr - 128 - apex_r;
-    const int along = b * hue_b + r * hue_r;
-    const int across = b * hue_r - r * hue_b;
-    const int off = across < 0 ? -across : across;
-    if (along >= least_along && along <= most_along && off <= spread + along / 2 && y <= brightest)
-      return Surface::carpet;
-    return y <= darkest && off <= 2 * spread && along <= least_along && along >= -2 * spread ? Surface::shade
-                                                                                             : Surface::other;
+    const ChromaCone::Place in_added = added.place_of(y, cb, cr);
+    const bool once = (y <= brightest) & added.contains(in_added);
+    const bool again = (y <= brightest) & of_light.contains(of_light.place_of(y, cb, cr));
+    const bool dark = (y <= darkest) & added.may_be_dark(in_added);
+    const int any = once | again | dark, both = once & again;
+    return static_cast<Surface>(2 * any - both);
   }
 
  private:
   friend class CarpetColor;
-  int apex_b = 0, apex_r = 0;  // white, or beyond it
-  int hue_b = 0, hue_r = 0;
-  int least_along = 0, most_along = 0, spread = 0, brightest = 0, darkest = 0;
+  ChromaCone added, of_light;
+  int brightest = 0, darkest = 0;
 };
 
 class CarpetColor {
  public:
+  /// Images in a row that show no carpet, before a color that is no green is taken for it: until then it may be a floor
+  /// or somebody's trousers.
+  static constexpr int kPatience = 300;
+
   explicit CarpetColor(const FieldFeatureParameters& parameters);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
@@ -54,27 +81,31 @@ class CarpetColor {
 
   // Parts of the image that was observed last.
   int column_of(int x) const { return x * kColumns / width_; }
-  std::span<const CarpetPart> row_at(int y) const {
-    return std::span(parts_).subspan(static_cast<std::size_t>(y * kRows / height_ * kColumns), kColumns);
+  int row_of(int y) const { return y * kRows / height_; }
+  const CarpetPart& part(int column, int row) const {
+    return parts_[static_cast<std::size_t>(row * kColumns + column)];
   }
-  const CarpetPart& at(int x, int y) const { return row_at(y)[static_cast<std::size_t>(column_of(x))]; }
+  const CarpetPart& at(int x, int y) const { return part(column_of(x), row_of(y)); }
   Surface surface(int x, int y, const Ycbcr& pixel) const { return at(x, y).surface(pixel.y, pixel.cb, pixel.cr); }
+
+  /// By how much chroma differs from that of what has no color, in the better account of the tint, as a share of luma.
+  double tint_at(const Eigen::Vector2i& pixel, const Ycbcr& seen) const;
 
   double luma() const { return learned_.luma; }
 
   /// Mean difference of luma between pixels two rows apart on plain carpet: texture and sensor noise.
   double noise() const { return learned_.noise; }
 
-  /// By how much the chroma of this image's stripes differs from that of the carpet beside them: (blue, red). White
-  /// against the carpet is taken to be as different, until other images say otherwise; the parts from the next image
-  /// on.
-  void observe_white(const Eigen::Vector2d& difference);
-  /// The same, of the images so far. Before any: as if white had no color, and the carpet that of this place.
+  /// By how much this image's stripes differ from the carpet beside them: (luma, blue, red). White against the carpet
+  /// is taken to be as different, until other images say otherwise; the parts from the next image on.
+  void observe_white(const Eigen::Vector3d& less_carpet);
+  /// The same, of the images so far, in (blue, red). Before any: as if white had no color, and the carpet that of this
+  /// place.
   Eigen::Vector2d white_less_carpet(const Eigen::Vector2d& carpet) const {
-    return white_known_ ? white_less_carpet_ : Eigen::Vector2d(-carpet);
+    return white_known_ ? Eigen::Vector2d(white_less_carpet_.tail<2>()) : Eigen::Vector2d(-carpet);
   }
 
-  /// Standard deviation of the carpet's chroma.
+  /// By how much samples of the carpet differ from its smooth color: standard deviation of one channel.
   double deviation() const { return learned_.deviation; }
 
   /// What was learned. Throws BadBytes.
@@ -106,13 +137,23 @@ class CarpetColor {
     double deviation = 0.0;                           ///< of chroma
   };
 
+  struct Fit {
+    int near = 0;                                      ///< samples near the color
+    Terms place = Terms::Zero();                       ///< of theirs, the mean
+    Eigen::Vector2d chroma = Eigen::Vector2d::Zero();  ///< (blue, red), the mean
+  };
+
   void collect(const ImageView& image, const GroundProjection& view);
   static Terms terms_at(double u, double v);
   void learn();
   std::optional<Dominant> find_dominant() const;
-  int fit(Learned& color) const;
+  Fit fit(Learned& color) const;
+  bool goes_on_with(Learned& seen) const;
   void mix(const Learned& seen, double kept);
   void prepare_parts();
+  ChromaCone cone_for(const Eigen::Vector2d& carpet, const Eigen::Vector2d& no_color,
+                      const Eigen::Vector2d& light) const;
+  Eigen::Vector2d light_of(const Eigen::Vector2d& white) const;
   CarpetPart part_for(const Eigen::Vector2d& carpet) const;
   void check() const;
 
@@ -121,9 +162,9 @@ class CarpetColor {
   int width_ = 1, height_ = 1;  ///< of the image observed last
   bool known_ = false;
   Learned learned_;
-  int doubted_ = 0;  ///< images with another color since it was seen last
+  int doubted_ = 0;  ///< images with another color since the carpet was seen last
   bool white_known_ = false;
-  Eigen::Vector2d white_less_carpet_ = Eigen::Vector2d::Zero();
+  Eigen::Vector3d white_less_carpet_ = Eigen::Vector3d::Zero();  ///< (luma, blue, red)
   std::array<CarpetPart, static_cast<std::size_t>(kColumns) * kRows> parts_{};
 };
 

@@ -11,18 +11,44 @@ void CarpetMap::fill(const ImageView& image, const CarpetColor& color, int first
   step_ = (image.height + kMostRows - 1) / kMostRows;
   rows_ = (image.height + step_ - 1) / step_;
   first_ = std::clamp(first_row / step_, 0, rows_);
-  std::array<std::size_t, kColumns> parts{};
-  for (int i = 0; i < kColumns; ++i)
-    parts[static_cast<std::size_t>(i)] = static_cast<std::size_t>(color.column_of(column_pixel(i)));
-  Surface* cell = cells_.data() + static_cast<std::ptrdiff_t>(first_) * kColumns;
-  for (int j = first_; j < rows_; ++j) {
-    const std::uint8_t* row = image.row(j * step_);
-    const std::span<const CarpetPart> carpet = color.row_at(j * step_);
-    for (int i = 0; i < kColumns; ++i, ++cell) {
-      const std::uint8_t* pair = row + 4 * (column_pixel(i) / 2);
-      *cell = carpet[parts[static_cast<std::size_t>(i)]].surface((pair[0] + pair[2]) / 2, pair[1], pair[3]);
+  std::array<int, kColumns> part_columns{};
+  for (int i = 0; i < kColumns; ++i) part_columns[static_cast<std::size_t>(i)] = color.column_of(column_pixel(i));
+  for (int top = first_; top < rows_;) {
+    int bottom = top + 1;
+    const int part_row = color.row_of(top * step_);
+    while (bottom < rows_ && bottom - top < kMostRowsAtOnce && color.row_of(bottom * step_) == part_row) ++bottom;
+    for (int left = 0; left < kColumns;) {
+      int right = left + 1;
+      const int part_column = part_columns[static_cast<std::size_t>(left)];
+      while (right < kColumns && part_columns[static_cast<std::size_t>(right)] == part_column) ++right;
+      fill(image, color.part(part_column, part_row), {left, top, right, bottom});
+      left = right;
     }
+    top = bottom;
   }
+}
+
+/// Cells of one part: each step for all of them, so that several are worked on at a time.
+void CarpetMap::fill(const ImageView& image, const CarpetPart& part, const Cells& cells) {
+  std::size_t count = 0;
+  const auto each_cell = [&](auto&& with) {
+    for (int j = cells.top; j < cells.bottom; ++j) {
+      for (int i = cells.left; i < cells.right; ++i) with(i, j);
+    }
+  };
+  each_cell([&](int i, int j) {
+    const std::uint8_t* pair = image.row(j * step_) + 4 * (column_pixel(i) / 2);
+    y_[count] = (pair[0] + pair[2]) / 2;
+    cb_[count] = pair[1];
+    cr_[count++] = pair[3];
+  });
+  const CarpetPart own = part;  // which nothing else can change meanwhile
+  for (std::size_t k = 0; k < count; ++k) found_[k] = static_cast<int>(own.surface(y_[k], cb_[k], cr_[k]));
+  count = 0;
+  each_cell([&](int i, int j) {
+    cells_[static_cast<std::size_t>(j) * kColumns + static_cast<std::size_t>(i)] =
+        static_cast<Surface>(found_[count++]);
+  });
 }
 
 }  // namespace reorient

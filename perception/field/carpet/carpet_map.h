@@ -1,6 +1,7 @@
 // A coarse grid over the image that tells carpet from everything else.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -31,7 +32,16 @@ class CarpetMap {
   double column_width() const { return static_cast<double>(width_) / kColumns; }
 
  private:
+  static constexpr int kMostRowsAtOnce = 20;
+  static constexpr std::size_t kMostAtOnce = std::size_t{kMostRowsAtOnce} * kColumns;
+  /// The last column and row are outside.
+  struct Cells {
+    int left, top, right, bottom;
+  };
+  void fill(const ImageView& image, const CarpetPart& part, const Cells& cells);
+
   std::vector<Surface> cells_;
+  std::array<int, kMostAtOnce> y_{}, cb_{}, cr_{}, found_{};
   int width_ = 0;
   int rows_ = 0;
   int first_ = 0;

@@ -109,22 +109,23 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
   luma_.reserve(2048);
   segments_.reserve(256);
   candidates_.reserve(kMostCandidates);
-  chroma_.reserve(kMostCandidates);
+  colors_.reserve(kMostCandidates);
   sorted_.reserve(kMostCandidates);
 }
 
 void LinePoints::find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept) {
   constexpr int kSmallest = 16;  // pixels; below, there is no room for a line and carpet on both sides
   candidates_.clear();
-  chroma_.clear();
+  colors_.clear();
   percept.line_points.clear();
   if (std::min(image.width, image.height) < kSmallest) return;
   const Frame frame{image, view, color, percept};
   scan_columns(frame);
   scan_rows(frame);
   keep_supported(percept);
-  if (const auto white = usual_chroma()) color.observe_white(*white);
-  keep_white(color, percept);
+  const auto usual = usual_stripe();
+  if (usual) color.observe_white({usual->contrast, usual->less_carpet.x(), usual->less_carpet.y()});
+  keep_white(color, usual ? usual->contrast : 0.0, percept);
 }
 
 /// Down from the boundary in evenly spaced columns. Near the robot every second or fourth one is enough.
@@ -193,6 +194,7 @@ void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2
     const Vector2d begin = start + segment.begin * step;
     const Vector2d end = start + segment.end * step;
     Candidate candidate;
+    candidate.color.contrast = 0.5 * segment.contrast;  // whose luma is a sum of two pixels
     if (lies_on_carpet(frame, start + (segment.before - 1) * step, 0.5 * (begin + end),
                        start + (segment.after + 1) * step, candidate)) {
       consider(frame, begin, end, candidate);
@@ -203,15 +205,18 @@ void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2
 bool LinePoints::lies_on_carpet(const Frame& frame, const Vector2d& before, const Vector2d& center,
                                 const Vector2d& after, Candidate& candidate) const {
   if (center.y() < boundary_at(frame.percept.boundary, frame.image.width, center.x()) + 1.0) return false;
-  candidate.chroma.carpet = Vector2d::Zero();
+  candidate.color.carpet = Vector2d::Zero();
+  bool is_sure = false;
   for (const Vector2d& side : {before, after}) {
     const auto [ground, carpet] = nearest_pixel(frame.image, frame.color, side);
-    if (carpet.surface(ground.y, ground.cb, ground.cr) == Surface::other) return false;
-    candidate.chroma.carpet += 0.5 * chroma_of(ground);
+    const Surface surface = carpet.surface(ground.y, ground.cb, ground.cr);
+    if (surface == Surface::other) return false;
+    is_sure = is_sure || surface == Surface::carpet;
+    candidate.color.carpet += 0.5 * chroma_of(ground);
   }
-  candidate.chroma.less_carpet =
-      chroma_of(nearest_pixel(frame.image, frame.color, center).color) - candidate.chroma.carpet;
-  return !hides(frame.percept, center);
+  candidate.color.less_carpet =
+      chroma_of(nearest_pixel(frame.image, frame.color, center).color) - candidate.color.carpet;
+  return is_sure && !hides(frame.percept, center);
 }
 
 /// A stripe counts when it is as wide on the ground as a line, and both of its edges run the same way.
@@ -280,35 +285,41 @@ void LinePoints::keep_supported(FieldPercept& percept) {
     const auto [sine, cosine] = pinned::sincos(along_angle);
     percept.line_points.push_back(
         {candidate.position, half_turn_angle({-sine, cosine}), candidate.pixel.cast<float>()});
-    chroma_.push_back(candidate.chroma);
+    colors_.push_back(candidate.color);
   }
 }
 
-/// The median of the points.
-std::optional<Vector2d> LinePoints::usual_chroma() {
+/// The medians of the points.
+std::optional<LinePoints::StripeColor> LinePoints::usual_stripe() {
   constexpr std::size_t kFewest = 12;
-  if (chroma_.size() < kFewest) return std::nullopt;
-  Vector2d usual;
+  if (colors_.size() < kFewest) return std::nullopt;
   const auto median = [this](auto&& value_of) {
     sorted_.clear();
-    for (const StripeChroma& chroma : chroma_) sorted_.push_back(value_of(chroma));
+    for (const StripeColor& color : colors_) sorted_.push_back(value_of(color));
     const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
     std::nth_element(sorted_.begin(), middle, sorted_.end());
     return *middle;
   };
+  StripeColor usual;
   for (const int channel : {0, 1})
-    usual[channel] = median([&](const StripeChroma& chroma) { return chroma.less_carpet[channel]; });
+    usual.less_carpet[channel] = median([&](const StripeColor& color) { return color.less_carpet[channel]; });
+  usual.contrast = median([](const StripeColor& color) { return color.contrast; });
   return usual;
 }
 
 /// Bright carpet has the carpet's color. Where white differs from it by hardly more than noise, every point is kept.
-void LinePoints::keep_white(const CarpetColor& color, FieldPercept& percept) const {
+/// A line far away is mixed with the carpet around it, in luma as in chroma: of a fainter stripe less is asked.
+/// `usual_contrast`: 0 where it is not known.
+void LinePoints::keep_white(const CarpetColor& color, double usual_contrast, FieldPercept& percept) const {
   constexpr double kLeastShare = 0.2, kNoise = 2.0;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < chroma_.size(); ++i) {
-    const Vector2d white = color.white_less_carpet(chroma_[i].carpet);
+  for (std::size_t i = 0; i < colors_.size(); ++i) {
+    const StripeColor& stripe = colors_[i];
+    const Vector2d white = color.white_less_carpet(stripe.carpet);
     const double norm = white.norm();
-    if (norm > kNoise * color.deviation() && chroma_[i].less_carpet.dot(white) < kLeastShare * norm * norm) continue;
+    const double faintness = usual_contrast > 0.0 ? std::min(1.0, stripe.contrast / usual_contrast) : 1.0;
+    const double least = faintness * kLeastShare * norm * norm;
+    if (norm > kNoise * color.deviation() && stripe.less_carpet.dot(white) < least) continue;
     percept.line_points[kept++] = percept.line_points[i];
   }
   percept.line_points.resize(kept);

@@ -24,10 +24,10 @@ class LinePoints {
   void find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept);
 
  private:
-  /// (blue, red)
-  struct StripeChroma {
-    Eigen::Vector2d carpet = Eigen::Vector2d::Zero();       ///< beside the stripe, without the offset of 128
-    Eigen::Vector2d less_carpet = Eigen::Vector2d::Zero();  ///< of the stripe, less that
+  struct StripeColor {
+    Eigen::Vector2d carpet = Eigen::Vector2d::Zero();       ///< (blue, red) beside it, without the offset of 128
+    Eigen::Vector2d less_carpet = Eigen::Vector2d::Zero();  ///< (blue, red) of the stripe, less that
+    double contrast = 0.0;                                  ///< of luma
   };
   struct Candidate {
     Eigen::Vector2d position;  ///< m, robot frame
@@ -35,7 +35,7 @@ class LinePoints {
     Eigen::Vector2d tangent;  ///< unit vector in the image, from the gradient
     Eigen::Vector2d normal;   ///< unit vector on the ground, from the gradient
     double distance = 0.0;    ///< m
-    StripeChroma chroma;
+    StripeColor color;
   };
   /// Image, geometry and colour of the frame that find() works on.
   struct Frame {
@@ -52,15 +52,15 @@ class LinePoints {
                       const Eigen::Vector2d& after, Candidate& candidate) const;
   void consider(const Frame& frame, const Eigen::Vector2d& begin, const Eigen::Vector2d& end, Candidate& candidate);
   void keep_supported(FieldPercept& percept);
-  std::optional<Eigen::Vector2d> usual_chroma();
-  void keep_white(const CarpetColor& color, FieldPercept& percept) const;
+  std::optional<StripeColor> usual_stripe();
+  void keep_white(const CarpetColor& color, double usual_contrast, FieldPercept& percept) const;
 
   FieldFeatureParameters parameters_;
   FieldDimensions field_;
   std::vector<std::int16_t> luma_;  ///< along one scan line, each the sum of two pixels
   std::vector<BrightSegment> segments_;
   std::vector<Candidate> candidates_;
-  std::vector<StripeChroma> chroma_;  ///< of the percept's line points
+  std::vector<StripeColor> colors_;  ///< of the percept's line points
   std::vector<double> sorted_;
 };
 

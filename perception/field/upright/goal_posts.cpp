@@ -13,13 +13,19 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostPosts = 8;
+constexpr double kFarAway = 5.0;  // m
+
+double square(double value) { return value * value; }
 
 bool inside(const ImageView& image, const Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1;
 }
 
-Surface surface_at(const CarpetColor& color, const Vector2d& pixel, const Ycbcr& seen) {
-  return color.surface(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), seen);
+Eigen::Vector2i pixel_of(const Vector2d& place) { return {std::lround(place.x()), std::lround(place.y())}; }
+
+Surface surface_at(const CarpetColor& color, const Vector2d& place, const Ycbcr& seen) {
+  const Eigen::Vector2i pixel = pixel_of(place);
+  return color.surface(pixel.x(), pixel.y(), seen);
 }
 
 /// For a pixel inside of the image.
@@ -79,7 +85,7 @@ void GoalPosts::consider(const Frame& frame, const Vector2d& pixel, double width
   candidate.pixel = pixel;
   candidate.width = width;
   candidate.look = pixel_at(frame.image, pixel);
-  if (!may_be_post(frame, candidate.look)) return;
+  if (!may_be_post(frame, pixel, candidate.look)) return;
   for (const GoalPost& known : percept.goal_posts) {
     if (std::abs(known.base.x() - candidate.pixel.x()) < 1.5 * candidate.width + 4.0) return;
   }
@@ -91,12 +97,13 @@ void GoalPosts::consider(const Frame& frame, const Vector2d& pixel, double width
 }
 
 /// White, or yellow in 2013; lighter than the carpet.
-bool GoalPosts::may_be_post(const Frame& frame, const Ycbcr& look) const {
-  constexpr double kLighter = 1.4;
+bool GoalPosts::may_be_post(const Frame& frame, const Vector2d& pixel, const Ycbcr& look) const {
+  constexpr double kLighter = 1.4, kMostTint = 0.16;
+  if (look.y < std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast)) return false;
+  if (!field_.yellow_goals) return frame.color.tint_at(pixel_of(pixel), look) < kMostTint;
   const double blue = (look.cb - 128) / static_cast<double>(std::max<int>(look.y, 1));
   const double red = (look.cr - 128) / static_cast<double>(std::max<int>(look.y, 1));
-  if (look.y < std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast)) return false;
-  return field_.yellow_goals ? blue < -0.15 && red > -0.15 && red < 0.3 : pinned::hypot(blue, red) < 0.16;
+  return blue < -0.15 && red > -0.15 && red < 0.3;
 }
 
 bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, const Vector2d& pixel) const {
@@ -105,7 +112,7 @@ bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, c
   const double chroma = pinned::hypot(seen.cb - look.cb, seen.cr - look.cr);
   const double bright = std::max<double>(seen.y, look.y);
   return std::abs(seen.y - look.y) < 8.0 + 0.25 * look.y && chroma < 6.0 + 0.08 * bright &&
-         surface_at(frame.color, pixel, seen) == Surface::other;
+         surface_at(frame.color, pixel, seen) != Surface::carpet;
 }
 
 /// The last pixel of the candidate's colour, downwards (1) or upwards (-1) along the image of a vertical edge.
@@ -131,23 +138,80 @@ Vector2d GoalPosts::follow(const Frame& frame, const Candidate& candidate, int d
 
 std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Candidate& candidate,
                                                   const std::vector<float>& boundary) const {
-  constexpr double kInside =
-      0.25;  // m of carpet that there must be behind it: goal lines are not at the carpet's border
   const auto foot = frame.view.ground(candidate.foot);
-  if (!foot || frame.view.distance(*foot) > parameters_.post_range) return std::nullopt;
-  const double border = boundary_at(boundary, frame.image.width, candidate.foot.x());
-  const auto behind = frame.view.ground({candidate.foot.x(), border});
-  if (behind && frame.view.distance(*behind) < frame.view.distance(*foot) + kInside) return std::nullopt;
+  if (!foot) return std::nullopt;
+  const double radius = 0.5 * field_.goal_post_diameter;
+  const double from_foot = frame.view.distance(*foot);
+  const auto from_height = distance_from_height(frame, candidate, from_foot);
+  if (!stands_on_carpet(frame, candidate, from_height.value_or(from_foot), boundary)) return std::nullopt;
+  const auto post_at = [&](double distance) {
+    const Vector2d position = *foot + (distance - from_foot + radius) * frame.view.away(*foot);
+    return GoalPost{position, true, candidate.foot.cast<float>(), candidate.top.cast<float>()};
+  };
+  if (from_height && outline_agrees(frame, candidate, between(frame, candidate, *from_height))) {
+    // The variances of both add up to that of the mean; what is far away is told by its height.
+    constexpr double kTilt = 0.0175, kHeight = 0.05;  // rad; share
+    const double height = frame.view.camera_height();
+    const double of_foot = square(kTilt * (square(*from_height) + square(height)) / height);
+    const double of_height = square(kHeight * *from_height);
+    const double distance = (of_height * from_foot + of_foot * *from_height) / (of_height + of_foot);
+    return *from_height <= parameters_.post_range ? std::optional(post_at(distance)) : std::nullopt;
+  }
+  // Its end may be above the image, or hidden before something of the same color. Far away that may be a wall.
+  if (from_foot > std::min(kFarAway, parameters_.post_range) || !is_thick_enough(frame, candidate, from_foot))
+    return std::nullopt;
+  const GoalPost post = post_at(from_foot);
+  return outline_agrees(frame, candidate, at(frame, post.position)) ? std::optional(post) : std::nullopt;
+}
+
+/// Carpet before it, all the way to the robot: a banner may be as green, and its letters like posts. And carpet behind
+/// it, since goal lines are not at its border.
+bool GoalPosts::stands_on_carpet(const Frame& frame, const Candidate& candidate, double distance,
+                                 const std::vector<float>& boundary) const {
+  constexpr double kInside = 0.25, kInsideFarAway = 0.1;  // m
+  const double inside_by = distance > kFarAway ? kInsideFarAway : kInside;
+  const double height = frame.view.camera_height();
+  const double rows = frame.view.camera().focal.y() * height * inside_by / (square(distance) + square(height));
+  if (candidate.foot.y() < boundary_at(boundary, frame.image.width, candidate.foot.x()) + rows) return false;
   const Vector2d below = candidate.foot + Vector2d(0.0, std::max(3.0, 0.25 * candidate.width));
-  if (!inside(frame.image, below)) return std::nullopt;
+  if (!inside(frame.image, below)) return false;
   const Ycbcr ground = pixel_at(frame.image, below);
   if (surface_at(frame.color, below, ground) == Surface::other ||
-      ground.y > candidate.look.y - parameters_.post_contrast) {
-    return std::nullopt;
+      ground.y > candidate.look.y - parameters_.post_contrast)
+    return false;
+  constexpr int kSamples = 16, kMostOther = 4;  // lines, a ball
+  int other = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double row = below.y() + (frame.image.height - 1.0 - below.y()) * i / (kSamples - 1.0);
+    const Vector2d before(below.x(), row);
+    other += surface_at(frame.color, before, pixel_at(frame.image, before)) == Surface::other ? 1 : 0;
   }
-  const Vector2d position = *foot + 0.5 * field_.goal_post_diameter * frame.view.away(*foot);
-  if (!outline_agrees(frame, candidate, position)) return std::nullopt;
-  return GoalPost{position, true, candidate.foot.cast<float>(), candidate.top.cast<float>()};
+  return other <= kMostOther;
+}
+
+bool GoalPosts::is_thick_enough(const Frame& frame, const Candidate& candidate, double distance) const {
+  constexpr double kThinnest = 0.7;  // of the width that it should have
+  const double width =
+      frame.view.pixels_per_radian(candidate.pixel) * field_.goal_post_diameter / std::max(distance, 0.1);
+  return candidate.width >= kThinnest * width - 1.0;
+}
+
+/// Along the ground, from the angle between foot and top, which no tilt of the camera changes. Nothing where foot or
+/// thickness say otherwise by more than a wrong tilt explains. `from_foot`: the distance that the foot tells, m.
+std::optional<double> GoalPosts::distance_from_height(const Frame& frame, const Candidate& candidate,
+                                                      double from_foot) const {
+  constexpr double kMostTilt = 0.04;  // rad
+  if (candidate.top.y() < 2.0) return std::nullopt;
+  const Vector3d foot = frame.view.camera().ray(candidate.foot), top = frame.view.camera().ray(candidate.top);
+  const double below = frame.view.camera_height(), above = field_.goal_height - below;
+  // The tangent of the sum of both angles, below / d and above / d, solved for d.
+  const double tangent = foot.cross(top).norm() / foot.dot(top);
+  const double root = square(field_.goal_height) + 4.0 * square(tangent) * below * above;
+  if (!(tangent > 1e-3) || root < 0.0) return std::nullopt;
+  const double distance = (field_.goal_height + std::sqrt(root)) / (2.0 * tangent);
+  const double tilt = below * (distance - from_foot) / (distance * from_foot + square(below));  // its tangent
+  if (std::abs(tilt) > kMostTilt || !is_thick_enough(frame, candidate, distance)) return std::nullopt;
+  return distance;
 }
 
 /// From the height of its top; the thickness must confirm the distance.
@@ -161,23 +225,35 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const Frame& frame, const C
   const double from_width = frame.view.pixels_per_radian(candidate.pixel) * field_.goal_post_diameter / candidate.width;
   if (distance > kRange || std::abs(from_width - distance) > kAgreement * distance) return std::nullopt;
   const Vector2d position = *top + 0.5 * field_.goal_post_diameter * frame.view.away(*top);
-  if (!outline_agrees(frame, candidate, position)) return std::nullopt;
+  if (!outline_agrees(frame, candidate, at(frame, position))) return std::nullopt;
   return GoalPost{position, false, candidate.foot.cast<float>(), candidate.top.cast<float>()};
 }
 
-/// Compares a post at `position` with the image at some heights: its middle has the candidate's colour, what is
-/// beside it on either side has not, and above its top there is no more of it.
-bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, const Vector2d& position) const {
+/// A post at a place on the ground.
+GoalPosts::Upright GoalPosts::at(const Frame& frame, const Vector2d& position) const {
+  return {frame.view.in_camera({position.x(), position.y(), 0.0}),
+          frame.view.in_camera({position.x(), position.y(), field_.goal_height})};
+}
+
+/// From the candidate's foot to its top, so far away.
+GoalPosts::Upright GoalPosts::between(const Frame& frame, const Candidate& candidate, double distance) const {
+  const double below = frame.view.camera_height(), above = field_.goal_height - below;
+  return {pinned::hypot(distance, below) * frame.view.camera().ray(candidate.foot).normalized(),
+          pinned::hypot(distance, above) * frame.view.camera().ray(candidate.top).normalized()};
+}
+
+/// Compares a post with the image at some heights: its middle has the candidate's colour, what is beside it on either
+/// side has not, and somewhere above its top, in the image or above it, there is no more of it.
+bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, const Upright& upright) const {
   constexpr int kHeights = 12;
-  constexpr double kTallest = 1.12;      // of a post's height; there it must have ended
-  constexpr double kOtherHue = 12.0;     // steps of chroma
-  constexpr double kLeastVisible = 0.6;  // of its heights must be in the image
-  const double radius = 0.5 * field_.goal_post_diameter;
-  const Vector2d away = frame.view.away(position);
-  const Vector2d left(-away.y(), away.x());
-  const auto project = [&](double lateral, double height) -> std::optional<Vector2d> {
-    const Vector2d point = position + lateral * left;
-    auto pixel = frame.view.pixel({point.x(), point.y(), height});
+  constexpr double kEnds[] = {1.03, 1.06, 1.09, 1.12, 1.16, 1.2};  // of a post's height; at one of them it has ended
+  constexpr double kOtherHue = 12.0;                               // steps of chroma
+  constexpr double kLeastVisible = 0.6;                            // of its heights must be in the image
+  constexpr double kBelowBar = 0.86;                               // of its height
+  const Vector3d side_step = 0.5 * field_.goal_post_diameter * upright.foot.cross(upright.top).normalized();
+  const auto point_at = [&](double share) -> Vector3d { return upright.foot + share * (upright.top - upright.foot); };
+  const auto project = [&](const Vector3d& point) -> std::optional<Vector2d> {
+    auto pixel = frame.view.camera().project(point);
     if (pixel && !inside(frame.image, *pixel)) pixel.reset();
     return pixel;
   };
@@ -188,9 +264,9 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
   };
   int visible = 0, in_post = 0, left_free = 0, right_free = 0;
   for (int i = 0; i < kHeights; ++i) {
-    const double height = field_.goal_height * (i + 0.5) / kHeights;
-    const auto middle = project(0.0, height);
-    const auto side = frame.view.pixel({position.x() + radius * left.x(), position.y() + radius * left.y(), height});
+    const Vector3d point = point_at(kBelowBar * (i + 0.5) / kHeights);
+    const auto middle = project(point);
+    const auto side = frame.view.camera().project(point + side_step);
     if (!middle || !side) continue;
     ++visible;
     const double half = std::abs(side->x() - middle->x());
@@ -207,8 +283,10 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
   }
   const double needed = parameters_.post_agreement * visible;
   if (visible < kLeastVisible * kHeights || in_post < needed || left_free < needed || right_free < needed) return false;
-  const auto above = project(0.0, kTallest * field_.goal_height);
-  return !above || differs(*above, candidate.look);
+  return std::any_of(std::begin(kEnds), std::end(kEnds), [&](double end) {
+    const auto above = project(point_at(end));
+    return !above || differs(*above, candidate.look);
+  });
 }
 
 }  // namespace reorient

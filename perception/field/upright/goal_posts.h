@@ -37,15 +37,26 @@ class GoalPosts {
     Eigen::Vector2d foot, top;
   };
 
+  /// A post as it should be seen, in the camera frame, m.
+  struct Upright {
+    Eigen::Vector3d foot, top;
+  };
+
   void scan(const Frame& frame, double share, FieldPercept& percept);
   void consider(const Frame& frame, const Eigen::Vector2d& pixel, double width, FieldPercept& percept) const;
-  bool may_be_post(const Frame& frame, const Ycbcr& look) const;
+  bool may_be_post(const Frame& frame, const Eigen::Vector2d& pixel, const Ycbcr& look) const;
   bool has_post_color(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& pixel) const;
   Eigen::Vector2d follow(const Frame& frame, const Candidate& candidate, int direction) const;
   std::optional<GoalPost> post_on_carpet(const Frame& frame, const Candidate& candidate,
                                          const std::vector<float>& boundary) const;
   std::optional<GoalPost> post_without_foot(const Frame& frame, const Candidate& candidate) const;
-  bool outline_agrees(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& position) const;
+  bool stands_on_carpet(const Frame& frame, const Candidate& candidate, double distance,
+                        const std::vector<float>& boundary) const;
+  bool is_thick_enough(const Frame& frame, const Candidate& candidate, double distance) const;
+  std::optional<double> distance_from_height(const Frame& frame, const Candidate& candidate, double from_foot) const;
+  Upright at(const Frame& frame, const Eigen::Vector2d& position) const;
+  Upright between(const Frame& frame, const Candidate& candidate, double distance) const;
+  bool outline_agrees(const Frame& frame, const Candidate& candidate, const Upright& upright) const;
 
   FieldFeatureParameters parameters_;
   FieldDimensions field_;

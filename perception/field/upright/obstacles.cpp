@@ -50,13 +50,14 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
   constexpr double kLeastHeight = 0.15;         // m
   constexpr double kInside = 0.4;               // m, how far before the border of the carpet it must stand
   constexpr double kGap = 0.05 / kLeastHeight;  // of carpet colour, which does not end an obstacle: noise, knees
+  constexpr double kLeastShare = 0.5;           // of its cells that are no carpet for sure
   const double x = map.column_pixel(column);
   const double border = percept.boundary[static_cast<std::size_t>(column)];
   if (is_post(percept, x, map.column_width())) return {};
   const auto border_ground = view.ground({x, border});
   const double farthest =
       std::min(parameters_.obstacle_range, border_ground ? view.distance(*border_ground) - kInside : 1e9);
-  int carpet = 0;
+  int carpet = 0, other = 0, cells = 0;
   Foot foot;
   double head_row = 0.0;
   for (int row = map.rows() - 1; row >= map.first_cell(); --row) {
@@ -67,6 +68,7 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
       if (map.row_pixel(row) < border) break;
       if (surface != Surface::other) continue;
       foot.row = map.row_pixel(row) + map.step();
+      other = cells = 0;
       const auto ground = view.ground({x, static_cast<double>(foot.row)});
       if (!ground || view.distance(*ground) > farthest) break;
       const auto head = view.pixel({ground->x(), ground->y(), kLeastHeight});
@@ -74,7 +76,10 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
       foot.distance = view.distance(*ground);
       head_row = head->y();
     }
-    if (map.row_pixel(row) <= head_row && surface != Surface::carpet) return foot;
+    ++cells;
+    other += surface == Surface::other ? 1 : 0;
+    if (map.row_pixel(row) > head_row || surface == Surface::carpet) continue;
+    return other >= kLeastShare * cells ? foot : Foot{};
   }
   return {};
 }

@@ -34,6 +34,15 @@ FieldPercept percept_of(const FlatField& scene, const Stand& stand) {
   return percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
 }
 
+/// What a field of these colors shows to a robot that has stood there for some images.
+FieldPercept percept_after(const FlatField& scene, const Stand& stand, int images) {
+  FieldFeatures features({}, scene.field);
+  const Image image = stand.see(scene);
+  FieldPercept percept;
+  for (int i = 0; i < images; ++i) percept = percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
+  return percept;
+}
+
 bool is_empty(const FieldPercept& percept) {
   return percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty();
 }
@@ -169,6 +178,93 @@ TEST_P(FieldFeaturesAtEveryResolution, GuessWhereAPostStandsWhoseFootIsBelowTheI
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, FieldFeaturesAtEveryResolution, testing::Values(640, 320, 160));
 
+TEST(FieldFeatures, SeePostsFarAwayWithACameraWhoseTiltIsNotAsTheyThink) {
+  const FlatField scene = FlatField::with_goals();
+  for (const double x : {-1.5, -3.0, -4.2}) {
+    for (const double tilt : {-1.5, 0.0, 1.5}) {
+      SCOPED_TRACE(testing::Message() << "from x = " << x << ", " << tilt << " degrees");
+      const Stand here(640, 480, {x, 0.0, 0.0}, {0.0, 0.1});
+      const Stand thought(640, 480, {x, 0.0, 0.0}, {0.0, 0.1 + from_degrees(tilt)});
+      FieldFeatures features({}, scene.field);
+      const Image image = here.see(scene);
+      const FieldPercept percept = percept_in(features, image.view(), here.camera, thought.robot_from_camera);
+      ASSERT_EQ(percept.goal_posts.size(), 2u);
+      for (const GoalPost& post : percept.goal_posts) {
+        const Eigen::Vector2d real =
+            Eigen::Vector2d(4.5, std::copysign(0.8, post.position.y())) - Eigen::Vector2d(x, 0);
+        EXPECT_NEAR(direction_of(post.position), direction_of(real), from_degrees(1.0));
+        EXPECT_NEAR(post.position.norm(), real.norm(), 0.12 * real.norm());
+      }
+    }
+  }
+}
+
+TEST(FieldFeatures, TakeNoPoleFarAwayForAPost) {
+  FlatField scene;
+  scene.boxes = {{{4.5, 0.8}, 0.1, 2.5, scene.colors.post}, {{4.5, -0.8}, 0.1, 1.3, scene.colors.post}};
+  for (const double x : {-1.5, -3.0}) {
+    const FieldPercept percept = percept_of(scene, Stand(640, 480, {x, 0.0, 0.0}, {0.0, 0.1}));
+    EXPECT_TRUE(percept.goal_posts.empty()) << "from x = " << x;
+  }
+}
+
+TEST(FieldFeatures, TakeNoLetterOnAGreenBannerForAPost) {
+  const Stand here(640, 480, {3.6, 0.0, 0.0}, {0.0, 0.0});  // close to the border, and a floor of wood behind it
+  const FlatField field;
+  Image image = here.see(field);
+  const auto fill = [&](double left, double right, double top, double bottom, const Ycbcr& color) {
+    for (int v = 0; v < image.height(); ++v) {
+      for (int u = 0; u + 1 < image.width(); u += 2) {
+        if (u < left || u >= right || v < top || v >= bottom) continue;
+        std::uint8_t* pair = image.row(v) + 2 * u;
+        pair[0] = pair[2] = color.y;
+        pair[1] = color.cb;
+        pair[3] = color.cr;
+      }
+    }
+  };
+  // Letters as tall as a post at 6 m, with their feet where it would stand.
+  const auto pixel = [&](double x, double y, double z) {
+    return *here.camera.project(here.robot_from_camera.inverse() * Eigen::Vector3d(x, y, z));
+  };
+  const double foot = pixel(6.0, 0.0, 0.0).y(), top = pixel(6.0, 0.0, 0.8).y();
+  const auto draw = [&](const Ycbcr& floor) {
+    fill(0, 640, top - 20, foot + 40, field.colors.carpet);
+    fill(0, 640, foot + 40, 480, floor);
+    for (const double y : {0.5, -0.5})
+      fill(pixel(6.0, y + 0.05, 0.0).x(), pixel(6.0, y - 0.05, 0.0).x(), top, foot, {200, 126, 130});
+  };
+  FieldFeatures features({}, field.field);
+  const auto posts_on = [&](const Ycbcr& floor) {
+    percept_in(features, here.see(field).view(), here.camera, here.robot_from_camera);  // the carpet
+    draw(floor);
+    return percept_in(features, image.view(), here.camera, here.robot_from_camera).goal_posts.size();
+  };
+  EXPECT_EQ(posts_on({110, 108, 150}), 0u);
+  EXPECT_EQ(posts_on(field.colors.carpet), 2u) << "on carpet they are posts";
+}
+
+TEST(FieldFeatures, TakeNothingBeyondTheBorderForTheCarpetWhateverItsColor) {
+  FlatField scene;
+  const Stand here(640, 480, {0.0, 0.0, 0.0}, {0.0, 0.0});
+  const FieldPercept bare = percept_of(scene, here);
+  scene.boxes = {{{6.0, 2.2}, 1.2, 0.4, scene.colors.carpet}};  // a low banner
+  const FieldPercept percept = percept_of(scene, here);
+  ASSERT_EQ(percept.boundary.size(), bare.boundary.size());
+  for (std::size_t i = 0; i < bare.boundary.size(); ++i) EXPECT_NEAR(percept.boundary[i], bare.boundary[i], 8.0) << i;
+}
+
+TEST(FieldFeatures, TellCarpetFromAGrayWallInTintedLight) {
+  FlatField scene;
+  scene.colors = {{60, 116, 106}, {200, 128, 88}, {60, 128, 116}, {200, 128, 88}};  // cyan: white is -40, gray -12
+  const Stand here(640, 480, {0.0, 0.0, 0.0}, {0.0, 0.1});
+  const FieldPercept percept = percept_after(scene, here, 5);
+  const auto border = here.camera.project(here.robot_from_camera.inverse() * Eigen::Vector3d(5.2, 0.0, 0.0));
+  ASSERT_TRUE(border);
+  EXPECT_NEAR(percept.boundary[CarpetMap::kColumns / 2], border->y(), 4.0);
+  EXPECT_GE(percept.line_points.size(), 30u);
+}
+
 TEST(FieldFeatures, SeeLinesWithATorsoThatSways) {
   const FlatField scene;
   for (const double roll : {-0.15, 0.1}) {
@@ -228,15 +324,6 @@ TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
   EXPECT_EQ(features.carpet_color().surface(80, 100, {95, 132, 134}), Surface::other);
 }
 
-/// What a field of these colors shows to a robot that has stood there for some images.
-FieldPercept percept_after(const FlatField& scene, const Stand& stand, int images) {
-  FieldFeatures features({}, scene.field);
-  const Image image = stand.see(scene);
-  FieldPercept percept;
-  for (int i = 0; i < images; ++i) percept = percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
-  return percept;
-}
-
 TEST(FieldFeatures, SeeTheSameLinesOnACarpetOfAnyColor) {
   const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   FlatField scene;
@@ -253,7 +340,7 @@ TEST(FieldFeatures, SeeTheSameLinesOnACarpetOfAnyColor) {
                                      {{75, 105, 108}, {190, 105, 108}}}) {
     scene.colors.carpet = carpet;
     scene.colors.line = line;
-    const FieldPercept percept = percept_after(scene, here, 5);
+    const FieldPercept percept = percept_after(scene, here, CarpetColor::kPatience + 5);
     EXPECT_GE(percept.line_points.size(), on_green * 9 / 10)
         << int{carpet.cb} << " " << int{carpet.cr} << ", lines " << int{line.cb} << " " << int{line.cr};
     expect_line_points_on_lines(percept, scene, here);
@@ -271,6 +358,14 @@ TEST(FieldFeatures, TakeNoBrightCarpetForALineOnceTheyKnowWhite) {
   EXPECT_TRUE(percept_in(features, sunlit.view(), here.camera, here.robot_from_camera).line_points.empty());
 }
 
+TEST(FieldFeatures, TakeNoFloorForACarpetThatWasNeverSeenUntilAWhileHasPassed) {
+  const Stand here(160, 120, {-2.0, 0.0, 0.0}, {0.0, 0.25});
+  FlatField scene;
+  scene.colors.carpet = {110, 108, 150};  // wood
+  EXPECT_TRUE(is_empty(percept_after(scene, here, CarpetColor::kPatience - 1)));
+  EXPECT_FALSE(is_empty(percept_after(scene, here, CarpetColor::kPatience)));
+}
+
 TEST(FieldFeatures, GiveUpTheirCarpetForAnotherGreenAtOnceAndForAFloorAfterAWhile) {
   const Stand here(160, 120, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   FlatField scene;
@@ -281,8 +376,9 @@ TEST(FieldFeatures, GiveUpTheirCarpetForAnotherGreenAtOnceAndForAFloorAfterAWhil
     for (int i = 0; i < images; ++i) percept_in(features, image.view(), here.camera, here.robot_from_camera);
     return features.carpet_color().surface(80, 100, carpet);
   };
-  constexpr Ycbcr kGreen{75, 105, 108}, kDarkGreen{40, 118, 112}, kWood{110, 108, 150};
+  constexpr Ycbcr kGreen{75, 105, 108}, kDarkGreen{40, 118, 112}, kWood{110, 108, 150}, kOlive{70, 121, 126};
   look(kGreen, 1);
+  EXPECT_EQ(look(kOlive, 20), Surface::other);
   EXPECT_EQ(look(kDarkGreen, 1), Surface::carpet);
   EXPECT_EQ(look(kWood, 250), Surface::other);
   EXPECT_EQ(look(kWood, 60), Surface::carpet);
