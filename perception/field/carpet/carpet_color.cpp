@@ -155,7 +155,7 @@ CarpetColor::Fit CarpetColor::fit(Learned& color) const {
     ++near;
   }
   if (near < static_cast<int>(kFewestSamples)) return {};
-  const Fit fitted{near, squares.col(0) / near, Eigen::Vector2d(blue[0], red[0]) / near};
+  Fit fitted{near, squares.col(0) / near, Eigen::Vector2d(blue[0], red[0]) / near};
   for (int i = 1; i < 6; ++i) squares(i, i) += kStiffness * near;
   const auto solver = squares.ldlt();
   color.blue = solver.solve(blue);
