@@ -6,6 +6,7 @@ namespace reorient {
 /// Luma and chroma in the image's own units (0 to 255), lengths on the ground in metres.
 struct FieldFeatureParameters {
   double carpet_memory = 0.7;
+  int carpet_patience = 300;
   double carpet_saturation = 0.3;
   double line_contrast = 8.0;
   double noise_factor = 3.5;
@@ -20,10 +21,14 @@ struct FieldFeatureParameters {
   double obstacle_height = 0.6;
 };
 
+inline constexpr int kMostCarpetPatience = 100000;
+
 template <typename Visit>
 void describe(FieldFeatureParameters& p, Visit&& visit) {
   visit("carpet_memory", p.carpet_memory, 0.0, 0.99, "",
         "share of the carpet's old colour kept when a new image comes");
+  visit("carpet_patience", p.carpet_patience, 1, kMostCarpetPatience, "images",
+        "so many images must show no carpet before a color that is no green is taken for it: it may be a floor");
   visit("carpet_saturation", p.carpet_saturation, 0.1, 0.9, "",
         "a pixel is carpet with at least this share of the carpet's usual saturation");
   visit("line_contrast", p.line_contrast, 2.0, 100.0, "luma", "how much brighter than the carpet a line is at least");

@@ -11,6 +11,7 @@
 #include "perception/field/field_features.h"
 #include "perception/field/ground_projection.h"
 #include "program/look/line_stripes.h"
+#include "workbench/field_images/still_image.h"
 
 namespace reorient {
 namespace {
@@ -216,9 +217,10 @@ PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, co
   std::vector<Isometry3> attitudes;
   for (double pitch = kLowest; pitch <= kHighest; pitch += kStripeStep)
     attitudes.push_back(with_pitch(robot_from_camera, from_degrees(pitch)));
-  LineStripes found = find_line_stripes(image, camera, attitudes, parameters, field);
+  const FieldFeatureParameters still = for_still_image(parameters);
+  LineStripes found = find_line_stripes(image, camera, attitudes, still, field);
   const std::vector<LineStripe> stripes = thinned(std::move(found.stripes));
-  const std::vector<float> boundary = carpet_boundary(image, camera, robot_from_camera, parameters, field);
+  const std::vector<float> boundary = carpet_boundary(image, camera, robot_from_camera, still, field);
   PitchEstimate estimate;
   estimate.stripes = static_cast<int>(stripes.size());
   const PitchLikelihood likelihood(camera, stripes, boundary, field.line_width);

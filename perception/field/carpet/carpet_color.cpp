@@ -56,7 +56,7 @@ void CarpetColor::learn() {
   if (!goes_on) {
     const auto dominant = find_dominant();
     if (!dominant || (known_ && share_of(dominant->count) < kShareOfAnother)) return;
-    doubted_ = std::min(doubted_ + 1, kPatience);
+    doubted_ = std::min(doubted_ + 1, parameters_.carpet_patience);
     seen = {};
     seen.blue[0] = dominant->b;
     seen.red[0] = dominant->r;
@@ -66,7 +66,7 @@ void CarpetColor::learn() {
       if (fitted.near == 0) return;
     }
     const bool is_green = is_greenish(fitted.chroma.x(), fitted.chroma.y());
-    if (!is_green && (doubted_ < kPatience || share_of(fitted.near) < kShareOfAnyColor)) return;
+    if (!is_green && (doubted_ < parameters_.carpet_patience || share_of(fitted.near) < kShareOfAnyColor)) return;
     white_known_ = false;
   }
   doubted_ = 0;
@@ -80,7 +80,7 @@ bool CarpetColor::goes_on_with(Learned& seen) const {
   constexpr double kMostStep = 0.25, kLeastStep = 3.0;  // of the saturation; of chroma
   const Fit fitted = fit(seen);
   if (static_cast<double>(fitted.near) < kFewestShare * static_cast<double>(samples_.size())) return false;
-  const Eigen::Vector2d known(learned_.blue.dot(fitted.place), learned_.red.dot(fitted.place));
+  const Eigen::Vector2d known = learned_.chroma_at(fitted.place);
   if (is_greenish(known.x(), known.y()) && !is_greenish(fitted.chroma.x(), fitted.chroma.y())) return false;
   return (fitted.chroma - known).norm() <= std::max(kLeastStep, kMostStep * known.norm());
 }
@@ -184,7 +184,7 @@ void CarpetColor::observe_white(const Eigen::Vector3d& less_carpet) {
 double CarpetColor::tint_at(const Eigen::Vector2i& pixel, const Ycbcr& seen) const {
   if (!white_known_) return Eigen::Vector2d(seen.cb - 128, seen.cr - 128).norm() / std::max<int>(seen.y, 1);
   const Terms terms = terms_at(2.0 * pixel.x() / width_ - 1.0, 2.0 * pixel.y() / height_ - 1.0);
-  const Eigen::Vector2d carpet(learned_.blue.dot(terms), learned_.red.dot(terms));
+  const Eigen::Vector2d carpet = learned_.chroma_at(terms);
   const Eigen::Vector2d white = carpet + white_less_carpet(carpet), chroma(seen.cb - 128, seen.cr - 128);
   const double of_light = (chroma - seen.y * light_of(white)).norm();
   return std::min((chroma - white).norm(), of_light) / std::max<int>(seen.y, 1);
@@ -197,7 +197,7 @@ void CarpetColor::check() const {
   const auto sound = [](double value, double most) { return value >= 0.0 && value <= most; };
   const auto is_chroma = [&](const auto& terms) { return (terms.array().abs() <= kMostChroma).all(); };
   check_bytes(sound(learned_.luma, kMostLuma) && sound(learned_.noise, kMostLuma) &&
-                  sound(learned_.deviation, kMostLuma) && doubted_ >= 0 && doubted_ <= kPatience &&
+                  sound(learned_.deviation, kMostLuma) && doubted_ >= 0 && doubted_ <= kMostCarpetPatience &&
                   is_chroma(learned_.blue) && is_chroma(learned_.red) && is_chroma(white_less_carpet_),
               "the color of the carpet is outside of what can be seen");
 }
@@ -207,8 +207,7 @@ void CarpetColor::prepare_parts() {
     for (int i = 0; i < kColumns; ++i) {
       const double u = 2.0 * (i + 0.5) / kColumns - 1.0, v = 2.0 * (j + 0.5) / kRows - 1.0;
       const Terms terms = terms_at(u, v);
-      parts_[static_cast<std::size_t>(j * kColumns + i)] =
-          part_for({learned_.blue.dot(terms), learned_.red.dot(terms)});
+      parts_[static_cast<std::size_t>(j * kColumns + i)] = part_for(learned_.chroma_at(terms));
     }
   }
 }

@@ -66,10 +66,6 @@ class CarpetPart {
 
 class CarpetColor {
  public:
-  /// Images in a row that show no carpet, before a color that is no green is taken for it: until then it may be a floor
-  /// or somebody's trousers.
-  static constexpr int kPatience = 300;
-
   explicit CarpetColor(const FieldFeatureParameters& parameters);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
@@ -135,12 +131,13 @@ class CarpetColor {
     double luma = 0.0;                                ///< mean
     double noise = 0.0;                               ///< of luma
     double deviation = 0.0;                           ///< of chroma
-  };
 
+    Eigen::Vector2d chroma_at(const Terms& place) const { return {blue.dot(place), red.dot(place)}; }
+  };
   struct Fit {
     int near = 0;                                      ///< samples near the color
-    Terms place = Terms::Zero();                       ///< of theirs, the mean
-    Eigen::Vector2d chroma = Eigen::Vector2d::Zero();  ///< (blue, red), the mean
+    Terms place = Terms::Zero();                       ///< their mean
+    Eigen::Vector2d chroma = Eigen::Vector2d::Zero();  ///< their mean, (blue, red)
   };
 
   void collect(const ImageView& image, const GroundProjection& view);

@@ -4,65 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/bytes.h"
-#include "geometry/head.h"
-#include "tests/perception/field/flat_field.h"
-#include "tests/perception/field/percept_in.h"
+#include "tests/perception/field/filled_image.h"
+#include "tests/perception/field/stand.h"
 
 namespace reorient {
 namespace {
-
-/// A NAO that stands somewhere on the field, its camera, and where that really is.
-struct Stand {
-  CameraModel camera;
-  Isometry3 robot_from_camera;
-  Pose2 field_from_robot;
-
-  Stand(int width, int height, const Pose2& pose, const HeadAngles& head, const TorsoAttitude& torso = {})
-      : camera(CameraModel::from_fields_of_view(width, height, from_degrees(56.3), from_degrees(43.7))),
-        robot_from_camera(reorient::robot_from_camera({}, head, torso, RobotDimensions{}.torso_height)),
-        field_from_robot(pose) {}
-
-  Image see(const FlatField& scene) const {
-    return render(scene, camera, to_isometry(field_from_robot) * robot_from_camera);
-  }
-};
-
-FieldPercept percept_of(const FlatField& scene, const Stand& stand) {
-  FieldFeatures features({}, scene.field);
-  const Image image = stand.see(scene);
-  return percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
-}
-
-/// What a field of these colors shows to a robot that has stood there for some images.
-FieldPercept percept_after(const FlatField& scene, const Stand& stand, int images) {
-  FieldFeatures features({}, scene.field);
-  const Image image = stand.see(scene);
-  FieldPercept percept;
-  for (int i = 0; i < images; ++i) percept = percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
-  return percept;
-}
-
-bool is_empty(const FieldPercept& percept) {
-  return percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty();
-}
-
-/// Share of line points that lie on a true line, and of those whose normal is that line's.
-void expect_line_points_on_lines(const FieldPercept& percept, const FlatField& scene, const Stand& stand) {
-  int misplaced = 0;
-  int twisted = 0;
-  for (const LinePoint& point : percept.line_points) {
-    const NearestLine line = nearest_line(scene.field, stand.field_from_robot * point.position);
-    const double turned = normalize_angle(2.0 * (point.normal + stand.field_from_robot.rotation - line.normal)) / 2.0;
-    misplaced += line.distance > 0.05 + 0.03 * point.position.norm() ? 1 : 0;
-    twisted += std::abs(turned) > from_degrees(10.0) ? 1 : 0;
-    EXPECT_GT(point.normal, -0.5 * kPi);
-    EXPECT_LE(point.normal, 0.5 * kPi);
-  }
-  const double count = static_cast<double>(percept.line_points.size());
-  EXPECT_LE(misplaced, 0.02 * count) << "of " << count;
-  EXPECT_LE(twisted, 0.15 * count) << "of " << count;
-}
 
 class FieldFeaturesAtEveryResolution : public testing::TestWithParam<int> {
  protected:
@@ -212,27 +158,18 @@ TEST(FieldFeatures, TakeNoLetterOnAGreenBannerForAPost) {
   const Stand here(640, 480, {3.6, 0.0, 0.0}, {0.0, 0.0});  // close to the border, and a floor of wood behind it
   const FlatField field;
   Image image = here.see(field);
-  const auto fill = [&](double left, double right, double top, double bottom, const Ycbcr& color) {
-    for (int v = 0; v < image.height(); ++v) {
-      for (int u = 0; u + 1 < image.width(); u += 2) {
-        if (u < left || u >= right || v < top || v >= bottom) continue;
-        std::uint8_t* pair = image.row(v) + 2 * u;
-        pair[0] = pair[2] = color.y;
-        pair[1] = color.cb;
-        pair[3] = color.cr;
-      }
-    }
-  };
   // Letters as tall as a post at 6 m, with their feet where it would stand.
   const auto pixel = [&](double x, double y, double z) {
     return *here.camera.project(here.robot_from_camera.inverse() * Eigen::Vector3d(x, y, z));
   };
-  const double foot = pixel(6.0, 0.0, 0.0).y(), top = pixel(6.0, 0.0, 0.8).y();
+  const auto foot = static_cast<int>(pixel(6.0, 0.0, 0.0).y()), top = static_cast<int>(pixel(6.0, 0.0, 0.8).y());
   const auto draw = [&](const Ycbcr& floor) {
-    fill(0, 640, top - 20, foot + 40, field.colors.carpet);
-    fill(0, 640, foot + 40, 480, floor);
-    for (const double y : {0.5, -0.5})
-      fill(pixel(6.0, y + 0.05, 0.0).x(), pixel(6.0, y - 0.05, 0.0).x(), top, foot, {200, 126, 130});
+    fill(image, 0, top - 20, 640, foot + 40, field.colors.carpet);
+    fill(image, 0, foot + 40, 640, 480, floor);
+    for (const double y : {0.5, -0.5}) {
+      const double left = pixel(6.0, y + 0.05, 0.0).x(), right = pixel(6.0, y - 0.05, 0.0).x();
+      fill(image, static_cast<int>(left), top, static_cast<int>(right), foot, {200, 126, 130});
+    }
   };
   FieldFeatures features({}, field.field);
   const auto posts_on = [&](const Ycbcr& floor) {
@@ -242,27 +179,6 @@ TEST(FieldFeatures, TakeNoLetterOnAGreenBannerForAPost) {
   };
   EXPECT_EQ(posts_on({110, 108, 150}), 0u);
   EXPECT_EQ(posts_on(field.colors.carpet), 2u) << "on carpet they are posts";
-}
-
-TEST(FieldFeatures, TakeNothingBeyondTheBorderForTheCarpetWhateverItsColor) {
-  FlatField scene;
-  const Stand here(640, 480, {0.0, 0.0, 0.0}, {0.0, 0.0});
-  const FieldPercept bare = percept_of(scene, here);
-  scene.boxes = {{{6.0, 2.2}, 1.2, 0.4, scene.colors.carpet}};  // a low banner
-  const FieldPercept percept = percept_of(scene, here);
-  ASSERT_EQ(percept.boundary.size(), bare.boundary.size());
-  for (std::size_t i = 0; i < bare.boundary.size(); ++i) EXPECT_NEAR(percept.boundary[i], bare.boundary[i], 8.0) << i;
-}
-
-TEST(FieldFeatures, TellCarpetFromAGrayWallInTintedLight) {
-  FlatField scene;
-  scene.colors = {{60, 116, 106}, {200, 128, 88}, {60, 128, 116}, {200, 128, 88}};  // cyan: white is -40, gray -12
-  const Stand here(640, 480, {0.0, 0.0, 0.0}, {0.0, 0.1});
-  const FieldPercept percept = percept_after(scene, here, 5);
-  const auto border = here.camera.project(here.robot_from_camera.inverse() * Eigen::Vector3d(5.2, 0.0, 0.0));
-  ASSERT_TRUE(border);
-  EXPECT_NEAR(percept.boundary[CarpetMap::kColumns / 2], border->y(), 4.0);
-  EXPECT_GE(percept.line_points.size(), 30u);
 }
 
 TEST(FieldFeatures, SeeLinesWithATorsoThatSways) {
@@ -296,115 +212,6 @@ TEST(FieldFeatures, AreTheSameForTheSameImages) {
   ASSERT_FALSE(a.line_points.empty());
   for (std::size_t i = 0; i < a.line_points.size(); ++i)
     EXPECT_EQ(a.line_points[i].position, b.line_points[i].position);
-}
-
-TEST(FieldFeatures, KeepTheCarpetsColourWhenTheyLookAway) {
-  const FlatField scene = FlatField::with_goals();
-  const Stand down(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
-  const Stand up(320, 240, {-2.0, 0.0, 0.0}, {0.0, -0.6});
-  FieldFeatures features({}, scene.field);
-  const Image carpet = down.see(scene);
-  const Image room = up.see(scene);
-  percept_in(features, carpet.view(), down.camera, down.robot_from_camera);
-  percept_in(features, room.view(), up.camera, up.robot_from_camera);
-  EXPECT_EQ(features.carpet_color().surface(160, 200, {75, 105, 108}), Surface::carpet);
-  EXPECT_EQ(features.carpet_color().surface(160, 200, {190, 126, 130}), Surface::other);
-}
-
-TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
-  const FlatField scene = FlatField::with_goals();
-  const Stand down(160, 120, {3.0, 0.8, 0.0}, {0.0, 0.25});
-  const Stand close(160, 120, {3.6, 0.8, 0.0}, {0.0, -0.05});
-  FieldFeatures features({}, scene.field);
-  const Image carpet = down.see(scene);
-  const Image hall = close.see(scene);
-  percept_in(features, carpet.view(), down.camera, down.robot_from_camera);
-  for (int i = 0; i < 20; ++i) percept_in(features, hall.view(), close.camera, close.robot_from_camera);
-  EXPECT_NEAR(features.carpet_color().luma(), 75.0, 15.0);
-  EXPECT_EQ(features.carpet_color().surface(80, 100, {95, 132, 134}), Surface::other);
-}
-
-TEST(FieldFeatures, SeeTheSameLinesOnACarpetOfAnyColor) {
-  const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
-  FlatField scene;
-  const std::size_t on_green = percept_after(scene, here, 5).line_points.size();
-  ASSERT_GE(on_green, 20u);
-  // Yellowish, cyan, blue, red, gray; then green whose lines are as red, as blue, or as green as it.
-  for (const auto& [carpet, line] : {std::pair{Ycbcr{75, 100, 126}, Ycbcr{190, 126, 130}},
-                                     {{75, 134, 108}, {190, 126, 130}},
-                                     {{75, 150, 118}, {190, 126, 130}},
-                                     {{75, 118, 160}, {190, 126, 130}},
-                                     {{75, 128, 128}, {190, 128, 128}},
-                                     {{75, 110, 116}, {190, 115, 165}},
-                                     {{75, 110, 116}, {190, 165, 115}},
-                                     {{75, 105, 108}, {190, 105, 108}}}) {
-    scene.colors.carpet = carpet;
-    scene.colors.line = line;
-    const FieldPercept percept = percept_after(scene, here, CarpetColor::kPatience + 5);
-    EXPECT_GE(percept.line_points.size(), on_green * 9 / 10)
-        << int{carpet.cb} << " " << int{carpet.cr} << ", lines " << int{line.cb} << " " << int{line.cr};
-    expect_line_points_on_lines(percept, scene, here);
-  }
-}
-
-TEST(FieldFeatures, TakeNoBrightCarpetForALineOnceTheyKnowWhite) {
-  const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
-  FlatField scene;
-  FieldFeatures features({}, scene.field);
-  const Image lines = here.see(scene);
-  percept_in(features, lines.view(), here.camera, here.robot_from_camera);
-  scene.colors.line = {150, 84, 90};  // sunlit carpet
-  const Image sunlit = here.see(scene);
-  EXPECT_TRUE(percept_in(features, sunlit.view(), here.camera, here.robot_from_camera).line_points.empty());
-}
-
-TEST(FieldFeatures, TakeNoFloorForACarpetThatWasNeverSeenUntilAWhileHasPassed) {
-  const Stand here(160, 120, {-2.0, 0.0, 0.0}, {0.0, 0.25});
-  FlatField scene;
-  scene.colors.carpet = {110, 108, 150};  // wood
-  EXPECT_TRUE(is_empty(percept_after(scene, here, CarpetColor::kPatience - 1)));
-  EXPECT_FALSE(is_empty(percept_after(scene, here, CarpetColor::kPatience)));
-}
-
-TEST(FieldFeatures, GiveUpTheirCarpetForAnotherGreenAtOnceAndForAFloorAfterAWhile) {
-  const Stand here(160, 120, {-2.0, 0.0, 0.0}, {0.0, 0.25});
-  FlatField scene;
-  FieldFeatures features({}, scene.field);
-  const auto look = [&](const Ycbcr& carpet, int images) {
-    scene.colors.carpet = carpet;
-    const Image image = here.see(scene);
-    for (int i = 0; i < images; ++i) percept_in(features, image.view(), here.camera, here.robot_from_camera);
-    return features.carpet_color().surface(80, 100, carpet);
-  };
-  constexpr Ycbcr kGreen{75, 105, 108}, kDarkGreen{40, 118, 112}, kWood{110, 108, 150}, kOlive{70, 121, 126};
-  look(kGreen, 1);
-  EXPECT_EQ(look(kOlive, 20), Surface::other);
-  EXPECT_EQ(look(kDarkGreen, 1), Surface::carpet);
-  EXPECT_EQ(look(kWood, 250), Surface::other);
-  EXPECT_EQ(look(kWood, 60), Surface::carpet);
-  EXPECT_EQ(look(kGreen, 1), Surface::carpet);
-}
-
-TEST(FieldFeatures, ThatWereSavedGoOnTheSameWhereNoGroundIsInView) {
-  const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25}), up(320, 240, {-2.0, 0.0, 0.0}, {0.0, -0.6});
-  FlatField scene;
-  scene.colors.carpet = {75, 110, 116};
-  scene.colors.line = {190, 115, 165};  // white is learned behind the carpet
-  FieldFeatures one({}, scene.field), other({}, scene.field);
-  const Image lines = here.see(scene), room = up.see(scene);
-  percept_in(one, lines.view(), here.camera, here.robot_from_camera);
-  std::vector<std::byte> bytes;
-  ByteWriter writer(bytes);
-  one.archive(writer);
-  ByteReader reader(bytes);
-  other.archive(reader);
-  for (FieldFeatures* each : {&one, &other}) percept_in(*each, room.view(), up.camera, up.robot_from_camera);
-  for (int cb = 64; cb < 192; cb += 2) {
-    for (int cr = 64; cr < 192; cr += 2) {
-      const Ycbcr color{70, static_cast<std::uint8_t>(cb), static_cast<std::uint8_t>(cr)};
-      ASSERT_EQ(one.carpet_color().surface(160, 200, color), other.carpet_color().surface(160, 200, color));
-    }
-  }
 }
 
 }  // namespace

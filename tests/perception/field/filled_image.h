@@ -1,20 +1,29 @@
-// An image of one color.
+// Images and parts of images of one color.
 #pragma once
+
+#include <algorithm>
+#include <cstdint>
 
 #include "geometry/image.h"
 
 namespace reorient {
 
-inline Image filled(int width, int height, const Ycbcr& color) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; x += 2) {
+/// From a left and top pixel to before a right and bottom one, as far as they are in the image; `left` and `right` are
+/// rounded down to even numbers.
+inline void fill(Image& image, int left, int top, int right, int bottom, const Ycbcr& color) {
+  for (int y = std::max(top, 0); y < std::min(bottom, image.height()); ++y) {
+    for (int x = std::max(left, 0) & ~1; x < std::min(right, image.width()); x += 2) {
       std::uint8_t* pair = image.row(y) + 2 * x;
       pair[0] = pair[2] = color.y;
       pair[1] = color.cb;
       pair[3] = color.cr;
     }
   }
+}
+
+inline Image filled(int width, int height, const Ycbcr& color) {
+  Image image(width, height);
+  fill(image, 0, 0, width, height, color);
   return image;
 }
 

@@ -17,6 +17,9 @@
 #include "tests/program/footage/simulated_footage.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
+#include "workbench/field_images/recoloring.h"
+#include "workbench/footage/decoder_library.h"
+#include "workbench/footage/open_footage.h"
 
 namespace reorient {
 namespace {
@@ -166,6 +169,20 @@ TEST_F(LookAtRealImages, FindsTheirPitchFromTheirLines) {
     EXPECT_GT(images[i]["counts"]["line_points"].get<int>(), 40);
   }
   EXPECT_NEAR(images[1]["roll_degrees"].get<double>(), -4.4, 2.0);
+}
+
+TEST_F(LookAtRealImages, FindsThePitchOnACarpetThatIsNotGreen) {
+  const TemporaryFolder out;
+  const std::string json = (out.path() / "o.json").string(), reddish = (out.path() / "reddish.png").string();
+  const Image image = read_image(folder() / "nao-v4-top-640x480-b.png", decoder_library());
+  write_image(reddish, recolored(image.view(), {.cr = 16}).view());
+  const ProgramRun run =
+      run_reorient({"look", reddish, "--fov-degrees", "60.97", "--out", (out.path() / "out").string(), "--json", json});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto seen = nlohmann::json::parse(std::ifstream(json)).at(0);
+  EXPECT_EQ(seen["pitch"]["known"], true) << run.out;
+  EXPECT_NEAR(seen["pitch"]["used_degrees"].get<double>(), 12.2, 2.0);
+  EXPECT_GT(seen["counts"]["line_points"].get<int>(), 40);
 }
 
 }  // namespace

@@ -32,6 +32,10 @@ pictures::Picture rgb_of(const ImageView& image) {
 
 }  // namespace
 
+void write_image(const std::filesystem::path& file, const ImageView& image) {
+  pictures::write_png(file, rgb_of(image));
+}
+
 void write_offset_footage(const std::filesystem::path& folder, const OffsetFootageOptions& options) {
   constexpr int kFramesForAnImage = 6;  // of 30 a second
   std::filesystem::create_directories(folder / "images");
@@ -58,7 +62,7 @@ void write_offset_footage(const std::filesystem::path& folder, const OffsetFoota
     if (frame % kFramesForAnImage != 0) continue;
     const CameraFrame& upper = *observation.upper;
     const std::string name = fmt::format("images/{:04}.png", image++);
-    pictures::write_png(folder / name, rgb_of(upper.image));
+    write_image(folder / name, upper.image);
     const Isometry3& camera = upper.robot_from_camera;
     const Pose2 truth = robot.truth->truth()->pose;
     const Eigen::Vector2d below = truth * Eigen::Vector2d(camera.translation().head<2>());
@@ -91,7 +95,7 @@ void write_simulated_footage(const std::filesystem::path& folder, int images, in
     if (frame % kFramesForAnImage != 0) continue;
     const CameraFrame& upper = *observation.upper;
     const std::string name = fmt::format("images/{:04}.png", image++);
-    pictures::write_png(folder / name, rgb_of(upper.image));
+    write_image(folder / name, upper.image);
     const Pose2 truth = robot.truth->truth()->pose;
     const Pose2& odometry = upper.odometry;
     const Eigen::Matrix3d camera = upper.robot_from_camera.linear();

@@ -8,6 +8,9 @@
 
 namespace reorient {
 
+/// As a PNG.
+void write_image(const std::filesystem::path& file, const ImageView& image);
+
 /// Footage whose camera is mounted differently than the table says.
 struct OffsetFootageOptions {
   int images = 100;        ///< five a second
