@@ -14,10 +14,10 @@ using Eigen::Vector2d;
 // Pixels of an image that is 640 wide.
 constexpr double kUsualWidth = 640.0;
 constexpr double kLeastPiece = 12.0;
-constexpr double kOnLine = 4.0;      // how far a point may be from the middle of its line
-constexpr double kOnPost = 6.0;      // half the width of a post's mask
-constexpr double kPostFound = 10.0;  // how far the foot of a post may be off, sideways
-constexpr double kBorderFound = 8.0;
+constexpr double kOnLine = 4.0;       // how far a point may be from the middle of its line
+constexpr double kOnPost = 6.0;       // half the width of a post's mask
+constexpr double kPostFound = 10.0;   // how far the foot of a post may be off, sideways
+constexpr double kBorderFound = 8.0;  // how far the border may be off
 constexpr double kPieceLength = 0.1;  // m
 
 Vector2d point_between(const Vector2d& a, const Vector2d& b, double share) { return a + share * (b - a); }
@@ -99,23 +99,40 @@ bool is_in_mask(const FieldLabels& labels, const Vector2d& point) {
   return is_inside_any(labels.feet, point) || is_inside_any(labels.boards, point) || is_inside_any(labels.marks, point);
 }
 
-void score_posts(const FieldPercept& percept, const FieldLabels& labels, double to_labels, FieldScore& score) {
-  score.posts = static_cast<int>(labels.posts.size());
-  std::vector<bool> found(labels.posts.size());
-  for (const GoalPost& post : percept.goal_posts) {
-    bool fits = false;
-    for (std::size_t i = 0; i < labels.posts.size(); ++i) {
-      if (std::abs(to_labels * post.base.x() - labels.posts[i].base.x()) > kPostFound * labels.width / kUsualWidth)
-        continue;
-      fits = true;
+struct Matches {
+  int found = 0;      ///< labels that something seen fits
+  int unlabeled = 0;  ///< seen, and fits no label
+};
+
+/// `fits`: whether something seen belongs to a label.
+template <typename Seen, typename Label, typename Fits>
+Matches match(const std::vector<Seen>& seen, const std::vector<Label>& labels, Fits&& fits) {
+  Matches matches;
+  std::vector<bool> found(labels.size());
+  for (const Seen& one : seen) {
+    bool is_labeled = false;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (!fits(one, labels[i])) continue;
+      is_labeled = true;
       found[i] = true;
     }
-    score.false_posts += fits ? 0 : 1;
+    matches.unlabeled += is_labeled ? 0 : 1;
   }
-  score.posts_found = static_cast<int>(std::count(found.begin(), found.end(), true));
+  matches.found = static_cast<int>(std::count(found.begin(), found.end(), true));
+  return matches;
 }
 
-/// Of the boards in a column; nothing where there are none.
+void score_posts(const FieldPercept& percept, const FieldLabels& labels, double to_labels, FieldScore& score) {
+  const double most = kPostFound * labels.width / kUsualWidth;
+  const Matches matches = match(percept.goal_posts, labels.posts, [&](const GoalPost& post, const LabeledPost& label) {
+    return std::abs(to_labels * post.base.x() - label.base.x()) <= most;
+  });
+  score.posts = static_cast<int>(labels.posts.size());
+  score.posts_found = matches.found;
+  score.false_posts = matches.unlabeled;
+}
+
+/// Of the boards in a column, if any are labeled there.
 std::optional<double> lower_edge(const std::vector<LabeledPixels>& boards, double column) {
   std::optional<double> lowest;
   for (const LabeledPixels& polygon : boards) {
@@ -140,24 +157,17 @@ void score_border(const FieldPercept& percept, const FieldLabels& labels, double
   }
 }
 
-/// An obstacle belongs to feet where its lower edge's middle lies in their columns.
+/// An obstacle belongs to feet where its middle lies in their columns.
 void score_obstacles(const FieldPercept& percept, const FieldLabels& labels, double to_labels, FieldScore& score) {
+  const Matches matches = match(percept.obstacles, labels.feet, [&](const Obstacle& seen, const LabeledPixels& feet) {
+    const double middle = to_labels * 0.5 * (seen.left + seen.right);
+    const auto [left, right] = std::minmax_element(feet.begin(), feet.end(),
+                                                   [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
+    return middle >= left->x() && middle <= right->x();
+  });
   score.robots = static_cast<int>(labels.feet.size());
-  std::vector<bool> found(labels.feet.size());
-  for (const Obstacle& obstacle : percept.obstacles) {
-    const double middle = to_labels * 0.5 * (obstacle.left + obstacle.right);
-    bool fits = false;
-    for (std::size_t i = 0; i < labels.feet.size(); ++i) {
-      const auto [left, right] =
-          std::minmax_element(labels.feet[i].begin(), labels.feet[i].end(),
-                              [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
-      if (middle < left->x() || middle > right->x()) continue;
-      fits = true;
-      found[i] = true;
-    }
-    score.false_obstacles += fits ? 0 : 1;
-  }
-  score.robots_found = static_cast<int>(std::count(found.begin(), found.end(), true));
+  score.robots_found = matches.found;
+  score.false_obstacles = matches.unlabeled;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ int highest_carpet(const CarpetMap& map, int column) {
 }
 
 /// Where a column reaches higher than most of its neighbours, it followed something that is not the field.
-int without_spike(const std::array<int, kColumns>& rows, int column) {
+int without_spike(const StraightEdges::Rows& rows, int column) {
   constexpr int kReach = 3;
   std::array<int, 2 * kReach + 1> around{};
   int neighbour = column - kReach;

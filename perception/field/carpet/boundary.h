@@ -11,8 +11,8 @@
 namespace reorient {
 
 /// One row (pixels) for each column of the map, as FieldPercept wants it: the image's height where no carpet is in
-/// view. The field is convex, so a robot or a post in front of its border does not dent it; and its border is straight,
-/// so what lies beyond the edges that most columns agree on is none of it, whatever color it has.
+/// view. The field is convex, so a robot or a post in front of its border does not dent it. Its border is straight, so
+/// what lies beyond the edges that most columns agree on does not belong to it, even in the carpet's color.
 class Boundary {
  public:
   void find(const CarpetMap& map, const CameraModel& camera, std::vector<float>& boundary);

@@ -148,8 +148,8 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Cand
     const Vector2d position = *foot + (distance - from_foot + radius) * frame.view.away(*foot);
     return GoalPost{position, true, candidate.foot.cast<float>(), candidate.top.cast<float>()};
   };
-  if (from_height && outline_agrees(frame, candidate, between(frame, candidate, *from_height))) {
-    // The variances of both add up to that of the mean; what is far away is told by its height.
+  if (from_height && outline_agrees(frame, candidate, upright_between(frame, candidate, *from_height))) {
+    // Each is weighed by the inverse of its variance: far away, the height decides.
     constexpr double kTilt = 0.0175, kHeight = 0.05;  // rad; share
     const double height = frame.view.camera_height();
     const double of_foot = square(kTilt * (square(*from_height) + square(height)) / height);
@@ -161,7 +161,7 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Cand
   if (from_foot > std::min(kFarAway, parameters_.post_range) || !is_thick_enough(frame, candidate, from_foot))
     return std::nullopt;
   const GoalPost post = post_at(from_foot);
-  return outline_agrees(frame, candidate, at(frame, post.position)) ? std::optional(post) : std::nullopt;
+  return outline_agrees(frame, candidate, upright_at(frame, post.position)) ? std::optional(post) : std::nullopt;
 }
 
 /// Carpet before it, all the way to the robot: a banner may be as green, and its letters like posts. And carpet behind
@@ -225,18 +225,18 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const Frame& frame, const C
   const double from_width = frame.view.pixels_per_radian(candidate.pixel) * field_.goal_post_diameter / candidate.width;
   if (distance > kRange || std::abs(from_width - distance) > kAgreement * distance) return std::nullopt;
   const Vector2d position = *top + 0.5 * field_.goal_post_diameter * frame.view.away(*top);
-  if (!outline_agrees(frame, candidate, at(frame, position))) return std::nullopt;
+  if (!outline_agrees(frame, candidate, upright_at(frame, position))) return std::nullopt;
   return GoalPost{position, false, candidate.foot.cast<float>(), candidate.top.cast<float>()};
 }
 
 /// A post at a place on the ground.
-GoalPosts::Upright GoalPosts::at(const Frame& frame, const Vector2d& position) const {
+GoalPosts::Upright GoalPosts::upright_at(const Frame& frame, const Vector2d& position) const {
   return {frame.view.in_camera({position.x(), position.y(), 0.0}),
           frame.view.in_camera({position.x(), position.y(), field_.goal_height})};
 }
 
 /// From the candidate's foot to its top, so far away.
-GoalPosts::Upright GoalPosts::between(const Frame& frame, const Candidate& candidate, double distance) const {
+GoalPosts::Upright GoalPosts::upright_between(const Frame& frame, const Candidate& candidate, double distance) const {
   const double below = frame.view.camera_height(), above = field_.goal_height - below;
   return {pinned::hypot(distance, below) * frame.view.camera().ray(candidate.foot).normalized(),
           pinned::hypot(distance, above) * frame.view.camera().ray(candidate.top).normalized()};

@@ -54,8 +54,8 @@ class GoalPosts {
                         const std::vector<float>& boundary) const;
   bool is_thick_enough(const Frame& frame, const Candidate& candidate, double distance) const;
   std::optional<double> distance_from_height(const Frame& frame, const Candidate& candidate, double from_foot) const;
-  Upright at(const Frame& frame, const Eigen::Vector2d& position) const;
-  Upright between(const Frame& frame, const Candidate& candidate, double distance) const;
+  Upright upright_at(const Frame& frame, const Eigen::Vector2d& position) const;
+  Upright upright_between(const Frame& frame, const Candidate& candidate, double distance) const;
   bool outline_agrees(const Frame& frame, const Candidate& candidate, const Upright& upright) const;
 
   FieldFeatureParameters parameters_;
