@@ -196,9 +196,17 @@ void FrameLoop::describe_world() {
   world_.head = observation_->body.head;
   world_.goal_posts = 0;
   world_.line_points = 0;
+  world_.intersections = 0;
+  world_.ball = false;
+  world_.ball_distance = world_.ball_bearing = 0.0;
   for (const FieldPercept& percept : record_.percepts) {
     world_.goal_posts += static_cast<int>(percept.goal_posts.size());
     world_.line_points += static_cast<int>(percept.line_points.size());
+    world_.intersections += static_cast<int>(percept.intersections.size());
+    if (!percept.ball) continue;
+    world_.ball = true;
+    world_.ball_distance = percept.ball->position.norm();
+    world_.ball_bearing = direction_of(percept.ball->position);
   }
   world_.room_awareness = room_.has_value();
   if (room_) {

@@ -25,6 +25,7 @@ struct FieldDimensions {
   double goal_height = 0.8;
   double goal_depth = 0.5;  ///< how far the net reaches behind the goal line
   double goal_post_diameter = 0.1;
+  double ball_diameter = 0.1;
   bool yellow_goals = false;  ///< 2013: both goals yellow; today: both white
 };
 
@@ -38,7 +39,7 @@ void fields(Visit&& visit, FieldDimensions& field) {
   visit(field.length, field.width, field.border, field.line_width, field.penalty_area_depth, field.penalty_area_width,
         field.goal_area_depth, field.goal_area_width, field.penalty_mark_x, field.penalty_mark_size,
         field.center_circle_radius, field.corner_arc_radius, field.goal_post_y, field.goal_height, field.goal_depth,
-        field.goal_post_diameter, field.yellow_goals);
+        field.goal_post_diameter, field.ball_diameter, field.yellow_goals);
 }
 
 /// Calls visit(key, length, least, most) for each length, with the range in which there can be such a field.
@@ -60,6 +61,7 @@ void describe(FieldDimensions& field, Visit&& visit) {
   visit("goal_height", field.goal_height, 0.2, 5.0);
   visit("goal_depth", field.goal_depth, 0.0, 5.0);
   visit("goal_post_diameter", field.goal_post_diameter, 0.02, 0.5);
+  visit("ball_diameter", field.ball_diameter, 0.03, 0.5);
 }
 
 /// The first length that is out of its range, and how to mend it; empty: there is none.

@@ -39,6 +39,9 @@ inline void unit_vectors(std::span<const double> angles, std::span<Eigen::Vector
   }
 }
 
+/// The z component of the cross product: positive where b points to the left of a.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 /// rad, in (-pi, pi].
 inline double direction_of(const Eigen::Vector2d& vector) { return pinned::atan2(vector.y(), vector.x()); }
 

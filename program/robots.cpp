@@ -29,15 +29,19 @@ struct SimulatorTuning {
   ParameterRegistry registry;
 };
 
-RobotInstance make_simulator(const RobotOptions& options) {
-  const SimulatorTuning tuning(options);
+std::unique_ptr<Simulator> simulator_of(const RobotOptions& options, bool labels) {
+  SimulatorTuning tuning(options);
+  tuning.simulator.labels = labels;
   const FieldDimensions& field = options.field;
   const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);
   RoomCache own;
   RoomCache& rooms = options.rooms != nullptr ? *options.rooms : own;
   const Room& room = rooms.room(options.room, options.hall_seed, tuning.room_shape);
-  auto simulator =
-      std::make_unique<Simulator>(tuning.simulator, options.body, field, room, beside_the_field, options.seed);
+  return std::make_unique<Simulator>(tuning.simulator, options.body, field, room, beside_the_field, options.seed);
+}
+
+RobotInstance make_simulator(const RobotOptions& options) {
+  std::unique_ptr<Simulator> simulator = simulator_of(options, false);
   Simulator* const itself = simulator.get();
   return {std::move(simulator), itself->body(), RobotInstance::Clock::simulated, itself, itself};
 }
@@ -95,6 +99,8 @@ std::vector<std::string> robot_names() {
   for (const Maker& maker : kMakers) names.emplace_back(maker.name);
   return names;
 }
+
+std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options) { return simulator_of(options, true); }
 
 RobotInstance make_robot(const std::string& name, const RobotOptions& options) { return maker_of(name).make(options); }
 

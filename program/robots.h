@@ -13,6 +13,8 @@
 
 namespace reorient {
 
+class Simulator;
+
 /// The room that was made last: many trials take place in one, and to decode a panorama takes as long as a trial.
 class RoomCache {
  public:
@@ -49,6 +51,9 @@ inline constexpr const char* kNao = "nao";
 
 /// Throws std::runtime_error with one line: a name that is none, a file that cannot be read, a value out of range.
 RobotInstance make_robot(const std::string& name, const RobotOptions& options);
+
+/// The simulator as itself, which knows what each pixel of its images shows. Throws the same.
+std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options);
 
 /// The robot's own parameters with the values that it is made with; they are fixed while it runs.
 std::vector<Parameter> robot_parameters(const std::string& name, const RobotOptions& options);

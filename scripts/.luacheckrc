@@ -34,7 +34,7 @@ stds.reorient = { read_globals = {
   motion = fields("get_up"),
   pose = fields("x", "y", "rotation", "known", "cluster_weight", "reflected_weight", "recovery_probability"),
   robot = fields("posture", "posture_before", "posture_for", "undisturbed_for", "penalized", "may_walk", "head_yaw", "head_pitch", "head_reach", "can_walk", "can_get_up", "cruise"),
-  seen = fields("goal_posts", "line_points"),
+  seen = fields("goal_posts", "line_points", "intersections", "ball", "ball_distance", "ball_bearing"),
   team = fields("heard", "sender", "text", "send"),
   training = fields("seconds", "active"),
   truth = fields("x", "y", "rotation", "fallen", "carried"),

@@ -63,6 +63,10 @@ struct World {
   bool evaluating = false;
   int goal_posts = 0;  ///< seen in this frame
   int line_points = 0;
+  int intersections = 0;
+  bool ball = false;           ///< seen in this frame
+  double ball_distance = 0.0;  ///< m, along the ground; 0 where it is not seen
+  double ball_bearing = 0.0;   ///< rad, to the left of straight ahead
   FieldDimensions field;
 
   bool upright() const { return posture == Posture::upright; }
@@ -75,7 +79,8 @@ void fields(Visit&& visit, World& world) {
         world.may_walk, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.can_walk,
         world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_known, world.room_awareness,
         world.confidence, world.views, world.room_status, world.trained_seconds, world.training, world.evaluating,
-        world.goal_posts, world.line_points, world.field);
+        world.goal_posts, world.line_points, world.intersections, world.ball, world.ball_distance, world.ball_bearing,
+        world.field);
 }
 
 /// Of a body on a field, before anything was seen.

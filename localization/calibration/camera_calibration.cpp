@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/pinned_math.h"
-#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

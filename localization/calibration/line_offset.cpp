@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "geometry/angle.h"
+#include "geometry/field_landmarks.h"
 #include "geometry/pinned_math.h"
-#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "geometry/angle.h"
 #include "geometry/pinned_math.h"
@@ -10,13 +12,39 @@ namespace reorient {
 namespace {
 
 constexpr double kSameBearing = 0.08;  // rad; two posts of a goal are never seen as near to each other
-constexpr double kSamePlace = 0.5;     // m, where both bases are seen
+constexpr double kSamePlace = 0.5;     // m; no two posts are so near to each other, nor two landmarks of one kind
 
 double bearing(const GoalPost& post) { return pinned::atan2(post.position.y(), post.position.x()); }
 
 bool is_same(const GoalPost& upper, const GoalPost& lower) {
   if (std::abs(angle_difference(bearing(upper), bearing(lower))) > kSameBearing) return false;
   return !upper.base_visible || !lower.base_visible || (upper.position - lower.position).norm() < kSamePlace;
+}
+
+template <typename Seen>
+bool is_surer(const Seen& one, const Seen& other) {
+  return one.covariance.trace() < other.covariance.trace();
+}
+
+/// Of what is there once.
+template <typename Seen>
+std::optional<Seen> surer(const std::optional<Seen>& upper, const std::optional<Seen>& lower) {
+  if (!upper || !lower) return upper ? upper : lower;
+  return is_surer(*lower, *upper) ? lower : upper;
+}
+
+template <typename Seen>
+void add(const std::vector<Seen>& lower, std::vector<Seen>& merged) {
+  for (const Seen& one : lower) {
+    const auto twin = std::find_if(merged.begin(), merged.end(), [&](const Seen& other) {
+      return (other.position - one.position).norm() < kSamePlace;
+    });
+    if (twin == merged.end()) {
+      merged.push_back(one);
+    } else if (is_surer(one, *twin)) {
+      *twin = one;
+    }
+  }
 }
 
 }  // namespace
@@ -35,6 +63,12 @@ void merge(const FieldPercept& upper, const FieldPercept& lower, FieldPercept& m
       *twin = post;
     }
   }
+  merged.center_circle = surer(upper.center_circle, lower.center_circle);
+  merged.ball = surer(upper.ball, lower.ball);
+  merged.intersections.assign(upper.intersections.begin(), upper.intersections.end());
+  add(lower.intersections, merged.intersections);
+  merged.penalty_marks.assign(upper.penalty_marks.begin(), upper.penalty_marks.end());
+  add(lower.penalty_marks, merged.penalty_marks);
 }
 
 }  // namespace reorient

@@ -20,19 +20,6 @@ struct NearLine {
   double normal = 0.0;
 };
 
-/// The rectangle at both goals that reaches `depth` into the field, or out of it where that is negative; the side on
-/// the goal line is none of its own.
-void add_areas(std::vector<FieldLine>& lines, const FieldDimensions& field, double depth, double width) {
-  if (depth == 0.0 || width <= 0.0) return;
-  for (const double side : {1.0, -1.0}) {
-    const double goal_line = side * field.length / 2.0;
-    const double front = side * (field.length / 2.0 - depth);
-    lines.push_back({{front, width / 2.0}, {front, -width / 2.0}});
-    lines.push_back({{goal_line, width / 2.0}, {front, width / 2.0}});
-    lines.push_back({{goal_line, -width / 2.0}, {front, -width / 2.0}});
-  }
-}
-
 double direction_mismatch(double normal, double other) {
   return std::abs(std::remainder(normal - other, kPi));  // normals are known up to half a turn
 }
@@ -72,22 +59,6 @@ bool is_size(double metres) { return metres > 0.0 && metres <= 200.0; }
 
 }  // namespace
 
-std::vector<FieldLine> field_lines(const FieldDimensions& field) {
-  const double x = field.length / 2.0;
-  const double y = field.width / 2.0;
-  std::vector<FieldLine> lines{
-      {{-x, y}, {x, y}}, {{-x, -y}, {x, -y}}, {{x, -y}, {x, y}}, {{-x, -y}, {-x, y}}, {{0.0, -y}, {0.0, y}}};
-  add_areas(lines, field, field.penalty_area_depth, field.penalty_area_width);
-  add_areas(lines, field, field.goal_area_depth, field.goal_area_width);
-  return lines;
-}
-
-std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field) {
-  const double x = field.length / 2.0;
-  const double y = field.goal_post_y;
-  return {{{x, y}, {x, -y}, {-x, -y}, {-x, y}}};
-}
-
 Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
   return carpet_half_size(field) + Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
 }
@@ -107,7 +78,7 @@ FieldMap::FieldMap(const FieldDimensions& field) {
 
   std::vector<FieldLine> lines = field_lines(field);
   // The white tubes on the carpet that hold a goal's net look like lines, above all to a robot in front of them.
-  add_areas(lines, field, -field.goal_depth, 2.0 * field.goal_post_y);
+  add_areas(field, -field.goal_depth, 2.0 * field.goal_post_y, lines);
   std::vector<NearLine> near_lines(lines.size() + 2);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {

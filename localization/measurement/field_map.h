@@ -1,8 +1,7 @@
-// Where the lines and posts of the field are, and how far a place is from the nearest line of a given direction.
+// How far a place on the field is from the nearest line of a given direction.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,23 +9,10 @@
 
 #include <Eigen/Core>
 
-#include "geometry/field_dimensions.h"
+#include "geometry/field_landmarks.h"
 #include "localization/particles/binary_angle.h"
 
 namespace reorient {
-
-/// A straight piece of line, m, between line centres.
-struct FieldLine {
-  Eigen::Vector2d from;
-  Eigen::Vector2d to;
-};
-
-/// All straight lines of the whole field; the centre circle and the penalty marks are no straight lines.
-std::vector<FieldLine> field_lines(const FieldDimensions& field);
-
-/// Left and right post of the opponent goal as seen from the field, then left and right post of the own goal.
-/// Posts 0 and 2 are reflections of each other, and so are 1 and 3.
-std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field);
 
 /// The robot may stand beside the carpet, but not far from it, m.
 inline constexpr double kBelievableBeyondCarpet = 1.0;

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "geometry/angle.h"
+#include "geometry/field_landmarks.h"
 #include "geometry/transform.h"
-#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

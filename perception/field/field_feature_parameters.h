@@ -16,8 +16,10 @@ struct FieldFeatureParameters {
   double post_contrast = 14.0;
   double post_range = 9.0;
   double post_agreement = 0.8;
+  double attitude_deviation = 0.01;
+  double pixel_deviation = 0.7;
   double obstacle_range = 4.0;
-  double obstacle_width = 0.14;
+  double obstacle_width = 0.11;
   double obstacle_height = 0.6;
 };
 
@@ -40,6 +42,9 @@ void describe(FieldFeatureParameters& p, Visit&& visit) {
   visit("post_contrast", p.post_contrast, 2.0, 100.0, "luma", "how much brighter than its surroundings a goal post is");
   visit("post_range", p.post_range, 0.5, 30.0, "m", "goal posts farther away are not looked for");
   visit("post_agreement", p.post_agreement, 0.3, 1.0, "", "share of a post's expected outline that must be seen");
+  visit("attitude_deviation", p.attitude_deviation, 0.0, 0.2, "rad",
+        "error of the camera's tilt and of its yaw, of which percepts know");
+  visit("pixel_deviation", p.pixel_deviation, 0.0, 20.0, "pixels", "error of a percept's place in the image");
   visit("obstacle_range", p.obstacle_range, 0.5, 30.0, "m", "obstacles farther away are not looked for");
   visit("obstacle_width", p.obstacle_width, 0.05, 1.0, "m", "what is narrower is no obstacle");
   visit("obstacle_height", p.obstacle_height, 0.1, 4.0, "m", "how tall an obstacle is taken to be");

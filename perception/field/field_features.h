@@ -1,4 +1,4 @@
-// What one image shows of the field: its border, points on its lines, goal posts, obstacles.
+// What one image shows of the field: its border, its lines and marks, goal posts, obstacles, the ball.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,8 +11,14 @@
 #include "perception/field/carpet/carpet_color.h"
 #include "perception/field/carpet/carpet_map.h"
 #include "perception/field/field_feature_parameters.h"
+#include "perception/field/landmarks/center_circle.h"
+#include "perception/field/landmarks/intersections.h"
+#include "perception/field/landmarks/penalty_marks.h"
+#include "perception/field/lines/known_lines.h"
 #include "perception/field/lines/line_points.h"
+#include "perception/field/lines/line_segments.h"
 #include "perception/field/percepts.h"
+#include "perception/field/upright/ball_finder.h"
 #include "perception/field/upright/goal_posts.h"
 #include "perception/field/upright/obstacles.h"
 
@@ -47,6 +53,13 @@ class FieldFeatures {
   GoalPosts goal_posts_;
   Obstacles obstacles_;
   LinePoints line_points_;
+  LineSegments line_segments_;
+  CenterCircleFinder center_circle_;
+  Intersections intersections_;
+  PenaltyMarks penalty_marks_;
+  BallFinder ball_;
+  double circle_radius_;  ///< m
+  double line_width_;     ///< m
 };
 
 }  // namespace reorient

@@ -56,6 +56,15 @@ Eigen::Vector2d GroundProjection::away(const Eigen::Vector2d& point) const {
   return length > 1e-9 ? Eigen::Vector2d(offset / length) : Eigen::Vector2d::Zero();
 }
 
+Eigen::Matrix2d GroundProjection::covariance(const Eigen::Vector2d& point, double deviation) const {
+  const double height = camera_height();
+  const double far = distance(point);
+  const double along = deviation * (height + far * far / height);
+  const double across = deviation * pinned::hypot(far, height);
+  const Eigen::Vector2d sight = away(point);
+  return across * across * Eigen::Matrix2d::Identity() + (along * along - across * across) * sight * sight.transpose();
+}
+
 /// By bisection, since the row is not a simple function of the column: above it rays go up, below it down.
 double GroundProjection::find_horizon(double column) const {
   constexpr int kIterations = 16;

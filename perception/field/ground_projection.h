@@ -40,6 +40,10 @@ class GroundProjection {
   /// Away from the camera along the ground; the zero vector right below it.
   Eigen::Vector2d away(const Eigen::Vector2d& point) const;
 
+  /// Covariance (m^2) of a point on the ground, of which the direction from the camera is known to `deviation`, rad. A
+  /// distance on the ground follows from the angle below the horizon, so its error grows with the square.
+  Eigen::Matrix2d covariance(const Eigen::Vector2d& point, double deviation) const;
+
   /// Row of the horizon in a column. It may lie outside of the image; where the lens is not perspective, the image's
   /// edge is given then.
   double horizon(double column) const;

@@ -1,9 +1,12 @@
 // What was seen of the field in one image. Positions are on the ground in the robot frame: m, x forward, y left.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "geometry/field_landmarks.h"
 
 namespace reorient {
 
@@ -46,10 +49,67 @@ void fields(Visit&& visit, Obstacle& obstacle) {
   visit(obstacle.position, obstacle.left, obstacle.right, obstacle.top, obstacle.bottom);
 }
 
+/// The center circle, of which at least a part of its line is in view.
+struct CenterCircle {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();          ///< m
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of the center, m^2
+  /// rad, along the halfway line, known up to half a turn: in (-pi/2, pi/2]; nothing: the line was not seen
+  std::optional<double> halfway_direction;
+  double direction_variance = 0.0;  ///< rad^2
+};
+
+template <typename Visit>
+void fields(Visit&& visit, CenterCircle& circle) {
+  visit(circle.center, circle.covariance, circle.halfway_direction, circle.direction_variance);
+}
+
+/// A place where two lines meet.
+struct Intersection {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();        ///< m
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< m^2
+  IntersectionKind kind = IntersectionKind::l;
+  double direction = 0.0;   ///< rad, as FieldIntersection has it
+  bool corner_arc = false;  ///< an L with a quarter of a circle around it: a corner of the field
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
+};
+
+template <typename Visit>
+void fields(Visit&& visit, Intersection& intersection) {
+  visit(intersection.position, intersection.covariance, intersection.kind, intersection.direction,
+        intersection.corner_arc, intersection.pixel);
+}
+
+struct PenaltyMark {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();        ///< m
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< m^2
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
+};
+
+template <typename Visit>
+void fields(Visit&& visit, PenaltyMark& mark) {
+  visit(mark.position, mark.covariance, mark.pixel);
+}
+
+struct Ball {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();        ///< m, where it touches the ground
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< m^2
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();           ///< its middle
+  float radius = 0.0f;                                       ///< pixels
+};
+
+template <typename Visit>
+void fields(Visit&& visit, Ball& ball) {
+  visit(ball.position, ball.covariance, ball.pixel, ball.radius);
+}
+
 struct FieldPercept {
   std::vector<LinePoint> line_points;
   std::vector<GoalPost> goal_posts;
   std::vector<Obstacle> obstacles;
+  std::optional<CenterCircle> center_circle;
+  std::vector<Intersection> intersections;
+  std::vector<PenaltyMark> penalty_marks;
+  std::optional<Ball> ball;
   /// Row of the field's upper border in evenly spaced columns (column i is at (i + 0.5) * width / size());
   /// the image's height where no field is in view in that column.
   std::vector<float> boundary;
@@ -59,6 +119,8 @@ struct FieldPercept {
     line_points.reserve(600);
     goal_posts.reserve(16);
     obstacles.reserve(64);
+    intersections.reserve(16);
+    penalty_marks.reserve(8);
     boundary.reserve(128);
   }
 
@@ -69,12 +131,17 @@ struct FieldPercept {
     line_points.clear();
     goal_posts.clear();
     obstacles.clear();
+    center_circle.reset();
+    intersections.clear();
+    penalty_marks.clear();
+    ball.reset();
     boundary.clear();
   }
 };
 template <typename Visit>
 void fields(Visit&& visit, FieldPercept& percept) {
-  visit(percept.line_points, percept.goal_posts, percept.obstacles, percept.boundary);
+  visit(percept.line_points, percept.goal_posts, percept.obstacles, percept.center_circle, percept.intersections,
+        percept.penalty_marks, percept.ball, percept.boundary);
 }
 
 }  // namespace reorient

@@ -12,6 +12,7 @@
 #include "engine/parameters/utf8.h"
 #include "geometry/image.h"
 #include "program/commands/compare_command.h"
+#include "program/commands/field_features_experiment_command.h"
 #include "program/commands/field_images_experiment_command.h"
 #include "program/commands/footage_experiment_command.h"
 #include "program/commands/tables_command.h"
@@ -215,7 +216,7 @@ Subcommand add_experiment(CLI::App& program) {
   parser->add_option("experiment", options->experiment, "a file, or the name of one in assets/experiments")
       ->check(check_not_empty);
   const std::array others = {add_compare(*parser), add_tables(*parser), add_footage_experiment(*parser),
-                             add_field_images_experiment(*parser)};
+                             add_field_images_experiment(*parser), add_field_features_experiment(*parser)};
   parser->add_option("--trials", options->trials, "of each cell (default: the file's)")
       ->check(CLI::Range(1, kMostTrials));
   parser->add_option("--seed", options->seed, "of the first trial of each cell; the others follow")

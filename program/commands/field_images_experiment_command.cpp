@@ -173,6 +173,8 @@ std::vector<std::string> cells_of(const std::string& name, const FieldScore& sco
           std::to_string(score.false_posts),
           fmt::format("{} of {}", score.robots_found, score.robots),
           std::to_string(score.false_obstacles),
+          fmt::format("{} of {}", score.balls_found, score.balls),
+          std::to_string(score.false_balls + score.false_marks),
           score.border_columns > 0
               ? fmt::format("{:.2f}", static_cast<double>(score.border_found) / score.border_columns)
               : "-"};
@@ -194,6 +196,12 @@ nlohmann::ordered_json as_json(const std::string& image, const std::string& reco
           {"robots", score.robots},
           {"robots_found", score.robots_found},
           {"false_obstacles", score.false_obstacles},
+          {"balls", score.balls},
+          {"balls_found", score.balls_found},
+          {"false_balls", score.false_balls},
+          {"marks", score.marks},
+          {"marks_found", score.marks_found},
+          {"false_marks", score.false_marks},
           {"border_columns", score.border_columns},
           {"border_found", score.border_found},
           {"shows_carpet", score.shows_carpet}};
@@ -235,7 +243,7 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
   const std::vector<Recoloring> recolorings = usual_recolorings();
   std::vector<FieldScore> by_recoloring(recolorings.size());
   TextTable of_images{{"image", "lines found", "mean recall", "worst", "on lines", "in masks", "elsewhere", "posts",
-                       "false posts", "robots", "false obstacles", "border"}};
+                       "false posts", "robots", "false obstacles", "balls", "false balls, marks", "border"}};
   TextTable of_recolorings = of_images;
   of_recolorings[0][0] = "recoloring";
   nlohmann::ordered_json json = nlohmann::ordered_json::array();

@@ -70,6 +70,48 @@ ordered_json obstacles_as_json(const FieldPercept& percept) {
   return json;
 }
 
+ordered_json deviations(const Eigen::Matrix2d& covariance) {
+  return {number(std::sqrt(covariance(0, 0)), 3), number(std::sqrt(covariance(1, 1)), 3)};
+}
+
+ordered_json intersections_as_json(const FieldPercept& percept) {
+  ordered_json json = ordered_json::array();
+  for (const Intersection& one : percept.intersections)
+    json.push_back({{"kind", name_of(one.kind)},
+                    {"pixel", pixel(one.pixel)},
+                    {"position_m", meters(one.position)},
+                    {"deviation_m", deviations(one.covariance)},
+                    {"direction_degrees", degrees(one.direction)},
+                    {"corner_arc", one.corner_arc}});
+  return json;
+}
+
+ordered_json penalty_marks_as_json(const FieldPercept& percept) {
+  ordered_json json = ordered_json::array();
+  for (const PenaltyMark& mark : percept.penalty_marks)
+    json.push_back({{"pixel", pixel(mark.pixel)},
+                    {"position_m", meters(mark.position)},
+                    {"deviation_m", deviations(mark.covariance)}});
+  return json;
+}
+
+ordered_json center_circle_as_json(const FieldPercept& percept) {
+  if (!percept.center_circle) return {};
+  const CenterCircle& circle = *percept.center_circle;
+  return {{"position_m", meters(circle.center)},
+          {"deviation_m", deviations(circle.covariance)},
+          {"halfway_degrees", circle.halfway_direction ? degrees(*circle.halfway_direction) : ordered_json()}};
+}
+
+ordered_json ball_as_json(const FieldPercept& percept) {
+  if (!percept.ball) return {};
+  const Ball& ball = *percept.ball;
+  return {{"pixel", pixel(ball.pixel)},
+          {"radius", number(ball.radius, 1)},
+          {"position_m", meters(ball.position)},
+          {"deviation_m", deviations(ball.covariance)}};
+}
+
 /// Rows of the carpet's upper border; null in columns without carpet.
 ordered_json boundary_as_json(const SeenImage& seen) {
   ordered_json json = ordered_json::array();
@@ -142,6 +184,10 @@ std::string as_json(const LookImage& image, const SeenImage& seen, const RobotBo
       {"line_points", line_points_as_json(seen.percept)},
       {"goal_posts", goal_posts_as_json(seen.percept)},
       {"obstacles", obstacles_as_json(seen.percept)},
+      {"center_circle", center_circle_as_json(seen.percept)},
+      {"intersections", intersections_as_json(seen.percept)},
+      {"penalty_marks", penalty_marks_as_json(seen.percept)},
+      {"ball", ball_as_json(seen.percept)},
       {"tiles", tiles_as_json(seen)}};
   return json.dump();
 }

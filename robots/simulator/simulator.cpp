@@ -99,10 +99,10 @@ Eigen::Vector3d angular_velocity_of(const Eigen::Matrix3d& before, const Eigen::
   return axis * (0.5 * angle / (sine * time_step));
 }
 
-Ball somewhere_on(const FieldDimensions& field, std::uint64_t seed) {
+RollingBall somewhere_on(const FieldDimensions& field, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 0xba11;
   Random random(seed, kStream);
-  Ball ball;
+  RollingBall ball;
   ball.position = {random.uniform(-0.35, 0.35) * field.length, random.uniform(-0.35, 0.35) * field.width};
   return ball;
 }
@@ -256,7 +256,7 @@ void Simulator::place_people(double time) {
   for (const Player& player : players_.all()) {
     add_robot(scene_, player.pose, player.stride, size_, kJerseys[player.team], room_.light);
   }
-  if (parameters_.ball) add_ball(scene_, ball_.position, room_.light);
+  if (parameters_.ball) add_ball(scene_, ball_.position, field_.ball_diameter, room_.light);
   spectators_.add_to(scene_, time);
 }
 

@@ -100,6 +100,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   void penalize(bool penalized) override { body_.penalize(penalized); }
   void set_exposure_compensation(double stops) override;
   void change_light() override;
+  void put_ball(const Eigen::Vector2d& where) { ball_ = {where, Eigen::Vector2d::Zero()}; }  ///< m
 
   /// What each pixel of the latest image shows, and how far away it is (m), row by row: along the optical axis, or
   /// along the pixel's ray where the lens is not a pinhole. Empty unless SimulatorParameters::labels.
@@ -109,7 +110,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   /// The pose that the latest image was really taken from.
   const Isometry3& field_from_camera() const { return field_from_camera_; }
   const std::vector<Player>& other_robots() const { return players_.all(); }
-  const Ball& ball() const { return ball_; }
+  const RollingBall& ball() const { return ball_; }
 
  private:
   /// What takes the images of one camera.
@@ -153,7 +154,7 @@ class Simulator : public Robot, public Experimenter, public GroundTruthSource {
   CameraModel camera_;
   Body body_;
   Players players_;
-  Ball ball_;
+  RollingBall ball_;
   Spectators spectators_;
   HallLight light_;
   Request request_;

@@ -101,6 +101,10 @@ evaluation = {}
 ---@class reorient.seen
 ---@field goal_posts number how many goal posts
 ---@field line_points number how many points on field lines
+---@field intersections number how many places where lines meet
+---@field ball boolean whether a ball is seen
+---@field ball_distance number m, how far away it is; 0 where none is seen
+---@field ball_bearing number rad, where it is, positive to the left; 0 where none is seen
 seen = {}
 
 ---The field as drawn, to the centres of its lines; the origin is its centre.

@@ -38,6 +38,34 @@ TEST(BothCameras, SeeTwoPostsWhereTheyAreApart) {
   EXPECT_EQ(merged.goal_posts.size(), 3u) << "one stands behind the other";
 }
 
+template <typename Seen>
+Seen seen_at(double x, double y, double variance) {
+  Seen seen;
+  seen.position = {x, y};
+  seen.covariance = variance * Eigen::Matrix2d::Identity();
+  return seen;
+}
+
+TEST(BothCameras, BelieveOfALandmarkThatBothSeeTheSurerOne) {
+  FieldPercept upper, lower, merged;
+  upper.intersections = {seen_at<Intersection>(1.0, 0.0, 0.04), seen_at<Intersection>(3.0, 0.0, 0.1)};
+  lower.intersections = {seen_at<Intersection>(1.1, 0.0, 0.01), seen_at<Intersection>(0.4, 0.8, 0.01)};
+  upper.penalty_marks = {seen_at<PenaltyMark>(2.0, 0.0, 0.01)};
+  lower.penalty_marks = {seen_at<PenaltyMark>(2.1, 0.0, 0.02)};
+  lower.ball = seen_at<Ball>(0.3, 0.1, 0.01);
+  upper.center_circle = CenterCircle{{2.0, 1.0}, 0.01 * Eigen::Matrix2d::Identity(), 0.5, 0.001};
+  lower.center_circle = CenterCircle{{2.2, 1.0}, 0.02 * Eigen::Matrix2d::Identity(), std::nullopt, 0.0};
+  merge(upper, lower, merged);
+  ASSERT_EQ(merged.intersections.size(), 3u);
+  EXPECT_EQ(merged.intersections[0].position.x(), 1.1);
+  ASSERT_EQ(merged.penalty_marks.size(), 1u);
+  EXPECT_EQ(merged.penalty_marks[0].position.x(), 2.0);
+  ASSERT_TRUE(merged.ball);
+  EXPECT_EQ(merged.ball->position.y(), 0.1);
+  ASSERT_TRUE(merged.center_circle);
+  EXPECT_EQ(merged.center_circle->center.x(), 2.0);
+}
+
 TEST(BothCameras, OfWhichOneIsBlindAreTheOtherOne) {
   FieldPercept upper, nothing, merged;
   upper.line_points.resize(3);

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/head.h"
 #include "geometry/random.h"
-#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

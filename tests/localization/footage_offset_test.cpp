@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/random.h"
 #include "localization/calibration/edge_offset.h"
 #include "localization/calibration/line_offset.h"
-#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/transform.h"
-#include "localization/measurement/field_map.h"
 
 namespace reorient {
 namespace {

@@ -170,6 +170,50 @@ void score_obstacles(const FieldPercept& percept, const FieldLabels& labels, dou
   score.false_obstacles = matches.unlabeled;
 }
 
+/// Whether a square of this half width around a place is inside of the labeled image.
+bool is_whole(const FieldLabels& labels, const Vector2d& middle, double reach, double height) {
+  return middle.x() >= reach && middle.y() >= reach && middle.x() + reach <= labels.width &&
+         middle.y() + reach <= height;
+}
+
+void score_ball(const FieldPercept& percept, const FieldLabels& labels, double to_labels, double height,
+                FieldScore& score) {
+  bool is_known = false;
+  for (const LabeledBall& ball : labels.balls) {
+    const bool found =
+        percept.ball && (to_labels * percept.ball->pixel.cast<double>() - ball.center).norm() <= ball.radius;
+    is_known = is_known || found;
+    if (!is_whole(labels, ball.center, ball.radius, height)) continue;
+    ++score.balls;
+    score.balls_found += found ? 1 : 0;
+  }
+  score.false_balls = percept.ball && !is_known ? 1 : 0;
+}
+
+void score_marks(const FieldPercept& percept, const FieldLabels& labels, double to_labels, double height,
+                 FieldScore& score) {
+  const auto lies_in = [&](const PenaltyMark& mark, const LabeledPixels& polygon) {
+    return is_inside(polygon, to_labels * mark.pixel.cast<double>());
+  };
+  for (const LabeledPixels& polygon : labels.marks) {
+    if (!std::all_of(polygon.begin(), polygon.end(),
+                     [&](const Vector2d& corner) { return is_whole(labels, corner, 1.0, height); })) {
+      continue;
+    }
+    ++score.marks;
+    score.marks_found += std::any_of(percept.penalty_marks.begin(), percept.penalty_marks.end(),
+                                     [&](const PenaltyMark& mark) { return lies_in(mark, polygon); })
+                             ? 1
+                             : 0;
+  }
+  for (const PenaltyMark& mark : percept.penalty_marks) {
+    score.false_marks += std::none_of(labels.marks.begin(), labels.marks.end(),
+                                      [&](const LabeledPixels& polygon) { return lies_in(mark, polygon); })
+                             ? 1
+                             : 0;
+  }
+}
+
 }  // namespace
 
 FieldScore operator+(FieldScore a, const FieldScore& b) {
@@ -185,6 +229,12 @@ FieldScore operator+(FieldScore a, const FieldScore& b) {
   a.robots += b.robots;
   a.robots_found += b.robots_found;
   a.false_obstacles += b.false_obstacles;
+  a.balls += b.balls;
+  a.balls_found += b.balls_found;
+  a.false_balls += b.false_balls;
+  a.marks += b.marks;
+  a.marks_found += b.marks_found;
+  a.false_marks += b.false_marks;
   a.shows_carpet = a.shows_carpet || b.shows_carpet;
   return a;
 }
@@ -224,6 +274,9 @@ FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, cons
   score_posts(percept, labels, to_labels, score);
   score_border(percept, labels, to_labels, score);
   score_obstacles(percept, labels, to_labels, score);
+  const double height = to_labels * view.camera().height;
+  score_ball(percept, labels, to_labels, height, score);
+  score_marks(percept, labels, to_labels, height, score);
   score.shows_carpet = shows_carpet(percept.boundary, view.camera().height);
   return score;
 }

@@ -31,6 +31,12 @@ struct FieldScore {
   int robots = 0;           ///< labeled feet
   int robots_found = 0;     ///< of them, those with an obstacle on them
   int false_obstacles = 0;  ///< on no feet
+  int balls = 0;            ///< labeled, the whole of which is in the image
+  int balls_found = 0;
+  int false_balls = 0;
+  int marks = 0;  ///< labeled, the whole of which is in the image
+  int marks_found = 0;
+  int false_marks = 0;
   bool shows_carpet = false;
 
   int elsewhere() const { return line_points - on_lines - in_masks; }  ///< on the plain carpet

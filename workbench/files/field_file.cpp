@@ -43,10 +43,11 @@ FieldDimensions parse_field(std::string_view text, const std::string& name) {
            in.refuse(value, R"(measured_to is "middle of lines" or "outside of lines")");
        }},
       {"yellow_goals", [&](auto& key, auto& value) { field.yellow_goals = in.yes(key, value); }}};
+  TableReader::Readers optional;  // which files of former versions do not have
   describe(field, [&](const char* length, double& metres, double least, double most) {
-    readers[length] = in.into(metres, least, most);
+    (&metres == &field.ball_diameter ? optional : readers)[length] = in.into(metres, least, most);
   });
-  in.read_all(readers);
+  in.read_all(readers, optional);
   if (outside) to_centers(field);
   if (const std::string mistake = mistake_in(field); !mistake.empty())
     in.refuse(table, mistake + " between the middles of lines");

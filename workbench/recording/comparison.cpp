@@ -23,6 +23,10 @@ std::string text_of(const std::optional<HeadRequest>& head) {
   return exact_text(head->angles.yaw) + ", " + exact_text(head->angles.pitch) + " at " + exact_text(head->speed);
 }
 
+std::string text_of(const Eigen::Vector2d& position) {
+  return exact_text(position.x()) + ", " + exact_text(position.y());
+}
+
 std::string text_of(const TimelineEvent& event) {
   std::string text = event.machine;
   if (event.command.empty()) return text + ": " + event.state + (event.reason.empty() ? "" : " (" + event.reason + ")");
@@ -68,9 +72,13 @@ Values values_before_world(const FrameRecord& frame) {
     values.emplace_back(name + "line points", std::to_string(percept.line_points.size()));
     values.emplace_back(name + "goal posts", std::to_string(percept.goal_posts.size()));
     values.emplace_back(name + "obstacles", std::to_string(percept.obstacles.size()));
+    values.emplace_back(name + "intersections", std::to_string(percept.intersections.size()));
+    values.emplace_back(name + "penalty marks", std::to_string(percept.penalty_marks.size()));
+    values.emplace_back(name + "center circle",
+                        percept.center_circle ? text_of(percept.center_circle->center) : "nothing");
+    values.emplace_back(name + "ball", percept.ball ? text_of(percept.ball->position) : "nothing");
     for (const LinePoint& point : percept.line_points) {
-      values.emplace_back(name + "a line point's place (m)",
-                          exact_text(point.position.x()) + ", " + exact_text(point.position.y()));
+      values.emplace_back(name + "a line point's place (m)", text_of(point.position));
     }
   }
   return values;

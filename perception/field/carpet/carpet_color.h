@@ -101,6 +101,9 @@ class CarpetColor {
     return white_known_ ? Eigen::Vector2d(white_less_carpet_.tail<2>()) : Eigen::Vector2d(-carpet);
   }
 
+  /// The same in luma; 0: before any.
+  double white_contrast() const { return white_known_ ? white_less_carpet_.x() : 0.0; }
+
   /// By how much samples of the carpet differ from its smooth color: standard deviation of one channel.
   double deviation() const { return learned_.deviation; }
 

@@ -8,6 +8,7 @@
 #include "geometry/pinned_math.h"
 #include "geometry/transform.h"
 #include "perception/field/carpet/boundary.h"
+#include "perception/field/upright/hiding.h"
 
 namespace reorient {
 namespace {
@@ -54,8 +55,6 @@ struct StructureTensor {
   }
 };
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double half_turn_angle(const Vector2d& direction) {
   const double angle = direction_of(direction);
   if (angle > 0.5 * kPi) return angle - kPi;
@@ -87,21 +86,6 @@ NearestPixel nearest_pixel(const ImageView& image, const CarpetColor& color, con
   return {image.at(x, y), color.at(x, y)};
 }
 
-bool hides(const FieldPercept& percept, const Vector2d& pixel) {
-  constexpr double kMargin = 2.0;  // pixels
-  for (const Obstacle& obstacle : percept.obstacles) {
-    if (pixel.x() >= obstacle.left - kMargin && pixel.x() <= obstacle.right + kMargin &&
-        pixel.y() <= obstacle.bottom + kMargin) {
-      return true;
-    }
-  }
-  for (const GoalPost& post : percept.goal_posts) {
-    const double half = 0.1 * (post.base.y() - post.top.y()) + kMargin;
-    if (std::abs(pixel.x() - post.base.x()) <= half && pixel.y() <= post.base.y() + kMargin) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDimensions& field)
@@ -109,6 +93,7 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
   luma_.reserve(2048);
   segments_.reserve(256);
   candidates_.reserve(kMostCandidates);
+  lone_.reserve(kMostCandidates);
   colors_.reserve(kMostCandidates);
   sorted_.reserve(kMostCandidates);
 }
@@ -116,6 +101,7 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
 void LinePoints::find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept) {
   constexpr int kSmallest = 16;  // pixels; below, there is no room for a line and carpet on both sides
   candidates_.clear();
+  lone_.clear();
   colors_.clear();
   percept.line_points.clear();
   if (std::min(image.width, image.height) < kSmallest) return;
@@ -228,14 +214,22 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
   const Vector2d position = 0.5 * (*first + *second);
   const double distance = frame.view.distance(position);
   if (!(distance <= parameters_.line_range)) return;
+  const double blur = 1.0 + frame.image.width / 320.0;  // pixels
+  const Vector2d across = *second - *first;
+  const double length = across.norm();  // m along the scan line
+  const double metres_per_pixel = length / std::max((end - begin).norm(), 1e-6);
+  const auto is_no_line = [&] {
+    if (length > field_.line_width && length < 1.5 * field_.penalty_mark_size + blur * metres_per_pixel)
+      add_lone(position);
+  };
 
   StructureTensor at_begin, at_end;
   at_begin.add(frame.image, begin);
   at_end.add(frame.image, end);
   constexpr double kParallel = 0.85;  // cosine
-  if ((end - begin).norm() > 6.0 && std::abs(at_begin.tangent().dot(at_end.tangent())) < kParallel) return;
+  if ((end - begin).norm() > 6.0 && std::abs(at_begin.tangent().dot(at_end.tangent())) < kParallel) return is_no_line();
   const StructureTensor both{at_begin.xx + at_end.xx, at_begin.xy + at_end.xy, at_begin.yy + at_end.yy};
-  if (both.coherence() < kLeastCoherence) return;
+  if (both.coherence() < kLeastCoherence) return is_no_line();
 
   candidate.position = position;
   candidate.distance = distance;
@@ -244,13 +238,16 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
   const auto normal = ground_normal(frame.view, candidate.pixel, candidate.tangent);
   if (!normal) return;
   candidate.normal = *normal;
-  const Vector2d across = *second - *first;
   const double width = std::abs(across.dot(*normal));
   const double pixel =
-      width / std::max((end - begin).norm(), 1e-6);     // m, what one pixel along the scan is across the line
-  const double blur = 1.0 + frame.image.width / 320.0;  // pixels
-  if (width > 1.5 * field_.line_width + blur * pixel || width < 0.6 * field_.line_width - 1.5 * pixel) return;
+      width / std::max((end - begin).norm(), 1e-6);  // m, what one pixel along the scan is across the line
+  if (width > 1.5 * field_.line_width + blur * pixel) return is_no_line();
+  if (width < 0.6 * field_.line_width - 1.5 * pixel) return;
   candidates_.push_back(candidate);
+}
+
+void LinePoints::add_lone(const Vector2d& position) {
+  if (lone_.size() < kMostCandidates) lone_.push_back(position);
 }
 
 /// Noise and marks stand alone, lines go on. The points that continue a line also tell its direction better than
@@ -278,7 +275,10 @@ void LinePoints::keep_supported(FieldPercept& percept) {
       squares += offset * offset.transpose();
       ++support;
     }
-    if (support < parameters_.line_support || most - least < 2.0 * field_.penalty_mark_size) continue;
+    if (support < parameters_.line_support || most - least < 2.0 * field_.penalty_mark_size) {
+      add_lone(candidate.position);
+      continue;
+    }
     const Vector2d mean = (sum - candidate.position) / (support + 1);
     const Eigen::Matrix2d spread = squares / (support + 1) - mean * mean.transpose();
     const double along_angle = 0.5 * pinned::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));

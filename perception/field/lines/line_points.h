@@ -23,6 +23,9 @@ class LinePoints {
   /// Tells the carpet's color how white the stripes are.
   void find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept);
 
+  /// Where the last image shows pieces of stripes that no line continues: m, robot frame.
+  const std::vector<Eigen::Vector2d>& lone() const { return lone_; }
+
  private:
   struct StripeColor {
     Eigen::Vector2d carpet = Eigen::Vector2d::Zero();       ///< (blue, red) beside it, without the offset of 128
@@ -51,6 +54,7 @@ class LinePoints {
   bool lies_on_carpet(const Frame& frame, const Eigen::Vector2d& before, const Eigen::Vector2d& center,
                       const Eigen::Vector2d& after, Candidate& candidate) const;
   void consider(const Frame& frame, const Eigen::Vector2d& begin, const Eigen::Vector2d& end, Candidate& candidate);
+  void add_lone(const Eigen::Vector2d& position);
   void keep_supported(FieldPercept& percept);
   std::optional<StripeColor> usual_stripe();
   void keep_white(const CarpetColor& color, double usual_contrast, FieldPercept& percept) const;
@@ -60,6 +64,7 @@ class LinePoints {
   std::vector<std::int16_t> luma_;  ///< along one scan line, each the sum of two pixels
   std::vector<BrightSegment> segments_;
   std::vector<Candidate> candidates_;
+  std::vector<Eigen::Vector2d> lone_;
   std::vector<StripeColor> colors_;  ///< of the percept's line points
   std::vector<double> sorted_;
 };

@@ -8,6 +8,14 @@ namespace {
 
 constexpr std::size_t kMostObstacles = 20;
 
+/// Whether what stands here is the ball.
+bool is_ball(const FieldPercept& percept, double x, double row) {
+  if (!percept.ball) return false;
+  constexpr double kMargin = 1.5;  // of the radius
+  return (percept.ball->pixel.cast<double>() - Eigen::Vector2d(x, row)).norm() <
+         kMargin * static_cast<double>(percept.ball->radius);
+}
+
 bool is_post(const FieldPercept& percept, double x, double column_width) {
   for (const GoalPost& post : percept.goal_posts) {
     const double half = 0.1 * std::abs(post.base.y() - post.top.y()) + column_width;
@@ -20,11 +28,22 @@ bool is_post(const FieldPercept& percept, double x, double column_width) {
 
 Obstacles::Obstacles(const FieldFeatureParameters& parameters) : parameters_(parameters) {}
 
-void Obstacles::find(const CarpetMap& map, const GroundProjection& view, FieldPercept& percept) {
+void Obstacles::find(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, double least_height,
+                     FieldPercept& percept) {
+  constexpr int kMostLines = 3;       // that are stepped over
   constexpr double kSameThing = 2.0;  // a hand at half the camera's height seems to stand twice as far away as the feet
   constexpr double kGap = 0.12;       // m of carpet seen between two legs
   percept.obstacles.clear();
-  for (int i = 0; i < CarpetMap::kColumns; ++i) feet_[static_cast<std::size_t>(i)] = foot_in(map, view, percept, i);
+  for (int i = 0; i < CarpetMap::kColumns; ++i) {
+    Foot& foot = feet_[static_cast<std::size_t>(i)];
+    foot = foot_in(map, view, percept, i, map.rows() - 1, least_height);
+    // Cells of a line below a foot are no carpet either: look again from above the line.
+    for (int again = 0; again < kMostLines && foot.row >= 0; ++again) {
+      const int row = above_line(map, view, lines, i, foot.row / map.step() - 1);
+      if (row >= foot.row / map.step() - 1) break;
+      foot = foot_in(map, view, percept, i, row, least_height);
+    }
+  }
   int first = -1;
   int last = -1;
   double nearest = 0.0;
@@ -46,10 +65,9 @@ void Obstacles::find(const CarpetMap& map, const GroundProjection& view, FieldPe
 }
 
 Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept,
-                                   int column) const {
-  constexpr double kLeastHeight = 0.15;         // m
+                                   int column, int first_row, double least_height) const {
   constexpr double kInside = 0.4;               // m, how far before the border of the carpet it must stand
-  constexpr double kGap = 0.05 / kLeastHeight;  // of carpet colour, which does not end an obstacle: noise, knees
+  const double most_gap = 0.05 / least_height;  // of carpet colour, which does not end an obstacle: noise, knees
   constexpr double kLeastShare = 0.5;           // of its cells that are no carpet for sure
   const double x = map.column_pixel(column);
   const double border = percept.boundary[static_cast<std::size_t>(column)];
@@ -60,18 +78,18 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
   int carpet = 0, other = 0, cells = 0;
   Foot foot;
   double head_row = 0.0;
-  for (int row = map.rows() - 1; row >= map.first_cell(); --row) {
+  for (int row = first_row; row >= map.first_cell(); --row) {
     const Surface surface = map.at(column, row);
     carpet = surface == Surface::carpet ? carpet + 1 : 0;
-    if (carpet * map.step() > kGap * (foot.row - head_row)) foot = {};
+    if (carpet * map.step() > most_gap * (foot.row - head_row)) foot = {};
     if (foot.row < 0) {
       if (map.row_pixel(row) < border) break;
       if (surface != Surface::other) continue;
       foot.row = map.row_pixel(row) + map.step();
       other = cells = 0;
       const auto ground = view.ground({x, static_cast<double>(foot.row)});
-      if (!ground || view.distance(*ground) > farthest) break;
-      const auto head = view.pixel({ground->x(), ground->y(), kLeastHeight});
+      if (!ground || view.distance(*ground) > farthest || is_ball(percept, x, foot.row)) break;
+      const auto head = view.pixel({ground->x(), ground->y(), least_height});
       if (!head) break;
       foot.distance = view.distance(*ground);
       head_row = head->y();
@@ -84,9 +102,41 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
   return {};
 }
 
+/// The first row of cells, from this one up, that lies on none of the lines.
+int Obstacles::above_line(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, int column,
+                          int row) const {
+  const double x = map.column_pixel(column);
+  for (; row > map.first_cell(); --row) {
+    const auto ground = view.ground({x, static_cast<double>(map.row_pixel(row))});
+    if (!ground || !lines.at(*ground)) break;
+  }
+  return row;
+}
+
+/// Of what is as narrow as a ball: whether it is taller than anything round, and well before the border, which may have
+/// a dent.
+bool Obstacles::is_sure(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int first,
+                        int last) const {
+  constexpr double kTall = 0.3;    // m
+  constexpr double kInside = 0.8;  // m
+  for (int i = first; i <= last; ++i) {
+    const Foot& foot = feet_[static_cast<std::size_t>(i)];
+    if (foot.row < 0) continue;
+    const auto border = view.ground(
+        {static_cast<double>(map.column_pixel(i)), static_cast<double>(percept.boundary[static_cast<std::size_t>(i)])});
+    if (border && view.distance(*border) < foot.distance + kInside) return false;
+  }
+  for (int i = first; i <= last; ++i) {
+    const Foot& foot = feet_[static_cast<std::size_t>(i)];
+    if (foot.row >= 0 && foot_in(map, view, percept, i, foot.row / map.step() - 1, kTall).row >= 0) return true;
+  }
+  return false;
+}
+
 void Obstacles::add(const CarpetMap& map, const GroundProjection& view, int first, int last,
                     FieldPercept& percept) const {
-  constexpr double kWidest = 2.5;  // m
+  constexpr double kWidest = 2.5;   // m
+  constexpr double kNarrow = 0.16;  // m; what is narrower must be sure
   if (percept.obstacles.size() >= kMostObstacles) return;
   const auto lowest = std::max_element(feet_.begin() + first, feet_.begin() + last + 1,
                                        [](const Foot& a, const Foot& b) { return a.row < b.row; });
@@ -97,6 +147,7 @@ void Obstacles::add(const CarpetMap& map, const GroundProjection& view, int firs
   const double scale = view.pixels_per_radian(Eigen::Vector2d(middle, lowest->row));
   const double width = (last - first + 1) * map.column_width() * lowest->distance / scale;
   if (width < parameters_.obstacle_width || width > kWidest) return;
+  if (width < kNarrow && !is_sure(map, view, percept, first, last)) return;
   const auto head = view.pixel({position->x(), position->y(), parameters_.obstacle_height});
   Obstacle obstacle;
   obstacle.position = *position;

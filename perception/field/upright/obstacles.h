@@ -6,6 +6,7 @@
 
 #include "perception/field/carpet/carpet_map.h"
 #include "perception/field/ground_projection.h"
+#include "perception/field/lines/known_lines.h"
 #include "perception/field/percepts.h"
 
 namespace reorient {
@@ -15,8 +16,10 @@ class Obstacles {
   explicit Obstacles(const FieldFeatureParameters& parameters);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// Reads the percept's boundary and goal posts and fills in its obstacles.
-  void find(const CarpetMap& map, const GroundProjection& view, FieldPercept& percept);
+  /// Reads the percept's boundary, goal posts and ball, and fills in its obstacles. What stands on one of the known
+  /// lines does not begin where the line does. What is lower than `least_height` (m) is no obstacle.
+  void find(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, double least_height,
+            FieldPercept& percept);
 
  private:
   /// The lowest stretch of a column that carpet does not explain.
@@ -24,7 +27,12 @@ class Obstacles {
     int row = -1;           ///< pixels, where it stands; below 0: there is none
     double distance = 0.0;  ///< m
   };
-  Foot foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int column) const;
+  Foot foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int column,
+               int first_row, double least_height) const;
+  int above_line(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, int column,
+                 int row) const;
+  bool is_sure(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int first,
+               int last) const;
   void add(const CarpetMap& map, const GroundProjection& view, int first, int last, FieldPercept& percept) const;
 
   FieldFeatureParameters parameters_;

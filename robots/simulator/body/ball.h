@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-struct Ball {
+struct RollingBall {
   Eigen::Vector2d position{0.0, 0.0};  ///< m
   Eigen::Vector2d velocity{0.0, 0.0};  ///< m/s
 

@@ -53,13 +53,27 @@ double enter(const Box& box, const Vector3d& origin, const Vector3d& ray) {
   return in <= out ? in : std::numeric_limits<double>::infinity();
 }
 
+/// The same of a sphere on the ground.
+double enter(const Sphere& sphere, const Vector3d& origin, const Vector3d& ray) {
+  const Vector3d out = origin - Vector3d(sphere.position.x(), sphere.position.y(), sphere.radius);
+  const double a = ray.squaredNorm(), b = out.dot(ray), c = out.squaredNorm() - sphere.radius * sphere.radius;
+  const double root = b * b - a * c;
+  return root >= 0.0 && b < 0.0 ? (-b - std::sqrt(root)) / a : std::numeric_limits<double>::infinity();
+}
+
+bool is_on_mark(const FieldDimensions& f, const Vector2d& point) {
+  const Vector2d off(std::abs(std::abs(point.x()) - f.penalty_mark_x), std::abs(point.y()));
+  return off.maxCoeff() < 0.5 * f.penalty_mark_size && off.minCoeff() < 0.5 * f.line_width;
+}
+
 Ycbcr look(const FlatField& scene, const Vector3d& origin, const Vector3d& ray) {
   double nearest = ray.z() < -1e-6 ? -origin.z() / ray.z() : std::numeric_limits<double>::infinity();
   Ycbcr color = scene.colors.wall;
   if (std::isfinite(nearest)) {
     const Vector2d point = (origin + nearest * ray).head<2>();
     if (is_carpet(scene.field, point)) {
-      const bool line = scene.lines && nearest_line(scene.field, point).distance < 0.5 * scene.field.line_width;
+      const bool line = (scene.lines && nearest_line(scene.field, point).distance < 0.5 * scene.field.line_width) ||
+                        (scene.marks && is_on_mark(scene.field, point));
       color = line ? scene.colors.line : scene.colors.carpet;
     }
   }
@@ -68,6 +82,12 @@ Ycbcr look(const FlatField& scene, const Vector3d& origin, const Vector3d& ray) 
     if (distance >= nearest) continue;
     nearest = distance;
     color = box.color;
+  }
+  for (const Sphere& sphere : scene.spheres) {
+    const double distance = enter(sphere, origin, ray);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    color = sphere.color;
   }
   return color;
 }

@@ -27,11 +27,20 @@ struct Box {
   Ycbcr color;
 };
 
+/// It touches the ground.
+struct Sphere {
+  Eigen::Vector2d position;
+  double radius = 0.05;
+  Ycbcr color{215, 126, 130};
+};
+
 struct FlatField {
   FieldDimensions field;
   Colors colors;
   bool lines = true;
+  bool marks = false;  ///< penalty marks, crosses
   std::vector<Box> boxes;
+  std::vector<Sphere> spheres;
 
   static FlatField with_goals();
 };

@@ -120,7 +120,7 @@ Scene crowded() {
   for (const double direction : {0.0, 1.3, 2.9, -1.8})
     add_robot(scene, Pose2(1.6 * std::cos(direction), 1.6 * std::sin(direction), direction), 0.3, 1.0,
               LinearColor(0.5f, 0.1f, 0.1f), LinearColor::Ones());
-  add_ball(scene, {0.7, -0.4}, LinearColor::Ones());
+  add_ball(scene, {0.7, -0.4}, 0.1, LinearColor::Ones());
   return scene;
 }
 
@@ -272,7 +272,7 @@ TEST(Renderer, HidesWhatStandsBehindARobot) {
   Renderer renderer(camera(), FieldDimensions{}, plain_room(), true);
   const Isometry3 eye = standing(Pose2(0.0, 0.0, 0.0), {0.0, 0.1});
   Scene scene;
-  add_ball(scene, {2.0, -0.05}, LinearColor::Ones());
+  add_ball(scene, {2.0, -0.05}, 0.1, LinearColor::Ones());
   const int free = pixels_of(Label::ball, renderer.render(eye, scene));
   EXPECT_GT(free, 100);
   add_robot(scene, Pose2(1.2, 0.0, kPi), 0.0, 1.0, LinearColor::Ones(), LinearColor::Ones());

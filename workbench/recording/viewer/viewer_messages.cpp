@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/script/language/world_fields.h"
-#include "localization/measurement/field_map.h"
+#include "geometry/field_landmarks.h"
 #include "workbench/recording/viewer/foxglove.h"
 #include "workbench/run/log_lines.h"
 #include "workbench/run/timeline.h"
@@ -23,8 +23,9 @@ constexpr std::string_view kField = "field", kRobot = "robot", kTruth = "truth";
 constexpr std::array<std::string_view, 2> kCameras{"camera_upper", "camera_lower"};
 
 constexpr Color kWhite{1.0, 1.0, 1.0, 1.0}, kYellow{1.0, 0.84, 0.04, 1.0}, kLinePoint{1.0, 0.2, 0.6, 1.0},
-    kPost{1.0, 0.84, 0.04, 1.0}, kObstacle{0.9, 0.1, 0.1, 0.8}, kBorder{0.2, 0.8, 1.0, 1.0}, kView{1.0, 0.55, 0.0, 1.0},
-    kUnknown{0.5, 0.5, 0.5, 0.15}, kCarpet{0.11, 0.43, 0.2, 1.0};
+    kPost{1.0, 0.84, 0.04, 1.0}, kObstacle{0.9, 0.1, 0.1, 0.8}, kLandmark{0.1, 0.9, 0.9, 1.0},
+    kBall{1.0, 0.45, 0.0, 1.0}, kBorder{0.2, 0.8, 1.0, 1.0}, kView{1.0, 0.55, 0.0, 1.0}, kUnknown{0.5, 0.5, 0.5, 0.15},
+    kCarpet{0.11, 0.43, 0.2, 1.0};
 
 Eigen::Vector3d on_ground(const Eigen::Vector2d& point, double height = 0.0) { return {point.x(), point.y(), height}; }
 
@@ -122,7 +123,8 @@ Json wall_scene(double time, const RoomRecord& room) {
 Json percepts_scene(double time, const std::array<FieldPercept, 2>& percepts) {
   Entity scene(time, kRobot, "percepts");
   std::vector<Eigen::Vector3d> across;
-  constexpr double kHalf = 0.06;  // m of each dash across a line
+  constexpr double kHalf = 0.06;                        // m of each dash across a line
+  constexpr double kAboveGround = 0.1, kLetter = 0.15;  // m
   for (const FieldPercept& percept : percepts) {
     for (const LinePoint& point : percept.line_points) {
       const Eigen::Vector2d dash = kHalf * unit_vector(point.normal);
@@ -136,6 +138,12 @@ Json percepts_scene(double time, const std::array<FieldPercept, 2>& percepts) {
     }
     for (const Obstacle& obstacle : percept.obstacles)
       scene.cylinder(on_ground(obstacle.position), 0.3, 0.3, kObstacle);
+    for (const Intersection& one : percept.intersections)
+      scene.text(on_ground(one.position, kAboveGround), name_of(one.kind), kLetter, kLandmark);
+    for (const PenaltyMark& mark : percept.penalty_marks)
+      scene.cylinder(on_ground(mark.position), 0.02, 0.15, kLandmark);
+    if (percept.center_circle) scene.cylinder(on_ground(percept.center_circle->center), 0.02, 0.3, kLandmark);
+    if (percept.ball) scene.cylinder(on_ground(percept.ball->position), 0.1, 0.1, kBall);
   }
   scene.segments(across, 0.02, kLinePoint);
   return std::move(scene).update();
@@ -152,6 +160,20 @@ Json annotations(double time, const CameraRecord& camera, const FieldPercept& pe
   for (const Obstacle& it : percept.obstacles) {
     drawn.line({{it.left, it.top}, {it.right, it.top}, {it.right, it.bottom}, {it.left, it.bottom}}, true, size,
                kObstacle);
+  }
+  std::vector<Eigen::Vector2d> landmarks;
+  for (const Intersection& one : percept.intersections) landmarks.emplace_back(one.pixel.cast<double>());
+  for (const PenaltyMark& mark : percept.penalty_marks) landmarks.emplace_back(mark.pixel.cast<double>());
+  drawn.points(landmarks, 3.0 * size, kLandmark);
+  if (percept.ball) {
+    constexpr int kCorners = 16;
+    std::vector<Eigen::Vector2d> outline(kCorners);
+    for (int i = 0; i < kCorners; ++i) {
+      outline[static_cast<std::size_t>(i)] =
+          percept.ball->pixel.cast<double>() +
+          static_cast<double>(percept.ball->radius) * unit_vector(2.0 * kPi * i / kCorners);
+    }
+    drawn.line(outline, true, size, kBall);
   }
   std::vector<Eigen::Vector2d> border;
   const auto columns = static_cast<double>(percept.boundary.size());

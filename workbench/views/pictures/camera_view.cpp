@@ -19,6 +19,7 @@ constexpr Color kShadow{0, 0, 0, 0.35};
 constexpr Color kProjected{255, 64, 64, 0.9};
 constexpr Color kBoundary{255, 225, 40};
 constexpr Color kHorizon{190, 120, 255};
+constexpr Color kLandmark{90, 240, 255};
 
 // From the image's pixels to the canvas.
 struct ImageScale {
@@ -102,6 +103,18 @@ void draw_features(Canvas& canvas, const ImageScale& scale, const CameraView& ca
     canvas.disc(center, 4.6 * marks, palette::ink.with_opacity(0.6));
     canvas.disc(center, 3.4 * marks, palette::percept);
   }
+  for (const ImageLandmark& landmark : camera.landmarks) {
+    const Pixel center = scale * landmark.position;
+    const double radius = landmark.radius > 0.0 ? landmark.radius * scale.scale : 9.0 * marks;
+    canvas.ring(center, radius, kShadow, 5.0 * marks);
+    canvas.ring(center, radius, kLandmark, 3.0 * marks);
+    TextStyle style;
+    style.size = 22.0 * marks;
+    style.color = kLandmark;
+    style.bold = true;
+    style.halo = palette::ink;
+    canvas.text(center + Pixel(radius + 4.0 * marks, 0.3 * style.size), landmark.name, style);
+  }
   for (const Eigen::Vector2d& particle : camera.view_particles) {
     canvas.disc(scale * particle, 5.2 * marks, Color{255, 255, 255, 0.75});
     canvas.disc(scale * particle, 4.0 * marks, palette::view_particle);
@@ -138,6 +151,7 @@ std::vector<LegendEntry> entries(const CameraView& camera) {
     };
     list.push_back({point, "line points"});
   }
+  if (!camera.landmarks.empty()) list.push_back(dot_entry(kLandmark, 6.0, "landmarks, ball"));
   if (!camera.projected_lines.empty()) list.push_back(line_entry(kProjected, 2.0, "lines as believed"));
   if (!camera.edges.empty()) list.push_back(line_entry(palette::percept, 3.0, "nearly vertical edges"));
   if (!camera.projected_verticals.empty()) list.push_back(line_entry(kProjected, 2.0, "verticals as expected"));

@@ -29,6 +29,13 @@ struct ImageGoalPost {
   Eigen::Vector2d top = Eigen::Vector2d::Zero();
 };
 
+/// An intersection, a mark, the ball.
+struct ImageLandmark {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double radius = 0.0;  ///< of the ball; 0: the landmark is a place
+  std::string name;     ///< "L", "ball"
+};
+
 struct ImageArea {
   double left = 0.0;
   double top = 0.0;
@@ -52,6 +59,7 @@ struct CameraView {
   std::vector<ImageLinePoint> line_points;
   std::vector<ImageGoalPost> goal_posts;
   std::vector<ImageArea> obstacles;
+  std::vector<ImageLandmark> landmarks;
   std::vector<Eigen::Vector2d> boundary;                          ///< of the field, from left to right
   std::vector<Eigen::Vector2d> horizon;                           ///< from left to right
   std::vector<std::vector<Eigen::Vector2d>> projected_lines;      ///< field lines as the believed pose expects them

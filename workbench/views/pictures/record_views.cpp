@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/measurement/field_map.h"
+#include "geometry/field_landmarks.h"
 
 namespace reorient::pictures {
 namespace {
@@ -208,6 +208,18 @@ void add_percept(const FieldPercept& percept, const CameraModel& camera, const I
   for (const Obstacle& obstacle : percept.obstacles) {
     view.obstacles.push_back({static_cast<double>(obstacle.left), static_cast<double>(obstacle.top),
                               static_cast<double>(obstacle.right), static_cast<double>(obstacle.bottom)});
+  }
+  for (const Intersection& one : percept.intersections)
+    view.landmarks.push_back({one.pixel.cast<double>(), 0.0, one.corner_arc ? "corner" : name_of(one.kind)});
+  for (const PenaltyMark& mark : percept.penalty_marks)
+    view.landmarks.push_back({mark.pixel.cast<double>(), 0.0, "mark"});
+  if (percept.ball) {
+    view.landmarks.push_back({percept.ball->pixel.cast<double>(), static_cast<double>(percept.ball->radius), "ball"});
+  }
+  if (percept.center_circle) {
+    const Eigen::Vector2d& center = percept.center_circle->center;
+    const auto pixel = camera.project(robot_from_camera.inverse() * Eigen::Vector3d(center.x(), center.y(), 0.0));
+    if (pixel) view.landmarks.push_back({*pixel, 0.0, "center"});
   }
   const double columns = static_cast<double>(percept.boundary.size());
   const double width = view.image.empty() ? camera.width : view.image.width;

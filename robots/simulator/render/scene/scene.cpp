@@ -102,11 +102,11 @@ void add_robot(Scene& scene, const Pose2& pose, double stride, double size, cons
   scene.shadows.push_back({pose.position.cast<float>(), static_cast<float>(0.24 * size), 0.6f});
 }
 
-void add_ball(Scene& scene, const Eigen::Vector2d& position, const LinearColor& light) {
-  constexpr float kRadius = 0.05f;
-  const Eigen::Vector3f center = at(position, kRadius);
-  scene.capsules.push_back({center, center, kRadius, kBallWhite * light, Label::ball, false, true});
-  scene.shadows.push_back({position.cast<float>(), 0.075f, 0.65f});
+void add_ball(Scene& scene, const Eigen::Vector2d& position, double diameter, const LinearColor& light) {
+  const auto radius = static_cast<float>(0.5 * diameter);
+  const Eigen::Vector3f center = at(position, radius);
+  scene.capsules.push_back({center, center, radius, kBallWhite * light, Label::ball, false, true});
+  scene.shadows.push_back({position.cast<float>(), 1.5f * radius, 0.65f});
 }
 
 void add_person(Scene& scene, const Eigen::Vector2d& where, double height, double lean, const PersonLook& look) {

@@ -36,7 +36,7 @@ void add_furniture(Scene& scene, const FurniturePiece& piece, double perimeter);
 void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,
                const LinearColor& light);
 
-void add_ball(Scene& scene, const Eigen::Vector2d& position, const LinearColor& light);
+void add_ball(Scene& scene, const Eigen::Vector2d& position, double diameter, const LinearColor& light);
 
 struct PersonLook {
   LinearColor shirt, trousers, skin, hair;

@@ -1,0 +1,54 @@
+// Where the lines, posts, intersections and marks of a field are: m, field frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/field_dimensions.h"
+
+namespace reorient {
+
+/// A straight piece of line, m, between line centres.
+struct FieldLine {
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+};
+
+/// All straight lines of the whole field; the centre circle and the penalty marks are no straight lines.
+std::vector<FieldLine> field_lines(const FieldDimensions& field);
+
+/// Appends the rectangles at both goals that reach `depth` into the field, or out of it where that is negative; the
+/// side on the goal line is none of their own.
+void add_areas(const FieldDimensions& field, double depth, double width, std::vector<FieldLine>& lines);
+
+/// Left and right post of the opponent goal as seen from the field, then left and right post of the own goal.
+/// Posts 0 and 2 are reflections of each other, and so are 1 and 3.
+std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field);
+
+/// How two lines meet: both end, one ends at the other, both go on.
+enum class IntersectionKind : std::uint8_t { l, t, x };
+
+constexpr int enum_count(IntersectionKind) { return 3; }
+/// "L", "T", "X".
+constexpr const char* name_of(IntersectionKind kind) {
+  return kind == IntersectionKind::l ? "L" : kind == IntersectionKind::t ? "T" : "X";
+}
+
+struct FieldIntersection {
+  Eigen::Vector2d position;
+  IntersectionKind kind = IntersectionKind::l;
+  /// rad. L: between its two arms. T: along the line that ends, away from the other one. X: along any arm.
+  double direction = 0.0;
+};
+
+/// Of lines, of the center circle with the halfway line, and of corner arcs with the lines at which they end. The
+/// reflection of each is one of them as well.
+std::vector<FieldIntersection> field_intersections(const FieldDimensions& field);
+
+/// Both penalty marks; none where marks have no size.
+std::vector<Eigen::Vector2d> penalty_marks(const FieldDimensions& field);
+
+}  // namespace reorient

@@ -1,0 +1,54 @@
+// Where two lines meet, and how: the image itself says which of the four arms are there.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "geometry/field_dimensions.h"
+#include "geometry/image.h"
+#include "perception/field/carpet/carpet_color.h"
+#include "perception/field/field_feature_parameters.h"
+#include "perception/field/ground_projection.h"
+#include "perception/field/lines/line_segments.h"
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+class Intersections {
+ public:
+  Intersections(const FieldFeatureParameters& parameters, const FieldDimensions& field);
+  void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
+
+  /// Fills in the percept's intersections: those of straight pieces of line that meet at about a right angle, those
+  /// where a straight piece ends at a line of which too little was found, and those of the percept's center circle with
+  /// the halfway line.
+  void find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
+            std::span<const LineSegment> segments, FieldPercept& percept) const;
+
+ private:
+  enum class Stripe { there, not_there, hidden };
+  /// Image, geometry and color of the frame that find() works on.
+  struct Frame {
+    const ImageView& image;
+    const GroundProjection& view;
+    const CarpetColor& color;
+    const FieldPercept& percept;
+  };
+
+  Stripe stripe_at(const Frame& frame, const Eigen::Vector2d& place, const Eigen::Vector2d& across) const;
+  Stripe arm_at(const Frame& frame, const Eigen::Vector2d& corner, const Eigen::Vector2d& along) const;
+  bool has_corner_arc(const Frame& frame, const Eigen::Vector2d& corner, double direction) const;
+  std::optional<Intersection> meet(const Frame& frame, const LineSegment& a, const LineSegment& b) const;
+  std::optional<Intersection> at_end(const Frame& frame, const Eigen::Vector2d& end, const Eigen::Vector2d& out) const;
+  static void add(const std::optional<Intersection>& found, FieldPercept& percept);
+  void add_circle(const Frame& frame, FieldPercept& percept) const;
+  Intersection at(const Frame& frame, const Eigen::Vector2d& position, IntersectionKind kind, double direction) const;
+
+  FieldFeatureParameters parameters_;
+  FieldDimensions field_;
+};
+
+}  // namespace reorient

@@ -1,0 +1,170 @@
+#include "perception/field/upright/ball_finder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/angle.h"
+#include "geometry/pinned_math.h"
+#include "geometry/transform.h"
+
+namespace reorient {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kPlaces = 16;
+
+const std::array<Vector2d, kPlaces>& places_around() {
+  static const auto all = [] {
+    std::array<Vector2d, kPlaces> vectors;
+    for (int i = 0; i < kPlaces; ++i) vectors[static_cast<std::size_t>(i)] = unit_vector(2.0 * kPi * i / kPlaces);
+    return vectors;
+  }();
+  return all;
+}
+
+}  // namespace
+
+BallFinder::BallFinder(const FieldFeatureParameters& parameters, const FieldDimensions& field)
+    : parameters_(parameters), radius_(0.5 * field.ball_diameter) {}
+
+/// The image of a ball whose middle is seen here.
+std::optional<BallFinder::Circle> BallFinder::circle_around(const GroundProjection& view,
+                                                            const Vector2d& center) const {
+  const auto place = view.at_height(center, radius_);
+  if (!place) return std::nullopt;
+  const double far = pinned::hypot(view.distance(*place), view.camera_height() - radius_);
+  if (!(far > 2.0 * radius_)) return std::nullopt;
+  return Circle{center, view.pixels_per_radian(center) * radius_ / far, 0.0};
+}
+
+/// The image of a ball whose lowest point is seen here.
+std::optional<BallFinder::Circle> BallFinder::circle_above(const GroundProjection& view, double column,
+                                                           double foot) const {
+  auto circle = circle_around(view, {column, foot});
+  for (int iteration = 0; circle && iteration < 2; ++iteration)
+    circle = circle_around(view, {column, foot - circle->radius});
+  return circle;
+}
+
+/// Shares of places inside that are no carpet, and of those around that are carpet, or a line that passes behind it. A
+/// foot or a hand goes on where its robot is, a corner of lines in two directions.
+double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
+  constexpr double kInner = 0.4, kOuter = 0.78, kBeyond = 1.3;  // of the radius
+  constexpr double kBlur = 1.2;                                 // pixels
+  constexpr double kLeastSure = 0.4, kDark = 0.7;
+  constexpr int kInside = 2 * kPlaces, kMostCarpetInside = 1;
+  constexpr int kLeastCarpet = 7, kLeastOpen = 15, kMostInRow = 3;  // of the places around; on the line in a row
+  const auto pixel_at = [&](double radius, int place) {
+    return Vector2d(circle.center + radius * places_around()[static_cast<std::size_t>(place)]);
+  };
+  struct Seen {
+    Surface surface;
+    int luma;
+  };
+  const auto seen_at = [&](const Vector2d& pixel) -> std::optional<Seen> {
+    const int x = static_cast<int>(std::lround(pixel.x())), y = static_cast<int>(std::lround(pixel.y()));
+    if (x < 0 || y < 0 || x >= frame.image.width || y >= frame.image.height) return std::nullopt;
+    const Ycbcr color = frame.image.at(x, y);
+    return Seen{frame.color.surface(x, y, color), color.y};
+  };
+  int bare = 0;  // most of what is no ball shows so soon
+  for (int i = 0; i < kPlaces; i += kPlaces / 4) {
+    const auto seen = seen_at(pixel_at(kInner * circle.radius, i));
+    if (!seen || (seen->surface == Surface::carpet && ++bare > 1)) return 0.0;
+  }
+  int carpet = 0, open = 0, luma = 0;
+  std::optional<int> behind;  // the line
+  int last_on_line = -2, in_row = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const Vector2d pixel = pixel_at(kBeyond * circle.radius + kBlur, i);
+    const auto seen = seen_at(pixel);
+    const auto place = frame.view.ground(pixel);
+    if (!seen || !place) return 0.0;
+    if (seen->surface == Surface::carpet) {
+      ++carpet;
+      ++open;
+      luma += seen->luma;
+    } else if (const auto line = frame.lines.at(*place); line && (!behind || *behind == *line)) {
+      behind = line;
+      ++open;
+      in_row = last_on_line == i - 1 ? in_row + 1 : 1;
+      last_on_line = i;
+      if (in_row > kMostInRow) return 0.0;
+    } else if (kPlaces - i + open <= kLeastOpen) {
+      return 0.0;
+    }
+  }
+  if (carpet < kLeastCarpet || open < kLeastOpen) return 0.0;
+  // The dark patches of a ball may have the tint of dark carpet.
+  const double dark = kDark * luma / carpet;
+  int carpet_inside = 0, sure = 0;
+  for (const double radius : {kOuter, kInner}) {
+    for (int i = 0; i < kPlaces; ++i) {
+      const auto seen = seen_at(pixel_at(radius * std::max(0.0, circle.radius - 0.5), i));
+      if (!seen) return 0.0;
+      if (seen->surface == Surface::carpet && seen->luma > dark && ++carpet_inside > kMostCarpetInside) return 0.0;
+      sure += seen->surface == Surface::other ? 1 : 0;
+    }
+  }
+  if (sure < kLeastSure * kInside) return 0.0;
+  return 0.5 * (kInside - carpet_inside) / kInside + 0.5 * carpet / kPlaces;
+}
+
+std::optional<Ball> BallFinder::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
+                                     const CarpetMap& map, const KnownLines& lines, const FieldPercept& percept) const {
+  constexpr double kLeastHeight = 1.1;  // of the radius, that is no carpet in a column
+  constexpr double kSmallest = 2.0;     // pixels, of the radius
+  constexpr double kStep = 0.3;         // of the radius, in which its middle is looked for
+  // Of what the field's ball should be: the camera may be higher or look farther down than the robot thinks, and not
+  // every ball is new.
+  constexpr std::array kSizes{1.0, 1.2, 1.4};
+  if (radius_ <= 0.0) return std::nullopt;
+  const Frame frame{image, view, color, lines};
+  Circle best, tried;
+  for (int column = 0; column < CarpetMap::kColumns; ++column) {
+    const double x = map.column_pixel(column);
+    const double border = percept.boundary[static_cast<std::size_t>(column)];
+    int foot = -1;  // the lowest cell of what is no carpet
+    for (int row = map.rows() - 1; row >= map.first_cell() && map.row_pixel(row) >= border; --row) {
+      if (map.at(column, row) != Surface::carpet) {
+        if (foot < 0) foot = row;
+        continue;
+      }
+      const int height = foot < 0 ? 0 : foot - row;
+      const int from = foot;
+      foot = -1;
+      if (height < 2) continue;
+      const auto circle = circle_above(view, x, map.row_pixel(from) + 0.5 * map.step());
+      if (!circle || circle->radius < kSmallest || height * map.step() < kLeastHeight * circle->radius) continue;
+      const auto place = view.at_height(circle->center, radius_);
+      if (!place || view.distance(*place) > parameters_.line_range) continue;
+      if ((circle->center - tried.center).cwiseAbs().maxCoeff() < kStep * circle->radius) continue;
+      tried = *circle;
+      for (const double size : kSizes) {
+        const double radius = size * circle->radius;
+        const Vector2d center = circle->center + Vector2d(0.0, circle->radius - radius);
+        for (int i = -2; i <= 2; ++i) {
+          for (int j = -1; j <= 2; ++j) {
+            Circle moved{center + kStep * radius * Vector2d(i, j), radius, 0.0};
+            moved.likeness = likeness(frame, moved);
+            if (moved.likeness > best.likeness) best = moved;
+          }
+        }
+      }
+    }
+  }
+  if (best.likeness <= 0.0) return std::nullopt;
+  const auto place = view.at_height(best.center, radius_);
+  if (!place) return std::nullopt;
+  Ball ball;
+  ball.position = *place;
+  ball.pixel = best.center.cast<float>();
+  ball.radius = static_cast<float>(best.radius);
+  const double in_image = (parameters_.pixel_deviation + 0.15 * best.radius) / view.pixels_per_radian(best.center);
+  ball.covariance = view.covariance(*place, pinned::hypot(parameters_.attitude_deviation, in_image));
+  return ball;
+}
+
+}  // namespace reorient

@@ -1,0 +1,51 @@
+// What of the field is in view of the simulated camera, by the simulator's own labels: what the field vision is
+// measured against.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/field_landmarks.h"
+#include "geometry/pose2.h"
+#include "robots/robot.h"
+#include "robots/simulator/simulator.h"
+
+namespace reorient {
+
+/// Where it is in the robot frame, m; `clearly`: whether the image shows enough of it to be asked for.
+struct Thing {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  bool clearly = false;
+};
+
+struct IntersectionInView : Thing {
+  IntersectionKind kind = IntersectionKind::l;
+  double direction = 0.0;  ///< rad, robot frame
+};
+
+/// All of the field and on it, whether in view or not: a percept that is off the image's edge is not a false one.
+struct FieldInView {
+  std::vector<Thing> line_places;  ///< 0.1 m apart, only those in view
+  std::vector<Thing> goal_posts;   ///< foot and half a metre above it are clear
+  std::vector<Thing> robots;       ///< the side to the camera; clear where the feet are, and no other robot hides them
+  std::vector<IntersectionInView> intersections;  ///< clear with 0.3 m of each arm
+  std::vector<Thing> penalty_marks;               ///< clear with some carpet all around
+  std::optional<Thing> center_circle;             ///< a third of its line is clear
+  std::optional<Thing> ball;                      ///< the whole of it is clear
+  int bottom_row = 0;                             ///< of the image
+  Pose2 robot;                                    ///< field frame, where the image was taken
+};
+
+/// `frame`: the upper camera's latest image, which the simulator must have labels of.
+FieldInView field_in_view(const Simulator& simulator, const CameraFrame& frame, const FieldDimensions& field);
+
+/// From the middle of the nearest line, circles and arcs included (m); `normal`: rad, of that line, field frame.
+struct LineNearby {
+  double distance = 0.0;
+  double normal = 0.0;
+};
+LineNearby nearest_line_of(const FieldDimensions& field, const Eigen::Vector2d& place);
+
+}  // namespace reorient
