@@ -117,6 +117,9 @@ NearestLine nearest_line(const FieldDimensions& f, const Vector2d& point) {
   }
   nearer(best, to_segment({0.0, -y}, {0.0, y}, point));
   nearer(best, {std::abs(point.norm() - f.center_circle_radius), std::atan2(point.y(), point.x())});
+  const Vector2d out = point - Vector2d(std::copysign(x, point.x()), std::copysign(y, point.y()));
+  if (f.corner_arc_radius > 0.0 && std::abs(point.x()) < x && std::abs(point.y()) < y)
+    nearer(best, {std::abs(out.norm() - f.corner_arc_radius), std::atan2(out.y(), out.x())});
   return best;
 }
 

@@ -74,6 +74,29 @@ TEST(Landmarks, AreIntersectionsOfTheirKindWhereTheyAre) {
   }
 }
 
+TEST(Landmarks, AreCornersOfTheFieldByTheirArcs) {
+  FlatField scene;
+  scene.field.corner_arc_radius = 0.5;
+  const Stand here = at({2.9, 1.5, 0.8});
+  const FieldPercept percept = percept_of(scene, here);
+  int corners = 0;
+  for (const Intersection& one : percept.intersections) {
+    if (!one.corner_arc) continue;
+    ++corners;
+    EXPECT_EQ(one.kind, IntersectionKind::l);
+    EXPECT_LT((here.field_from_robot * one.position - Vector2d(4.5, 3.0)).norm(), 0.1);
+  }
+  EXPECT_EQ(corners, 1);
+  const Stand at_area = at({1.2, 1.2, 0.5});
+  int of_area = 0;
+  for (const Intersection& one : percept_of(scene, at_area).intersections) {
+    if ((at_area.field_from_robot * one.position - Vector2d(2.85, 2.0)).norm() > 0.2) continue;
+    ++of_area;
+    EXPECT_FALSE(one.corner_arc);
+  }
+  EXPECT_EQ(of_area, 1);
+}
+
 TEST(Landmarks, AreNoIntersectionsWhereALineEndsAtARobot) {
   FlatField scene;
   scene.field.center_circle_radius = 0.0;
