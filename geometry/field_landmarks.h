@@ -20,8 +20,8 @@ struct FieldLine {
 /// All straight lines of the whole field; the centre circle and the penalty marks are no straight lines.
 std::vector<FieldLine> field_lines(const FieldDimensions& field);
 
-/// Appends the rectangles at both goals that reach `depth` into the field, or out of it where that is negative; the
-/// side on the goal line is none of their own.
+/// Appends the rectangles at both goals that reach `depth` into the field, or out of it where that is negative, without
+/// their sides on the goal line.
 void add_areas(const FieldDimensions& field, double depth, double width, std::vector<FieldLine>& lines);
 
 /// Left and right post of the opponent goal as seen from the field, then left and right post of the own goal.

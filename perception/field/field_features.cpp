@@ -46,10 +46,11 @@ void FieldFeatures::find(const ImageView& image, const CameraModel& camera, cons
   percept.center_circle = center_circle_.find(percept.line_points, *view);
   const auto segments = line_segments_.find(percept.line_points, percept.center_circle, circle_radius_);
   const KnownLines lines{segments, percept.center_circle, circle_radius_, line_width_};
-  percept.ball = ball_.find(image, *view, carpet_color_, carpet_map_, lines, percept);
-  intersections_.find(image, *view, carpet_color_, segments, percept);
+  const FieldImage seen{image, *view, carpet_color_};
+  percept.ball = ball_.find(seen, carpet_map_, lines, percept);
+  intersections_.find(seen, segments, percept);
   obstacles_.find(carpet_map_, *view, lines, kLeastHeight, percept);
-  penalty_marks_.find(image, *view, carpet_color_, line_points_.lone(), percept);
+  penalty_marks_.find(seen, line_points_.lone(), percept);
 }
 
 void FieldFeatures::set_parameters(const FieldFeatureParameters& parameters) {

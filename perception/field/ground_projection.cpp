@@ -65,6 +65,11 @@ Eigen::Matrix2d GroundProjection::covariance(const Eigen::Vector2d& point, doubl
   return across * across * Eigen::Matrix2d::Identity() + (along * along - across * across) * sight * sight.transpose();
 }
 
+Eigen::Matrix2d GroundProjection::covariance(const Eigen::Vector2d& point, double attitude_deviation,
+                                             const Eigen::Vector2d& pixel, double pixel_deviation) const {
+  return covariance(point, pinned::hypot(attitude_deviation, pixel_deviation / pixels_per_radian(pixel)));
+}
+
 /// By bisection, since the row is not a simple function of the column: above it rays go up, below it down.
 double GroundProjection::find_horizon(double column) const {
   constexpr int kIterations = 16;

@@ -43,6 +43,10 @@ class GroundProjection {
   /// Covariance (m^2) of a point on the ground, of which the direction from the camera is known to `deviation`, rad. A
   /// distance on the ground follows from the angle below the horizon, so its error grows with the square.
   Eigen::Matrix2d covariance(const Eigen::Vector2d& point, double deviation) const;
+  /// The same where the camera's attitude is known to `attitude_deviation`, rad, and the pixel at which it is seen to
+  /// `pixel_deviation`, pixels.
+  Eigen::Matrix2d covariance(const Eigen::Vector2d& point, double attitude_deviation, const Eigen::Vector2d& pixel,
+                             double pixel_deviation) const;
 
   /// Row of the horizon in a column. It may lie outside of the image; where the lens is not perspective, the image's
   /// edge is given then.

@@ -105,10 +105,10 @@ std::optional<CenterCircle> CenterCircleFinder::find(std::span<const LinePoint> 
 
   // Neighboring points share their errors.
   constexpr double kIndependent = 8.0;
-  const double alike = std::max(1.0, on_circle / kIndependent);
+  const double shared = std::max(1.0, on_circle / kIndependent);
   CenterCircle circle;
   circle.center = *center;
-  circle.covariance = alike * information.inverse() + view.covariance(*center, parameters_.attitude_deviation);
+  circle.covariance = shared * information.inverse() + view.covariance(*center, parameters_.attitude_deviation);
   find_halfway_line(points, circle);
   return circle;
 }

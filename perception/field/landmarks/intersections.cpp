@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/angle.h"
-#include "geometry/pinned_math.h"
 #include "geometry/transform.h"
 #include "perception/field/carpet/boundary.h"
 #include "perception/field/upright/hiding.h"
@@ -43,12 +42,11 @@ Intersections::Stripe Intersections::stripe_at(const Frame& frame, const Vector2
   const double apart = std::max(1.7, kLeastApart / std::max(width, 1e-6));
   if (apart > kMostApart) return Stripe::hidden;
   const auto luma_at = [&](double offset) -> int {
-    const auto pixel = pixel_at(offset * field_.line_width);
+    const Vector2d point = place + offset * field_.line_width * across;
+    const auto pixel = frame.nearest_to_ground(point);
     if (!pixel) return -1;
-    const int x = static_cast<int>(std::lround(pixel->x())), y = static_cast<int>(std::lround(pixel->y()));
-    if (x < 0 || y < 0 || x >= frame.image.width || y >= frame.image.height) return -1;
-    if (y < boundary_at(frame.percept.boundary, frame.image.width, x)) return -1;
-    return frame.image.luma(x, y);
+    if (pixel->y() < boundary_at(frame.percept.boundary, frame.image.width, pixel->x())) return -1;
+    return frame.at(*pixel).y;
   };
   const int left = luma_at(-apart - 0.5), right = luma_at(apart + 0.5);
   if (left < 0 || right < 0) return Stripe::hidden;
@@ -89,11 +87,10 @@ Intersection Intersections::at(const Frame& frame, const Vector2d& position, Int
   intersection.position = position;
   intersection.kind = kind;
   intersection.direction = normalize_angle(direction);
-  const auto pixel = frame.view.pixel({position.x(), position.y(), 0.0});
-  if (pixel) intersection.pixel = pixel->cast<float>();
-  const double in_image =
-      pixel ? parameters_.pixel_deviation / frame.view.pixels_per_radian(*pixel) : parameters_.attitude_deviation;
-  intersection.covariance = frame.view.covariance(position, pinned::hypot(parameters_.attitude_deviation, in_image));
+  const Vector2d pixel = frame.view.pixel({position.x(), position.y(), 0.0}).value_or(Vector2d::Zero());
+  intersection.pixel = pixel.cast<float>();
+  intersection.covariance =
+      frame.view.covariance(position, parameters_.attitude_deviation, pixel, parameters_.pixel_deviation);
   intersection.corner_arc = kind == IntersectionKind::l && has_corner_arc(frame, position, direction);
   return intersection;
 }
@@ -171,10 +168,9 @@ void Intersections::add(const std::optional<Intersection>& found, FieldPercept& 
   if (!is_known) percept.intersections.push_back(*found);
 }
 
-void Intersections::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-                         std::span<const LineSegment> segments, FieldPercept& percept) const {
+void Intersections::find(const FieldImage& seen, std::span<const LineSegment> segments, FieldPercept& percept) const {
   percept.intersections.clear();
-  const Frame frame{image, view, color, percept};
+  const Frame frame{seen, percept};
   add_circle(frame, percept);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (std::size_t j = i + 1; j < segments.size(); ++j) add(meet(frame, segments[i], segments[j]), percept);

@@ -1,17 +1,14 @@
 // Where two lines meet, and how: the image itself says which of the four arms are there.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 
 #include <Eigen/Core>
 
 #include "geometry/field_dimensions.h"
-#include "geometry/image.h"
-#include "perception/field/carpet/carpet_color.h"
 #include "perception/field/field_feature_parameters.h"
-#include "perception/field/ground_projection.h"
+#include "perception/field/field_image.h"
 #include "perception/field/lines/line_segments.h"
 #include "perception/field/percepts.h"
 
@@ -25,16 +22,12 @@ class Intersections {
   /// Fills in the percept's intersections: those of straight pieces of line that meet at about a right angle, those
   /// where a straight piece ends at a line of which too little was found, and those of the percept's center circle with
   /// the halfway line.
-  void find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-            std::span<const LineSegment> segments, FieldPercept& percept) const;
+  void find(const FieldImage& seen, std::span<const LineSegment> segments, FieldPercept& percept) const;
 
  private:
   enum class Stripe { there, not_there, hidden };
-  /// Image, geometry and color of the frame that find() works on.
-  struct Frame {
-    const ImageView& image;
-    const GroundProjection& view;
-    const CarpetColor& color;
+  /// What find() works on.
+  struct Frame : FieldImage {
     const FieldPercept& percept;
   };
 

@@ -1,12 +1,8 @@
 #include "perception/field/landmarks/penalty_marks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-
-#include "geometry/angle.h"
-#include "geometry/pinned_math.h"
-#include "geometry/transform.h"
+#include <cstddef>
 
 namespace reorient {
 namespace {
@@ -16,34 +12,23 @@ using Eigen::Vector2d;
 constexpr std::size_t kMostMarks = 4;
 constexpr double kBesideBall = 0.3;  // m, within which a white spot is taken for one of the ball's
 
-constexpr int kAround = 32;
-
-const std::array<Vector2d, kAround>& directions() {
-  static const auto all = [] {
-    std::array<Vector2d, kAround> vectors;
-    for (int i = 0; i < kAround; ++i) vectors[static_cast<std::size_t>(i)] = unit_vector(2.0 * kPi * i / kAround);
-    return vectors;
-  }();
-  return all;
-}
+constexpr std::size_t kAround = 32;
 
 /// Mean luma of a ring around a place, of which nearly all that the image shows must be carpet. `step`: 1: each of its
 /// places.
-std::optional<double> luma_of_carpet_ring(const MarkGround& ground, const Vector2d& center, double radius, int step,
-                                          int most_others) {
-  constexpr int kMostOutside = kAround / 4;  // of the image
-  int carpet = 0, others = 0, outside = 0;
+std::optional<double> luma_of_carpet_ring(const FieldImage& seen, const Vector2d& center, double radius,
+                                          std::size_t step, int most_others) {
+  constexpr std::size_t kMostOutside = kAround / 4;  // of the image
+  int carpet = 0, others = 0;
+  std::size_t outside = 0;
   double sum = 0.0;
-  for (int i = 0; i < kAround; i += step) {
-    const auto pixel = ground.pixel(center + radius * directions()[static_cast<std::size_t>(i)]);
+  for (std::size_t i = 0; i < kAround; i += step) {
+    const auto pixel = seen.nearest_to_ground(center + radius * directions_around<kAround>()[i]);
     if (!pixel) {
       if (step * ++outside > kMostOutside) return std::nullopt;
-      continue;
-    }
-    const Ycbcr seen = ground.image.at(pixel->x(), pixel->y());
-    if (ground.color.surface(pixel->x(), pixel->y(), seen) == Surface::carpet) {
+    } else if (seen.surface(*pixel) == Surface::carpet) {
       ++carpet;
-      sum += seen.y;
+      sum += seen.at(*pixel).y;
     } else if (++others > most_others) {
       return std::nullopt;
     }
@@ -53,19 +38,10 @@ std::optional<double> luma_of_carpet_ring(const MarkGround& ground, const Vector
 
 }  // namespace
 
-std::optional<Eigen::Vector2i> MarkGround::pixel(const Vector2d& place) const {
-  const auto seen = view.pixel({place.x(), place.y(), 0.0});
-  if (!seen) return std::nullopt;
-  const Eigen::Vector2i pixel(static_cast<int>(std::lround(seen->x())), static_cast<int>(std::lround(seen->y())));
-  if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= image.width || pixel.y() >= image.height) return std::nullopt;
-  return pixel;
-}
-
 PenaltyMarks::PenaltyMarks(const FieldFeatureParameters& parameters, const FieldDimensions& field)
     : parameters_(parameters), size_(field.penalty_mark_size) {}
 
-void PenaltyMarks::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-                        std::span<const Vector2d> lone, FieldPercept& percept) const {
+void PenaltyMarks::find(const FieldImage& seen, std::span<const Vector2d> lone, FieldPercept& percept) const {
   percept.penalty_marks.clear();
   if (size_ <= 0.0) return;
   for (const Vector2d& place : lone) {
@@ -73,12 +49,12 @@ void PenaltyMarks::find(const ImageView& image, const GroundProjection& view, co
     const auto is_near = [&](const PenaltyMark& mark) { return (mark.position - place).norm() < 2.0 * size_; };
     if (std::any_of(percept.penalty_marks.begin(), percept.penalty_marks.end(), is_near)) continue;
     if (percept.ball && (percept.ball->position - place).norm() < kBesideBall) continue;
-    if (const auto mark = mark_at(image, view, color, place)) percept.penalty_marks.push_back(*mark);
+    if (const auto mark = mark_at(seen, place)) percept.penalty_marks.push_back(*mark);
   }
 }
 
 /// Whether the middle of a mark is as white as lines are, against the carpet's luma around it.
-bool PenaltyMarks::is_white(const MarkGround& ground, const Vector2d& center, double carpet) const {
+bool PenaltyMarks::is_white(const FieldImage& seen, const Vector2d& center, double carpet) const {
   constexpr double kApart = 0.2;          // of the mark's size, in a grid of 3 by 3 places
   constexpr int kLeastOther = 7;          // of the places
   constexpr double kLeastContrast = 0.5;  // of that of lines
@@ -86,33 +62,31 @@ bool PenaltyMarks::is_white(const MarkGround& ground, const Vector2d& center, do
   double luma = 0.0;
   for (int i = -1; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {
-      const auto pixel = ground.pixel(center + kApart * size_ * Vector2d(i, j));
+      const auto pixel = seen.nearest_to_ground(center + kApart * size_ * Vector2d(i, j));
       if (!pixel) continue;
-      const Ycbcr seen = ground.image.at(pixel->x(), pixel->y());
       ++places;
-      luma += seen.y;
-      other += ground.color.surface(pixel->x(), pixel->y(), seen) != Surface::carpet ? 1 : 0;
+      luma += seen.at(*pixel).y;
+      other += seen.surface(*pixel) != Surface::carpet ? 1 : 0;
     }
   }
-  const double least = std::max({2.0 * parameters_.line_contrast, parameters_.noise_factor * ground.color.noise(),
-                                 kLeastContrast * ground.color.white_contrast()});
+  const double least = std::max({2.0 * parameters_.line_contrast, parameters_.noise_factor * seen.color.noise(),
+                                 kLeastContrast * seen.color.white_contrast()});
   return other >= kLeastOther && luma / places - carpet >= least;
 }
 
-std::optional<PenaltyMark> PenaltyMarks::mark_at(const ImageView& image, const GroundProjection& view,
-                                                 const CarpetColor& color, const Vector2d& place) const {
+std::optional<PenaltyMark> PenaltyMarks::mark_at(const FieldImage& seen, const Vector2d& place) const {
   constexpr double kLeastHeight = 2.0;            // pixels of the image that a mark must fill from near to far
   constexpr double kRing = 1.2, kWideRing = 2.0;  // of the mark's size
   constexpr double kMostSpread = 0.62;            // of its size
   constexpr int kSteps = 4;                       // of a grid, to each side of the middle
-  const MarkGround ground{image, view, color};
+  const GroundProjection& view = seen.view;
   const Vector2d away = view.away(place);
   const auto near = view.pixel({place.x() - 0.5 * size_ * away.x(), place.y() - 0.5 * size_ * away.y(), 0.0});
   const auto far = view.pixel({place.x() + 0.5 * size_ * away.x(), place.y() + 0.5 * size_ * away.y(), 0.0});
   if (!near || !far || (*near - *far).norm() < kLeastHeight) return std::nullopt;
 
   // The middle of what is brighter than the carpet around. At first the place may be on the mark's edge.
-  const auto rough = luma_of_carpet_ring(ground, place, kRing * size_, 4, 2);
+  const auto rough = luma_of_carpet_ring(seen, place, kRing * size_, 4, 2);
   if (!rough) return std::nullopt;
   Vector2d center = place;
   double carpet = *rough, spread = 0.0;
@@ -123,9 +97,9 @@ std::optional<PenaltyMark> PenaltyMarks::mark_at(const ImageView& image, const G
       for (int j = -kSteps; j <= kSteps; ++j) {
         const Vector2d offset = size_ / kSteps * Vector2d(i, j);
         if (offset.norm() > 1.05 * size_) continue;
-        const auto pixel = ground.pixel(center + offset);
+        const auto pixel = seen.nearest_to_ground(center + offset);
         if (!pixel) continue;
-        const double bright = std::max(0.0, image.luma(pixel->x(), pixel->y()) - carpet - parameters_.line_contrast);
+        const double bright = std::max(0.0, seen.at(*pixel).y - carpet - parameters_.line_contrast);
         sum += bright * offset;
         squares += bright * offset.squaredNorm();
         weight += bright;
@@ -134,20 +108,18 @@ std::optional<PenaltyMark> PenaltyMarks::mark_at(const ImageView& image, const G
     if (!(weight > 0.0)) return std::nullopt;
     center += sum / weight;
     spread = std::sqrt(std::max(0.0, squares / weight - (sum / weight).squaredNorm()));
-    const auto ring = luma_of_carpet_ring(ground, center, kRing * size_, 1, 1);
+    const auto ring = luma_of_carpet_ring(seen, center, kRing * size_, 1, 1);
     if (!ring) return std::nullopt;
     carpet = *ring;
   }
-  if (!luma_of_carpet_ring(ground, center, kWideRing * size_, 1, 1)) return std::nullopt;
-  if (spread > kMostSpread * size_ || !is_white(ground, center, carpet)) return std::nullopt;
+  if (!luma_of_carpet_ring(seen, center, kWideRing * size_, 1, 1)) return std::nullopt;
+  if (spread > kMostSpread * size_ || !is_white(seen, center, carpet)) return std::nullopt;
   PenaltyMark mark;
   mark.position = center;
   const auto pixel = view.pixel({center.x(), center.y(), 0.0});
   if (!pixel) return std::nullopt;
   mark.pixel = pixel->cast<float>();
-  mark.covariance = view.covariance(
-      center,
-      pinned::hypot(parameters_.attitude_deviation, parameters_.pixel_deviation / view.pixels_per_radian(*pixel)));
+  mark.covariance = view.covariance(center, parameters_.attitude_deviation, *pixel, parameters_.pixel_deviation);
   return mark;
 }
 

@@ -3,28 +3,15 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "geometry/field_dimensions.h"
-#include "geometry/image.h"
-#include "perception/field/carpet/carpet_color.h"
 #include "perception/field/field_feature_parameters.h"
-#include "perception/field/ground_projection.h"
+#include "perception/field/field_image.h"
 #include "perception/field/percepts.h"
 
 namespace reorient {
-
-/// The ground of one image.
-struct MarkGround {
-  const ImageView& image;
-  const GroundProjection& view;
-  const CarpetColor& color;
-
-  /// Of a place, m; nothing outside of the image.
-  std::optional<Eigen::Vector2i> pixel(const Eigen::Vector2d& place) const;
-};
 
 class PenaltyMarks {
  public:
@@ -33,13 +20,11 @@ class PenaltyMarks {
 
   /// Reads the percept's ball, and fills in its marks. `lone`: where pieces of stripes were seen that no line
   /// continues, m.
-  void find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-            std::span<const Eigen::Vector2d> lone, FieldPercept& percept) const;
+  void find(const FieldImage& seen, std::span<const Eigen::Vector2d> lone, FieldPercept& percept) const;
 
  private:
-  std::optional<PenaltyMark> mark_at(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-                                     const Eigen::Vector2d& place) const;
-  bool is_white(const MarkGround& ground, const Eigen::Vector2d& center, double carpet) const;
+  std::optional<PenaltyMark> mark_at(const FieldImage& seen, const Eigen::Vector2d& place) const;
+  bool is_white(const FieldImage& seen, const Eigen::Vector2d& center, double carpet) const;
 
   FieldFeatureParameters parameters_;
   double size_ = 0.0;  ///< m

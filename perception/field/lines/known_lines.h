@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include "geometry/field_dimensions.h"
 #include "perception/field/lines/line_segments.h"
 #include "perception/field/percepts.h"
 

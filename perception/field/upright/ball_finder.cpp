@@ -4,25 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/angle.h"
 #include "geometry/pinned_math.h"
-#include "geometry/transform.h"
 
 namespace reorient {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kPlaces = 16;
-
-const std::array<Vector2d, kPlaces>& places_around() {
-  static const auto all = [] {
-    std::array<Vector2d, kPlaces> vectors;
-    for (int i = 0; i < kPlaces; ++i) vectors[static_cast<std::size_t>(i)] = unit_vector(2.0 * kPi * i / kPlaces);
-    return vectors;
-  }();
-  return all;
-}
+constexpr int kPlaces = 16;  // around a ball
 
 }  // namespace
 
@@ -49,7 +38,7 @@ std::optional<BallFinder::Circle> BallFinder::circle_above(const GroundProjectio
 }
 
 /// Shares of places inside that are no carpet, and of those around that are carpet, or a line that passes behind it. A
-/// foot or a hand goes on where its robot is, a corner of lines in two directions.
+/// foot or a hand continues into its robot, and a corner of lines continues in two directions.
 double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   constexpr double kInner = 0.4, kOuter = 0.78, kBeyond = 1.3;  // of the radius
   constexpr double kBlur = 1.2;                                 // pixels
@@ -57,17 +46,16 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   constexpr int kInside = 2 * kPlaces, kMostCarpetInside = 1;
   constexpr int kLeastCarpet = 7, kLeastOpen = 15, kMostInRow = 3;  // of the places around; on the line in a row
   const auto pixel_at = [&](double radius, int place) {
-    return Vector2d(circle.center + radius * places_around()[static_cast<std::size_t>(place)]);
+    return Vector2d(circle.center + radius * directions_around<kPlaces>()[static_cast<std::size_t>(place)]);
   };
   struct Seen {
     Surface surface;
     int luma;
   };
-  const auto seen_at = [&](const Vector2d& pixel) -> std::optional<Seen> {
-    const int x = static_cast<int>(std::lround(pixel.x())), y = static_cast<int>(std::lround(pixel.y()));
-    if (x < 0 || y < 0 || x >= frame.image.width || y >= frame.image.height) return std::nullopt;
-    const Ycbcr color = frame.image.at(x, y);
-    return Seen{frame.color.surface(x, y, color), color.y};
+  const auto seen_at = [&](const Vector2d& where) -> std::optional<Seen> {
+    const auto pixel = frame.nearest(where);
+    if (!pixel) return std::nullopt;
+    return Seen{frame.surface(*pixel), frame.at(*pixel).y};
   };
   int bare = 0;  // most of what is no ball shows so soon
   for (int i = 0; i < kPlaces; i += kPlaces / 4) {
@@ -112,16 +100,18 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   return 0.5 * (kInside - carpet_inside) / kInside + 0.5 * carpet / kPlaces;
 }
 
-std::optional<Ball> BallFinder::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-                                     const CarpetMap& map, const KnownLines& lines, const FieldPercept& percept) const {
+std::optional<Ball> BallFinder::find(const FieldImage& seen, const CarpetMap& map, const KnownLines& lines,
+                                     const FieldPercept& percept) const {
   constexpr double kLeastHeight = 1.1;  // of the radius, that is no carpet in a column
   constexpr double kSmallest = 2.0;     // pixels, of the radius
   constexpr double kStep = 0.3;         // of the radius, in which its middle is looked for
+  constexpr double kUnsure = 0.15;      // of the radius: so far its middle may be off
   // Of what the field's ball should be: the camera may be higher or look farther down than the robot thinks, and not
   // every ball is new.
   constexpr std::array kSizes{1.0, 1.2, 1.4};
   if (radius_ <= 0.0) return std::nullopt;
-  const Frame frame{image, view, color, lines};
+  const GroundProjection& view = seen.view;
+  const Frame frame{seen, lines};
   Circle best, tried;
   for (int column = 0; column < CarpetMap::kColumns; ++column) {
     const double x = map.column_pixel(column);
@@ -162,8 +152,8 @@ std::optional<Ball> BallFinder::find(const ImageView& image, const GroundProject
   ball.position = *place;
   ball.pixel = best.center.cast<float>();
   ball.radius = static_cast<float>(best.radius);
-  const double in_image = (parameters_.pixel_deviation + 0.15 * best.radius) / view.pixels_per_radian(best.center);
-  ball.covariance = view.covariance(*place, pinned::hypot(parameters_.attitude_deviation, in_image));
+  ball.covariance = view.covariance(*place, parameters_.attitude_deviation, best.center,
+                                    parameters_.pixel_deviation + kUnsure * best.radius);
   return ball;
 }
 

@@ -6,10 +6,9 @@
 #include <Eigen/Core>
 
 #include "geometry/field_dimensions.h"
-#include "geometry/image.h"
 #include "perception/field/carpet/carpet_map.h"
 #include "perception/field/field_feature_parameters.h"
-#include "perception/field/ground_projection.h"
+#include "perception/field/field_image.h"
 #include "perception/field/lines/known_lines.h"
 #include "perception/field/percepts.h"
 
@@ -22,15 +21,12 @@ class BallFinder {
 
   /// The one that looks most like a ball. Reads the percept's boundary. `lines`: those that may pass behind the
   /// ball.
-  std::optional<Ball> find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-                           const CarpetMap& map, const KnownLines& lines, const FieldPercept& percept) const;
+  std::optional<Ball> find(const FieldImage& seen, const CarpetMap& map, const KnownLines& lines,
+                           const FieldPercept& percept) const;
 
  private:
-  /// Image, geometry and color of the frame that find() works on.
-  struct Frame {
-    const ImageView& image;
-    const GroundProjection& view;
-    const CarpetColor& color;
+  /// What find() works on.
+  struct Frame : FieldImage {
     const KnownLines& lines;
   };
   /// Where a ball may be in the image, and how much it looks like one.

@@ -1,0 +1,50 @@
+// One image with all that tells where its pixels lie and what they show, in one value.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "geometry/angle.h"
+#include "geometry/image.h"
+#include "geometry/transform.h"
+#include "perception/field/carpet/carpet_color.h"
+#include "perception/field/ground_projection.h"
+
+namespace reorient {
+
+struct FieldImage {
+  const ImageView& image;
+  const GroundProjection& view;
+  const CarpetColor& color;  ///< which has observed this image
+
+  /// The nearest pixel; nothing outside of the image.
+  std::optional<Eigen::Vector2i> nearest(const Eigen::Vector2d& pixel) const {
+    const int x = static_cast<int>(std::lround(pixel.x())), y = static_cast<int>(std::lround(pixel.y()));
+    if (x < 0 || y < 0 || x >= image.width || y >= image.height) return std::nullopt;
+    return Eigen::Vector2i(x, y);
+  }
+  /// The same of a place on the ground, m.
+  std::optional<Eigen::Vector2i> nearest_to_ground(const Eigen::Vector2d& place) const {
+    const auto pixel = view.pixel({place.x(), place.y(), 0.0});
+    return pixel ? nearest(*pixel) : std::nullopt;
+  }
+  Ycbcr at(const Eigen::Vector2i& pixel) const { return image.at(pixel.x(), pixel.y()); }
+  Surface surface(const Eigen::Vector2i& pixel) const { return color.surface(pixel.x(), pixel.y(), at(pixel)); }
+};
+
+/// So many unit vectors, evenly spread over a turn.
+template <std::size_t kCount>
+const std::array<Eigen::Vector2d, kCount>& directions_around() {
+  static const auto all = [] {
+    std::array<Eigen::Vector2d, kCount> vectors;
+    for (std::size_t i = 0; i < kCount; ++i) vectors[i] = unit_vector(2.0 * kPi * static_cast<double>(i) / kCount);
+    return vectors;
+  }();
+  return all;
+}
+
+}  // namespace reorient
