@@ -33,13 +33,12 @@
 namespace reorient {
 namespace {
 
-constexpr const char* kHall = "hall";
 constexpr const char* kSame = "same";
 constexpr int kMostPlaces = 100000;
 constexpr double kNear = 3.0;  // m, of the table's first rows
 
 struct FieldFeaturesOptions {
-  std::vector<std::string> rooms{kHall}, lights{kSame, "hard"};
+  std::vector<std::string> rooms{std::string(kHall)}, lights{kSame, "hard"};
   std::vector<double> gazes{0.0, 1.0, 3.0};  ///< rad/s
   int places = 30;
   int width = 640;
@@ -110,20 +109,12 @@ std::string share_of(int part, int all) {
 
 std::vector<std::string> row_of(PerceptKind kind, const std::string& distance, const std::vector<Condition>& conditions,
                                 double least, double most) {
-  const auto counts_of = [&](const PerceptScore& score) {
-    PerceptCounts sum;
-    for (std::size_t band = 0; band < PerceptScore::kBands.size(); ++band) {
-      if (PerceptScore::kBands[band] > least && PerceptScore::kBands[band] <= most)
-        sum = sum + score.counts[static_cast<std::size_t>(kind)][band];
-    }
-    return sum;
-  };
   PerceptCounts all;
-  for (const Condition& condition : conditions) all = all + counts_of(condition.score);
+  for (const Condition& condition : conditions) all = all + condition.score.between(kind, least, most);
   std::vector<std::string> row{std::string(kPerceptKinds[static_cast<std::size_t>(kind)]), distance,
                                std::to_string(all.in_view)};
   for (const Condition& condition : conditions) {
-    const PerceptCounts counts = counts_of(condition.score);
+    const PerceptCounts counts = condition.score.between(kind, least, most);
     row.push_back(share_of(counts.right, counts.reported) + " " + share_of(counts.found, counts.in_view));
   }
   const bool has_errors = all.right > 0 && kind != PerceptKind::line_points;

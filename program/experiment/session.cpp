@@ -23,7 +23,6 @@
 namespace reorient {
 namespace {
 
-constexpr std::string_view kHall = "hall";  // the built-in one, where rooms are named
 constexpr std::string_view kTomlFiles[] = {".toml"};
 
 /// A file of one's own, or a shipped one by its name. Nothing: there is none.

@@ -17,6 +17,9 @@ namespace reorient {
 /// Of files that may be the panorama of a room.
 inline constexpr std::array<std::string_view, 4> kPanoramaExtensions{".hdr", ".png", ".jpg", ".jpeg"};
 
+/// The built-in room, where rooms are named.
+inline constexpr std::string_view kHall = "hall";
+
 struct Venue {
   std::string room;             ///< panorama file; empty: the procedural hall
   std::uint64_t hall_seed = 1;  ///< of the procedural hall

@@ -31,22 +31,23 @@ struct Shot {
     }
     return seen;
   }
+  /// Of a pixel, in the labels and the depths.
+  std::size_t index_of(const Vector2d& seen) const {
+    return static_cast<std::size_t>(std::lround(seen.y()) * frame.image.width + std::lround(seen.x()));
+  }
   /// Whether nothing nearer by half a metre hides it.
   bool is_in_front(const Vector2d& place, double height) const {
     constexpr double kBehind = 0.5;  // m
     const auto seen = pixel(place, height);
     if (!seen) return false;
-    const auto index = std::lround(seen->y()) * frame.image.width + std::lround(seen->x());
     const Eigen::Vector3d point = camera_from_robot * Eigen::Vector3d(place.x(), place.y(), height);
     const double far = frame.camera.is_perspective() ? point.x() : point.norm();
-    return simulator.depth()[static_cast<std::size_t>(index)] > far - kBehind;
+    return simulator.depth()[index_of(*seen)] > far - kBehind;
   }
   /// Whether the image shows the label at a place (m, robot frame).
   bool shows(const Vector2d& place, double height, Label label) const {
     const auto seen = pixel(place, height);
-    if (!seen) return false;
-    const auto index = std::lround(seen->y()) * frame.image.width + std::lround(seen->x());
-    return simulator.labels()[static_cast<std::size_t>(index)] == label;
+    return seen && simulator.labels()[index_of(*seen)] == label;
   }
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kTwisted = from_degrees(20.0);  // of an intersection that points elsewhere
+constexpr double kTwisted = from_degrees(20.0);      // of an intersection that points elsewhere
+constexpr double kTwistedLine = from_degrees(10.0);  // of a line point
 
 /// How far a percept may be from what it is of, m: a part that does not depend on the distance, and one that does.
 struct Tolerance {
@@ -105,8 +106,12 @@ void count(const Counter& counter, const std::vector<P>& percepts, const std::ve
 void count_lines(const Counter& counter, const FieldPercept& percept, const FieldInView& view,
                  const FieldDimensions& field) {
   for (const LinePoint& point : percept.line_points) {
-    const bool right = nearest_line_of(field, view.robot * point.position).distance <= kLine.at(point.position.norm());
+    const LineNearby line = nearest_line_of(field, view.robot * point.position);
+    const bool right = line.distance <= kLine.at(point.position.norm());
     counter.report(point.position, right ? std::optional(point.position) : std::nullopt);
+    const double turned = std::remainder(point.normal + view.robot.rotation - line.normal, kPi);
+    if (PerceptCounts* const counts = counter.at(point.position))
+      counts->twisted += std::abs(turned) > kTwistedLine ? 1 : 0;
   }
   for (const Thing& place : view.line_places) {
     counter.ask(place.position,
@@ -132,7 +137,7 @@ void count_obstacles(const Counter& counter, const std::vector<Obstacle>& percep
   count(counter, moved, things, kRobot, [](const auto&, const auto&) { return true; });
 }
 
-/// Places along the posts and the frame that holds the net, field frame: whoever takes them for an obstacle is right.
+/// Places along the posts and the frame that holds the net, field frame: an obstacle there is right.
 std::vector<Vector2d> frame_of_goals(const FieldDimensions& field) {
   constexpr int kSteps = 4;
   std::vector<Vector2d> places;
@@ -158,6 +163,7 @@ PerceptCounts operator+(const PerceptCounts& a, const PerceptCounts& b) {
           a.found + b.found,
           a.reported + b.reported,
           a.right + b.right,
+          a.twisted + b.twisted,
           a.bearing_error + b.bearing_error,
           a.distance_error + b.distance_error,
           a.with_covariance + b.with_covariance,
@@ -174,10 +180,10 @@ PerceptScore operator+(const PerceptScore& a, const PerceptScore& b) {
   return sum;
 }
 
-PerceptCounts PerceptScore::up_to(PerceptKind kind, double distance) const {
+PerceptCounts PerceptScore::between(PerceptKind kind, double least, double most) const {
   PerceptCounts sum;
   for (std::size_t band = 0; band < kBands.size(); ++band) {
-    if (kBands[band] <= distance) sum = sum + counts[static_cast<std::size_t>(kind)][band];
+    if (kBands[band] > least && kBands[band] <= most) sum = sum + counts[static_cast<std::size_t>(kind)][band];
   }
   return sum;
 }

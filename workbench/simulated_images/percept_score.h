@@ -20,6 +20,7 @@ struct PerceptCounts {
   int found = 0;                ///< of them, those of which there is a percept
   int reported = 0;             ///< percepts
   int right = 0;                ///< of them, those of something that is there
+  int twisted = 0;              ///< of line points, those whose normal is not the line's
   double bearing_error = 0.0;   ///< rad, without its sign
   double distance_error = 0.0;  ///< share of the distance, without its sign
   int with_covariance = 0;      ///< of those that are right
@@ -37,7 +38,8 @@ struct PerceptScore {
   std::array<std::array<PerceptCounts, kBands.size()>, kPerceptKinds.size()> counts{};
   int images = 0;
 
-  PerceptCounts up_to(PerceptKind kind, double distance) const;
+  /// Of the bands within these distances, m.
+  PerceptCounts between(PerceptKind kind, double least, double most) const;
 };
 PerceptScore operator+(const PerceptScore& a, const PerceptScore& b);
 
