@@ -46,6 +46,28 @@ void read_value(const ordered_json& json, std::optional<Value>& value) {
   if (!json.is_null()) read_value(json, value.emplace());
 }
 
+ordered_json to_json(const PoseErrors& errors) {
+  ordered_json json;
+  visit_named_errors([&json](const char* name, const auto& value) { json[name] = as_json(value); }, errors);
+  json["recoveries"] = ordered_json::array();
+  for (const FallRecovery& recovery : errors.recoveries) {
+    ordered_json values;
+    visit_recovery([&values](const auto& value) { values.push_back(as_json(value)); }, recovery);
+    json["recoveries"].push_back(std::move(values));
+  }
+  return json;
+}
+
+PoseErrors errors_from(const ordered_json& json) {
+  PoseErrors errors;
+  visit_named_errors([&json](const char* name, auto& value) { read_value(json.at(name), value); }, errors);
+  for (const ordered_json& values : json.at("recoveries")) {
+    std::size_t i = 0;
+    visit_recovery([&](auto& value) { read_value(values.at(i++), value); }, errors.recoveries.emplace_back());
+  }
+  return errors;
+}
+
 ordered_json to_json(const TrialResult& result) {
   ordered_json json;
   visit_named_values([&json](const char* name, const auto& value) { json[name] = as_json(value); }, result);
@@ -61,6 +83,7 @@ ordered_json to_json(const TrialResult& result) {
     visit_scores([&values](double score) { values.push_back(score); }, look);
     json["looks"].push_back(std::move(values));
   }
+  json["pose_errors"] = result.pose_errors ? to_json(*result.pose_errors) : ordered_json();
   return json;
 }
 
@@ -75,6 +98,7 @@ TrialResult result_from(const ordered_json& json) {
     std::size_t i = 0;
     visit_scores([&](double& score) { read_value(values.at(i++), score); }, result.looks.emplace_back());
   }
+  if (const ordered_json& errors = json.at("pose_errors"); !errors.is_null()) result.pose_errors = errors_from(errors);
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "program/model/known_room.h"
 #include "program/run/simulation.h"
 #include "workbench/experiments/trial/compass_observer.h"
+#include "workbench/experiments/trial/pose_error_observer.h"
 #include "workbench/experiments/trial/trial_observer.h"
 #include "workbench/run/run_loop.h"
 
@@ -118,9 +119,12 @@ TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std:
     compasses.emplace(compass_parameters_of(condition), observer, seed);
     parts.observers.push_back(&*compasses);
   }
+  PoseErrorObserver pose_errors(observer);
+  if (condition.pose_errors) parts.observers.push_back(&pose_errors);
   parts.stop = [&observer] { return observer.is_over(); };
   RunLoop(std::move(parts)).run();
   TrialResult result = observer.result();
+  if (condition.pose_errors) result.pose_errors = pose_errors.errors();
   if (compasses) result.looks = compasses->looks();
   result.seed = seed;
   return result;

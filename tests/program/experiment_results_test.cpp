@@ -42,6 +42,7 @@ struct Unusual {
   void operator()(const char*, bool& value) const { value = !value; }
   void operator()(const char*, int& value) const { value = 7; }
   void operator()(const char*, double& value) const { value = 0.1; }
+  void operator()(const char*, std::int64_t& value) const { value = -8; }
   void operator()(const char*, std::uint64_t& value) const { value = ~std::uint64_t{0}; }
   void operator()(const char*, std::optional<double>& value) const { value = 1.0 / 3.0; }
   void operator()(const char*, std::optional<Reorientation>& value) const { value = Reorientation::purge_reflection; }
@@ -53,6 +54,8 @@ TEST(TaskResultsTest, AreReadAsTheyWereWrittenEachValueOfThem) {
   TrialResult written;
   visit_named_values(Unusual(), written);
   written.confidences.push_back({0.5, 0.25, 0.75, -3.5, RoomStatus::usable, true, false});
+  visit_named_errors(Unusual(), written.pose_errors.emplace());
+  written.pose_errors->recoveries.push_back({std::nullopt, 2.5});
   results.write(1, 0x1234, written);
   const TrialResult read = results.read(1, 0x1234).value();
   EXPECT_EQ(read.seed, written.seed);
@@ -74,6 +77,17 @@ TEST(TaskResultsTest, AreReadAsTheyWereWrittenEachValueOfThem) {
   EXPECT_EQ(read.uninformative_seconds, written.uninformative_seconds);
   EXPECT_EQ(read.ended_uninformative, written.ended_uninformative);
   EXPECT_EQ(read.symmetric_room, written.symmetric_room);
+  ASSERT_TRUE(read.pose_errors);
+  EXPECT_EQ(read.pose_errors->frames, written.pose_errors->frames);
+  EXPECT_EQ(read.pose_errors->mirrored_frames, written.pose_errors->mirrored_frames);
+  EXPECT_EQ(read.pose_errors->square_position, written.pose_errors->square_position);
+  EXPECT_EQ(read.pose_errors->square_rotation, written.pose_errors->square_rotation);
+  EXPECT_EQ(read.pose_errors->normalized_square, written.pose_errors->normalized_square);
+  EXPECT_EQ(read.pose_errors->frames_within, written.pose_errors->frames_within);
+  EXPECT_EQ(read.pose_errors->located_after, written.pose_errors->located_after);
+  ASSERT_EQ(read.pose_errors->recoveries.size(), 1U);
+  EXPECT_FALSE(read.pose_errors->recoveries[0].right_after);
+  EXPECT_EQ(read.pose_errors->recoveries[0].located_after, 2.5);
   ASSERT_EQ(read.confidences.size(), 1U);
   EXPECT_EQ(read.confidences[0].opposite, 0.75);
   EXPECT_EQ(read.confidences[0].status, RoomStatus::usable);

@@ -82,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                          ::testing::Values("table1", "orientation", "false_flips", "symmetric", "symmetry_ladder",
                                            "symmetry_mark", "another_day", "bodies", "disturbances", "elsewhere",
                                            "companions", "stress", "ablation", "filters", "gaze", "learned_mirrored",
-                                           "paper_thresholds", "peers", "peers_failures", "turned_round", "walls"),
+                                           "localization", "paper_thresholds", "peers", "peers_failures",
+                                           "turned_round", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {

@@ -42,7 +42,9 @@ bool is_asset_name(const std::filesystem::path& named) {
 std::filesystem::path asset_file(std::string_view folder, const std::filesystem::path& named,
                                  std::span<const std::string_view> extensions) {
   std::error_code error;
-  if (!is_asset_name(named) || std::filesystem::exists(named, error)) return named;
+  const std::filesystem::file_status status = std::filesystem::status(named, error);
+  const bool is_file = std::filesystem::exists(status) && !std::filesystem::is_directory(status);
+  if (!is_asset_name(named) || is_file) return named;
   for (const std::string_view extension : extensions) {
     std::filesystem::path asset = find_home() / "assets" / folder / named;
     asset += extension;

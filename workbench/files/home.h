@@ -14,7 +14,8 @@ namespace reorient {
 std::filesystem::path find_home();
 
 /// "paper" as assets/parameters/paper.toml, "light/hard" as assets/parameters/light/hard.toml, where there is one with
-/// one of the extensions; everything else is a path.
+/// one of the extensions and no file has that path; everything else is a path. A folder of that name does not count:
+/// the project itself has a folder "localization".
 std::filesystem::path asset_file(std::string_view folder, const std::filesystem::path& named,
                                  std::span<const std::string_view> extensions);
 /// Whether that may be the name of an asset: it has no extension and does not begin with "/" or ".".

@@ -11,6 +11,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "program/experiment/outputs/compass_table.h"
+#include "program/experiment/outputs/pose_table.h"
 #include "program/experiment/outputs/text_table.h"
 #include "workbench/experiments/tables/compass_rows.h"
 #include "workbench/experiments/tables/outcome.h"
@@ -27,7 +28,6 @@ ordered_json or_null(const std::optional<double>& value) {
 double share(int part, int whole) { return whole == 0 ? 0.0 : static_cast<double>(part) / whole; }
 
 std::string percent(double value) { return fmt::format("{:.1f}", 100.0 * value); }
-std::string seconds(const std::optional<double>& value) { return value ? fmt::format("{:.1f}", *value) : "-"; }
 
 std::string mean_text(const TimeRow& row) {
   if (!row.mean) return "-";
@@ -44,9 +44,9 @@ std::vector<std::string> cells_of(const CellResults& cell) {
           : fmt::format("{} of {}, {} % [{}, {}]", row.failed, row.disturbed, percent(share(row.failed, row.disturbed)),
                         percent(row.failed_rate.low), percent(row.failed_rate.high));
   for (std::string text :
-       {std::to_string(row.trials), failed, mean_text(row.right), seconds(row.right_median), seconds(row.right_p90),
-        mean_text(row.mended), std::to_string(row.flips), std::to_string(row.purges), std::to_string(row.false_flips),
-        fmt::format("{:.2f}", row.right_hours)})
+       {std::to_string(row.trials), failed, mean_text(row.right), one_decimal(row.right_median),
+        one_decimal(row.right_p90), mean_text(row.mended), std::to_string(row.flips), std::to_string(row.purges),
+        std::to_string(row.false_flips), fmt::format("{:.2f}", row.right_hours)})
     cells.push_back(std::move(text));
   return cells;
 }
@@ -64,7 +64,8 @@ TextTable lines_of_references(const Experiment& experiment, const std::vector<Ce
     std::string choices;
     for (const auto& [axis, choice] : reference.choices) choices += (choices.empty() ? "" : ", ") + as_line(choice);
     lines.push_back({as_line(reference.label), choices, reference.trials ? std::to_string(*reference.trials) : "-",
-                     rate(reference.failed), seconds(reference.mean_s), rate(reference.flip), rate(reference.purge)});
+                     rate(reference.failed), one_decimal(reference.mean_s), rate(reference.flip),
+                     rate(reference.purge)});
   }
   return lines;
 }
@@ -115,6 +116,8 @@ std::string on_lines(const ordered_json& row) {
 void print_rows(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out) {
   if (have_looks(cells)) {
     print_compasses(experiment, cells, out);
+  } else if (have_pose_errors(cells)) {
+    print_pose_errors(experiment, cells, out);
   } else {
     print_trials(experiment, cells, out);
   }
@@ -183,6 +186,7 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRes
     json["uninformative_time"] = or_null(row.uninformative_time);
     json["calibration_samples"] = row.calibration_samples;
     json["calibration_error"] = or_null(row.calibration_error);
+    add_pose_errors(row.pose, json);
     json["outcomes"] = ordered_json::array();
     for (const TrialResult& trial : cell.trials) json["outcomes"].push_back(outcome_as_json(outcome_of(trial)));
     text.append(text.empty() ? "[\n" : ",\n").append(on_lines(json));

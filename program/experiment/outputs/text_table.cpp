@@ -20,4 +20,6 @@ void print_table(const TextTable& table, std::size_t left, std::ostream& out) {
   }
 }
 
+std::string one_decimal(const std::optional<double>& value) { return value ? fmt::format("{:.1f}", *value) : "-"; }
+
 }  // namespace reorient

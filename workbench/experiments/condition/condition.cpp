@@ -53,6 +53,7 @@ void apply(const ConditionPatch& patch, Condition& condition) {
   set(condition.seconds, patch.seconds);
   set(condition.learned_before, patch.learned_before);
   set(condition.compasses, patch.compasses);
+  set(condition.pose_errors, patch.pose_errors);
   set(condition.measurement.from, patch.measured_from);
   set(condition.measurement.limit, patch.limit);
   set(condition.measurement.hold, patch.hold);
@@ -82,6 +83,7 @@ std::string as_text(const Condition& condition) {
   add("seconds", number(condition.seconds));
   if (condition.learned_before > 0.0) add("learned_before", number(condition.learned_before));
   if (condition.compasses) add("compasses", "true");
+  if (condition.pose_errors) add("pose_errors", "true");
   add("measured_from", condition.measurement.from);
   add("limit", number(condition.measurement.limit));
   add("hold", number(condition.measurement.hold));

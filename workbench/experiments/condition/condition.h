@@ -33,6 +33,7 @@ struct Condition {
   double seconds = 600.0;       ///< of the robot's time, at most
   double learned_before = 0.0;  ///< s for which the robot learned the room on another day; 0: it did not
   bool compasses = false;       ///< whether room awareness and its peers are asked the same (trial/compass_observer.h)
+  bool pose_errors = false;     ///< whether the belief of each frame is compared with the truth
   Measurement measurement;
   SaidAt said_at;  ///< for messages
 };
@@ -58,6 +59,7 @@ struct ConditionPatch {
   std::optional<double> seconds;
   std::optional<double> learned_before;
   std::optional<bool> compasses;
+  std::optional<bool> pose_errors;
   std::optional<std::string> measured_from;
   std::optional<double> limit;
   std::optional<double> hold;

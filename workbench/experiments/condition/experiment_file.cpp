@@ -182,6 +182,7 @@ class ExperimentReader {
         {"seconds", [&](auto& key, auto& value) { patch.seconds = in.number(key, value, 1.0, kDay); }},
         {"learned_before", [&](auto& key, auto& value) { patch.learned_before = in.number(key, value, 0.0, kDay); }},
         {"compasses", [&](auto& key, auto& value) { patch.compasses = in.yes(key, value); }},
+        {"pose_errors", [&](auto& key, auto& value) { patch.pose_errors = in.yes(key, value); }},
         {"measured_from", [&](auto& key, auto& value) { patch.measured_from = noted_text(key, value); }},
         {"limit", [&](auto& key, auto& value) { patch.limit = in.number(key, value, 0.0, kDay); }},
         {"hold", [&](auto& key, auto& value) { patch.hold = in.number(key, value, 0.0, kDay); }},

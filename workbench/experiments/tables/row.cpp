@@ -77,6 +77,7 @@ Row row_of(const std::vector<TrialResult>& results) {
   if (row.calibration_samples > 0) row.calibration_error = calibration_error(bins);
   ScoredSamples samples;
   add_scores(samples, results);
+  row.pose = pose_row_of(results);
   row.confidence_area = if_known(area_below(roc_curve(std::move(samples.wrong), std::move(samples.right))));
   return row;
 }

@@ -7,6 +7,7 @@
 #include "workbench/experiments/statistics/calibration.h"
 #include "workbench/experiments/statistics/interval.h"
 #include "workbench/experiments/statistics/times.h"
+#include "workbench/experiments/tables/pose_row.h"
 #include "workbench/experiments/trial/trial_result.h"
 
 namespace reorient {
@@ -51,7 +52,8 @@ struct Row {
   std::optional<double> uninformative_time;
   int calibration_samples = 0;              ///< of the evidence while the belief was right, or the reflection
   std::optional<double> calibration_error;  ///< of those; nothing where there are none
-  std::optional<double> confidence_area;    ///< below the ROC curve of the confidences' lead; nothing: only one kind
+  std::optional<PoseRow> pose;
+  std::optional<double> confidence_area;  ///< below the ROC curve of the confidences' lead; nothing: only one kind
 };
 
 Row row_of(const std::vector<TrialResult>& results);

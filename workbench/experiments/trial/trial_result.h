@@ -8,6 +8,7 @@
 #include "engine/world/commands.h"
 #include "engine/world/world.h"
 #include "workbench/experiments/peers/compass_look.h"
+#include "workbench/experiments/trial/pose_errors.h"
 
 namespace reorient {
 
@@ -58,13 +59,14 @@ struct TrialResult {
   bool symmetric_room = false;                ///< nothing tells its two ends apart: who says so has not failed
   std::vector<ConfidenceSample> confidences;  ///< twice a second
   std::vector<CompassLook> looks;             ///< empty unless the condition compares compasses
+  std::optional<PoseErrors> pose_errors;      ///< where the condition asks for them
 
   bool failed() const { return !right_after.has_value() && !(symmetric_room && ended_uninformative); }
   /// Its belief was wrong when the clock started; one whose clock never did counts as such.
   bool disturbed() const { return !started || !correct_at_start; }
 };
-/// All of it but the lists, each value with its name, to be read or written: what is missing here is lost between
-/// the process that runs a trial and the one that tells what many showed.
+/// All of it but the lists and the errors of the pose, each value with its name, to be read or written: what is missing
+/// here is lost between the process that runs a trial and the one that tells what many showed.
 template <typename Visit, typename Result>
 void visit_named_values(Visit&& visit, Result& result) {
   visit("seed", result.seed);

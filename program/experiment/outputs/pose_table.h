@@ -1,0 +1,23 @@
+// How exact the belief was: a row for each cell, for a person and for programs.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "workbench/experiments/condition/condition.h"
+#include "workbench/experiments/tables/cell_results.h"
+
+namespace reorient {
+
+/// Whether any trial compared its belief with the truth frame by frame.
+bool have_pose_errors(const std::vector<CellResults>& cells);
+
+void print_pose_errors(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out);
+
+/// Adds the numbers of a row (docs/experiments.md); none where nothing was measured.
+void add_pose_errors(const std::optional<PoseRow>& row, nlohmann::ordered_json& json);
+
+}  // namespace reorient
