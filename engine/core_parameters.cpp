@@ -45,6 +45,7 @@ CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody
   MeasurementModelParameters& measurement = parameters.pose_filter.measurement;
   features.line_range *= line;
   measurement.farthest_line_point *= line;
+  parameters.pose_tracker.farthest_line_point *= line;
   features.post_range *= height;
   features.obstacle_range *= height;
   features.obstacle_height *= height;
@@ -60,6 +61,8 @@ void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   registry.bind("motion_model", parameters.pose_filter.motion);
   registry.bind("measurement_model", parameters.pose_filter.measurement);
   registry.bind("goal_injection", parameters.pose_filter.injection);
+  registry.bind("pose_tracker", parameters.pose_tracker);
+  registry.bind("pose_search", parameters.pose_search);
   registry.bind("pose_clusters", parameters.pose_filter.clusters);
   for_each_part(parameters.room, [&](const char* prefix, auto& part) { registry.bind(prefix, part); });
   registry.bind("room_status", parameters.room_status);

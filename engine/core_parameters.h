@@ -9,6 +9,8 @@
 #include "engine/world/seen_view.h"
 #include "geometry/field_dimensions.h"
 #include "localization/pose_filter.h"
+#include "localization/search/pose_search.h"
+#include "localization/tracking/pose_tracker.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
 #include "robots/robot_body.h"
@@ -21,6 +23,8 @@ struct CoreParameters {
   PostureParameters posture;
   FieldFeatureParameters field_features;
   PoseFilterParameters pose_filter;
+  PoseTrackerParameters pose_tracker;
+  PoseSearchParameters pose_search;
   RoomParameters room;
   RoomStatusParameters room_status;
   GoalViewParameters goal_view;

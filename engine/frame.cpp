@@ -25,6 +25,8 @@ FrameLoop::FrameLoop(FrameSetup setup)
       field_features_{FieldFeatures(parameters_.field_features, checked(setup.field)),
                       FieldFeatures(parameters_.field_features, setup.field)},
       pose_filter_(parameters_.pose_filter, setup.field, setup.seed),
+      pose_tracker_(parameters_.pose_tracker, setup.field),
+      pose_search_(parameters_.pose_search, setup.field, setup.seed),
       body_(setup.body),
       external_reader_(setup.field),
       behaviors_(std::move(setup.scripts), registry_, limits_) {
@@ -36,6 +38,8 @@ FrameLoop::FrameLoop(FrameSetup setup)
   if (room_ && setup.model) {
     room_->take_model(*setup.model);
     world_.trained_seconds = setup.model->learned;
+    const std::optional<KnownBias>& known = setup.model->camera_bias;
+    if (known && known->body == world_.body) pose_tracker_.set_bias(known->bias);
   }
   for (const std::string& behavior : setup.behaviors) behaviors_.host().load(behavior);
   record_.names = behaviors_.host().names().table();
@@ -88,6 +92,8 @@ void FrameLoop::take_parameters(const std::vector<ParameterChange>& changes) {
   revision_ = registry_.revision();
   for (FieldFeatures& features : field_features_) features.set_parameters(parameters_.field_features);
   pose_filter_.set_parameters(parameters_.pose_filter);
+  pose_tracker_.set_parameters(parameters_.pose_tracker);
+  pose_search_.set_parameters(parameters_.pose_search);
   if (room_ && room_->set_parameters(parameters_.room)) world_.trained_seconds = 0.0;
   arbiter_.set_parameters(parameters_.arbiter);
 }
@@ -113,6 +119,7 @@ void FrameLoop::take_told(const Told& told) {
         {0, 0, "a set pose undoes a flip: the room that was learned is turned by half a turn", 0, true});
   }
   pose_filter_.set_initial_pose(initial.pose, initial.position_deviation, initial.rotation_deviation);
+  pose_tracker_.attach(pose_filter_.belief());
   world_.pose_known = true;
   if (room_) room_->begin_anew();
 }
@@ -135,7 +142,11 @@ void FrameLoop::feel_body() {
   if (world_.posture != before) record_.posture_change = {before, world_.posture};
   world_.undisturbed_for = world_.disturbed() ? 0.0 : world_.undisturbed_for + world_.time_step;
   if (world_.disturbed()) repeated_pose_.forget();
-  if (was_disturbed && !world_.disturbed()) pose_filter_.doubt();
+  if (was_disturbed && !world_.disturbed()) {
+    pose_filter_.doubt();
+    pose_tracker_.doubt();
+    pose_search_.forget_before(world_.time);
+  }
   if (room_ && was_disturbed != world_.disturbed()) room_->begin_anew();
   odometry_step_ = last_odometry_ ? last_odometry_->inverse() * observation_->odometry : Pose2();
   last_odometry_ = observation_->odometry;
@@ -149,6 +160,7 @@ Pose2 FrameLoop::moved_since(const CameraFrame& frame) const {
 
 void FrameLoop::see_field() {
   const StageTimer timer(record_, Stage::field);
+  const CameraBias bias = pose_tracker_.bias();
   const auto see = [&](const std::optional<CameraFrame>& frame, std::optional<CameraRecord>& camera,
                        std::size_t which) {
     FieldPercept& percept = record_.percepts[which];
@@ -157,8 +169,9 @@ void FrameLoop::see_field() {
     if (!frame) return;
     camera =
         CameraRecord{frame->time, frame->camera, frame->robot_from_camera, frame->image.width, frame->image.height};
+    camera->robot_from_camera = corrected(frame->robot_from_camera, bias, which);
     if (frame->time != observation_->time)
-      camera->robot_from_camera = to_isometry(moved_since(*frame)) * frame->robot_from_camera;
+      camera->robot_from_camera = to_isometry(moved_since(*frame)) * camera->robot_from_camera;
     if (world_.upright()) field_features_[which].find(frame->image, frame->camera, camera->robot_from_camera, percept);
   };
   see(observation_->upper, record_.inputs.upper, kUpper);

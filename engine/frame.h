@@ -20,6 +20,8 @@
 #include "engine/world/world.h"
 #include "geometry/bytes.h"
 #include "localization/pose_filter.h"
+#include "localization/search/pose_search.h"
+#include "localization/tracking/pose_tracker.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
 #include "robots/robot_body.h"
@@ -73,6 +75,10 @@ class FrameLoop {
   void feel_body();
   void see_field();
   void localize();
+  std::array<CameraPercept, 2> percepts_of_cameras() const;
+  double bias_deviation() const;
+  bool is_pose_known() const;
+  void search_pose(const std::optional<SeenView>& view);
   bool take_external_belief();
   void go_on_by_ourselves();
   void watch_belief(const Pose2& expected);
@@ -102,6 +108,9 @@ class FrameLoop {
 
   std::array<FieldFeatures, 2> field_features_;  ///< of the upper and the lower camera
   PoseFilter pose_filter_;
+  PoseTracker pose_tracker_;
+  PoseSearch pose_search_;
+  bool was_known_ = false;  ///< the pose, in the frame before
   std::optional<RoomAwareness> room_;
   Arbiter arbiter_;
   PostureEstimator posture_;

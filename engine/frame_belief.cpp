@@ -16,11 +16,17 @@ void FrameLoop::localize() {
   if (!take_external_belief()) {
     if (external_belief_) go_on_by_ourselves();
     pose_filter_.predict(odometry_step_, world_.time_step);
-    pose_filter_.update(
-        record_.percepts[kUpper], record_.percepts[kLower],
-        room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown,
-        room_ ? seen_view(*room_, observation_->odometry.rotation, parameters_.seen_view) : std::nullopt);
-    world_.pose = pose_filter_.belief();
+    pose_tracker_.predict(odometry_step_, world_.time_step, parameters_.pose_filter.motion);
+    const std::optional<SeenView> view =
+        room_ ? seen_view(*room_, observation_->odometry.rotation, parameters_.seen_view) : std::nullopt;
+    pose_filter_.update(record_.percepts[kUpper], record_.percepts[kLower],
+                        room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown, view,
+                        bias_deviation());
+    search_pose(view);
+    pose_tracker_.update(percepts_of_cameras(), pose_filter_.belief(), world_.time_step);
+    world_.pose = pose_tracker_.belief(pose_filter_.belief());
+    world_.pose_tracked = is_pose_known();
+    world_.camera_bias = pose_tracker_.bias();
     const bool looks = world_.upright() && (observation_->upper || observation_->lower);
     if (looks && !record_.percepts[kUpper].has_landmarks() && !record_.percepts[kLower].has_landmarks())
       pose_filter_.see_nothing(world_.time_step);
@@ -28,6 +34,54 @@ void FrameLoop::localize() {
         pose_filter_.recovery().recovery_probability(parameters_.pose_filter.injection.lost_margin);
   }
   if (room_) watch_belief(expected);
+}
+
+std::array<CameraPercept, 2> FrameLoop::percepts_of_cameras() const {
+  std::array<CameraPercept, 2> seen;
+  const std::array cameras{&record_.inputs.upper, &record_.inputs.lower};
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (*cameras[i]) seen[i] = {&record_.percepts[i], (*cameras[i])->robot_from_camera};
+  }
+  return seen;
+}
+
+/// Of the camera that knows its tilt less well.
+double FrameLoop::bias_deviation() const {
+  double deviation = 0.0;
+  const std::array<CameraPercept, 2> seen = percepts_of_cameras();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].percept != nullptr)
+      deviation = std::max(deviation, pose_tracker_.bias_deviation(seen[i].robot_from_camera, i));
+  }
+  return deviation;
+}
+
+/// Up to its reflection.
+bool FrameLoop::is_pose_known() const {
+  return parameters_.pose_tracker.enabled ? pose_tracker_.is_attached() : !pose_filter_.is_lost();
+}
+
+/// Where the pose filter has lost the robot, it is looked for with all that was seen within some seconds.
+void FrameLoop::search_pose(const std::optional<SeenView>& view) {
+  constexpr double kBeforeItIsNoticed = 1.0;  // s
+  const CameraBias bias = pose_tracker_.bias();
+  const std::array<CameraPercept, 2> seen = percepts_of_cameras();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].percept != nullptr)
+      pose_search_.see(*seen[i].percept, i, seen[i].robot_from_camera, bias_of(bias, i, seen[i].robot_from_camera),
+                       observation_->odometry, world_.time);
+  }
+  if (pose_filter_.is_lost() && pose_tracker_.is_attached()) pose_tracker_.let_go();
+  const bool is_known = is_pose_known();
+  if (!is_known && was_known_) pose_search_.forget_before(world_.time - kBeforeItIsNoticed);
+  was_known_ = is_known;
+  if (is_known || !world_.upright()) return pose_search_.stop();
+  const std::optional<PoseHypothesis> found =
+      pose_search_.search(pose_tracker_.prior(), observation_->odometry, pose_filter_.belief().pose);
+  if (!found) return;
+  pose_filter_.take_found(found->field_from_odometry * observation_->odometry, view);
+  pose_tracker_.take_found(found->torso, found->mounts);
+  pose_tracker_.attach(pose_filter_.belief());
 }
 
 /// Then our pose filter rests.
@@ -40,6 +94,7 @@ bool FrameLoop::take_external_belief() {
   world_.pose = *belief;
   world_.pose_known = is_known(*belief);
   world_.recovery_probability = 0.0;
+  world_.pose_tracked = world_.pose_known;
   return true;
 }
 
@@ -51,6 +106,7 @@ void FrameLoop::go_on_by_ourselves() {
   pose_filter_.set_initial_pose(world_.pose.pose,
                                 std::clamp(deviation.head<2>().maxCoeff(), kLeastPosition, kMostPosition),
                                 std::clamp(deviation.z(), least_rotation, kPi));
+  pose_tracker_.let_go();
   external_belief_ = false;
 }
 
@@ -74,6 +130,7 @@ void FrameLoop::watch_belief(const Pose2& expected) {
 void FrameLoop::change_sides() {
   world_.sides_changed = !world_.sides_changed;
   pose_filter_.flip_pose();
+  pose_tracker_.flip();
   repeated_pose_.forget();
   world_.pose = flipped(world_.pose);
   if (room_) room_->turn_half();
@@ -95,6 +152,7 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
   switch (granted.request.reorientation) {
     case Reorientation::flip_pose:
       pose_filter_.flip_pose();
+      pose_tracker_.flip();
       repeated_pose_.note_flip(world_.time);
       if (room_) room_->on_flip();
       break;
@@ -104,12 +162,13 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
       break;
     case Reorientation::reset_orientation:
       pose_filter_.reset_orientation();
+      pose_tracker_.let_go();
       if (room_) room_->on_reset();
       break;
   }
   // After a reset nobody knows the orientation; a flip or a purge says that the room, or somebody, has told it.
   world_.pose_known = granted.request.reorientation != Reorientation::reset_orientation;
-  record.belief_after = world_.pose = pose_filter_.belief();
+  record.belief_after = world_.pose = pose_tracker_.belief(pose_filter_.belief());
 }
 
 /// If another localization has two opposite hypotheses of about equal weight, the engine keeps the one that it

@@ -6,6 +6,7 @@
 
 #include "geometry/pinned_math.h"
 #include "localization/measurement/both_cameras.h"
+#include "localization/measurement/disturbed_place.h"
 #include "localization/reorientation.h"
 
 namespace reorient {
@@ -34,6 +35,7 @@ PoseFilter::PoseFilter(const PoseFilterParameters& parameters, const FieldDimens
       random_(seed, kRandomStream),
       measurement_(field, parameters.measurement),
       injection_(field),
+      landmark_injection_(field),
       view_injection_(field),
       clusters_(field),
       particles_(particle_count(parameters)),
@@ -83,8 +85,9 @@ void PoseFilter::predict(const Pose2& odometry_step, double time_step) {
   belief_.pose.position = belief_.pose.position.cwiseMax(-half_size_).cwiseMin(half_size_);
 }
 
-void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view) {
-  measurement_.observe(percept);
+void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view,
+                        double bias_deviation) {
+  measurement_.observe(percept, bias_deviation);
   if (measurement_.terms() > 0.0) {
     weigh();
     resample();
@@ -95,10 +98,10 @@ void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal, const s
 }
 
 void PoseFilter::update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
-                        const std::optional<SeenView>& view) {
-  if (!lower.has_landmarks()) return update(upper, seen_goal, view);
+                        const std::optional<SeenView>& view, double bias_deviation) {
+  if (!lower.has_landmarks()) return update(upper, seen_goal, view, bias_deviation);
   merge(upper, lower, merged_);
-  update(merged_, seen_goal, view);
+  update(merged_, seen_goal, view, bias_deviation);
 }
 
 void PoseFilter::see_nothing(double time_step) {
@@ -139,17 +142,22 @@ void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal, const s
   const double recovery_probability = searching_ ? 1.0 : recovery_.recovery_probability(p.lost_margin);
   const bool use_view = view && p.use_view && recovery_probability > 0.0 &&
                         measurement_.line_points() >= static_cast<std::size_t>(p.line_points_with_view);
+  const bool use_landmarks = p.use_landmarks && recovery_probability > 0.0 && LandmarkInjection::landmarks(percept) > 0;
   const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_, p);
-  if (!goal && !use_view) return;
+  if (!goal && !use_view && !use_landmarks) return;
   double rate = p.lost_rate * recovery_probability;
   if (goal) rate += seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate;
   // Fractions of a particle are injected by chance, so that rates below one particle a frame count as well.
   const auto count = static_cast<int>(rate * static_cast<double>(particles_.size()) + random_.uniform());
   for (int i = 0; i < count; ++i) {
-    std::optional<Pose2> pose = goal ? injection_.draw(*goal, seen_goal, measurement_, p, random_)
-                                     : view_injection_.draw(*view, measurement_, p, random_);
+    // Where several say something, each of them says it for a part of the particles.
+    const bool by_landmark = use_landmarks && ((!goal && !use_view) || random_.below(2) == 0);
+    const bool by_goal = goal && !by_landmark;
+    std::optional<Pose2> pose = by_landmark ? landmark_injection_.draw(percept, measurement_, p, random_)
+                                : by_goal   ? injection_.draw(*goal, seen_goal, measurement_, p, random_)
+                                            : view_injection_.draw(*view, measurement_, p, random_);
     if (!pose) continue;
-    if (goal && seen_goal == SeenGoal::unknown) {
+    if (by_landmark || (by_goal && seen_goal == SeenGoal::unknown)) {
       if (use_view) {
         pose = side_of_view(*pose, *view);
       } else if (!searching_) {
@@ -161,6 +169,40 @@ void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal, const s
     particles_.weight[replaced] = 1.0f / static_cast<float>(particles_.size());
   }
   if (count > 0) normalize_weights(particles_);
+}
+
+bool PoseFilter::is_lost() const {
+  return searching_ || recovery_.recovery_probability(parameters_.injection.lost_margin) > 0.0;
+}
+
+void PoseFilter::take_found(const Pose2& found, const std::optional<SeenView>& view) {
+  constexpr std::uint64_t kOneInHowManyStays = 5;
+  constexpr double kPosition = 0.1, kRotation = 0.05;  // m, rad
+  const PoseClusterParameters& cluster = parameters_.clusters;
+  const auto is_believed = [&](const Pose2& pose) {
+    return (pose.position - belief_.pose.position).norm() < 0.5 * cluster.radius &&
+           std::abs(angle_difference(pose.rotation, belief_.pose.rotation)) < 0.5 * cluster.max_rotation_difference;
+  };
+  const bool was_lost = is_lost();
+  recovery_.restart();
+  if (belief_.cluster_weight > kFoundShare && (is_believed(found) || is_believed(reflect(found)))) {
+    searching_ = false;
+    return;
+  }
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const double ahead = rough(kPosition, random_), aside = rough(kPosition, random_);
+    Pose2 pose = found * Pose2(ahead, aside, rough(kRotation, random_));
+    pose.position = pose.position.cwiseMax(-half_size_).cwiseMin(half_size_);
+    if (view && was_lost) {
+      pose = side_of_view(pose, *view);
+    } else if (!searching_) {
+      pose = keep_sides(pose);
+    }
+    if (random_.below(kOneInHowManyStays) != 0) particles_.set_pose(i, pose);
+  }
+  std::fill(particles_.weight.begin(), particles_.weight.end(), 1.0f / static_cast<float>(particles_.size()));
+  searching_ = false;
+  find_belief();
 }
 
 /// A goal of which nobody knows which one it is says nothing of the two sides of the field: what is drawn is shared

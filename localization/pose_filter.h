@@ -10,6 +10,7 @@
 #include "geometry/pose2.h"
 #include "geometry/random.h"
 #include "localization/measurement/goal_injection.h"
+#include "localization/measurement/landmark_injection.h"
 #include "localization/measurement/measurement_model.h"
 #include "localization/measurement/recovery_estimator.h"
 #include "localization/measurement/view_injection.h"
@@ -56,12 +57,20 @@ class PoseFilter {
   void predict(const Pose2& odometry_step, double time_step);
   /// Weighs and resamples the particles by what was seen, and injects new ones where a goal was seen; where the robot
   /// is lost, with the headings that the view gives, too. What is not finite in the percept is left out.
-  void update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view = std::nullopt);
+  /// `bias_deviation`: how well the camera's tilt is known, rad.
+  void update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view = std::nullopt,
+              double bias_deviation = 0.0);
   /// The same with what two cameras saw; each in the robot's present frame.
   void update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
-              const std::optional<SeenView>& view = std::nullopt);
+              const std::optional<SeenView>& view = std::nullopt, double bias_deviation = 0.0);
   /// The robot looked, and saw nothing of the field. `time_step`: s.
   void see_nothing(double time_step);
+
+  /// Whether the particles have lost the robot, or have not found it yet.
+  bool is_lost() const;
+  /// Somebody found the robot there, or at the reflection of that: most particles are drawn around it. On which side
+  /// they are is what the view says, else as before.
+  void take_found(const Pose2& found, const std::optional<SeenView>& view);
 
   /// The commands; belief() is up to date when they return.
   void flip_pose();
@@ -98,6 +107,7 @@ class PoseFilter {
   Random random_;
   MeasurementModel measurement_;
   GoalInjection injection_;
+  LandmarkInjection landmark_injection_;
   ViewInjection view_injection_;
   RecoveryEstimator recovery_;
   PoseClusters clusters_;

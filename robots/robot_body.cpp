@@ -1,5 +1,11 @@
 #include "robots/robot_body.h"
 
+#include <cstddef>
+#include <vector>
+
+#include "geometry/bytes.h"
+#include "geometry/checksum.h"
+
 namespace reorient {
 
 CameraModel camera_model(const CameraOptics& optics, int width, int height) {
@@ -11,6 +17,14 @@ CameraModel camera_model(const CameraOptics& optics, int width, int height) {
     camera.center = (*optics.center + half).cwiseProduct(scale) - half;
   }
   return camera;
+}
+
+std::uint64_t digest_of(const RobotBody& body) {
+  std::vector<std::byte> bytes;
+  bytes.reserve(512);  // an empty one makes GCC 12 warn of nothing
+  ByteWriter writer(bytes);
+  writer(body);
+  return checksum(bytes);
 }
 
 double standing_camera_height(const RobotBody& body) {

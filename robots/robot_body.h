@@ -74,6 +74,9 @@ void fields(Visit&& visit, RobotBody& body) {
         body.lower_camera, body.standing_load, body.gait, body.get_up_time);
 }
 
+/// Equal for equal bodies, and hardly ever for others.
+std::uint64_t digest_of(const RobotBody& body);
+
 /// Of the upper camera above the ground, m: the robot stands and looks straight ahead.
 double standing_camera_height(const RobotBody& body);
 

@@ -5,7 +5,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kRecordMagic = 0x41465252;  // "RRFA": another number with each change of what a topic holds
+constexpr std::uint32_t kRecordMagic = 0x42465252;  // "RRFB": another number with each change of what a topic holds
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/world/posture.h"
+#include "geometry/camera_bias.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
@@ -51,6 +52,9 @@ struct World {
 
   PoseBelief pose;
   double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
+  bool pose_tracked = true;           ///< what is seen fits the belief, or its reflection, for seconds
+  std::uint64_t body = 0;             ///< digest_of() it
+  CameraBias camera_bias;             ///< by how much the measured angles are wrong, as far as that is known
   bool pose_known = false;            ///< somebody told where the robot stands, or the filter has found it
 
   bool room_awareness = true;
@@ -77,16 +81,25 @@ template <typename Visit>
 void fields(Visit&& visit, World& world) {
   visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, world.referee,
         world.may_walk, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.can_walk,
-        world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_known, world.room_awareness,
-        world.confidence, world.views, world.room_status, world.trained_seconds, world.training, world.evaluating,
-        world.goal_posts, world.line_points, world.intersections, world.ball, world.ball_distance, world.ball_bearing,
-        world.field);
+        world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_tracked, world.body,
+        world.camera_bias, world.pose_known, world.room_awareness, world.confidence, world.views, world.room_status,
+        world.trained_seconds, world.training, world.evaluating, world.goal_posts, world.line_points,
+        world.intersections, world.ball, world.ball_distance, world.ball_bearing, world.field);
+}
+
+/// What is worth keeping of the angles for another day; nothing: too little is known.
+inline std::optional<KnownBias> known_bias(const World& world) {
+  constexpr double kSureEnough = from_degrees(0.7);
+  const double deviation = world.camera_bias.deviation;  // 0: nobody learns it
+  const bool is_known = world.pose_tracked && deviation > 0.0 && deviation <= kSureEnough;
+  return is_known ? std::optional(KnownBias{world.body, world.camera_bias}) : std::nullopt;
 }
 
 /// Of a body on a field, before anything was seen.
 inline World world_of(const FieldDimensions& field, const RobotBody& body) {
   World world;
   world.field = field;
+  world.body = digest_of(body);
   world.head_reach = body.neck.yaw;
   world.can_walk = body.gait.has_value();
   world.can_get_up = body.get_up_time.has_value();

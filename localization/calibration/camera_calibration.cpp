@@ -10,7 +10,8 @@
 namespace reorient {
 namespace {
 
-constexpr double kReach = from_degrees(6.0);         // of both angles
+constexpr double kTiltReach = from_degrees(12.0);
+constexpr double kPanReach = from_degrees(8.0);
 constexpr double kCap = from_degrees(1.5);           // an error beyond it says no more than that
 constexpr double kOnLine = from_degrees(0.5);        // a point that is nearer lies on it
 constexpr double kFarthestPoint = 5.0;               // m, of a point on the ground
@@ -104,8 +105,8 @@ std::optional<CameraCorrection> calibrate(std::span<const CalibrationView> views
   constexpr std::size_t kRoughly = 10;  // a point in ten is enough for that
   CameraOffset offset;
   double best = sightings.errors(offset, kRoughly).mean();
-  for (double t = -kReach; t <= kReach; t += kStep) {
-    for (double p = -kReach; p <= kReach; p += kStep) {
+  for (double t = -kTiltReach; t <= kTiltReach; t += kStep) {
+    for (double p = -kPanReach; p <= kPanReach; p += kStep) {
       const double error = sightings.errors({t, p}, kRoughly).mean();
       if (error >= best) continue;
       best = error;

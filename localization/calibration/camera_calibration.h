@@ -29,8 +29,9 @@ struct CameraCorrection {
   int points = 0;  ///< that lie on a line afterwards
 };
 
-/// `robot`: where it stands. Nothing: too few points lie on lines, however the camera is turned (within 6 degrees), or
-/// less than half of all, or all of them on lines of one direction, which say nothing about the other angle.
+/// `robot`: where it stands. Nothing: too few points lie on lines, however the camera is turned (within 12 degrees of
+/// tilt and 8 of pan), or less than half of all, or all of them on lines of one direction, which say nothing about the
+/// other angle.
 std::optional<CameraCorrection> calibrate(std::span<const CalibrationView> views, const Pose2& robot,
                                           const FieldDimensions& field);
 

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "geometry/angle.h"
-#include "geometry/field_landmarks.h"
 #include "geometry/pinned_math.h"
+#include "localization/measurement/field_line_map.h"
 
 namespace reorient {
 namespace {
 
-constexpr double kFarthestSighting = 5.0;            // m, of a point on the ground
-constexpr double kMostBetween = from_degrees(25.0);  // between the directions of a point's line and of a line
-constexpr int kFewestOnLines = 60;                   // points on lines
-constexpr double kMissing = 1.0;                     // rad, of a point that no line is near to
+constexpr double kFarthestSighting = 5.0;  // m, of a point on the ground
+constexpr int kFewestOnLines = 60;         // points on lines
+constexpr double kMissing = 1.0;           // rad, of a point that no line is near to
 
 /// A point on a line as two lines of sight, which no camera pose changes.
 struct Sighting {
@@ -35,54 +33,9 @@ std::vector<Sighting> sightings_of(const LineView& view) {
   return all;
 }
 
-class FieldLines {
- public:
-  explicit FieldLines(const FieldDimensions& field) : circle_(field.center_circle_radius) {
-    for (const FieldLine& line : field_lines(field)) {
-      const double length = (line.to - line.from).norm();
-      lines_.push_back({line.from, (line.to - line.from) / length, length});
-    }
-  }
-
-  /// The point of a line of about this direction that is nearest to a place on the field; which side the place is on.
-  std::optional<Eigen::Vector2d> nearest(const Eigen::Vector2d& place, const Eigen::Vector2d& direction,
-                                         double& sign) const {
-    std::optional<Eigen::Vector2d> best;
-    double distance = std::numeric_limits<double>::max();
-    for (const Line& line : lines_) {
-      if (std::abs(line.along.dot(direction)) < least_cosine_) continue;
-      const Eigen::Vector2d from_start = place - line.from;
-      const double along = from_start.dot(line.along);
-      // Beyond the ends of a line there is no point of it.
-      if (along < 0.0 || along > line.length) continue;
-      const double across = line.along.x() * from_start.y() - line.along.y() * from_start.x();
-      if (std::abs(across) >= distance) continue;
-      distance = std::abs(across);
-      sign = across < 0.0 ? -1.0 : 1.0;
-      best = line.from + along * line.along;
-    }
-    const double radius = place.norm();
-    if (radius > 1e-6 && std::abs(place.dot(direction)) < most_sine_ * radius &&
-        std::abs(radius - circle_) < distance) {
-      sign = radius < circle_ ? -1.0 : 1.0;
-      best = circle_ / radius * place;
-    }
-    return best;
-  }
-
- private:
-  struct Line {
-    Eigen::Vector2d from, along;  // along: of length 1
-    double length = 0.0;
-  };
-  std::vector<Line> lines_;
-  double circle_;
-  double least_cosine_ = pinned::cos(kMostBetween), most_sine_ = pinned::sin(kMostBetween);
-};
-
 /// The angle at the camera from the nearest line, signed, rad.
 double angle_of(const Sighting& sighting, const Isometry3& robot_from_camera, const Pose2& robot,
-                const FieldLines& lines) {
+                const FieldLineMap& lines) {
   const Eigen::Vector3d& origin = robot_from_camera.translation();
   const auto on_ground = [&](const Eigen::Vector3d& ray_in_camera) -> std::optional<Eigen::Vector2d> {
     const Eigen::Vector3d ray = robot_from_camera.linear() * ray_in_camera;
@@ -95,20 +48,20 @@ double angle_of(const Sighting& sighting, const Isometry3& robot_from_camera, co
   if (!place || !farther) return kMissing;
   const Eigen::Vector2d on_field = robot * *place;
   const Eigen::Vector2d direction = (robot * *farther - on_field).normalized();
-  double sign = 1.0;
-  const std::optional<Eigen::Vector2d> on_line = lines.nearest(on_field, direction, sign);
-  if (!on_line) return kMissing;
+  const std::optional<NearestFieldLine> line = lines.nearest(on_field, direction);
+  if (!line) return kMissing;
+  const Eigen::Vector2d on_line = on_field - line->distance * line->normal;
   const Eigen::Vector2d camera = robot * Eigen::Vector2d(origin.head<2>());
   const Eigen::Vector3d seen(on_field.x() - camera.x(), on_field.y() - camera.y(), -origin.z());
-  const Eigen::Vector3d expected(on_line->x() - camera.x(), on_line->y() - camera.y(), -origin.z());
-  return sign * pinned::atan2(seen.cross(expected).norm(), seen.dot(expected));
+  const Eigen::Vector3d expected(on_line.x() - camera.x(), on_line.y() - camera.y(), -origin.z());
+  return (line->distance < 0.0 ? -1.0 : 1.0) * pinned::atan2(seen.cross(expected).norm(), seen.dot(expected));
 }
 
 }  // namespace
 
 OffsetEstimate offset_from_lines(std::span<const LineView> views, const FieldDimensions& field) {
   constexpr std::size_t kGridPoints = 1500;  // are enough for a start
-  const FieldLines lines(field);
+  const FieldLineMap lines(field);
   std::vector<std::vector<Sighting>> sightings;
   std::vector<double> pixels;  // rad
   std::size_t count = 0;
@@ -146,7 +99,7 @@ OffsetEstimate offset_from_lines(std::span<const LineView> views, const FieldDim
 
 std::vector<WeightedResidual> line_angles(std::span<const LineView> views, const CameraOffset& offset,
                                           const FieldDimensions& field) {
-  const FieldLines lines(field);
+  const FieldLineMap lines(field);
   std::vector<WeightedResidual> angles;
   for (const LineView& view : views) {
     const Isometry3 camera = turned(view.robot_from_camera, offset);

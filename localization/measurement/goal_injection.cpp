@@ -7,6 +7,7 @@
 #include "geometry/angle.h"
 #include "geometry/field_landmarks.h"
 #include "geometry/transform.h"
+#include "localization/measurement/disturbed_place.h"
 
 namespace reorient {
 namespace {
@@ -14,16 +15,6 @@ namespace {
 bool usable(const GoalPost& post, double farthest) {
   const double distance = post.position.norm();
   return distance > 0.1 && distance <= farthest;  // false where it is not finite
-}
-
-/// The post as it might really stand, given the errors of the measurement.
-Eigen::Vector2d disturb(const Eigen::Vector2d& post, const MeasurementModel& observed, Random& random) {
-  const double distance = post.norm();
-  const Eigen::Vector2d sight = post / distance;
-  const Eigen::Vector2d across(-sight.y(), sight.x());
-  const double aside = std::sqrt(observed.variance_across(distance)) * static_cast<double>(rough_normal(random));
-  const double farther = std::sqrt(observed.variance_along(distance)) * static_cast<double>(rough_normal(random));
-  return post + sight * farther + across * aside;
 }
 
 }  // namespace
@@ -64,10 +55,10 @@ std::optional<GoalSighting> GoalInjection::find_goal(const FieldPercept& percept
 std::optional<Pose2> GoalInjection::draw_candidate(const GoalSighting& sighting, bool opponent_goal,
                                                    const MeasurementModel& observed, Random& random) const {
   const std::size_t first = opponent_goal ? 0 : 2;
-  const Eigen::Vector2d seen_left = disturb(sighting.left, observed, random);
+  const Eigen::Vector2d seen_left = disturbed(sighting.left, observed, random);
   Pose2 pose;
   if (sighting.right) {
-    const Eigen::Vector2d seen_right = disturb(*sighting.right, observed, random);
+    const Eigen::Vector2d seen_right = disturbed(*sighting.right, observed, random);
     pose.rotation =
         angle_difference(direction_of(posts_[first + 1] - posts_[first]), direction_of(seen_right - seen_left));
     pose.position = (posts_[first] + posts_[first + 1]) / 2.0 - rotated((seen_left + seen_right) / 2.0, pose.rotation);

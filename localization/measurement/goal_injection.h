@@ -23,6 +23,7 @@ struct InjectionParameters {
   double fast_time = 0.7;
   double lost_margin = 0.6;
   double blind_time = 10.0;
+  bool use_landmarks = true;
   bool use_view = true;
   int line_points_with_view = 20;
   int candidates = 25;
@@ -42,6 +43,8 @@ void describe(InjectionParameters& p, Visit&& visit) {
         "the robot counts as lost once the present fit is below this share of the usual");
   visit("blind_time", p.blind_time, 1.0, 600.0, "s",
         "time in which the present fit fades while the robot looks and sees nothing of the field");
+  visit("use_landmarks", p.use_landmarks,
+        "whether a lost robot gets poses from intersections and the center circle, without a goal, too");
   visit("use_view", p.use_view,
         "whether a lost robot gets headings from where the room says that the camera looks, without a goal, too");
   visit("line_points_with_view", p.line_points_with_view, 0, 200, "",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/square.h"
 #include "geometry/transform.h"
 
 namespace reorient {
@@ -10,8 +11,6 @@ namespace {
 
 constexpr double kNearest = 0.1;           // m, what is nearer is the robot itself
 constexpr std::size_t kMostGoalPosts = 4;  // there are no more
-
-double square(double value) { return value * value; }
 
 bool in_range(const Eigen::Vector2d& position, double farthest) {
   const double distance = position.norm();  // not finite where the position is not
@@ -28,13 +27,14 @@ MeasurementModel::MeasurementModel(const FieldDimensions& field, const Measureme
 
 void MeasurementModel::set_parameters(const MeasurementModelParameters& parameters) {
   parameters_ = parameters;
+  tilt_variance_ = square(parameters.tilt_deviation);
   line_points_.reserve(static_cast<std::size_t>(std::max(1, parameters.line_points)));
 }
 
 double MeasurementModel::variance_along(double distance) const {
   const double height = parameters_.camera_height;
   const double metres_per_radian = height + distance * distance / height;
-  return square(parameters_.position_deviation) + square(parameters_.tilt_deviation * metres_per_radian);
+  return square(parameters_.position_deviation) + tilt_variance_ * square(metres_per_radian);
 }
 
 double MeasurementModel::variance_across(double distance) const {
@@ -62,7 +62,8 @@ void MeasurementModel::add(const GoalPost& post) {
                          static_cast<float>(0.5 / variance_across(distance))});
 }
 
-void MeasurementModel::observe(const FieldPercept& percept) {
+void MeasurementModel::observe(const FieldPercept& percept, double bias_deviation) {
+  tilt_variance_ = square(parameters_.tilt_deviation) + square(bias_deviation);
   line_points_.clear();
   goal_posts_.clear();
   const auto usable = [&](const LinePoint& point) {

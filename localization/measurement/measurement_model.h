@@ -62,7 +62,8 @@ class MeasurementModel {
   const MeasurementModelParameters& parameters() const { return parameters_; }
   const FieldMap& map() const { return map_; }
 
-  void observe(const FieldPercept& percept);
+  /// `bias_deviation`: how well the camera's tilt is known beyond what the parameters say, rad.
+  void observe(const FieldPercept& percept, double bias_deviation = 0.0);
 
   std::size_t line_points() const { return line_points_.size(); }
   std::size_t goal_posts() const { return goal_posts_.size(); }
@@ -99,6 +100,7 @@ class MeasurementModel {
   void add_costs(const ObservedGoalPost& post, const ParticleSet& particles, std::vector<float>& costs) const;
 
   MeasurementModelParameters parameters_;
+  double tilt_variance_ = 0.0;  ///< rad^2, of what is observed
   FieldMap map_;
   std::array<Eigen::Vector2d, 4> posts_;
   std::vector<ObservedLinePoint> line_points_;

@@ -6,14 +6,13 @@
 
 #include "geometry/angle.h"
 #include "geometry/transform.h"
+#include "localization/measurement/disturbed_place.h"
 
 namespace reorient {
 namespace {
 
 constexpr double kBesideBest = 0.5;         // m, standard deviation
 constexpr double kTurnedBesideBest = 0.15;  // rad
-
-double rough(double deviation, Random& random) { return deviation * static_cast<double>(rough_normal(random)); }
 
 }  // namespace
 

@@ -1,27 +1,20 @@
 #include "localization/particles/motion_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+
+#include "geometry/square.h"
 
 namespace reorient {
-namespace {
-
-/// Standard deviations of one step.
-struct StepNoise {
-  double position = 0.0;  ///< m, along each axis
-  double rotation = 0.0;  ///< rad
-};
-
 StepNoise step_noise(const Pose2& step, double time, const MotionModelParameters& p) {
   const double way = step.position.norm();
   const double turn = std::abs(step.rotation);
-  const auto square = [](double value) { return value * value; };
   return {std::sqrt(square(p.position_noise_per_time) * time + square(p.position_noise_per_distance) * way),
           std::sqrt(square(p.rotation_noise_per_time) * time + square(p.rotation_noise_per_distance) * way +
                     square(p.rotation_noise_per_rotation) * turn)};
 }
-
-}  // namespace
 
 Pose2 believable_step(const Pose2& odometry_step) {
   constexpr double kLongest = 10.0;  // m
@@ -39,21 +32,40 @@ void predict(ParticleSet& particles, const Pose2& odometry_step, double time_ste
   const auto forward = static_cast<float>(step.position.x());
   const auto left = static_cast<float>(step.position.y());
   const auto position_noise = static_cast<float>(noise.position);
-  const auto rotation_noise = static_cast<float>(noise.rotation * kBinaryAnglesPerRadian);
+  // An eighth of a turn at most: so three and a half deviations stay below half a turn, as a whole number has to.
+  const auto rotation_noise = static_cast<float>(std::min(noise.rotation, kPi / 4.0) * kBinaryAnglesPerRadian);
   const BinaryAngle turn = to_binary_angle(step.rotation);
   const auto limit_x = static_cast<float>(half_size.x());
   const auto limit_y = static_cast<float>(half_size.y());
 
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const float ahead = forward + position_noise * rough_normal(random);
-    const float aside = left + position_noise * rough_normal(random);
-    const float x = particles.x[i] + particles.cosine[i] * ahead - particles.sine[i] * aside;
-    const float y = particles.y[i] + particles.sine[i] * ahead + particles.cosine[i] * aside;
-    particles.x[i] = std::clamp(x, -limit_x, limit_x);
-    particles.y[i] = std::clamp(y, -limit_y, limit_y);
-    // By way of 64 bits: any float of up to a few turns fits, and the rest wraps.
-    particles.rotation[i] +=
-        turn + static_cast<BinaryAngle>(static_cast<std::int64_t>(rotation_noise * rough_normal(random)));
+  // In blocks: first the random numbers, one after the other, then the arithmetic, which the compiler vectorises.
+  std::array<float, 64> ahead, aside, turned;
+  for (std::size_t begin = 0; begin < particles.size(); begin += ahead.size()) {
+    const std::size_t count = std::min(ahead.size(), particles.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      const RoughNormals noise_of_one = rough_normals(random);
+      ahead[i] = noise_of_one.first;
+      aside[i] = noise_of_one.second;
+    }
+    for (std::size_t i = 0; i < count; i += 2) {
+      const RoughNormals noise_of_two = rough_normals(random);
+      turned[i] = noise_of_two.first;
+      turned[i + 1] = noise_of_two.second;
+    }
+    float* const particle_x = particles.x.data() + begin;
+    float* const particle_y = particles.y.data() + begin;
+    BinaryAngle* const rotation = particles.rotation.data() + begin;
+    float* const cosines = particles.cosine.data() + begin;
+    float* const sines = particles.sine.data() + begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float to_front = forward + position_noise * ahead[i];
+      const float to_left = left + position_noise * aside[i];
+      const float x = particle_x[i] + cosines[i] * to_front - sines[i] * to_left;
+      const float y = particle_y[i] + sines[i] * to_front + cosines[i] * to_left;
+      particle_x[i] = std::clamp(x, -limit_x, limit_x);
+      particle_y[i] = std::clamp(y, -limit_y, limit_y);
+      rotation[i] += turn + static_cast<BinaryAngle>(static_cast<std::int32_t>(rotation_noise * turned[i]));
+    }
   }
   for (std::size_t i = 0; i < particles.size(); ++i) particles.cosine[i] = cosine(particles.rotation[i]);
   for (std::size_t i = 0; i < particles.size(); ++i) particles.sine[i] = sine(particles.rotation[i]);

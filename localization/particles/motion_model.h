@@ -34,6 +34,14 @@ void describe(MotionModelParameters& p, Visit&& visit) {
 /// The step itself, or none where it is not finite or longer than any robot's (10 m): then the odometry is broken.
 Pose2 believable_step(const Pose2& odometry_step);
 
+/// Standard deviations of one step.
+struct StepNoise {
+  double position = 0.0;  ///< m, along each axis
+  double rotation = 0.0;  ///< rad
+};
+/// `time`: s, not negative.
+StepNoise step_noise(const Pose2& step, double time, const MotionModelParameters& parameters);
+
 /// Moves every particle by `odometry_step` (the robot's motion since the last call, in its own frame then), as far as
 /// it is believable, and by noise of its own; `time_step` in seconds. Particles stay within `half_size` of the centre.
 void predict(ParticleSet& particles, const Pose2& odometry_step, double time_step,

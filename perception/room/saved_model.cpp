@@ -1,26 +1,22 @@
 #include "perception/room/saved_model.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
 
 #include "geometry/bytes.h"
+#include "geometry/checksum.h"
 
 namespace reorient {
 namespace {
 
 constexpr std::uint64_t kModelMagic = 0x6C65646F4D6D5252ull;  // "RRmModel"
-constexpr std::uint32_t kModelVersion = 1;                    // another number with each change of what a model holds
+constexpr std::uint32_t kModelVersion = 2;                    // another number with each change of what a model holds
+constexpr std::uint32_t kWithoutBias = 1;                     // an older one, which is read as well
 constexpr std::size_t kHead = sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
 constexpr std::size_t kChecksum = sizeof(std::uint64_t);
-
-/// FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv. No single changed byte leaves it as it was.
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-  std::uint64_t sum = 0xCBF29CE484222325ull;
-  for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3ull;
-  return sum;
-}
 
 std::string text_of(bool value) { return value ? "true" : "false"; }
 template <typename Number>
@@ -59,6 +55,15 @@ Described described(ModelBasis basis) {
   return all;
 }
 
+bool is_sound(const CameraBias& bias) {
+  constexpr double kMost = 0.5;  // rad
+  const auto is_angle = [](double angle) { return std::abs(angle) <= kMost; };
+  for (const TiltBias& one : {bias.torso, bias.mounts[0], bias.mounts[1]}) {
+    if (!is_angle(one.roll) || !is_angle(one.pitch)) return false;
+  }
+  return bias.deviation >= 0.0 && is_angle(bias.deviation);
+}
+
 }  // namespace
 
 std::string differences(const ModelBasis& given, const ModelBasis& wanted) {
@@ -75,7 +80,7 @@ void write_model(const SavedModel& model, std::vector<std::byte>& bytes) {
   const std::size_t begin = bytes.size();
   ByteWriter writer(bytes);
   writer(kModelMagic, kModelVersion, std::uint32_t{0});
-  writer(model.basis, model.learned, model.model);
+  writer(model.basis, model.learned, model.model, model.camera_bias);
   const auto size = static_cast<std::uint32_t>(bytes.size() - begin - kHead);
   std::memcpy(bytes.data() + begin + kHead - sizeof(size), &size, sizeof(size));
   writer(checksum(std::span<const std::byte>(bytes).subspan(begin)));
@@ -93,7 +98,7 @@ SavedModel read_model(std::span<const std::byte> bytes) {
   if (version > kModelVersion)
     throw BadBytes("it is of a newer version of this program: format " + std::to_string(version) +
                    ", and this one reads " + std::to_string(kModelVersion));
-  check_bytes(version == kModelVersion, "it is damaged: there never was such a format");
+  check_bytes(version == kModelVersion || version == kWithoutBias, "it is damaged: there never was such a format");
   if (bytes.size() != kHead + size + kChecksum)
     throw BadBytes("it is cut short, or something was added: " + std::to_string(bytes.size()) + " bytes instead of " +
                    std::to_string(kHead + size + kChecksum));
@@ -109,6 +114,8 @@ SavedModel read_model(std::span<const std::byte> bytes) {
   check_bytes(differences({wall.parameters(), {}}, {model.basis.wall, {}}).empty(), "it is damaged: its wall is none");
   model.model.forget(wall.tiles());
   content(model.model);
+  if (version > kWithoutBias) content(model.camera_bias);
+  if (model.camera_bias) check_bytes(is_sound(model.camera_bias->bias), "it is damaged: a camera's angles are none");
   content.finish();
   return model;
 }

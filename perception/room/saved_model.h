@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "geometry/camera_bias.h"
 #include "perception/room/background_model.h"
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/wall/wall.h"
@@ -37,6 +39,8 @@ struct SavedModel {
   ModelBasis basis;
   double learned = 0.0;  ///< s for which it was trained
   BackgroundModel model;
+  /// How the robot that learned it measures its camera's angles; nothing: that was not known, or not asked.
+  std::optional<KnownBias> camera_bias{};
 
   /// The field's axes turn by half a turn.
   void turn_half() { model.turn_half(Wall(basis.wall)); }

@@ -16,17 +16,19 @@ class KnownRoom : public Observer {
     basis_ = frame.room.basis;
     tiles_ = frame.room.model;
     learned_ = frame.world.trained_seconds;
+    if (const auto known = known_bias(frame.world)) camera_bias_ = known;
   }
   /// Nothing where room awareness is off.
   std::optional<SavedModel> model() const {
     if (tiles_.empty()) return std::nullopt;
-    return SavedModel{basis_, learned_, BackgroundModel(tiles_)};
+    return SavedModel{basis_, learned_, BackgroundModel(tiles_), camera_bias_};
   }
 
  private:
   ModelBasis basis_;
   std::vector<TileModel> tiles_;
   double learned_ = 0.0;
+  std::optional<KnownBias> camera_bias_;
 };
 
 }  // namespace reorient

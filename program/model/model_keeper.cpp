@@ -13,15 +13,19 @@ constexpr double kSavingPeriod = 30.0;  // s
 }  // namespace
 
 ModelKeeper::ModelKeeper(std::filesystem::path file, const std::optional<SavedModel>& loaded, bool sides_changed)
-    : file_(std::move(file)), sides_changed_(sides_changed), learned_before_(loaded ? loaded->learned : 0.0) {
+    : file_(std::move(file)),
+      sides_changed_(sides_changed),
+      learned_before_(loaded ? loaded->learned : 0.0),
+      camera_bias_(loaded ? loaded->camera_bias : std::nullopt) {
   if (loaded) kept_ = Kept{loaded->basis, loaded->model.known_tiles()};
 }
 
 /// What is worth saving: learned since the last look, and going on from what is in the file.
 std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
+  if (const auto known = known_bias(frame.world)) camera_bias_ = known;
   const double learned = frame.world.trained_seconds;
   if (frame.room.model.empty() || learned <= learned_before_) return std::nullopt;
-  SavedModel model{frame.room.basis, learned, BackgroundModel(frame.room.model)};
+  SavedModel model{frame.room.basis, learned, BackgroundModel(frame.room.model), camera_bias_};
   const int known_tiles = model.model.known_tiles();
   if (known_tiles == 0) return std::nullopt;
   // A parameter that was changed in the run can make the engine forget the room; the file is not to forget it, too.

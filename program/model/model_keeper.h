@@ -41,6 +41,7 @@ class ModelKeeper : public Observer {
   bool sides_changed_;
   std::optional<Kept> kept_;                             // in the file
   double learned_before_;                                // s, by the time of the last look at it
+  std::optional<KnownBias> camera_bias_;                 // the latest that is worth keeping
   bool any_news_ = false;                                // of this run
   bool is_saved_ = false;                                // with what the run ended with
   bool is_forgotten_ = false;                            // by the run, not by the file

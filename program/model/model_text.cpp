@@ -40,6 +40,14 @@ double separability_of(const ComparedModel& model, const Wall& wall) {
   return separability.probability();
 }
 
+std::string bias_in_words(const std::optional<KnownBias>& known) {
+  if (!known) return "not known";
+  const CameraBias& bias = known->bias;
+  return fmt::format("straight ahead it looks {:+.1f} degrees lower and is rolled by {:+.1f} degrees, to {:.1f}",
+                     to_degrees(bias.torso.pitch + bias.mounts[0].pitch),
+                     to_degrees(bias.torso.roll + bias.mounts[0].roll), to_degrees(bias.deviation));
+}
+
 }  // namespace
 
 void print_model(const SavedModel& model, std::ostream& out) {
@@ -52,6 +60,7 @@ void print_model(const SavedModel& model, std::ostream& out) {
   out << fmt::format("  learned for {:.1f} s\n", model.learned)
       << fmt::format("  wall: {} m from the field's centre, {} to {} m high, {} rows of {} columns\n", wall.radius(),
                      wall.bottom(), wall.top(), wall.rows(), wall.columns())
+      << "  camera, against what its robot measures: " << bias_in_words(model.camera_bias) << "\n"
       << "  parameters: " << (different.empty() ? "as by default" : different) << "\n"
       << fmt::format("  known: {} of {} tiles; row by row, from the top:{}\n", model.model.known_tiles(), wall.tiles(),
                      known_by_row(model, wall))

@@ -1,11 +1,14 @@
 #include "program/run/report.h"
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/utf8.h"
+#include "geometry/angle.h"
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
@@ -36,6 +39,16 @@ nlohmann::json or_null(const std::optional<Value>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
+/// Where the camera looks ahead. Empty: nothing that anybody must know.
+std::string bias_in_words(const CameraBias& bias) {
+  constexpr double kWorthTelling = from_degrees(0.5), kSure = 3.0;  // times the deviation
+  const double pitch = bias.torso.pitch + bias.mounts[0].pitch, roll = bias.torso.roll + bias.mounts[0].roll;
+  if (std::max(std::abs(pitch), std::abs(roll)) < std::max(kWorthTelling, kSure * bias.deviation)) return {};
+  return fmt::format("the camera looks {:.1f} degrees {} than is measured and is rolled by {:.1f} degrees (to {:.1f})",
+                     to_degrees(std::abs(pitch)), pitch > 0.0 ? "lower" : "higher", to_degrees(roll),
+                     to_degrees(bias.deviation));
+}
+
 }  // namespace
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out) {
@@ -52,6 +65,7 @@ void print_summary(const RunSummary& summary, const RunCircumstances& circumstan
                        summary.correct ? "correct" : "wrong", summary.error->position,
                        to_degrees(summary.error->rotation));
   }
+  if (const std::string bias = bias_in_words(summary.camera_bias); !bias.empty()) out << "  " << bias << '\n';
   for (const StoppedScript& script : summary.stopped) {
     out << fmt::format("  {} was stopped: {} errors, the last: {}\n", script.script, script.errors, script.last);
   }
@@ -99,7 +113,15 @@ void write_summary(const RunSummary& summary, const CommandHistory& commands, co
     json["mean_position_error_metres"] = summary.mean_error->position;
     json["mean_rotation_error_degrees"] = to_degrees(summary.mean_error->rotation);
   }
-  if (summary.frames > 0) json["belief"] = to_json(summary.belief.pose);
+  if (summary.frames > 0) {
+    json["belief"] = to_json(summary.belief.pose);
+    const CameraBias& bias = summary.camera_bias;
+    json["camera_bias_degrees"] = {
+        {"torso_roll", to_degrees(bias.torso.roll)},     {"torso_pitch", to_degrees(bias.torso.pitch)},
+        {"upper_roll", to_degrees(bias.mounts[0].roll)}, {"upper_pitch", to_degrees(bias.mounts[0].pitch)},
+        {"lower_roll", to_degrees(bias.mounts[1].roll)}, {"lower_pitch", to_degrees(bias.mounts[1].pitch)},
+        {"deviation", to_degrees(bias.deviation)}};
+  }
   if (summary.truth) json["truth"] = to_json(summary.truth->pose);
   json["commands"] = nlohmann::json::array();
   for (const TimelineEvent& event : commands.commands()) {

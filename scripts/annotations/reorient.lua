@@ -43,6 +43,9 @@ game = {}
 ---@field head_yaw number rad, measured angle of the head, to the left
 ---@field head_pitch number rad, measured angle of the head, downwards
 ---@field head_reach number rad, how far the neck turns to either side
+---@field torso_pitch_bias number rad, how much farther the torso leans forward than is measured, as far as the lines of the field have shown
+---@field camera_pitch_bias number rad, how much lower the upper camera looks in its mounting than is measured
+---@field bias_deviation number rad, how well the sum of the two is known: a standard deviation
 ---@field can_walk boolean this body walks
 ---@field can_get_up boolean this body gets up after a fall
 ---@field cruise number m/s, at which speed this body goes far; 0: it does not walk
@@ -54,6 +57,7 @@ robot = {}
 ---@field y number m, to the left
 ---@field rotation number rad, 0 looks towards the opponent goal, positive turns left
 ---@field known boolean somebody told where the robot stands, or a flip or purge has confirmed it; a reset takes it back
+---@field tracked boolean what is seen of the field has fitted the believed pose, or its reflection, for seconds; false while the robot looks for its place
 ---@field cluster_weight number of all pose particles, in the cluster that is believed
 ---@field reflected_weight number of all pose particles, near the reflection of the believed pose
 ---@field recovery_probability number how much worse than usual the pose particles fit what is seen of the field: 0 as usual, 1 not at all

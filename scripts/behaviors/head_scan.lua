@@ -1,5 +1,5 @@
 --- Lets the head sweep from side to side, once over the walls of the room and once over the lines of the field, so that
---- room awareness and self-localization both see enough.
+--- room awareness and self-localization both see enough. A robot that looks for its place looks at the lines only.
 
 local p = param {
   width       = { 1.1,  range = { 0, 2.0 },      unit = "rad",   doc = "how far to turn the head to each side" },
@@ -17,18 +17,20 @@ local function is_left() return math.abs(robot.head_yaw - side()) < NEAR end
 
 local function is_right() return math.abs(robot.head_yaw + side()) < NEAR end
 
+local function wall_pitch() return pose.tracked and p.wall_pitch or p.field_pitch end   -- rad
+
 behavior "head_scan" {
   priority = 10,
   initial = "walls to the left",
 
   state "walls to the left" {
-    update = function() head.look(side(), p.wall_pitch, p.speed) end,
+    update = function() head.look(side(), wall_pitch(), p.speed) end,
     { "walls to the right", when = is_left, because = "the side is reached" },
     { "walls to the right", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "walls to the right" {
-    update = function() head.look(-side(), p.wall_pitch, p.speed) end,
+    update = function() head.look(-side(), wall_pitch(), p.speed) end,
     { "field to the left", when = is_right, because = "the side is reached" },
     { "field to the left", after = "timeout", because = "the side cannot be reached" },
   },

@@ -22,6 +22,17 @@ test("sweeps over the walls and then over the field", function()
   expect.reason("head_scan", "the side is reached")
 end)
 
+test("looks at the lines only while the robot looks for its place", function()
+  set_world { pose = { tracked = false } }
+  load_behavior "head_scan"
+  advance(0.1)
+  expect.state("head_scan", "walls to the left")
+  expect.head(1.1, 0.25)
+  set_world { pose = { tracked = true } }
+  advance(0.1)
+  expect.head(1.1, -0.1)
+end)
+
 test("turns back when a side cannot be reached", function()
   load_behavior "head_scan"
   advance(4.2)

@@ -9,6 +9,7 @@
 #include "engine/script/script_error.h"
 #include "robots/simulator/simulator.h"
 #include "tests/engine/frame_fixture.h"
+#include "tests/perception/room/saved_models.h"
 
 namespace reorient {
 namespace {
@@ -29,6 +30,24 @@ TEST(Frame, KeepsTheRobotsTime) {
   EXPECT_DOUBLE_EQ(loop.world().time, 7.0 + 2.0 * kStep);
   EXPECT_NEAR(loop.world().time_step, kStep, 1e-12);
   EXPECT_EQ(loop.world().frame, 3u);
+}
+
+TEST(Frame, TakesTheAnglesOfItsOwnBodyFromASavedModel) {
+  KnownBias known{digest_of(RobotBody()), {}};
+  known.bias.torso.pitch = 0.05;
+  known.bias.deviation = 0.005;
+  const auto begun_with = [](const KnownBias& bias) {
+    FrameSetup setup;
+    setup.model = test::some_model(1);
+    setup.model->camera_bias = bias;
+    HandFedLoop loop(kIdle, std::move(setup));
+    return loop.step().world.camera_bias;
+  };
+  EXPECT_NEAR(begun_with(known).torso.pitch, 0.05, 1e-6);
+  EXPECT_LT(begun_with(known).deviation, from_degrees(1.0));
+  RobotBody taller;
+  taller.dimensions.torso_height += 0.01;
+  EXPECT_EQ(begun_with({digest_of(taller), known.bias}).torso.pitch, 0.0) << "of another body";
 }
 
 TEST(Frame, AnswersWithWhatScriptsAskFor) {

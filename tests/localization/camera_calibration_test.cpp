@@ -44,7 +44,8 @@ std::vector<CalibrationView> views(const Pose2& robot, const CameraOffset& offse
 
 TEST(CameraCalibration, FindsHowTheCameraIsMounted) {
   const Pose2 robot(-3.2, -1.5, from_degrees(40.0));
-  for (const auto& [tilt, pan] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {-3.0, 1.5}, {4.0, -3.0}, {0.3, 0.2}}) {
+  for (const auto& [tilt, pan] :
+       {std::pair{0.0, 0.0}, {2.0, 0.0}, {-3.0, 1.5}, {4.0, -3.0}, {0.3, 0.2}, {9.0, 2.0}, {-8.0, -5.0}}) {
     const CameraOffset offset{from_degrees(tilt), from_degrees(pan)};
     const auto found = calibrate(views(robot, offset, 1.0), robot, kField);
     ASSERT_TRUE(found) << tilt << ", " << pan;

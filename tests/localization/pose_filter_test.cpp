@@ -265,7 +265,7 @@ TEST(PoseFilter, DescribesEachParameterOnceWithADefaultInItsRange) {
   EXPECT_EQ(count(parameters), 2u);
   EXPECT_EQ(count(parameters.motion), sizeof(MotionModelParameters) / sizeof(double));
   EXPECT_EQ(count(parameters.measurement), sizeof(MeasurementModelParameters) / sizeof(double));
-  EXPECT_EQ(count(parameters.injection), 13u);
+  EXPECT_EQ(count(parameters.injection), 14u);
   EXPECT_EQ(count(parameters.clusters), sizeof(PoseClusterParameters) / sizeof(double));
 }
 

@@ -186,7 +186,7 @@ TEST_F(BadInput, AParameterFileCannotWriteOnTheTerminal) {
 TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) { expect_refused_run({"--field", path("gone.toml")}, {"gone.toml"}); }
 
 TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {
-  expect_refused_run({"gone"}, {"no scenario 'gone'", "there are elsewhere, fallen, half_time, kidnapped"});
+  expect_refused_run({"gone"}, {"no scenario 'gone'", "there are elsewhere, fallen, falls, half_time, kidnapped"});
   expect_refused_run({path("gone.lua")}, {"gone.lua"});
 }
 

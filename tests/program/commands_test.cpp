@@ -40,7 +40,7 @@ TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
   const ProgramRun checked = run({"check"});
   EXPECT_EQ(checked.code, kWrong);
   EXPECT_NE(
-      checked.out.find("behaviors/head_scan.lua:48:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
+      checked.out.find("behaviors/head_scan.lua:50:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
       std::string::npos)
       << checked.out;
 }

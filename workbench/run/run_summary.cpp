@@ -40,6 +40,7 @@ void SummaryObserver::observe(const FrameRecord& frame, const StageRecord& stage
   ++summary_.frames;
   summary_.seconds = frame.world.time;
   summary_.belief = frame.world.pose;
+  summary_.camera_bias = frame.world.camera_bias;
   summary_.truth = stage.truth;
   if (stage.scenario.verdict) {
     summary_.succeeded = stage.scenario.verdict->succeeded;

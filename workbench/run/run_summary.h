@@ -50,6 +50,7 @@ struct RunSummary {
   std::optional<PoseError> error;         ///< at the end
   std::optional<PoseError> mean_error;    ///< of correct beliefs, while the robot was upright
   PoseBelief belief;                      ///< at the end
+  CameraBias camera_bias;                 ///< at the end
   std::optional<GroundTruth> truth;
   int flips = 0;
   int purges = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/pinned_math.h"
+#include "geometry/square.h"
 #include "perception/field/carpet/boundary.h"
 
 namespace reorient {
@@ -14,8 +15,6 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostPosts = 8;
 constexpr double kFarAway = 5.0;  // m
-
-double square(double value) { return value * value; }
 
 bool inside(const ImageView& image, const Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1;

@@ -2,6 +2,7 @@
 #include "perception/room/saved_model.h"
 
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <string>
 
@@ -40,6 +41,47 @@ RC_GTEST_PROP(SavedModel, ComesBackFromItsBytesAsItWas, ()) {
   RC_ASSERT(read.model.known_tiles() == model.model.known_tiles());
 }
 
+CameraBias some_bias() {
+  CameraBias bias;
+  bias.torso = {0.01, -0.02};
+  bias.mounts = {TiltBias{0.03, 0.04}, TiltBias{-0.05, 0.06}};
+  bias.deviation = 0.004;
+  return bias;
+}
+
+TEST(SavedModel, KeepsTheAnglesOfTheRobotThatLearnedIt) {
+  SavedModel model = some_model(1);
+  model.camera_bias = KnownBias{1234, some_bias()};
+  const SavedModel read = read_model(bytes_of(model));
+  ASSERT_TRUE(read.camera_bias);
+  EXPECT_EQ(read.camera_bias->body, 1234u);
+  EXPECT_EQ(read.camera_bias->bias.torso.pitch, -0.02);
+  EXPECT_EQ(read.camera_bias->bias.mounts[1].pitch, 0.06);
+  EXPECT_EQ(read.camera_bias->bias.deviation, 0.004);
+}
+
+TEST(SavedModel, WithAnglesThatNoCameraHasIsRefused) {
+  for (const double angle : {std::nan(""), 2.0, -1e300}) {
+    SavedModel model = some_model(1);
+    model.camera_bias = KnownBias{1, some_bias()};
+    model.camera_bias->bias.mounts[0].roll = angle;
+    EXPECT_EQ(refusal_of(bytes_of(model)), "it is damaged: a camera's angles are none");
+  }
+}
+
+TEST(SavedModel, OfTheFirstFormatIsReadWithoutAngles) {
+  const SavedModel model = some_model(1);
+  ModelBytes bytes = bytes_of(model);
+  bytes.erase(bytes.end() - 9);  // the mark before the checksum: there are no angles
+  bytes = test::with(std::move(bytes), test::kVersionAt, std::uint32_t{1});
+  std::uint32_t size = 0;
+  std::memcpy(&size, bytes.data() + test::kSizeAt, sizeof(size));
+  bytes = test::signed_anew(test::with(std::move(bytes), test::kSizeAt, size - 1));
+  const SavedModel read = read_model(bytes);
+  EXPECT_FALSE(read.camera_bias);
+  EXPECT_EQ(read.model.known_tiles(), model.model.known_tiles());
+}
+
 RC_GTEST_PROP(SavedModel, TurnedTwiceIsAsItWas, ()) {
   SavedModel model = some_model(*rc::gen::arbitrary<std::uint64_t>());
   const ModelBytes before = bytes_of(model);
@@ -64,11 +106,11 @@ TEST(SavedModel, HasTheBytesThatItsFormatSays) {
   tiles[1].light_visits = 2;
   model.model = BackgroundModel(tiles);
   const ModelBytes bytes = bytes_of(model);
-  ASSERT_EQ(bytes.size(), 16u + 78u + 4u * 152u + 8u);
-  EXPECT_EQ(std::memcmp(bytes.data(), "RRmModel\x01\0\0\0", 12), 0);
+  ASSERT_EQ(bytes.size(), 16u + 78u + 4u * 152u + 1u + 8u);
+  EXPECT_EQ(std::memcmp(bytes.data(), "RRmModel\x02\0\0\0", 12), 0);
   std::uint64_t checksum = 0;
   std::memcpy(&checksum, bytes.data() + bytes.size() - 8, 8);
-  EXPECT_EQ(checksum, 0x5FF747B65FE95ACFull);
+  EXPECT_EQ(checksum, 0xA9A303988C0A6757ull);
 }
 
 TEST(SavedModel, OfDamagedBytesIsRefusedWithWhatIsWrong) {

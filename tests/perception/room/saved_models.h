@@ -151,7 +151,7 @@ inline std::vector<DamagedModel> damaged_models() {
   };
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinite = std::numeric_limits<double>::infinity();
   constexpr auto kMost = std::numeric_limits<std::uint32_t>::max();
-  lie("another version", kVersionAt, std::uint32_t{2}, "newer version of this program: format 2");
+  lie("another version", kVersionAt, std::uint32_t{3}, "newer version of this program: format 3");
   lie("a version far ahead", kVersionAt, kMost, "newer version");
   lie("a version before the first", kVersionAt, std::uint32_t{0}, "there never was such a format");
   lie("a size of nothing", kSizeAt, std::uint32_t{0}, "bytes instead of");

@@ -1,0 +1,71 @@
+// By how much the angles that a robot measures of its torso and its camera mounts are wrong, as far as that stays the
+// same for long.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "geometry/transform.h"
+
+namespace reorient {
+
+/// A small rotation about two horizontal axes, rad.
+struct TiltBias {
+  double roll = 0.0;   ///< left side up
+  double pitch = 0.0;  ///< front down
+};
+template <typename Visit>
+void fields(Visit&& visit, TiltBias& bias) {
+  visit(bias.roll, bias.pitch);
+}
+
+/// True attitude less measured one. The torso's turns with the robot, a mount's with its camera: where the head looks
+/// straight ahead, only their sum can be noticed.
+struct CameraBias {
+  TiltBias torso;
+  std::array<TiltBias, 2> mounts;  ///< of the upper and of the lower camera
+  double deviation = 0.0;          ///< rad, of the sum as it turns the upper camera: standard deviation for each axis
+};
+template <typename Visit>
+void fields(Visit&& visit, CameraBias& bias) {
+  visit(bias.torso, bias.mounts, bias.deviation);
+}
+
+/// What was learned of one body; another one has other angles.
+struct KnownBias {
+  std::uint64_t body = 0;  ///< digest_of() the body
+  CameraBias bias;
+};
+template <typename Visit>
+void fields(Visit&& visit, KnownBias& known) {
+  visit(known.body, known.bias);
+}
+
+/// How well the angles are known beforehand: the means, and standard deviations for each axis, rad.
+struct BiasPrior {
+  CameraBias mean;
+  double torso_deviation = 0.0;
+  double mount_deviation = 0.0;
+};
+
+/// The sum for one camera, about the robot's axes.
+inline TiltBias bias_of(const CameraBias& bias, std::size_t camera, const Isometry3& robot_from_camera) {
+  const TiltBias& mount = bias.mounts[camera];
+  const Eigen::Vector2d ahead = robot_from_camera.linear().col(0).head<2>();
+  const double length = ahead.norm();
+  if (!(length > 0.0)) return bias.torso;
+  const Eigen::Vector2d axis = ahead / length;
+  return {bias.torso.roll + axis.x() * mount.roll - axis.y() * mount.pitch,
+          bias.torso.pitch + axis.y() * mount.roll + axis.x() * mount.pitch};
+}
+
+/// The camera's pose as it is without that bias: rotated about its own place.
+inline Isometry3 corrected(const Isometry3& robot_from_camera, const CameraBias& bias, std::size_t camera) {
+  const TiltBias sum = bias_of(bias, camera, robot_from_camera);
+  Isometry3 result = robot_from_camera;
+  result.linear() = rotation_about_y(sum.pitch) * rotation_about_x(sum.roll) * robot_from_camera.linear();
+  return result;
+}
+
+}  // namespace reorient

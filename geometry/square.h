@@ -1,0 +1,7 @@
+#pragma once
+
+namespace reorient {
+
+constexpr double square(double value) { return value * value; }
+
+}  // namespace reorient

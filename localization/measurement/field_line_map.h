@@ -1,0 +1,44 @@
+// The field lines by their equations: which of them is near to a place, and on which side the place is.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/angle.h"
+#include "geometry/field_dimensions.h"
+#include "geometry/pinned_math.h"
+
+namespace reorient {
+
+struct NearestFieldLine {
+  Eigen::Vector2d normal;                                 ///< of length 1, across the line, field frame
+  double distance = 0.0;                                  ///< m, of the place; positive on the normal's side
+  double next = std::numeric_limits<double>::infinity();  ///< m, to the nearest other line, not negative
+};
+
+/// Straight lines and the center circle. Marks and corner arcs are left out.
+class FieldLineMap {
+ public:
+  explicit FieldLineMap(const FieldDimensions& field);
+
+  /// Of the lines whose direction differs from `direction` (a vector of length 1, known up to half a turn) by at most
+  /// 25 degrees, and from no end of which the place is beyond. Nothing: there is none.
+  std::optional<NearestFieldLine> nearest(const Eigen::Vector2d& place, const Eigen::Vector2d& direction) const;
+
+ private:
+  static constexpr double kMostBetween = from_degrees(25.0);
+
+  struct Line {
+    Eigen::Vector2d from;
+    Eigen::Vector2d along;  // of length 1
+    double length = 0.0;
+  };
+  std::vector<Line> lines_;
+  double circle_;
+  double least_cosine_ = pinned::cos(kMostBetween), most_sine_ = pinned::sin(kMostBetween);
+};
+
+}  // namespace reorient

@@ -1,0 +1,316 @@
+#include "localization/search/pose_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "geometry/angle.h"
+#include "geometry/square.h"
+#include "geometry/transform.h"
+#include "localization/measurement/disturbed_place.h"
+#include "localization/tracking/tilt_geometry.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::uint64_t kRandomStream = 0x736561726368;  // "search": apart from the streams of the other rooms
+constexpr double kCostLimit = 3.0;                       // of one point
+constexpr double kIndependentPoints = 4.0;               // those of one image share errors
+constexpr int kParts = 3;                                // of the poses tried: the best of each is refined
+constexpr double kOnLine = 2.0;                          // standard deviations
+constexpr double kSamePosition = 0.5;                    // m
+constexpr double kSameRotation = 0.35;                   // rad
+constexpr std::uint32_t kFewestFrames = 12;              // of a search
+constexpr double kPostDeviation = 0.1;                   // m, near the robot
+constexpr double kPostSight = 0.01;                      // rad
+
+bool is_same(const Pose2& one, const Pose2& other) {
+  return (one.position - other.position).norm() < kSamePosition &&
+         std::abs(angle_difference(one.rotation, other.rotation)) < kSameRotation;
+}
+
+/// The turn from the camera with which something was found to the camera of the hypothesis.
+TiltBias turn_of(const PoseHypothesis& one, const Sighting& sighting) {
+  const CameraBias bias{one.torso, one.mounts, 0.0};
+  const TiltBias sum = bias_of(bias, sighting.camera, sighting.robot_from_camera);
+  return {sum.roll - sighting.used.roll, sum.pitch - sighting.used.pitch};
+}
+
+double independent_share(const Sighting& sighting) {
+  return std::min(1.0, kIndependentPoints / static_cast<double>(std::max(1U, sighting.line_count)));
+}
+
+TiltBias disturbed(const TiltBias& mean, double deviation, Random& random) {
+  const double roll = rough(deviation, random);
+  return {mean.roll + roll, mean.pitch + rough(deviation, random)};
+}
+
+double prior_cost(const TiltBias& bias, const TiltBias& mean, double deviation) {
+  if (!(deviation > 0.0)) return 0.0;
+  return (square(bias.roll - mean.roll) + square(bias.pitch - mean.pitch)) / (2.0 * square(deviation));
+}
+
+}  // namespace
+
+PoseSearch::PoseSearch(const PoseSearchParameters& parameters, const FieldDimensions& field, std::uint64_t seed)
+    : parameters_(parameters),
+      map_(field),
+      lines_(field),
+      posts_(goal_posts(field)),
+      intersections_(field_intersections(field)),
+      carpet_(carpet_half_size(field)),
+      random_(seed, kRandomStream) {}
+
+void PoseSearch::forget_before(double time) {
+  sightings_.forget_before(time);
+  stop();
+}
+
+/// From a landmark where one was seen, else from anywhere; the angles as they may be beforehand.
+PoseHypothesis PoseSearch::draw(const BiasPrior& prior, const Pose2& odometry) {
+  Random& random = random_;
+  PoseHypothesis one;
+  one.torso = disturbed(prior.mean.torso, prior.torso_deviation, random);
+  for (std::size_t i = 0; i < one.mounts.size(); ++i)
+    one.mounts[i] = disturbed(prior.mean.mounts[i], prior.mount_deviation, random);
+  const std::size_t landmarks = sightings_.landmarks();
+  const auto anywhere = [&] {
+    const double x = random.uniform(-carpet_.x(), carpet_.x());
+    const double y = random.uniform(-carpet_.y(), carpet_.y());
+    return Pose2(x, y, random.uniform(-kPi, kPi)) * odometry.inverse();
+  };
+  // A landmark may be none, so that a part of the poses is drawn without any.
+  if (landmarks == 0 || random.below(4) == 0) {
+    one.field_from_odometry = anywhere();
+    return one;
+  }
+  std::size_t wanted = random.below(landmarks);
+  std::size_t i = 0;
+  while (wanted >= sightings_[i].landmark_count) wanted -= sightings_[i++].landmark_count;
+  const Sighting& sighting = sightings_[i];
+  const Sighting::Landmark& seen = sighting.landmarks[wanted];
+  const Eigen::Vector2d place = moved_by_tilt(seen.place, sighting.robot_from_camera, turn_of(one, sighting));
+  Eigen::Vector2d known = Eigen::Vector2d::Zero();
+  double known_direction = random.below(2) == 0 ? kPi / 2.0 : -kPi / 2.0;
+  if (seen.kind) {
+    const auto fits = [&](const FieldIntersection& other) { return other.kind == *seen.kind; };
+    const auto count = std::count_if(intersections_.begin(), intersections_.end(), fits);
+    if (count == 0) {
+      one.field_from_odometry = anywhere();
+      return one;
+    }
+    std::size_t chosen = random.below(static_cast<std::size_t>(count));
+    const auto found = std::find_if(intersections_.begin(), intersections_.end(),
+                                    [&](const FieldIntersection& other) { return fits(other) && chosen-- == 0; });
+    known = found->position;
+    known_direction = found->direction;
+    if (*seen.kind == IntersectionKind::x) known_direction += kPi / 2.0 * static_cast<double>(random.below(4));
+  }
+  const double rotation = angle_difference(known_direction, seen.direction);
+  one.field_from_odometry = Pose2(known - rotated(place, rotation), rotation) * sighting.odometry.inverse();
+  return one;
+}
+
+/// Of some of the points, by the map: fast, and good enough to choose what is refined.
+double PoseSearch::rough_cost(const PoseHypothesis& one) const {
+  constexpr std::size_t kEvery = 3;
+  double cost = 0.0;
+  for (std::size_t i = 0; i < sightings_.size(); ++i) {
+    const Sighting& sighting = sightings_[i];
+    const TiltBias turn = turn_of(one, sighting);
+    const Pose2 robot = one.field_from_odometry * sighting.odometry;
+    const auto [sine, cosine] = pinned::sincos(robot.rotation);
+    for (std::size_t j = 0; j < sighting.line_count; j += kEvery) {
+      const Sighting::Line& line = sighting.lines[j];
+      const Eigen::Vector2d place = moved_by_tilt(line.place, sighting.robot_from_camera, turn);
+      const Eigen::Vector2d on_field(robot.position.x() + cosine * place.x() - sine * place.y(),
+                                     robot.position.y() + sine * place.x() + cosine * place.y());
+      const double distance = map_.distance(on_field, line.normal + robot.rotation);
+      cost += std::min(square(distance) / (2.0 * line.variance), kCostLimit);
+    }
+  }
+  return cost;
+}
+
+/// Gauss-Newton steps with less and less tolerance for what does not fit.
+void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2& odometry) const {
+  constexpr int kSize = 9;  // x, y, rotation; roll and pitch of torso and of both mounts
+  constexpr std::array kTolerances{4.0, 2.5, 1.5, 1.0, 1.0};
+  for (const double tolerance : kTolerances) {
+    Eigen::Matrix<double, kSize, kSize> information = Eigen::Matrix<double, kSize, kSize>::Zero();
+    Eigen::Matrix<double, kSize, 1> gradient = Eigen::Matrix<double, kSize, 1>::Zero();
+    const auto add_prior = [&](int at, const TiltBias& bias, const TiltBias& mean, double deviation) {
+      const double precision = 1.0 / square(std::max(deviation, 1e-4));
+      information(at, at) += precision;
+      information(at + 1, at + 1) += precision;
+      gradient(at) += precision * (bias.roll - mean.roll);
+      gradient(at + 1) += precision * (bias.pitch - mean.pitch);
+    };
+    add_prior(3, one.torso, prior.mean.torso, prior.torso_deviation);
+    add_prior(5, one.mounts[0], prior.mean.mounts[0], prior.mount_deviation);
+    add_prior(7, one.mounts[1], prior.mean.mounts[1], prior.mount_deviation);
+    const Pose2 now = one.field_from_odometry * odometry;
+    for (std::size_t i = 0; i < sightings_.size(); ++i) {
+      const Sighting& sighting = sightings_[i];
+      const TiltBias turn = turn_of(one, sighting);
+      const Pose2 robot = one.field_from_odometry * sighting.odometry;
+      const Eigen::Vector2d axis = mount_axis(sighting.robot_from_camera);
+      const double share = independent_share(sighting);
+      const auto add = [&](const Eigen::Vector2d& place, const Eigen::Vector2d& on_field, const Eigen::Vector2d& normal,
+                           double residual, double variance) {
+        const double weight = share / (variance * (1.0 + square(residual) / (square(tolerance) * variance)));
+        const TiltDerivative derivative = tilt_derivative(place, sighting.robot_from_camera);
+        const Eigen::Vector2d in_robot = rotated(normal, -robot.rotation);
+        const double roll = in_robot.dot(derivative.by_roll), pitch = in_robot.dot(derivative.by_pitch);
+        Eigen::Matrix<double, kSize, 1> row = Eigen::Matrix<double, kSize, 1>::Zero();
+        row(0) = normal.x();
+        row(1) = normal.y();
+        row(2) = cross(on_field - now.position, normal);
+        row(3) = roll;
+        row(4) = pitch;
+        const int mount = sighting.camera == 0 ? 5 : 7;
+        row(mount) = axis.x() * roll + axis.y() * pitch;
+        row(mount + 1) = axis.x() * pitch - axis.y() * roll;
+        information += weight * row * row.transpose();
+        gradient += weight * residual * row;
+      };
+      for (std::size_t j = 0; j < sighting.line_count; ++j) {
+        const Sighting::Line& line = sighting.lines[j];
+        const Eigen::Vector2d place = moved_by_tilt(line.place, sighting.robot_from_camera, turn);
+        const Eigen::Vector2d on_field = robot * place;
+        const auto nearest = lines_.nearest(on_field, unit_vector(line.normal + 0.5 * kPi + robot.rotation));
+        if (nearest) add(place, on_field, nearest->normal, nearest->distance, line.variance);
+      }
+      for (std::size_t j = 0; j < sighting.post_count; ++j) {
+        const Eigen::Vector2d place = moved_by_tilt(sighting.posts[j], sighting.robot_from_camera, turn);
+        const Eigen::Vector2d on_field = robot * place;
+        const auto known = std::min_element(posts_.begin(), posts_.end(), [&](const auto& a, const auto& b) {
+          return (a - on_field).squaredNorm() < (b - on_field).squaredNorm();
+        });
+        const double variance = square(kPostDeviation) + square(kPostSight * place.squaredNorm());
+        add(place, on_field, Eigen::Vector2d::UnitX(), on_field.x() - known->x(), variance);
+        add(place, on_field, Eigen::Vector2d::UnitY(), on_field.y() - known->y(), variance);
+      }
+    }
+    information.diagonal() += Eigen::Matrix<double, kSize, 1>::Constant(1e-3);
+    const Eigen::Matrix<double, kSize, 1> step = -information.ldlt().solve(gradient);
+    if (!step.allFinite()) return;
+    const Pose2 moved(now.position.x() + std::clamp(step(0), -0.5, 0.5),
+                      now.position.y() + std::clamp(step(1), -0.5, 0.5), now.rotation + std::clamp(step(2), -0.3, 0.3));
+    one.field_from_odometry = moved * odometry.inverse();
+    const auto turned = [&](TiltBias& bias, int at) {
+      bias.roll += std::clamp(step(at), -0.05, 0.05);
+      bias.pitch += std::clamp(step(at + 1), -0.05, 0.05);
+    };
+    turned(one.torso, 3);
+    turned(one.mounts[0], 5);
+    turned(one.mounts[1], 7);
+  }
+}
+
+void PoseSearch::judge(PoseHypothesis& one, const BiasPrior& prior) const {
+  one.cost = prior_cost(one.torso, prior.mean.torso, prior.torso_deviation);
+  for (std::size_t i = 0; i < one.mounts.size(); ++i)
+    one.cost += prior_cost(one.mounts[i], prior.mean.mounts[i], prior.mount_deviation);
+  std::size_t points = 0, fitting = 0;
+  for (std::size_t i = 0; i < sightings_.size(); ++i) {
+    const Sighting& sighting = sightings_[i];
+    const TiltBias turn = turn_of(one, sighting);
+    const Pose2 robot = one.field_from_odometry * sighting.odometry;
+    const double share = independent_share(sighting);
+    for (std::size_t j = 0; j < sighting.line_count; ++j) {
+      const Sighting::Line& line = sighting.lines[j];
+      const Eigen::Vector2d on_field = robot * moved_by_tilt(line.place, sighting.robot_from_camera, turn);
+      const double distance = map_.distance(on_field, line.normal + robot.rotation);
+      const double squared = square(distance) / line.variance;
+      one.cost += share * std::min(0.5 * squared, kCostLimit);
+      ++points;
+      fitting += squared <= square(kOnLine) ? 1 : 0;
+    }
+    for (std::size_t j = 0; j < sighting.post_count; ++j) {
+      const Eigen::Vector2d place = moved_by_tilt(sighting.posts[j], sighting.robot_from_camera, turn);
+      double least = std::numeric_limits<double>::infinity();
+      for (const Eigen::Vector2d& known : posts_) least = std::min(least, (robot * place - known).squaredNorm());
+      const double variance = square(kPostDeviation) + square(kPostSight * place.squaredNorm());
+      one.cost += std::min(0.5 * least / variance, kCostLimit);
+    }
+  }
+  one.fit = points == 0 ? 0.0 : static_cast<double>(fitting) / static_cast<double>(points);
+}
+
+/// Among the best, if it is one of them. A pose and its reflection are one.
+void PoseSearch::keep(const PoseHypothesis& one, const Pose2& odometry) {
+  const Pose2 pose = one.field_from_odometry * odometry;
+  if ((pose.position.cwiseAbs().array() > carpet_.array()).any()) return;
+  const auto end = best_.begin() + count_;
+  const auto same = std::find_if(best_.begin(), end, [&](const PoseHypothesis& other) {
+    const Pose2 where = other.field_from_odometry * odometry;
+    return is_same(where, pose) || is_same(reflect(where), pose);
+  });
+  if (same != end) {
+    if (one.cost < same->cost) *same = one;
+    return;
+  }
+  if (count_ < kMostHypotheses) {
+    best_[count_++] = one;
+    return;
+  }
+  const auto worst = std::max_element(best_.begin(), end, [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  if (one.cost < worst->cost) *worst = one;
+}
+
+std::optional<PoseHypothesis> PoseSearch::search(const BiasPrior& prior, const Pose2& odometry, const Pose2& believed) {
+  if (!parameters_.enabled || sightings_.points() < static_cast<std::size_t>(parameters_.fewest_points))
+    return std::nullopt;
+  if (sightings_[sightings_.size() - 1].time - sightings_[0].time < parameters_.least_time) return std::nullopt;
+  // What was found before is judged by what has been seen since; one of it is refined.
+  if (count_ > 0) refine(best_[next_++ % count_], prior, odometry);
+  std::array<PoseHypothesis, kMostHypotheses> before = best_;
+  const std::uint32_t count = std::exchange(count_, 0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    judge(before[i], prior);
+    keep(before[i], odometry);
+  }
+  const auto try_one = [&](PoseHypothesis one) {
+    refine(one, prior, odometry);
+    judge(one, prior);
+    keep(one, odometry);
+  };
+  for (int part = 0; part < kParts; ++part) {
+    PoseHypothesis best = draw(prior, odometry);
+    double least = rough_cost(best);
+    for (int i = 1; i < parameters_.candidates / kParts; ++i) {
+      const PoseHypothesis candidate = draw(prior, odometry);
+      const double cost = rough_cost(candidate);
+      if (cost >= least) continue;
+      least = cost;
+      best = candidate;
+    }
+    try_one(best);
+  }
+  try_one({believed * odometry.inverse(), prior.mean.torso, prior.mean.mounts});
+  if (++searched_ < kFewestFrames || count_ == 0) return std::nullopt;
+  const auto end = best_.begin() + count_;
+  std::sort(best_.begin(), end, [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  const PoseHypothesis& best = best_[0];
+  const double lead = count_ > 1 ? best_[1].cost - best.cost : std::numeric_limits<double>::infinity();
+  if (best.fit < parameters_.least_fit || lead < parameters_.lead) return std::nullopt;
+  const PoseHypothesis found = best;
+  stop();
+  return found;
+}
+
+/// After reading.
+void PoseSearch::complete() const {
+  check_bytes(count_ <= kMostHypotheses, "more hypotheses than there are");
+  for (const PoseHypothesis& one : best_)
+    check_bytes(one.field_from_odometry.position.allFinite() && std::isfinite(one.cost + one.fit) &&
+                    std::isfinite(one.field_from_odometry.rotation + one.torso.roll + one.torso.pitch) &&
+                    std::isfinite(one.mounts[0].roll + one.mounts[0].pitch + one.mounts[1].roll + one.mounts[1].pitch),
+                "a hypothesis is none");
+}
+
+}  // namespace reorient

@@ -1,0 +1,109 @@
+// Where does a robot stand that does not know it, and by how much are its camera's angles wrong? Matches all that was
+// seen within the last seconds with the field, from many poses and tilts.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "geometry/bytes.h"
+#include "geometry/camera_bias.h"
+#include "geometry/field_dimensions.h"
+#include "geometry/field_landmarks.h"
+#include "geometry/pose2.h"
+#include "geometry/random.h"
+#include "localization/measurement/field_line_map.h"
+#include "localization/measurement/field_map.h"
+#include "localization/search/sightings.h"
+
+namespace reorient {
+
+struct PoseSearchParameters {
+  bool enabled = true;
+  int candidates = 60;
+  int fewest_points = 80;
+  double least_time = 1.0;
+  double least_fit = 0.8;
+  double lead = 6.0;
+};
+
+template <typename Visit>
+void describe(PoseSearchParameters& p, Visit&& visit) {
+  visit("enabled", p.enabled, "whether a lost robot matches what it saw within seconds with the field");
+  visit("candidates", p.candidates, 2, 1000, "", "how many poses and tilts are tried in each frame");
+  visit("fewest_points", p.fewest_points, 1, 200, "", "fewer line points say nothing");
+  visit("least_time", p.least_time, 0.0, 6.0, "s", "they must have been seen over so long a time");
+  visit("least_fit", p.least_fit, 0.1, 1.0, "", "share of them that lies on lines from the right pose");
+  visit("lead", p.lead, 0.0, 100.0, "", "how much likelier the best pose must be than any other (a log-likelihood)");
+}
+
+/// One pose, with what it takes the angles for.
+struct PoseHypothesis {
+  Pose2 field_from_odometry;
+  TiltBias torso;
+  std::array<TiltBias, 2> mounts{};
+  double cost = 0.0;  ///< -log of the likelihood, without a constant
+  double fit = 0.0;   ///< share of the points that lie on lines
+};
+template <typename Visit>
+void fields(Visit&& visit, PoseHypothesis& one) {
+  visit(one.field_from_odometry, one.torso, one.mounts, one.cost, one.fit);
+}
+
+class PoseSearch {
+ public:
+  PoseSearch(const PoseSearchParameters& parameters, const FieldDimensions& field, std::uint64_t seed);
+
+  void set_parameters(const PoseSearchParameters& parameters) { parameters_ = parameters; }
+
+  /// Keeps what one camera sees, see Sightings::add().
+  void see(const FieldPercept& percept, std::size_t camera, const Isometry3& robot_from_camera, const TiltBias& used,
+           const Pose2& odometry, double time) {
+    sightings_.add(percept, camera, robot_from_camera, used, odometry, time);
+  }
+  /// The robot may stand elsewhere than where it saw the things before `time`, s.
+  void forget_before(double time);
+
+  /// Tries some more poses. A pose where it is clear that the robot stands there or at its reflection; then the search
+  /// begins anew.
+  /// `believed`: the pose that is believed so far is tried, too.
+  std::optional<PoseHypothesis> search(const BiasPrior& prior, const Pose2& odometry, const Pose2& believed);
+  /// The robot is not lost (any more).
+  void stop() {
+    count_ = 0;
+    searched_ = 0;
+  }
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(random_, sightings_, best_, count_, searched_, next_);
+    if constexpr (Archive::kReads) complete();
+  }
+
+ private:
+  static constexpr std::size_t kMostHypotheses = 8;
+
+  void complete() const;
+  PoseHypothesis draw(const BiasPrior& prior, const Pose2& odometry);
+  double rough_cost(const PoseHypothesis& one) const;
+  void refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2& odometry) const;
+  void judge(PoseHypothesis& one, const BiasPrior& prior) const;
+  void keep(const PoseHypothesis& one, const Pose2& odometry);
+
+  PoseSearchParameters parameters_;
+  FieldMap map_;
+  FieldLineMap lines_;
+  std::array<Eigen::Vector2d, 4> posts_;
+  std::vector<FieldIntersection> intersections_;
+  Eigen::Vector2d carpet_;  ///< half of its size, m
+  Random random_;
+  Sightings sightings_;
+  std::array<PoseHypothesis, kMostHypotheses> best_;  ///< the first `count_`; none is near to another
+  std::uint32_t count_ = 0;
+  std::uint32_t searched_ = 0;  ///< frames
+  std::uint32_t next_ = 0;      ///< to be refined
+};
+
+}  // namespace reorient

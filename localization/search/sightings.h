@@ -1,0 +1,93 @@
+// What was seen of the field within the last seconds, each image with where the robot was by its odometry.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "geometry/bytes.h"
+#include "geometry/camera_bias.h"
+#include "geometry/pose2.h"
+#include "geometry/transform.h"
+#include "perception/field/percepts.h"
+
+namespace reorient {
+
+/// Points in the robot's frame at the moment of the image, m, as they were found.
+struct Sighting {
+  struct Line {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double normal = 0.0;    ///< rad
+    double variance = 1.0;  ///< m^2, across the line
+  };
+  template <typename Visit>
+  friend void fields(Visit&& visit, Line& line) {
+    visit(line.place, line.normal, line.variance);
+  }
+  /// A place and a direction, which give a pose for each such landmark of the field.
+  struct Landmark {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double direction = 0.0;                ///< rad
+    std::optional<IntersectionKind> kind;  ///< nothing: the center circle, the direction is the halfway line's
+  };
+  template <typename Visit>
+  friend void fields(Visit&& visit, Landmark& landmark) {
+    visit(landmark.place, landmark.direction, landmark.kind);
+  }
+  static constexpr std::size_t kMostLines = 12, kMostPosts = 2, kMostLandmarks = 4;
+
+  double time = 0.0;  ///< s
+  Pose2 odometry;
+  std::uint32_t camera = 0;                             ///< 0: the upper one
+  Isometry3 robot_from_camera = Isometry3::Identity();  ///< with which the points were found
+  TiltBias used;                                        ///< the bias that was corrected in it
+  std::array<Line, kMostLines> lines;
+  /// Whose base was in view.
+  std::array<Eigen::Vector2d, kMostPosts> posts{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  std::uint32_t line_count = 0;
+  std::uint32_t post_count = 0;
+  std::array<Landmark, kMostLandmarks> landmarks;
+  std::uint32_t landmark_count = 0;
+};
+template <typename Visit>
+void fields(Visit&& visit, Sighting& sighting) {
+  visit(sighting.time, sighting.odometry, sighting.camera, sighting.robot_from_camera, sighting.used, sighting.lines,
+        sighting.posts, sighting.line_count, sighting.post_count, sighting.landmarks, sighting.landmark_count);
+}
+
+/// The latest ones; memory for all of them from the start.
+class Sightings {
+ public:
+  static constexpr std::size_t kMost = 20;
+  static constexpr double kBetween = 0.25;  ///< s, between two of one camera
+  static constexpr double kOldest = 6.0;    ///< s
+
+  /// Takes it in where it is time for another one and it shows enough. Drops those that are too old.
+  void add(const FieldPercept& percept, std::size_t camera, const Isometry3& robot_from_camera, const TiltBias& used,
+           const Pose2& odometry, double time);
+  /// Those that are older than this (s) are of another place.
+  void forget_before(double time);
+  void clear() { count_ = 0; }
+
+  std::size_t size() const { return count_; }
+  const Sighting& operator[](std::size_t index) const { return all_[index]; }
+  std::size_t points() const;
+  std::size_t landmarks() const;
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(all_, count_, last_);
+    if constexpr (Archive::kReads) complete();
+  }
+
+ private:
+  void complete() const;
+
+  std::array<Sighting, kMost> all_;  ///< the first `count_`, the oldest first
+  std::uint32_t count_ = 0;
+  std::array<double, 2> last_{-1e9, -1e9};  ///< s, of each camera
+};
+
+}  // namespace reorient
