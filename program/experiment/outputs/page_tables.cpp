@@ -79,7 +79,8 @@ const ordered_json& value_of(const ordered_json& row, const std::string& key) {
 }
 
 bool is_share(const std::string& key) {
-  constexpr std::string_view kShares[] = {"failed", "flip", "purge", "reset", "uninformative", "kidnap_failed"};
+  constexpr std::string_view kShares[] = {"failed",        "flip",          "purge",    "reset",
+                                          "uninformative", "kidnap_failed", "mirrored", "within_95"};
   return key.starts_with("eer_") || key.starts_with("silent_") ||
          std::find(std::begin(kShares), std::end(kShares), key) != std::end(kShares);
 }
@@ -90,7 +91,7 @@ std::string number_text(const std::string& key, const ordered_json& value, const
   if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
   if (!value.is_number()) throw std::runtime_error("'" + key + "' is no number and no text");
   if (is_share(key)) return fmt::format("{:.1f} %", 100.0 * value.get<double>());
-  if (key.starts_with("auc_")) return fmt::format("{:.3f}", value.get<double>());
+  if (key.starts_with("auc_") || key.ends_with("_m")) return fmt::format("{:.3f}", value.get<double>());
   return fmt::format("{:.{}f}", value.get<double>(), key.ends_with("_s") || key.ends_with("_mean_low") ? 1 : 2);
 }
 
@@ -108,9 +109,9 @@ std::string cell_of(const ordered_json& row, const std::string& key) {
   return text + " (" + number_text(key, row[low]) + " to " + number_text(key, row[high]) + ")";
 }
 
-/// "mean_s" as "mean, s".
+/// "mean_s" as "mean, s", "rmse_m" as "rmse, m".
 std::string title_of(std::string key) {
-  if (key.ends_with("_s")) key = key.substr(0, key.size() - 2) + ", s";
+  if (key.ends_with("_s") || key.ends_with("_m")) key = key.substr(0, key.size() - 2) + ", " + key.back();
   std::replace(key.begin(), key.end(), '_', ' ');
   return key;
 }

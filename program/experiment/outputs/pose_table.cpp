@@ -61,7 +61,7 @@ void add_pose_errors(const std::optional<PoseRow>& row, nlohmann::ordered_json& 
   json["normalized_error"] = row->normalized;
   json["within_95"] = row->within;
   json["mirrored"] = row->mirrored;
-  json["located_in_10_s"] = row->located_in_time;
+  json["located_in_time"] = row->located_in_time;
   json["located_p90_s"] = or_null(row->first_located_p90);
   json["falls"] = row->falls;
   json["fall_right_p90_s"] = or_null(row->right_p90);

@@ -11,6 +11,7 @@ namespace {
 /// Of times of which some never came, as later than all others; nothing: fewer came.
 std::optional<double> ninetieth(const std::vector<std::optional<double>>& times) {
   std::vector<CensoredTime> all;
+  all.reserve(times.size());
   constexpr double kNever = 1e9;  // s
   for (const std::optional<double>& time : times) all.push_back({time.value_or(kNever), time.has_value()});
   const double time = time_by_which(kaplan_meier(std::move(all)), 0.9);
