@@ -167,9 +167,8 @@ void FrameLoop::see_field() {
     percept.clear();
     camera.reset();
     if (!frame) return;
-    camera =
-        CameraRecord{frame->time, frame->camera, frame->robot_from_camera, frame->image.width, frame->image.height};
-    camera->robot_from_camera = corrected(frame->robot_from_camera, bias, which);
+    camera = CameraRecord{frame->time, frame->camera, corrected(frame->robot_from_camera, bias, which),
+                          frame->image.width, frame->image.height};
     if (frame->time != observation_->time)
       camera->robot_from_camera = to_isometry(moved_since(*frame)) * camera->robot_from_camera;
     if (world_.upright()) field_features_[which].find(frame->image, frame->camera, camera->robot_from_camera, percept);

@@ -76,9 +76,9 @@ class FrameLoop {
   void see_field();
   void localize();
   std::array<CameraPercept, 2> percepts_of_cameras() const;
-  double bias_deviation() const;
+  double bias_deviation(const std::array<CameraPercept, 2>& seen) const;
   bool is_pose_known() const;
-  void search_pose(const std::optional<SeenView>& view);
+  void search_pose(const std::array<CameraPercept, 2>& seen, const std::optional<SeenView>& view);
   bool take_external_belief();
   void go_on_by_ourselves();
   void watch_belief(const Pose2& expected);

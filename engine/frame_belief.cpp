@@ -17,13 +17,14 @@ void FrameLoop::localize() {
     if (external_belief_) go_on_by_ourselves();
     pose_filter_.predict(odometry_step_, world_.time_step);
     pose_tracker_.predict(odometry_step_, world_.time_step, parameters_.pose_filter.motion);
+    const std::array<CameraPercept, 2> seen = percepts_of_cameras();
     const std::optional<SeenView> view =
         room_ ? seen_view(*room_, observation_->odometry.rotation, parameters_.seen_view) : std::nullopt;
     pose_filter_.update(record_.percepts[kUpper], record_.percepts[kLower],
                         room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown, view,
-                        bias_deviation());
-    search_pose(view);
-    pose_tracker_.update(percepts_of_cameras(), pose_filter_.belief(), world_.time_step);
+                        bias_deviation(seen));
+    search_pose(seen, view);
+    pose_tracker_.update(seen, pose_filter_.belief(), world_.time_step);
     world_.pose = pose_tracker_.belief(pose_filter_.belief());
     world_.pose_tracked = is_pose_known();
     world_.camera_bias = pose_tracker_.bias();
@@ -45,10 +46,9 @@ std::array<CameraPercept, 2> FrameLoop::percepts_of_cameras() const {
   return seen;
 }
 
-/// Of the camera that knows its tilt less well.
-double FrameLoop::bias_deviation() const {
+/// Of the camera whose tilt is known less well.
+double FrameLoop::bias_deviation(const std::array<CameraPercept, 2>& seen) const {
   double deviation = 0.0;
-  const std::array<CameraPercept, 2> seen = percepts_of_cameras();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].percept != nullptr)
       deviation = std::max(deviation, pose_tracker_.bias_deviation(seen[i].robot_from_camera, i));
@@ -61,11 +61,10 @@ bool FrameLoop::is_pose_known() const {
   return parameters_.pose_tracker.enabled ? pose_tracker_.is_attached() : !pose_filter_.is_lost();
 }
 
-/// Where the pose filter has lost the robot, it is looked for with all that was seen within some seconds.
-void FrameLoop::search_pose(const std::optional<SeenView>& view) {
+/// While the pose is not known, the search matches all that was seen in the last seconds.
+void FrameLoop::search_pose(const std::array<CameraPercept, 2>& seen, const std::optional<SeenView>& view) {
   constexpr double kBeforeItIsNoticed = 1.0;  // s
   const CameraBias bias = pose_tracker_.bias();
-  const std::array<CameraPercept, 2> seen = percepts_of_cameras();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].percept != nullptr)
       pose_search_.see(*seen[i].percept, i, seen[i].robot_from_camera, bias_of(bias, i, seen[i].robot_from_camera),
@@ -76,11 +75,11 @@ void FrameLoop::search_pose(const std::optional<SeenView>& view) {
   if (!is_known && was_known_) pose_search_.forget_before(world_.time - kBeforeItIsNoticed);
   was_known_ = is_known;
   if (is_known || !world_.upright()) return pose_search_.stop();
-  const std::optional<PoseHypothesis> found =
-      pose_search_.search(pose_tracker_.prior(), observation_->odometry, pose_filter_.belief().pose);
+  const std::optional<PoseHypothesis> found = pose_search_.search(pose_filter_.map(), pose_tracker_.prior(),
+                                                                  observation_->odometry, pose_filter_.belief().pose);
   if (!found) return;
   pose_filter_.take_found(found->field_from_odometry * observation_->odometry, view);
-  pose_tracker_.take_found(found->torso, found->mounts);
+  pose_tracker_.take_found(found->bias);
   pose_tracker_.attach(pose_filter_.belief());
 }
 
@@ -114,8 +113,7 @@ void FrameLoop::go_on_by_ourselves() {
 void FrameLoop::watch_belief(const Pose2& expected) {
   const PoseClusterParameters& cluster = parameters_.pose_filter.clusters;
   const auto is_near = [&](const Pose2& pose) {
-    return (world_.pose.pose.position - pose.position).norm() < cluster.radius &&
-           std::abs(angle_difference(world_.pose.pose.rotation, pose.rotation)) < cluster.max_rotation_difference;
+    return are_near(world_.pose.pose, pose, cluster.radius, cluster.max_rotation_difference);
   };
   if (is_near(expected)) return;
   if (is_near(reflect(expected))) {

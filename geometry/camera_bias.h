@@ -49,16 +49,24 @@ struct BiasPrior {
   double mount_deviation = 0.0;
 };
 
+/// The camera's horizontal direction, of length 1; zero where it looks straight up or down. The roll of a mounting
+/// turns the camera about it, the pitch about the axis to its left.
+inline Eigen::Vector2d mount_axis(const Isometry3& robot_from_camera) {
+  const Eigen::Vector2d ahead = robot_from_camera.linear().col(0).head<2>();
+  const double length = ahead.norm();
+  return length > 0.0 ? Eigen::Vector2d(ahead / length) : Eigen::Vector2d::Zero();
+}
+
 /// The sum for one camera, about the robot's axes.
 inline TiltBias bias_of(const CameraBias& bias, std::size_t camera, const Isometry3& robot_from_camera) {
   const TiltBias& mount = bias.mounts[camera];
-  const Eigen::Vector2d ahead = robot_from_camera.linear().col(0).head<2>();
-  const double length = ahead.norm();
-  if (!(length > 0.0)) return bias.torso;
-  const Eigen::Vector2d axis = ahead / length;
+  const Eigen::Vector2d axis = mount_axis(robot_from_camera);
   return {bias.torso.roll + axis.x() * mount.roll - axis.y() * mount.pitch,
           bias.torso.pitch + axis.y() * mount.roll + axis.x() * mount.pitch};
 }
+
+/// The same of the upper camera while the head looks straight ahead.
+inline TiltBias bias_ahead(const CameraBias& bias) { return bias_of(bias, 0, Isometry3::Identity()); }
 
 /// The camera's pose as it is without that bias: rotated about its own place.
 inline Isometry3 corrected(const Isometry3& robot_from_camera, const CameraBias& bias, std::size_t camera) {

@@ -1,3 +1,4 @@
+// Whether bytes are still those that were written.
 #pragma once
 
 #include <cstddef>

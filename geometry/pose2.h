@@ -1,6 +1,8 @@
 // Poses on the ground: metres, radians; x forward, y left; the field's origin is its centre.
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -30,6 +32,12 @@ void fields(Visit&& visit, Pose2& pose) {
 
 /// The pose that looks the same on a field that is symmetric through its centre: (x, y, a) -> (-x, -y, a + pi).
 inline Pose2 reflect(const Pose2& pose) { return {-pose.position, pose.rotation + kPi}; }
+
+/// Less than `metres` and less than `radians` apart; false where a number is not finite.
+inline bool are_near(const Pose2& one, const Pose2& other, double metres, double radians) {
+  return (one.position - other.position).norm() < metres &&
+         std::abs(angle_difference(one.rotation, other.rotation)) < radians;
+}
 
 /// The pose as a rigid motion of space that leaves heights as they are.
 inline Isometry3 to_isometry(const Pose2& pose) {

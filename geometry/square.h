@@ -1,3 +1,4 @@
+// Numbers times themselves.
 #pragma once
 
 namespace reorient {

@@ -139,13 +139,13 @@ void PoseFilter::resample() {
 void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view) {
   const InjectionParameters& p = parameters_.injection;
   if (!p.enabled) return;
-  const double recovery_probability = searching_ ? 1.0 : recovery_.recovery_probability(p.lost_margin);
-  const bool use_view = view && p.use_view && recovery_probability > 0.0 &&
+  const double lost = lost_probability();
+  const bool use_view = view && p.use_view && lost > 0.0 &&
                         measurement_.line_points() >= static_cast<std::size_t>(p.line_points_with_view);
-  const bool use_landmarks = p.use_landmarks && recovery_probability > 0.0 && LandmarkInjection::landmarks(percept) > 0;
+  const bool use_landmarks = p.use_landmarks && lost > 0.0 && LandmarkInjection::landmarks(percept) > 0;
   const std::optional<GoalSighting> goal = injection_.find_goal(percept, measurement_, p);
   if (!goal && !use_view && !use_landmarks) return;
-  double rate = p.lost_rate * recovery_probability;
+  double rate = p.lost_rate * lost;
   if (goal) rate += seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate;
   // Fractions of a particle are injected by chance, so that rates below one particle a frame count as well.
   const auto count = static_cast<int>(rate * static_cast<double>(particles_.size()) + random_.uniform());
@@ -171,8 +171,8 @@ void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal, const s
   if (count > 0) normalize_weights(particles_);
 }
 
-bool PoseFilter::is_lost() const {
-  return searching_ || recovery_.recovery_probability(parameters_.injection.lost_margin) > 0.0;
+double PoseFilter::lost_probability() const {
+  return searching_ ? 1.0 : recovery_.recovery_probability(parameters_.injection.lost_margin);
 }
 
 void PoseFilter::take_found(const Pose2& found, const std::optional<SeenView>& view) {
@@ -180,8 +180,7 @@ void PoseFilter::take_found(const Pose2& found, const std::optional<SeenView>& v
   constexpr double kPosition = 0.1, kRotation = 0.05;  // m, rad
   const PoseClusterParameters& cluster = parameters_.clusters;
   const auto is_believed = [&](const Pose2& pose) {
-    return (pose.position - belief_.pose.position).norm() < 0.5 * cluster.radius &&
-           std::abs(angle_difference(pose.rotation, belief_.pose.rotation)) < 0.5 * cluster.max_rotation_difference;
+    return are_near(pose, belief_.pose, 0.5 * cluster.radius, 0.5 * cluster.max_rotation_difference);
   };
   const bool was_lost = is_lost();
   recovery_.restart();

@@ -67,9 +67,9 @@ class PoseFilter {
   void see_nothing(double time_step);
 
   /// Whether the particles have lost the robot, or have not found it yet.
-  bool is_lost() const;
-  /// Somebody found the robot there, or at the reflection of that: most particles are drawn around it. On which side
-  /// they are is what the view says, else as before.
+  bool is_lost() const { return lost_probability() > 0.0; }
+  /// The robot stands there, or at the reflection of that: most particles are drawn around it. The view says on which
+  /// side; without one they stay on their sides.
   void take_found(const Pose2& found, const std::optional<SeenView>& view);
 
   /// The commands; belief() is up to date when they return.
@@ -81,6 +81,7 @@ class PoseFilter {
   void set_parameters(const PoseFilterParameters& parameters);
 
   const PoseBelief& belief() const { return belief_; }
+  const FieldMap& map() const { return measurement_.map(); }
   const ParticleSet& particles() const { return particles_; }
   const RecoveryEstimator& recovery() const { return recovery_; }
 
@@ -96,6 +97,7 @@ class PoseFilter {
 
  private:
   void complete();
+  double lost_probability() const;
   void weigh();
   void resample();
   void inject(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view);

@@ -90,7 +90,7 @@ void fields(Visit&& visit, World& world) {
 /// What is worth keeping of the angles for another day; nothing: too little is known.
 inline std::optional<KnownBias> known_bias(const World& world) {
   constexpr double kSureEnough = from_degrees(0.7);
-  const double deviation = world.camera_bias.deviation;  // 0: nobody learns it
+  const double deviation = world.camera_bias.deviation;  // 0 if it is not learned
   const bool is_known = world.pose_tracked && deviation > 0.0 && deviation <= kSureEnough;
   return is_known ? std::optional(KnownBias{world.body, world.camera_bias}) : std::nullopt;
 }

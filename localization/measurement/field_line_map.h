@@ -24,8 +24,8 @@ class FieldLineMap {
  public:
   explicit FieldLineMap(const FieldDimensions& field);
 
-  /// Of the lines whose direction differs from `direction` (a vector of length 1, known up to half a turn) by at most
-  /// 25 degrees, and from no end of which the place is beyond. Nothing: there is none.
+  /// Considers lines whose direction differs from `direction` (a vector of length 1, known up to half a turn) by at
+  /// most 25 degrees, between their ends only. Empty if there is no such line.
   std::optional<NearestFieldLine> nearest(const Eigen::Vector2d& place, const Eigen::Vector2d& direction) const;
 
  private:

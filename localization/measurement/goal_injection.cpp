@@ -77,16 +77,9 @@ std::optional<Pose2> GoalInjection::draw(const GoalSighting& sighting, SeenGoal 
                                          Random& random) {
   const bool opponent_goal = seen_goal == SeenGoal::unknown ? random.below(2) == 0 : seen_goal == SeenGoal::opponent;
   const auto wanted = static_cast<std::size_t>(std::max(1, parameters.candidates));
-  if (candidates_.size() != wanted) candidates_ = ParticleSet(wanted);
-  std::size_t drawn = 0;
-  for (std::size_t i = 0; i < wanted; ++i) {
-    const std::optional<Pose2> candidate = draw_candidate(sighting, opponent_goal, observed, random);
-    if (candidate) candidates_.set_pose(drawn++, *candidate);
-  }
-  if (drawn == 0) return std::nullopt;
-  observed.costs(candidates_, costs_);
-  const auto best = std::min_element(costs_.begin(), costs_.begin() + static_cast<std::ptrdiff_t>(drawn));
-  return candidates_.pose(static_cast<std::size_t>(best - costs_.begin()));
+  const auto best =
+      best_.choose(wanted, observed, [&] { return draw_candidate(sighting, opponent_goal, observed, random); });
+  return best ? std::optional(best->pose) : std::nullopt;
 }
 
 }  // namespace reorient

@@ -7,6 +7,7 @@
 
 #include "geometry/field_dimensions.h"
 #include "geometry/random.h"
+#include "localization/measurement/best_candidate.h"
 #include "localization/measurement/measurement_model.h"
 #include "localization/pose_belief.h"
 #include "perception/field/percepts.h"
@@ -84,8 +85,7 @@ class GoalInjection {
 
   std::array<Eigen::Vector2d, 4> posts_;
   Eigen::Vector2d carpet_;  // half of its size, m
-  ParticleSet candidates_;
-  std::vector<float> costs_;
+  BestCandidate best_;
 };
 
 }  // namespace reorient

@@ -3,13 +3,12 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
-#include "geometry/field_landmarks.h"
 #include "geometry/random.h"
+#include "localization/measurement/best_candidate.h"
 #include "localization/measurement/goal_injection.h"
+#include "localization/measurement/landmark_poses.h"
 #include "localization/measurement/measurement_model.h"
-#include "localization/particles/particle_set.h"
 #include "perception/field/percepts.h"
 
 namespace reorient {
@@ -32,10 +31,9 @@ class LandmarkInjection {
   std::optional<Pose2> draw_candidate(const FieldPercept& percept, const MeasurementModel& observed,
                                       Random& random) const;
 
-  std::vector<FieldIntersection> intersections_;
+  IntersectionsByKind intersections_;
   Eigen::Vector2d carpet_;  // half of its size, m
-  ParticleSet candidates_;
-  std::vector<float> costs_;
+  BestCandidate best_;
 };
 
 }  // namespace reorient

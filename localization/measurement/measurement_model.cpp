@@ -5,6 +5,7 @@
 
 #include "geometry/square.h"
 #include "geometry/transform.h"
+#include "localization/measurement/spread_points.h"
 
 namespace reorient {
 namespace {
@@ -69,15 +70,8 @@ void MeasurementModel::observe(const FieldPercept& percept, double bias_deviatio
   const auto usable = [&](const LinePoint& point) {
     return std::isfinite(point.normal) && in_range(point.position, parameters_.farthest_line_point);
   };
-  const auto candidates =
-      static_cast<std::size_t>(std::count_if(percept.line_points.begin(), percept.line_points.end(), usable));
-  const std::size_t wanted = std::min(candidates, static_cast<std::size_t>(std::max(1, parameters_.line_points)));
-  std::size_t seen = 0;
-  for (const LinePoint& point : percept.line_points) {
-    if (!usable(point)) continue;
-    if (line_points_.size() * candidates <= seen * wanted && line_points_.size() < wanted) add(point);
-    ++seen;
-  }
+  for_some(percept.line_points, static_cast<std::size_t>(std::max(1, parameters_.line_points)), usable,
+           [this](const LinePoint& point) { add(point); });
   for (const GoalPost& post : percept.goal_posts) {
     if (goal_posts_.size() < kMostGoalPosts && in_range(post.position, parameters_.farthest_goal_post)) add(post);
   }

@@ -25,32 +25,20 @@ ViewInjection::ViewInjection(const FieldDimensions& field) : carpet_(carpet_half
 Pose2 ViewInjection::draw(const SeenView& view, const MeasurementModel& observed, const InjectionParameters& parameters,
                           Random& random) {
   const auto half = static_cast<std::size_t>(std::max(1, parameters.candidates / 2));
-  if (candidates_.size() != half) candidates_ = ParticleSet(half);
-  Pose2 best;
-  float least = std::numeric_limits<float>::infinity();
-  const auto take_best = [&] {
-    observed.costs(candidates_, costs_);
-    const auto found = std::min_element(costs_.begin(), costs_.end());
-    if (*found >= least) return;
-    least = *found;
-    best = candidates_.pose(static_cast<std::size_t>(found - costs_.begin()));
-  };
-  for (std::size_t i = 0; i < half; ++i) {
+  const auto anywhere = best_.choose(half, observed, [&] {
     const double x = random.uniform(-carpet_.x(), carpet_.x());
     const double y = random.uniform(-carpet_.y(), carpet_.y());
     const double azimuth = view.azimuth + rough(view.deviation, random);
-    candidates_.set_pose(i, {{x, y}, heading_of_view(view, {x, y}, azimuth)});
-  }
-  take_best();
-  const Pose2 center = best;
-  for (std::size_t i = 0; i < half; ++i) {
+    return std::optional(Pose2({x, y}, heading_of_view(view, {x, y}, azimuth)));
+  });
+  const Pose2& center = anywhere->pose;
+  const auto beside = best_.choose(half, observed, [&] {
     const double x = center.position.x() + rough(kBesideBest, random);
     const double y = center.position.y() + rough(kBesideBest, random);
     const double turn = rough(kTurnedBesideBest, random);
-    candidates_.set_pose(i, {Eigen::Vector2d(x, y).cwiseMax(-carpet_).cwiseMin(carpet_), center.rotation + turn});
-  }
-  take_best();
-  return best;
+    return std::optional(Pose2(Eigen::Vector2d(x, y).cwiseMax(-carpet_).cwiseMin(carpet_), center.rotation + turn));
+  });
+  return beside->cost < anywhere->cost ? beside->pose : anywhere->pose;
 }
 
 }  // namespace reorient

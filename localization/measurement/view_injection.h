@@ -2,8 +2,6 @@
 // view gives it.
 #pragma once
 
-#include <vector>
-
 #include "geometry/field_dimensions.h"
 #include "geometry/random.h"
 #include "localization/measurement/goal_injection.h"
@@ -26,8 +24,7 @@ class ViewInjection {
 
  private:
   Eigen::Vector2d carpet_;  // half of its size, m
-  ParticleSet candidates_;
-  std::vector<float> costs_;
+  BestCandidate best_;
 };
 
 }  // namespace reorient

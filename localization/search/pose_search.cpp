@@ -27,15 +27,11 @@ constexpr std::uint32_t kFewestFrames = 12;              // of a search
 constexpr double kPostDeviation = 0.1;                   // m, near the robot
 constexpr double kPostSight = 0.01;                      // rad
 
-bool is_same(const Pose2& one, const Pose2& other) {
-  return (one.position - other.position).norm() < kSamePosition &&
-         std::abs(angle_difference(one.rotation, other.rotation)) < kSameRotation;
-}
+bool is_same(const Pose2& one, const Pose2& other) { return are_near(one, other, kSamePosition, kSameRotation); }
 
 /// The turn from the camera with which something was found to the camera of the hypothesis.
 TiltBias turn_of(const PoseHypothesis& one, const Sighting& sighting) {
-  const CameraBias bias{one.torso, one.mounts, 0.0};
-  const TiltBias sum = bias_of(bias, sighting.camera, sighting.robot_from_camera);
+  const TiltBias sum = bias_of(one.bias, sighting.camera, sighting.robot_from_camera);
   return {sum.roll - sighting.used.roll, sum.pitch - sighting.used.pitch};
 }
 
@@ -53,14 +49,20 @@ double prior_cost(const TiltBias& bias, const TiltBias& mean, double deviation) 
   return (square(bias.roll - mean.roll) + square(bias.pitch - mean.pitch)) / (2.0 * square(deviation));
 }
 
+/// Of the place of a post, along each axis, m^2.
+double post_variance(const Eigen::Vector2d& place) {
+  return square(kPostDeviation) + square(kPostSight * place.squaredNorm());
+}
+
+bool is_cheaper(const PoseHypothesis& one, const PoseHypothesis& other) { return one.cost < other.cost; }
+
 }  // namespace
 
 PoseSearch::PoseSearch(const PoseSearchParameters& parameters, const FieldDimensions& field, std::uint64_t seed)
     : parameters_(parameters),
-      map_(field),
       lines_(field),
       posts_(goal_posts(field)),
-      intersections_(field_intersections(field)),
+      intersections_(field),
       carpet_(carpet_half_size(field)),
       random_(seed, kRandomStream) {}
 
@@ -69,53 +71,42 @@ void PoseSearch::forget_before(double time) {
   stop();
 }
 
-/// From a landmark where one was seen, else from anywhere; the angles as they may be beforehand.
+/// From a landmark where one was seen, else from anywhere; with angles as they may be beforehand.
 PoseHypothesis PoseSearch::draw(const BiasPrior& prior, const Pose2& odometry) {
-  Random& random = random_;
   PoseHypothesis one;
-  one.torso = disturbed(prior.mean.torso, prior.torso_deviation, random);
-  for (std::size_t i = 0; i < one.mounts.size(); ++i)
-    one.mounts[i] = disturbed(prior.mean.mounts[i], prior.mount_deviation, random);
-  const std::size_t landmarks = sightings_.landmarks();
+  one.bias.torso = disturbed(prior.mean.torso, prior.torso_deviation, random_);
+  for (std::size_t i = 0; i < one.bias.mounts.size(); ++i)
+    one.bias.mounts[i] = disturbed(prior.mean.mounts[i], prior.mount_deviation, random_);
   const auto anywhere = [&] {
-    const double x = random.uniform(-carpet_.x(), carpet_.x());
-    const double y = random.uniform(-carpet_.y(), carpet_.y());
-    return Pose2(x, y, random.uniform(-kPi, kPi)) * odometry.inverse();
-  };
-  // A landmark may be none, so that a part of the poses is drawn without any.
-  if (landmarks == 0 || random.below(4) == 0) {
-    one.field_from_odometry = anywhere();
+    const double x = random_.uniform(-carpet_.x(), carpet_.x());
+    const double y = random_.uniform(-carpet_.y(), carpet_.y());
+    one.field_from_odometry = Pose2(x, y, random_.uniform(-kPi, kPi)) * odometry.inverse();
     return one;
-  }
-  std::size_t wanted = random.below(landmarks);
+  };
+  const std::size_t landmarks = sightings_.landmarks();
+  // A landmark may be a false one: a part of the poses is drawn without any.
+  if (landmarks == 0 || random_.below(4) == 0) return anywhere();
+  std::size_t wanted = random_.below(landmarks);
   std::size_t i = 0;
   while (wanted >= sightings_[i].landmark_count) wanted -= sightings_[i++].landmark_count;
   const Sighting& sighting = sightings_[i];
   const Sighting::Landmark& seen = sighting.landmarks[wanted];
-  const Eigen::Vector2d place = moved_by_tilt(seen.place, sighting.robot_from_camera, turn_of(one, sighting));
   Eigen::Vector2d known = Eigen::Vector2d::Zero();
-  double known_direction = random.below(2) == 0 ? kPi / 2.0 : -kPi / 2.0;
+  double known_direction = draw_halfway_direction(random_);
   if (seen.kind) {
-    const auto fits = [&](const FieldIntersection& other) { return other.kind == *seen.kind; };
-    const auto count = std::count_if(intersections_.begin(), intersections_.end(), fits);
-    if (count == 0) {
-      one.field_from_odometry = anywhere();
-      return one;
-    }
-    std::size_t chosen = random.below(static_cast<std::size_t>(count));
-    const auto found = std::find_if(intersections_.begin(), intersections_.end(),
-                                    [&](const FieldIntersection& other) { return fits(other) && chosen-- == 0; });
-    known = found->position;
-    known_direction = found->direction;
-    if (*seen.kind == IntersectionKind::x) known_direction += kPi / 2.0 * static_cast<double>(random.below(4));
+    const FieldIntersection* const intersection = intersections_.draw(*seen.kind, random_);
+    if (intersection == nullptr) return anywhere();
+    known = intersection->position;
+    known_direction = intersection->direction + draw_turn(*seen.kind, random_);
   }
-  const double rotation = angle_difference(known_direction, seen.direction);
-  one.field_from_odometry = Pose2(known - rotated(place, rotation), rotation) * sighting.odometry.inverse();
+  const Eigen::Vector2d place = moved_by_tilt(seen.place, sighting.robot_from_camera, turn_of(one, sighting));
+  one.field_from_odometry =
+      pose_from_landmark(known, known_direction, place, seen.direction) * sighting.odometry.inverse();
   return one;
 }
 
 /// Of some of the points, by the map: fast, and good enough to choose what is refined.
-double PoseSearch::rough_cost(const PoseHypothesis& one) const {
+double PoseSearch::rough_cost(const PoseHypothesis& one, const FieldMap& map) const {
   constexpr std::size_t kEvery = 3;
   double cost = 0.0;
   for (std::size_t i = 0; i < sightings_.size(); ++i) {
@@ -128,7 +119,7 @@ double PoseSearch::rough_cost(const PoseHypothesis& one) const {
       const Eigen::Vector2d place = moved_by_tilt(line.place, sighting.robot_from_camera, turn);
       const Eigen::Vector2d on_field(robot.position.x() + cosine * place.x() - sine * place.y(),
                                      robot.position.y() + sine * place.x() + cosine * place.y());
-      const double distance = map_.distance(on_field, line.normal + robot.rotation);
+      const double distance = map.distance(on_field, line.normal + robot.rotation);
       cost += std::min(square(distance) / (2.0 * line.variance), kCostLimit);
     }
   }
@@ -137,7 +128,8 @@ double PoseSearch::rough_cost(const PoseHypothesis& one) const {
 
 /// Gauss-Newton steps with less and less tolerance for what does not fit.
 void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2& odometry) const {
-  constexpr int kSize = 9;  // x, y, rotation; roll and pitch of torso and of both mounts
+  constexpr int kSize = 9, kTorso = 3;  // x, y, rotation; roll and pitch of torso and of both mounts
+  constexpr std::array kMounts{5, 7};
   constexpr std::array kTolerances{4.0, 2.5, 1.5, 1.0, 1.0};
   for (const double tolerance : kTolerances) {
     Eigen::Matrix<double, kSize, kSize> information = Eigen::Matrix<double, kSize, kSize>::Zero();
@@ -149,9 +141,9 @@ void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2
       gradient(at) += precision * (bias.roll - mean.roll);
       gradient(at + 1) += precision * (bias.pitch - mean.pitch);
     };
-    add_prior(3, one.torso, prior.mean.torso, prior.torso_deviation);
-    add_prior(5, one.mounts[0], prior.mean.mounts[0], prior.mount_deviation);
-    add_prior(7, one.mounts[1], prior.mean.mounts[1], prior.mount_deviation);
+    add_prior(kTorso, one.bias.torso, prior.mean.torso, prior.torso_deviation);
+    for (std::size_t i = 0; i < one.bias.mounts.size(); ++i)
+      add_prior(kMounts[i], one.bias.mounts[i], prior.mean.mounts[i], prior.mount_deviation);
     const Pose2 now = one.field_from_odometry * odometry;
     for (std::size_t i = 0; i < sightings_.size(); ++i) {
       const Sighting& sighting = sightings_[i];
@@ -162,18 +154,11 @@ void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2
       const auto add = [&](const Eigen::Vector2d& place, const Eigen::Vector2d& on_field, const Eigen::Vector2d& normal,
                            double residual, double variance) {
         const double weight = share / (variance * (1.0 + square(residual) / (square(tolerance) * variance)));
-        const TiltDerivative derivative = tilt_derivative(place, sighting.robot_from_camera);
-        const Eigen::Vector2d in_robot = rotated(normal, -robot.rotation);
-        const double roll = in_robot.dot(derivative.by_roll), pitch = in_robot.dot(derivative.by_pitch);
+        const TiltRow tilt = tilt_row(rotated(normal, -robot.rotation), place, sighting.robot_from_camera, axis);
         Eigen::Matrix<double, kSize, 1> row = Eigen::Matrix<double, kSize, 1>::Zero();
-        row(0) = normal.x();
-        row(1) = normal.y();
-        row(2) = cross(on_field - now.position, normal);
-        row(3) = roll;
-        row(4) = pitch;
-        const int mount = sighting.camera == 0 ? 5 : 7;
-        row(mount) = axis.x() * roll + axis.y() * pitch;
-        row(mount + 1) = axis.x() * pitch - axis.y() * roll;
+        row.head<3>() << normal.x(), normal.y(), cross(on_field - now.position, normal);
+        row.segment<2>(kTorso) << tilt.roll, tilt.pitch;
+        row.segment<2>(kMounts[sighting.camera]) << tilt.mount_roll, tilt.mount_pitch;
         information += weight * row * row.transpose();
         gradient += weight * residual * row;
       };
@@ -187,12 +172,10 @@ void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2
       for (std::size_t j = 0; j < sighting.post_count; ++j) {
         const Eigen::Vector2d place = moved_by_tilt(sighting.posts[j], sighting.robot_from_camera, turn);
         const Eigen::Vector2d on_field = robot * place;
-        const auto known = std::min_element(posts_.begin(), posts_.end(), [&](const auto& a, const auto& b) {
-          return (a - on_field).squaredNorm() < (b - on_field).squaredNorm();
-        });
-        const double variance = square(kPostDeviation) + square(kPostSight * place.squaredNorm());
-        add(place, on_field, Eigen::Vector2d::UnitX(), on_field.x() - known->x(), variance);
-        add(place, on_field, Eigen::Vector2d::UnitY(), on_field.y() - known->y(), variance);
+        const Eigen::Vector2d off = on_field - nearest_post(on_field);
+        const double variance = post_variance(place);
+        add(place, on_field, Eigen::Vector2d::UnitX(), off.x(), variance);
+        add(place, on_field, Eigen::Vector2d::UnitY(), off.y(), variance);
       }
     }
     information.diagonal() += Eigen::Matrix<double, kSize, 1>::Constant(1e-3);
@@ -205,16 +188,21 @@ void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2
       bias.roll += std::clamp(step(at), -0.05, 0.05);
       bias.pitch += std::clamp(step(at + 1), -0.05, 0.05);
     };
-    turned(one.torso, 3);
-    turned(one.mounts[0], 5);
-    turned(one.mounts[1], 7);
+    turned(one.bias.torso, kTorso);
+    for (std::size_t i = 0; i < one.bias.mounts.size(); ++i) turned(one.bias.mounts[i], kMounts[i]);
   }
 }
 
-void PoseSearch::judge(PoseHypothesis& one, const BiasPrior& prior) const {
-  one.cost = prior_cost(one.torso, prior.mean.torso, prior.torso_deviation);
-  for (std::size_t i = 0; i < one.mounts.size(); ++i)
-    one.cost += prior_cost(one.mounts[i], prior.mean.mounts[i], prior.mount_deviation);
+const Eigen::Vector2d& PoseSearch::nearest_post(const Eigen::Vector2d& place) const {
+  return *std::min_element(posts_.begin(), posts_.end(), [&](const auto& a, const auto& b) {
+    return (a - place).squaredNorm() < (b - place).squaredNorm();
+  });
+}
+
+void PoseSearch::judge(PoseHypothesis& one, const FieldMap& map, const BiasPrior& prior) const {
+  one.cost = prior_cost(one.bias.torso, prior.mean.torso, prior.torso_deviation);
+  for (std::size_t i = 0; i < one.bias.mounts.size(); ++i)
+    one.cost += prior_cost(one.bias.mounts[i], prior.mean.mounts[i], prior.mount_deviation);
   std::size_t points = 0, fitting = 0;
   for (std::size_t i = 0; i < sightings_.size(); ++i) {
     const Sighting& sighting = sightings_[i];
@@ -224,7 +212,7 @@ void PoseSearch::judge(PoseHypothesis& one, const BiasPrior& prior) const {
     for (std::size_t j = 0; j < sighting.line_count; ++j) {
       const Sighting::Line& line = sighting.lines[j];
       const Eigen::Vector2d on_field = robot * moved_by_tilt(line.place, sighting.robot_from_camera, turn);
-      const double distance = map_.distance(on_field, line.normal + robot.rotation);
+      const double distance = map.distance(on_field, line.normal + robot.rotation);
       const double squared = square(distance) / line.variance;
       one.cost += share * std::min(0.5 * squared, kCostLimit);
       ++points;
@@ -232,10 +220,9 @@ void PoseSearch::judge(PoseHypothesis& one, const BiasPrior& prior) const {
     }
     for (std::size_t j = 0; j < sighting.post_count; ++j) {
       const Eigen::Vector2d place = moved_by_tilt(sighting.posts[j], sighting.robot_from_camera, turn);
-      double least = std::numeric_limits<double>::infinity();
-      for (const Eigen::Vector2d& known : posts_) least = std::min(least, (robot * place - known).squaredNorm());
-      const double variance = square(kPostDeviation) + square(kPostSight * place.squaredNorm());
-      one.cost += std::min(0.5 * least / variance, kCostLimit);
+      const Eigen::Vector2d on_field = robot * place;
+      const double squared = (on_field - nearest_post(on_field)).squaredNorm() / post_variance(place);
+      one.cost += std::min(0.5 * squared, kCostLimit);
     }
   }
   one.fit = points == 0 ? 0.0 : static_cast<double>(fitting) / static_cast<double>(points);
@@ -258,11 +245,12 @@ void PoseSearch::keep(const PoseHypothesis& one, const Pose2& odometry) {
     best_[count_++] = one;
     return;
   }
-  const auto worst = std::max_element(best_.begin(), end, [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  const auto worst = std::max_element(best_.begin(), end, is_cheaper);
   if (one.cost < worst->cost) *worst = one;
 }
 
-std::optional<PoseHypothesis> PoseSearch::search(const BiasPrior& prior, const Pose2& odometry, const Pose2& believed) {
+std::optional<PoseHypothesis> PoseSearch::search(const FieldMap& map, const BiasPrior& prior, const Pose2& odometry,
+                                                 const Pose2& believed) {
   if (!parameters_.enabled || sightings_.points() < static_cast<std::size_t>(parameters_.fewest_points))
     return std::nullopt;
   if (sightings_[sightings_.size() - 1].time - sightings_[0].time < parameters_.least_time) return std::nullopt;
@@ -271,30 +259,30 @@ std::optional<PoseHypothesis> PoseSearch::search(const BiasPrior& prior, const P
   std::array<PoseHypothesis, kMostHypotheses> before = best_;
   const std::uint32_t count = std::exchange(count_, 0);
   for (std::uint32_t i = 0; i < count; ++i) {
-    judge(before[i], prior);
+    judge(before[i], map, prior);
     keep(before[i], odometry);
   }
   const auto try_one = [&](PoseHypothesis one) {
     refine(one, prior, odometry);
-    judge(one, prior);
+    judge(one, map, prior);
     keep(one, odometry);
   };
   for (int part = 0; part < kParts; ++part) {
     PoseHypothesis best = draw(prior, odometry);
-    double least = rough_cost(best);
+    double least = rough_cost(best, map);
     for (int i = 1; i < parameters_.candidates / kParts; ++i) {
       const PoseHypothesis candidate = draw(prior, odometry);
-      const double cost = rough_cost(candidate);
+      const double cost = rough_cost(candidate, map);
       if (cost >= least) continue;
       least = cost;
       best = candidate;
     }
     try_one(best);
   }
-  try_one({believed * odometry.inverse(), prior.mean.torso, prior.mean.mounts});
+  try_one({believed * odometry.inverse(), {prior.mean.torso, prior.mean.mounts, 0.0}});
   if (++searched_ < kFewestFrames || count_ == 0) return std::nullopt;
   const auto end = best_.begin() + count_;
-  std::sort(best_.begin(), end, [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  std::sort(best_.begin(), end, is_cheaper);
   const PoseHypothesis& best = best_[0];
   const double lead = count_ > 1 ? best_[1].cost - best.cost : std::numeric_limits<double>::infinity();
   if (best.fit < parameters_.least_fit || lead < parameters_.lead) return std::nullopt;
@@ -306,11 +294,12 @@ std::optional<PoseHypothesis> PoseSearch::search(const BiasPrior& prior, const P
 /// After reading.
 void PoseSearch::complete() const {
   check_bytes(count_ <= kMostHypotheses, "more hypotheses than there are");
-  for (const PoseHypothesis& one : best_)
-    check_bytes(one.field_from_odometry.position.allFinite() && std::isfinite(one.cost + one.fit) &&
-                    std::isfinite(one.field_from_odometry.rotation + one.torso.roll + one.torso.pitch) &&
-                    std::isfinite(one.mounts[0].roll + one.mounts[0].pitch + one.mounts[1].roll + one.mounts[1].pitch),
-                "a hypothesis is none");
+  for (const PoseHypothesis& one : best_) {
+    bool is_finite = one.field_from_odometry.position.allFinite() && std::isfinite(one.field_from_odometry.rotation);
+    for (const TiltBias& bias : {one.bias.torso, one.bias.mounts[0], one.bias.mounts[1]})
+      is_finite = is_finite && std::isfinite(bias.roll + bias.pitch);
+    check_bytes(is_finite && std::isfinite(one.cost + one.fit), "a hypothesis has a number that is not finite");
+  }
 }
 
 }  // namespace reorient

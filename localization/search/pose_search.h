@@ -1,20 +1,19 @@
-// Where does a robot stand that does not know it, and by how much are its camera's angles wrong? Matches all that was
-// seen within the last seconds with the field, from many poses and tilts.
+// Finds the pose of a robot that does not know it, and the errors of its camera's angles: matches all that was seen
+// within the last seconds with the field, from many poses and tilts.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "geometry/bytes.h"
 #include "geometry/camera_bias.h"
 #include "geometry/field_dimensions.h"
-#include "geometry/field_landmarks.h"
 #include "geometry/pose2.h"
 #include "geometry/random.h"
 #include "localization/measurement/field_line_map.h"
 #include "localization/measurement/field_map.h"
+#include "localization/measurement/landmark_poses.h"
 #include "localization/search/sightings.h"
 
 namespace reorient {
@@ -38,17 +37,16 @@ void describe(PoseSearchParameters& p, Visit&& visit) {
   visit("lead", p.lead, 0.0, 100.0, "", "how much likelier the best pose must be than any other (a log-likelihood)");
 }
 
-/// One pose, with what it takes the angles for.
+/// One pose, with the bias that the angles would have.
 struct PoseHypothesis {
   Pose2 field_from_odometry;
-  TiltBias torso;
-  std::array<TiltBias, 2> mounts{};
+  CameraBias bias;    ///< without a deviation
   double cost = 0.0;  ///< -log of the likelihood, without a constant
   double fit = 0.0;   ///< share of the points that lie on lines
 };
 template <typename Visit>
 void fields(Visit&& visit, PoseHypothesis& one) {
-  visit(one.field_from_odometry, one.torso, one.mounts, one.cost, one.fit);
+  visit(one.field_from_odometry, one.bias.torso, one.bias.mounts, one.cost, one.fit);
 }
 
 class PoseSearch {
@@ -65,11 +63,11 @@ class PoseSearch {
   /// The robot may stand elsewhere than where it saw the things before `time`, s.
   void forget_before(double time);
 
-  /// Tries some more poses. A pose where it is clear that the robot stands there or at its reflection; then the search
-  /// begins anew.
-  /// `believed`: the pose that is believed so far is tried, too.
-  std::optional<PoseHypothesis> search(const BiasPrior& prior, const Pose2& odometry, const Pose2& believed);
-  /// The robot is not lost (any more).
+  /// Tries some more poses, and the one that is believed so far. Gives a pose if it is clear that the robot stands
+  /// there or at the reflection of that; the next call starts a new search. `map`: of this field.
+  std::optional<PoseHypothesis> search(const FieldMap& map, const BiasPrior& prior, const Pose2& odometry,
+                                       const Pose2& believed);
+  /// The pose is known.
   void stop() {
     count_ = 0;
     searched_ = 0;
@@ -87,16 +85,16 @@ class PoseSearch {
 
   void complete() const;
   PoseHypothesis draw(const BiasPrior& prior, const Pose2& odometry);
-  double rough_cost(const PoseHypothesis& one) const;
+  double rough_cost(const PoseHypothesis& one, const FieldMap& map) const;
   void refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2& odometry) const;
-  void judge(PoseHypothesis& one, const BiasPrior& prior) const;
+  const Eigen::Vector2d& nearest_post(const Eigen::Vector2d& place) const;
+  void judge(PoseHypothesis& one, const FieldMap& map, const BiasPrior& prior) const;
   void keep(const PoseHypothesis& one, const Pose2& odometry);
 
   PoseSearchParameters parameters_;
-  FieldMap map_;
   FieldLineMap lines_;
   std::array<Eigen::Vector2d, 4> posts_;
-  std::vector<FieldIntersection> intersections_;
+  IntersectionsByKind intersections_;
   Eigen::Vector2d carpet_;  ///< half of its size, m
   Random random_;
   Sightings sightings_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "localization/measurement/spread_points.h"
 #include "localization/tracking/tilt_geometry.h"
 
 namespace reorient {
@@ -19,10 +20,7 @@ bool is_in_range(const Eigen::Vector2d& place) {
 /// Across the line: of its place, and of the direction in which it is seen.
 double variance_of(const LinePoint& point, const Isometry3& robot_from_camera) {
   constexpr double kPlaceDeviation = 0.05, kSightDeviation = 0.008;  // m, rad
-  const double distance = point.position.norm();
-  const double height = std::max(robot_from_camera.translation().z(), kLeastCameraHeight);
-  const double along = std::abs(unit_vector(point.normal).dot(point.position)) / distance;
-  const double reach = along * (height + distance * distance / height) + (1.0 - along) * distance;
+  const double reach = metres_per_radian(point.position, unit_vector(point.normal), robot_from_camera);
   return kPlaceDeviation * kPlaceDeviation + kSightDeviation * kSightDeviation * reach * reach;
 }
 
@@ -45,16 +43,9 @@ void Sightings::add(const FieldPercept& percept, std::size_t camera, const Isome
   sighting.robot_from_camera = robot_from_camera;
   sighting.used = used;
   const auto usable = [](const LinePoint& point) { return std::isfinite(point.normal) && is_in_range(point.position); };
-  const auto candidates =
-      static_cast<std::size_t>(std::count_if(percept.line_points.begin(), percept.line_points.end(), usable));
-  const std::size_t wanted = std::min(candidates, Sighting::kMostLines);
-  std::size_t seen = 0;
-  for (const LinePoint& point : percept.line_points) {
-    if (!usable(point)) continue;
-    if (sighting.line_count * candidates <= seen * wanted && sighting.line_count < wanted)
-      sighting.lines[sighting.line_count++] = {point.position, point.normal, variance_of(point, robot_from_camera)};
-    ++seen;
-  }
+  for_some(percept.line_points, Sighting::kMostLines, usable, [&](const LinePoint& point) {
+    sighting.lines[sighting.line_count++] = {point.position, point.normal, variance_of(point, robot_from_camera)};
+  });
   for (const GoalPost& post : percept.goal_posts) {
     if (post.base_visible && is_in_range(post.position) && sighting.post_count < Sighting::kMostPosts)
       sighting.posts[sighting.post_count++] = post.position;
@@ -93,16 +84,16 @@ void Sightings::complete() const {
   for (const Sighting& one : all_) {
     check_bytes(one.camera < 2 && one.line_count <= Sighting::kMostLines && one.post_count <= Sighting::kMostPosts &&
                     one.landmark_count <= Sighting::kMostLandmarks,
-                "a sighting is none");
+                "a sighting has impossible counts");
     check_bytes(one.robot_from_camera.matrix().allFinite() && one.odometry.position.allFinite(),
-                "a sighting is from nowhere");
+                "a sighting has an impossible camera pose");
     bool is_finite = std::isfinite(one.time + one.odometry.rotation + one.used.roll + one.used.pitch);
     for (const Sighting::Line& line : one.lines)
       is_finite = is_finite && line.place.allFinite() && std::isfinite(line.normal) && line.variance > 0.0;
     for (const Eigen::Vector2d& post : one.posts) is_finite = is_finite && post.allFinite();
     for (const Sighting::Landmark& landmark : one.landmarks)
       is_finite = is_finite && landmark.place.allFinite() && std::isfinite(landmark.direction);
-    check_bytes(is_finite, "what was sighted is nowhere");
+    check_bytes(is_finite, "a sighting has an impossible position");
   }
 }
 

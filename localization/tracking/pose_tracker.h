@@ -1,6 +1,6 @@
-// Follows one hypothesis of the pose filter exactly, and with it by how much the camera's angles are wrong: an extended
-// Kalman filter (Thrun, Burgard, Fox: Probabilistic Robotics, chapter 7.4) over pose and biases together, since a
-// camera that looks too low and a robot that stands farther back are told apart only by looking about.
+// Follows one hypothesis of the pose filter exactly, together with the errors of the camera's angles: a camera that
+// looks too low and a robot that stands farther back look the same from one view. Localization with an extended Kalman
+// filter (Thrun, Burgard, Fox: Probabilistic Robotics, chapter 7.4).
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include "localization/measurement/field_line_map.h"
 #include "localization/particles/motion_model.h"
 #include "localization/pose_belief.h"
+#include "localization/tracking/pose_state.h"
 #include "perception/field/percepts.h"
 
 namespace reorient {
@@ -39,7 +40,7 @@ void describe(PoseTrackerParameters& p, Visit&& visit) {
   visit("mount_deviation", p.mount_deviation, 0.0, 0.3, "rad", "the same of the mounting of a camera");
   visit("drift", p.drift, 0.0, 0.1, "rad/s^0.5", "how fast these errors change");
   visit("sway_deviation", p.sway_deviation, 0.0, 0.2, "rad",
-        "standard deviation of the torso's sway that nobody measures");
+        "standard deviation of the torso's sway that is not measured");
   visit("sway_time", p.sway_time, 0.01, 10.0, "s", "how long such an error lasts; that of a line's place, too");
   visit("line_deviation", p.line_deviation, 0.001, 1.0, "m", "error of a line point near the robot");
   visit("pixel_deviation", p.pixel_deviation, 0.0001, 0.1, "rad", "error of the direction in which something is seen");
@@ -72,14 +73,12 @@ class PoseTracker {
   /// The robot fell or was carried: the same, and its mounts may have moved a little.
   void doubt();
   /// The belief is the reflection of the one before.
-  void flip();
-  /// Nothing is known of the angles.
-  void forget_bias();
+  void flip() { state_.flip(); }
   /// What was saved of this body.
   void set_bias(const CameraBias& bias);
 
-  /// A search has found the angles, to about a degree; before attach().
-  void take_found(const TiltBias& torso, const std::array<TiltBias, 2>& mounts);
+  /// What a search has found, known to about a degree. Call it before attach().
+  void take_found(const CameraBias& bias);
   BiasPrior prior() const;
 
   /// Whether the belief is the tracked one.
@@ -93,24 +92,11 @@ class PoseTracker {
   /// Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(pose_, mean_, covariance_, known_mean_, known_covariance_, attached_, attached_for_, apart_for_, fit_,
-            noise_);
+    archive(state_, known_mean_, known_covariance_, attached_, attached_for_, apart_for_, fit_, noise_);
     if constexpr (Archive::kReads) complete();
   }
 
  private:
-  // Of the state: x, y (m, field), rotation; torso roll, pitch; the mounts' roll, pitch; sway roll, pitch (rad).
-  static constexpr std::size_t kX = 0, kY = 1, kRotation = 2, kTorso = 3, kMounts = 5, kSway = 9, kSize = 11;
-  using Vector = std::array<double, kSize>;
-  using Matrix = std::array<Vector, kSize>;
-
-  /// One number that was measured: `residual` is 0 where the state is right; `row` says how it changes with the state.
-  struct Measured {
-    double residual = 0.0;
-    Vector row{};
-    double variance = 0.0;
-  };
-
   /// How the line points of a frame fit the lines.
   struct LineFit {
     int fitting = 0;                  ///< on a line, within what the parameters expect
@@ -119,30 +105,21 @@ class PoseTracker {
     double normalized_squares = 0.0;  ///< of these: squared residuals by their expected variances
   };
 
-  static bool is_sound(const Vector& mean, const Matrix& covariance);
+  static bool is_sound(const PoseState::Vector& mean, const PoseState::Matrix& covariance);
   void complete();
-  void reset_bias_covariance();
-  void put_bias(const CameraBias& bias);
+  void take_bias(const CameraBias& bias, double deviation);
+  void remember_bias();
   void widen_bias(double time);
-  void know_sums(double deviation);
-  Vector state() const;
   bool is_near(const PoseBelief& believed) const;
-  double variance_of(const Vector& row) const;
-  void take(const Measured& measured, const Vector& before);
-  void see(const CameraPercept& seen, std::size_t camera, double weight, LineFit& fit);
   void see_lines(const CameraPercept& seen, std::size_t camera, double weight, LineFit& fit);
   void see_posts(const CameraPercept& seen, std::size_t camera, double weight);
-  Vector row_of(const Eigen::Vector2d& normal, const Eigen::Vector2d& point, const CameraPercept& seen,
-                std::size_t camera) const;
 
   PoseTrackerParameters parameters_;
   FieldLineMap lines_;
   std::array<Eigen::Vector2d, 4> posts_;
-  Pose2 pose_;     ///< the first three of the state
-  Vector mean_{};  ///< of the others
-  Matrix covariance_{};
-  Vector known_mean_{};        ///< of the biases, while it had been attached for long
-  Matrix known_covariance_{};  ///< the same
+  PoseState state_;
+  PoseState::Vector known_mean_{};        ///< of the biases, while it had been attached for long
+  PoseState::Matrix known_covariance_{};  ///< the same
   bool attached_ = false;
   double attached_for_ = 0.0;  ///< s
   double apart_for_ = 0.0;     ///< s, for which its belief has been elsewhere

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/camera_bias.h"
 #include "geometry/transform.h"
@@ -36,12 +37,29 @@ inline Eigen::Vector2d moved_by_tilt(const Eigen::Vector2d& point, const Isometr
   return origin + longer * (away + Eigen::Vector2d(-height * turn.pitch, height * turn.roll));
 }
 
-/// How the sum of the biases (bias_of()) changes with the roll and the pitch of a camera's mounting: the camera's
-/// horizontal direction, of length 1; zero where it looks straight down.
-inline Eigen::Vector2d mount_axis(const Isometry3& robot_from_camera) {
-  const Eigen::Vector2d ahead = robot_from_camera.linear().col(0).head<2>();
-  const double length = ahead.norm();
-  return length > 0.0 ? Eigen::Vector2d(ahead / length) : Eigen::Vector2d::Zero();
+/// How the distance of a point from a line changes with each bias, m/rad.
+struct TiltRow {
+  double roll = 0.0;  ///< of the torso
+  double pitch = 0.0;
+  double mount_roll = 0.0;  ///< of the camera's mounting
+  double mount_pitch = 0.0;
+};
+/// `normal`: across the line, of length 1, robot frame. `axis`: mount_axis() of the camera.
+inline TiltRow tilt_row(const Eigen::Vector2d& normal, const Eigen::Vector2d& point, const Isometry3& robot_from_camera,
+                        const Eigen::Vector2d& axis) {
+  const TiltDerivative derivative = tilt_derivative(point, robot_from_camera);
+  const double roll = normal.dot(derivative.by_roll), pitch = normal.dot(derivative.by_pitch);
+  return {roll, pitch, axis.x() * roll + axis.y() * pitch, axis.x() * pitch - axis.y() * roll};
+}
+
+/// How far a point on the ground moves across a line if the direction in which it is seen changes, at most: along the
+/// line of sight with the square of its distance, across it with the distance itself.
+inline double metres_per_radian(const Eigen::Vector2d& point, const Eigen::Vector2d& normal,
+                                const Isometry3& robot_from_camera) {
+  const double distance = point.norm();
+  const double height = std::max(robot_from_camera.translation().z(), kLeastCameraHeight);
+  const double along = std::abs(normal.dot(point)) / distance;
+  return along * (height + distance * distance / height) + (1.0 - along) * distance;
 }
 
 }  // namespace reorient

@@ -42,10 +42,9 @@ double separability_of(const ComparedModel& model, const Wall& wall) {
 
 std::string bias_in_words(const std::optional<KnownBias>& known) {
   if (!known) return "not known";
-  const CameraBias& bias = known->bias;
+  const auto [roll, pitch] = bias_ahead(known->bias);
   return fmt::format("straight ahead it looks {:+.1f} degrees lower and is rolled by {:+.1f} degrees, to {:.1f}",
-                     to_degrees(bias.torso.pitch + bias.mounts[0].pitch),
-                     to_degrees(bias.torso.roll + bias.mounts[0].roll), to_degrees(bias.deviation));
+                     to_degrees(pitch), to_degrees(roll), to_degrees(known->bias.deviation));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ nlohmann::json or_null(const std::optional<Value>& value) {
 /// Where the camera looks ahead. Empty: nothing that anybody must know.
 std::string bias_in_words(const CameraBias& bias) {
   constexpr double kWorthTelling = from_degrees(0.5), kSure = 3.0;  // times the deviation
-  const double pitch = bias.torso.pitch + bias.mounts[0].pitch, roll = bias.torso.roll + bias.mounts[0].roll;
+  const auto [roll, pitch] = bias_ahead(bias);
   if (std::max(std::abs(pitch), std::abs(roll)) < std::max(kWorthTelling, kSure * bias.deviation)) return {};
   return fmt::format("the camera looks {:.1f} degrees {} than is measured and is rolled by {:.1f} degrees (to {:.1f})",
                      to_degrees(std::abs(pitch)), pitch > 0.0 ? "lower" : "higher", to_degrees(roll),

@@ -1,5 +1,5 @@
 --- The robot walks between the penalty marks and is pushed over from time to time. How exactly does it know its pose?
---- Either the experimenter sets the initial pose, or the robot is put down anywhere and nobody tells it where.
+--- Either the experimenter sets the initial pose, or the robot is put down anywhere and no initial pose is set.
 
 local ground_truth = require "lib.ground_truth"
 

@@ -1,4 +1,4 @@
-// A robot that nobody told where it stands, and whose camera looks elsewhere than it believes.
+// A robot that does not know its pose, and whose camera looks elsewhere than it believes.
 #include "localization/search/pose_search.h"
 
 #include <vector>
@@ -22,7 +22,7 @@ struct Searching {
   std::optional<PoseHypothesis> frame() {
     const HeadAngles head = scanning_head(time += kSearchFrame);
     search.see(camera.look(robot, head, {}), 0, BiasedCamera::measured(head), {}, odometry, time);
-    return search.search(usual_prior(), odometry, {});
+    return search.search(map, usual_prior(), odometry, {});
   }
   std::optional<PoseHypothesis> within(double seconds) {
     for (const double end = time + seconds; time < end;) {
@@ -34,6 +34,7 @@ struct Searching {
   Pose2 robot;
   Pose2 odometry{3.0, -2.0, 1.0};
   BiasedCamera camera;
+  FieldMap map{FieldDimensions()};
   PoseSearch search;
   double time = 100.0;
 };
@@ -95,12 +96,13 @@ TEST(PoseSearch, GoesOnFromItsBytes) {
 }
 
 TEST(PoseSearch, SaysNothingOfWhatIsNoNumber) {
+  const FieldMap map{FieldDimensions()};
   PoseSearch search({}, FieldDimensions(), 1);
   FieldPercept percept;
   for (int i = 0; i < 20; ++i) percept.line_points.push_back({{std::nan(""), 1.0}, 0.0, Eigen::Vector2f::Zero()});
   for (int i = 0; i < 60; ++i) {
     search.see(percept, 0, BiasedCamera::measured({}), {}, {}, i * kSearchFrame);
-    EXPECT_FALSE(search.search(usual_prior(), {}, {}));
+    EXPECT_FALSE(search.search(map, usual_prior(), {}, {}));
   }
 }
 

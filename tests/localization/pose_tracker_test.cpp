@@ -142,7 +142,7 @@ TEST(PoseTracker, KeepsWhatItKnewOfTheAnglesThroughAFall) {
   scanning.tracker.doubt();
   EXPECT_FALSE(scanning.tracker.is_attached());
   EXPECT_LT(scanning.pitch_error(truth), from_degrees(0.5));
-  scanning.tracker.forget_bias();
+  scanning.tracker.set_bias({});
   EXPECT_EQ(scanning.tracker.bias().torso.pitch, 0.0);
 }
 
