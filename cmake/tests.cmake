@@ -30,12 +30,13 @@ function(reorient_needs tier)
   add_dependencies(${tier} ${ARGN})
 endfunction()
 
-# reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]... [UNSANITIZED]): one
+# reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]... [UNSANITIZED] [THREADED]): one
 # GoogleTest program, each of its tests known to CTest. PATTERN, as in --gtest_filter: tests of that group; all others belong to the gate.
 # NEEDS: programs that the tests start. UNSANITIZED: the sanitizers have nothing to find, as the tests only start programs that are
-# not ours, or count allocations with operators of their own. Those that link rapidcheck have its header precompiled.
+# not ours, or count allocations with operators of their own. THREADED: the tests or what they call start threads, so that the
+# thread sanitizer has something to find. Those that link rapidcheck have its header precompiled.
 function(reorient_add_tests name)
-  cmake_parse_arguments(TESTS UNSANITIZED "" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
+  cmake_parse_arguments(TESTS "UNSANITIZED;THREADED" "" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
   reorient_add_program(${name}
     SOURCES ${TESTS_SOURCES} LINKS ${TESTS_LINKS} test_support GTest::gtest GTest::gtest_main)
   target_compile_options(${name} PRIVATE ${REORIENT_QUICKLY_COMPILED})
@@ -68,7 +69,7 @@ function(reorient_add_tests name)
     endif()
     file(RELATIVE_PATH area "${PROJECT_SOURCE_DIR}/tests" "${CMAKE_CURRENT_SOURCE_DIR}")
     set_property(GLOBAL APPEND_STRING PROPERTY REORIENT_TEST_PROGRAMS
-      "${name}\t$<TARGET_FILE:${name}>\t${area}\t${filter}\n")
+      "${name}\t$<TARGET_FILE:${name}>\t${area}\t${filter}\t$<BOOL:${TESTS_THREADED}>\n")
   endif()
   if(NOT others STREQUAL ":*")
     string(REGEX REPLACE "^:" "-" others "${others}")

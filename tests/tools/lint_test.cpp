@@ -94,6 +94,14 @@ TEST_F(Lint, ReportsAFindingInASourceWithItsOwnLineAndReadsOnlyThisSourceAgain) 
   EXPECT_EQ(tree.lint(), "tools/lint: clang-tidy reads 1 sources\n" + finding);
 }
 
+TEST_F(Lint, ReportsAThreadThatTheThreadSanitizerWouldNotSee) {
+  tree.write("tests/a.cpp", "std::thread here(allowed);\n");
+  tree.write("part/a.cpp", "int count = std::thread::hardware_concurrency();\nstd::jthread hidden(work);\n");
+  EXPECT_EQ(tree.lint("--quick"),
+            "part/a.cpp:2: starts a thread, which MAY_START_THREADS in tools/lint does not list\n"
+            "tools/lint: 1 finding\nexit 1");
+}
+
 TEST_F(Lint, ReportsTheFirstLineOfAFileThatIsNotFormatted) {
   tree.write("part/a.cpp", "int  a();\nint  b();\n");
   EXPECT_EQ(tree.lint("--quick"),
