@@ -9,6 +9,7 @@
 #include "perception/field/field_features.h"
 #include "tests/perception/field/filled_image.h"
 #include "tests/perception/field/percept_in.h"
+#include "tests/perception/field/sane_percept.h"
 
 namespace reorient {
 namespace {
@@ -29,22 +30,7 @@ Image noise(int width, int height, std::uint64_t seed) {
 }
 
 void expect_sane(const FieldPercept& percept, int width, int height) {
-  EXPECT_EQ(percept.boundary.size(), static_cast<std::size_t>(CarpetMap::kColumns));
-  for (const float row : percept.boundary) {
-    EXPECT_GE(row, 0.0f);
-    EXPECT_LE(row, static_cast<float>(height));
-  }
-  for (const LinePoint& point : percept.line_points) {
-    EXPECT_TRUE(point.position.allFinite() && std::isfinite(point.normal));
-    EXPECT_TRUE(point.pixel.x() >= 0.0f && point.pixel.x() < static_cast<float>(width));
-    EXPECT_TRUE(point.pixel.y() >= 0.0f && point.pixel.y() < static_cast<float>(height));
-  }
-  for (const GoalPost& post : percept.goal_posts) EXPECT_TRUE(post.position.allFinite());
-  for (const Obstacle& obstacle : percept.obstacles) {
-    EXPECT_TRUE(obstacle.position.allFinite());
-    EXPECT_TRUE(0 <= obstacle.left && obstacle.left <= obstacle.right && obstacle.right < width);
-    EXPECT_TRUE(0 <= obstacle.top && obstacle.top <= obstacle.bottom && obstacle.bottom < height);
-  }
+  EXPECT_EQ(mistake_in(percept, width, height), "");
 }
 
 TEST(HostileImages, WithoutPixelsShowNothing) {
