@@ -34,7 +34,7 @@ void fields(Visit&& visit, CameraBias& bias) {
 
 /// What was learned of one body; another one has other angles.
 struct KnownBias {
-  std::uint64_t body = 0;  ///< digest_of() the body
+  std::uint64_t body = 0;  ///< digest_of() the body; in a file together with that of its calibration, if it has one
   CameraBias bias;
 };
 template <typename Visit>

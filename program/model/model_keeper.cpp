@@ -12,9 +12,16 @@ constexpr double kSavingPeriod = 30.0;  // s
 
 }  // namespace
 
-ModelKeeper::ModelKeeper(std::filesystem::path file, const std::optional<SavedModel>& loaded, bool sides_changed)
+std::optional<SavedModel> as_mounted(std::optional<SavedModel> model, std::uint64_t mounting) {
+  if (model && model->camera_bias) model->camera_bias->body ^= mounting;
+  return model;
+}
+
+ModelKeeper::ModelKeeper(std::filesystem::path file, const std::optional<SavedModel>& loaded, bool sides_changed,
+                         std::uint64_t mounting)
     : file_(std::move(file)),
       sides_changed_(sides_changed),
+      mounting_(mounting),
       learned_before_(loaded ? loaded->learned : 0.0),
       camera_bias_(loaded ? loaded->camera_bias : std::nullopt) {
   if (loaded) kept_ = Kept{loaded->basis, loaded->model.known_tiles()};
@@ -22,7 +29,7 @@ ModelKeeper::ModelKeeper(std::filesystem::path file, const std::optional<SavedMo
 
 /// What is worth saving: learned since the last look, and going on from what is in the file.
 std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
-  if (const auto known = known_bias(frame.world)) camera_bias_ = known;
+  if (const auto known = known_bias(frame.world)) camera_bias_ = KnownBias{known->body ^ mounting_, known->bias};
   const double learned = frame.world.trained_seconds;
   if (frame.room.model.empty() || learned <= learned_before_) return std::nullopt;
   SavedModel model{frame.room.basis, learned, BackgroundModel(frame.room.model), camera_bias_};

@@ -1,6 +1,7 @@
 // Keeps what a run learns of the room in a file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -12,12 +13,18 @@
 
 namespace reorient {
 
+/// A model from a file, for a robot whose cameras are taken to be mounted like this (mounting_of()): a bias that was
+/// learned with another calibration is one of another body.
+std::optional<SavedModel> as_mounted(std::optional<SavedModel> model, std::uint64_t mounting);
+
 /// Every half minute of the robot's time, so that little is lost when it is switched off, and at the end. The file
 /// keeps the axes that it was begun with, however the teams change sides. A disk is slow: no frame waits for it.
 class ModelKeeper : public Observer {
  public:
   /// `loaded`: what the file held, as the run took it. `sides_changed`: the run's axes are the file's, turned.
-  ModelKeeper(std::filesystem::path file, const std::optional<SavedModel>& loaded, bool sides_changed);
+  /// `mounting`: as in as_mounted(); `loaded` is the model as it was before that.
+  ModelKeeper(std::filesystem::path file, const std::optional<SavedModel>& loaded, bool sides_changed,
+              std::uint64_t mounting = 0);
 
   Topics wanted() const override { return {Topic::room}; }
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
@@ -39,6 +46,7 @@ class ModelKeeper : public Observer {
 
   std::filesystem::path file_;
   bool sides_changed_;
+  std::uint64_t mounting_;
   std::optional<Kept> kept_;                             // in the file
   double learned_before_;                                // s, by the time of the last look at it
   std::optional<KnownBias> camera_bias_;                 // the latest that is worth keeping

@@ -216,6 +216,24 @@ TEST_F(ModelKeeperTest, KeepsTheAxesOfTheFileWhateverTheTeamsDo) {
   }
 }
 
+TEST_F(ModelKeeperTest, KeepsABiasForTheCalibrationThatItWasLearnedWith) {
+  constexpr std::uint64_t kBody = 7, kCalibrated = 0x1234;
+  SavedModel model = some_model(1);
+  FrameRecord last = frame_of(longer_learned(model, 1.0), 9.0);
+  last.world.body = kBody;
+  last.world.camera_bias.deviation = 0.001;
+  ModelKeeper keeper(file, std::nullopt, false, kCalibrated);
+  keeper.finish(last, StageRecord());
+  keeper.save();
+  const auto body_for = [&](std::uint64_t mounting) {
+    return as_mounted(read_model_file(file), mounting)->camera_bias.value().body;
+  };
+  EXPECT_EQ(body_for(kCalibrated), kBody);
+  EXPECT_NE(body_for(0), kBody) << "without a calibration";
+  EXPECT_NE(body_for(0x1235), kBody) << "with another one";
+  EXPECT_FALSE(as_mounted(std::nullopt, kCalibrated));
+}
+
 TEST_F(ModelKeeperTest, DoesNotForgetWhatTheRunForgot) {
   const SavedModel good = some_model(1);
   write_model_file(good, file);

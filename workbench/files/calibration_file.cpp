@@ -1,8 +1,10 @@
 #include "workbench/files/calibration_file.h"
 
 #include <cstdio>
+#include <span>
 
 #include "geometry/angle.h"
+#include "geometry/checksum.h"
 #include "workbench/files/table_reader.h"
 
 namespace reorient {
@@ -37,6 +39,11 @@ Calibration parse_calibration(std::string_view text, const std::string& name) {
 
 Calibration load_calibration(const std::filesystem::path& file) {
   return parse_calibration(read_data_file(file, "calibration", "docs/on-a-robot.md"), file.string());
+}
+
+std::uint64_t mounting_of(const std::filesystem::path& file) {
+  if (file.empty()) return 0;
+  return checksum(std::as_bytes(std::span<const char>(to_toml(load_calibration(file)))));
 }
 
 std::string to_toml(const Calibration& calibration) {

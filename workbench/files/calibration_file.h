@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -25,5 +26,7 @@ Calibration load_calibration(const std::filesystem::path& file);
 Calibration parse_calibration(std::string_view text, const std::string& name);
 /// As such a file.
 std::string to_toml(const Calibration& calibration);
+/// Another number for another calibration; 0 without a file: as the data sheet says. Throws like load_calibration().
+std::uint64_t mounting_of(const std::filesystem::path& file);
 
 }  // namespace reorient

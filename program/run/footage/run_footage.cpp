@@ -15,9 +15,11 @@
 #include "engine/parameters/nearest_name.h"
 #include "program/footage/footage_run.h"
 #include "program/interruption.h"
+#include "program/model/model_keeper.h"
 #include "program/run/run_scenario.h"
 #include "program/run/script_edits.h"
 #include "program/run/simulation.h"
+#include "workbench/files/calibration_file.h"
 
 namespace reorient {
 namespace {
@@ -64,17 +66,18 @@ std::string pose_line(const FootageSetup& setup, const RobotBody& body, const Fo
 int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   ScriptEdits edits(options.scripts);
-  const FootageSetup setup{.source = options.scenario,
-                           .footage = options.footage,
-                           .body = options.body,
-                           .field = options.field,
-                           .scripts = options.scripts,
-                           .behaviors = options.behaviors,
-                           .parameters = options.parameters,
-                           .seed = options.seed,
-                           .room_awareness = options.room_awareness,
-                           .model = model_to_begin_with(options),
-                           .at = options.at};
+  const FootageSetup setup{
+      .source = options.scenario,
+      .footage = options.footage,
+      .body = options.body,
+      .field = options.field,
+      .scripts = options.scripts,
+      .behaviors = options.behaviors,
+      .parameters = options.parameters,
+      .seed = options.seed,
+      .room_awareness = options.room_awareness,
+      .model = as_mounted(model_to_begin_with(options), mounting_of(options.footage.camera_offset)),
+      .at = options.at};
   FootageOptions robot_options = robot_options_of(setup);
   robot_options.change = belief_change_of(options);
   PreparedFootage prepared = prepare_footage(setup, edits.texts());

@@ -101,7 +101,8 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   setup.room_awareness = options.room_awareness;
   setup.scripts = edits.texts();
   setup.parameters = overrides_of(options.parameters);
-  setup.model = model;
+  const std::uint64_t mounting = mounting_of(options.calibration);
+  setup.model = as_mounted(model, mounting);
   const std::vector<std::string> wanted =
       options.behaviors.empty() ? behaviors_for({true, options.walk, false}) : options.behaviors;
   for (const std::string& name : wanted) setup.behaviors.push_back(behavior_file(options.scripts, setup.scripts, name));
@@ -124,7 +125,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                      options.stand ? "it stands up" : "press its chest's button, and it stands up")
       << std::flush;
   std::optional<ModelKeeper> model_keeper;
-  if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed);
+  if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed, mounting);
   RobotInstance instance{std::move(robot), robot_options.body, RobotInstance::Clock::real, nullptr, nullptr};
   RunParts parts{instance, engine, nullptr, nullptr, {&edits, &console, &start}, {&narration.log, &narration.timeline},
                  {},       0.0,    false};
