@@ -50,15 +50,14 @@ void predict_reweight_resample(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     predict(particles, Pose2(), kFrame, MotionModelParameters(), half_size, random);
     measurement.costs(particles, costs);
-    for (std::size_t i = 0; i < count; ++i) particles.weight[i] *= std::exp(-costs[i]);
-    normalize_weights(particles);
+    weigh(particles, costs, 1.0f);
     resample_systematic(particles, scratch, random.uniform());
     std::swap(particles, scratch);
     benchmark::DoNotOptimize(particles.x.data());
   }
   report_per_particle(state, count);
 }
-BENCHMARK(predict_reweight_resample)->Arg(200)->Arg(2000);
+BENCHMARK(predict_reweight_resample)->Arg(200)->Arg(500)->Arg(2000);
 
 /// The parts of it, each alone.
 void predict_only(benchmark::State& state) {

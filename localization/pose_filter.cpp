@@ -15,7 +15,6 @@ namespace {
 constexpr std::uint64_t kRandomStream = 0x706F7365;  // "pose": apart from the streams of the other rooms
 constexpr double kFoundShare = 0.6;                  // of all particles in one cluster ends the search from anywhere
 constexpr double kLongestStep = 0.2;                 // s; a longer gap is not time in which the fit was seen
-constexpr float kLeastWeight = 1e-12f;               // no particle is ever ruled out for good by one frame
 
 std::size_t particle_count(const PoseFilterParameters& parameters) {
   return static_cast<std::size_t>(std::max(1, parameters.particles));
@@ -120,13 +119,7 @@ void PoseFilter::weigh() {
   const double correlation_time = parameters_.measurement.correlation_time;
   const auto frame_weight = elapsed_ < correlation_time ? static_cast<float>(elapsed_ / correlation_time) : 1.0f;
   elapsed_ = 0.0;
-  // Only differences of costs matter; the best particle keeps its weight.
-  const float least = *std::min_element(costs_.begin(), costs_.end());
-  for (float& cost : costs_) cost = frame_weight * (least - cost);
-  pinned::exp(costs_);
-  for (std::size_t i = 0; i < particles_.size(); ++i)
-    particles_.weight[i] = std::max(particles_.weight[i] * costs_[i], kLeastWeight);
-  normalize_weights(particles_);
+  reorient::weigh(particles_, costs_, frame_weight);
 }
 
 void PoseFilter::resample() {

@@ -3,9 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
+
+constexpr float kLeastWeight = 1e-12f;  // no particle is ever ruled out for good by one frame
+
+/// As several least ones, which do not wait for each other.
+float least_of(const std::vector<float>& values) {
+  std::array<float, 16> least;
+  least.fill(std::numeric_limits<float>::max());
+  std::size_t i = 0;
+  for (; i + least.size() <= values.size(); i += least.size()) {
+    for (std::size_t j = 0; j < least.size(); ++j) least[j] = std::min(least[j], values[i + j]);
+  }
+  for (; i < values.size(); ++i) least[0] = std::min(least[0], values[i]);
+  return *std::min_element(least.begin(), least.end());
+}
 
 /// Of term(value) over all: as four sums, which do not wait for each other, and on every machine in the same order.
 template <typename Term>
@@ -51,6 +69,15 @@ void ParticleSet::complete() {
   }
 }
 
+void weigh(ParticleSet& particles, std::vector<float>& costs, float share) {
+  const float least = least_of(costs);
+  for (float& cost : costs) cost = share * (least - cost);
+  pinned::exp(costs);
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    particles.weight[i] = std::max(particles.weight[i] * costs[i], kLeastWeight);
+  normalize_weights(particles);
+}
+
 void normalize_weights(ParticleSet& particles) {
   const double sum = sum_of(particles.weight, [](double weight) { return weight; });
   if (!(sum > 0.0) || !std::isfinite(sum)) {
@@ -65,23 +92,43 @@ double effective_sample_size(const ParticleSet& particles) {
   return 1.0 / sum_of(particles.weight, [](double weight) { return weight * weight; });
 }
 
+// Without branches that depend on the weights: a processor guesses half of those wrong, which takes longer than all of
+// the rest.
 void resample_systematic(const ParticleSet& from, ParticleSet& to, double offset) {
+  constexpr std::size_t kBlock = 4;  // whose sums do not wait for each other
   const std::size_t count = to.size();
-  const double step = 1.0 / static_cast<double>(count);
+  const auto most = static_cast<double>(count);
+  // Until the end the rotations hold, where the copies of a particle begin, its index.
+  std::fill(to.rotation.begin(), to.rotation.end(), BinaryAngle{0});
+  std::size_t taken = 0;
+  const auto begin_copies = [&](std::size_t source, double weights_to_here) {
+    // One without copies writes where the next one does.
+    if (from.weight[source] > 0.0f && taken < count) to.rotation[taken] = static_cast<BinaryAngle>(source);
+    const double end = std::min(most, weights_to_here * most - offset);
+    const auto whole = static_cast<std::int32_t>(end);
+    taken = std::max(taken, static_cast<std::size_t>(std::max(0, whole + (static_cast<double>(whole) < end ? 1 : 0))));
+  };
+  double before = 0.0;
   std::size_t source = 0;
-  double reached = from.weight[0];
-  for (std::size_t i = 0; i < count; ++i) {
-    const double wanted = (static_cast<double>(i) + offset) * step;
-    // The last particle with a weight ends the search: rounding may leave the sum just short of 1.
-    while (reached <= wanted && source + 1 < from.size()) reached += from.weight[++source];
-    while (from.weight[source] <= 0.0f && source > 0) --source;
-    to.x[i] = from.x[source];
-    to.y[i] = from.y[source];
-    to.rotation[i] = from.rotation[source];
-    to.cosine[i] = from.cosine[source];
-    to.sine[i] = from.sine[source];
+  for (; source + kBlock <= from.size(); source += kBlock) {
+    std::array<double, kBlock> sums{};
+    double sum = 0.0;
+    for (std::size_t j = 0; j < kBlock; ++j) sums[j] = sum += from.weight[source + j];
+    for (std::size_t j = 0; j < kBlock; ++j) begin_copies(source + j, before + sums[j]);
+    before += sum;
   }
-  std::fill(to.weight.begin(), to.weight.end(), static_cast<float>(step));
+  for (; source < from.size(); ++source) begin_copies(source, before += from.weight[source]);
+
+  std::size_t copied = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    copied = std::max(copied, static_cast<std::size_t>(to.rotation[i]));
+    to.x[i] = from.x[copied];
+    to.y[i] = from.y[copied];
+    to.rotation[i] = from.rotation[copied];
+    to.cosine[i] = from.cosine[copied];
+    to.sine[i] = from.sine[copied];
+  }
+  std::fill(to.weight.begin(), to.weight.end(), static_cast<float>(1.0 / most));
 }
 
 }  // namespace reorient

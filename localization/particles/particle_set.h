@@ -64,6 +64,11 @@ inline RoughNormals rough_normals(Random& random) {
   return {normal(sums & 0xFFFF), normal(sums >> 32)};
 }
 
+/// Multiplies each weight with the likelihood of what its particle explains, exp(-share * cost), and makes the weights
+/// add up to 1. Only differences of costs matter: the best particle keeps its weight, and none falls to zero. `costs`,
+/// as many as particles, is spent.
+void weigh(ParticleSet& particles, std::vector<float>& costs, float share);
+
 /// Makes the weights add up to 1; all alike where their sum is zero or not finite.
 void normalize_weights(ParticleSet& particles);
 
