@@ -10,6 +10,14 @@
 
 namespace reorient {
 
+namespace {
+
+/// The share of beliefs that lie elsewhere, of those that are not tracked; in experiments with robots that are put down
+/// anywhere, about half of them.
+constexpr double kUntrackedIsWrong = 0.5;
+
+}  // namespace
+
 void FrameLoop::localize() {
   const StageTimer timer(record_, Stage::localization);
   const Pose2 expected = world_.pose.pose * odometry_step_;
@@ -27,6 +35,9 @@ void FrameLoop::localize() {
     pose_tracker_.update(seen, pose_filter_.belief(), world_.time_step);
     world_.pose = pose_tracker_.belief(pose_filter_.belief());
     world_.pose_tracked = is_pose_known();
+    if (!world_.pose_tracked)
+      world_.pose.covariance =
+          doubted_covariance(world_.pose, kUntrackedIsWrong, {world_.field.length, world_.field.width});
     world_.camera_bias = pose_tracker_.bias();
     const bool looks = world_.upright() && (observation_->upper || observation_->lower);
     if (looks && !record_.percepts[kUpper].has_landmarks() && !record_.percepts[kLower].has_landmarks())

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "geometry/angle.h"
 #include "geometry/pose2.h"
 
 namespace reorient {
@@ -17,6 +18,15 @@ struct PoseBelief {
 template <typename Visit>
 void fields(Visit&& visit, PoseBelief& belief) {
   visit(belief.pose, belief.covariance, belief.cluster_weight, belief.reflected_weight);
+}
+
+/// The covariance (as above) of what may be wrong by a probability of `doubt`: then the robot stands anywhere on a
+/// field of this size (m, along x and y).
+inline Eigen::Matrix3d doubted_covariance(const PoseBelief& belief, double doubt, const Eigen::Vector2d& size) {
+  Eigen::Matrix3d anywhere = Eigen::Matrix3d::Zero();
+  anywhere.topLeftCorner<2, 2>() = belief.pose.position * belief.pose.position.transpose();
+  anywhere.diagonal() += Eigen::Vector3d(size.x() * size.x() / 12.0, size.y() * size.y() / 12.0, kPi * kPi / 3.0);
+  return (1.0 - doubt) * belief.covariance + doubt * anywhere;
 }
 
 /// Which of the two goals is in view, where that is known (the paper's goal views).
