@@ -1,15 +1,19 @@
 --- Lets the head sweep from side to side, once over the walls of the room and once over the lines of the field, so that
---- room awareness and self-localization both see enough. A robot that looks for its place looks at the lines only.
+--- room awareness and self-localization both see enough. A robot that looks for its place looks at the lines only, but not
+--- for ever: where no line is found, the room must be learned all the same.
 
 local p = param {
   width       = { 1.1,  range = { 0, 2.0 },      unit = "rad",   doc = "how far to turn the head to each side" },
   speed       = { 1.0,  range = { 0.1, 5.0 },    unit = "rad/s", doc = "how fast to turn the head" },
   wall_pitch  = { -0.1, range = { -0.6, 0.5 },   unit = "rad",   doc = "how far to look down while looking at the walls" },
   field_pitch = { 0.25, range = { -0.6, 0.5 },   unit = "rad",   doc = "how far to look down while looking at the field" },
+  line_search = { 15.0, range = { 0, 600 },      unit = "s",     doc = "how long to look at the lines only while the place is not known" },
   timeout     = { 4.0,  range = { 0.5, 20.0 },   unit = "s",     doc = "after which time to turn back even if a side was not reached" },
 }
 
 local NEAR = 0.05   -- rad
+
+local memory = keep { began = 0.0, was_tracked = true }   -- when the robot began to look for its place, s
 
 local function side() return math.min(p.width, robot.head_reach) end   -- rad
 
@@ -17,32 +21,41 @@ local function is_left() return math.abs(robot.head_yaw - side()) < NEAR end
 
 local function is_right() return math.abs(robot.head_yaw + side()) < NEAR end
 
-local function wall_pitch() return pose.tracked and p.wall_pitch or p.field_pitch end   -- rad
+local function look(yaw, pitch)
+  if memory.was_tracked and not pose.tracked then memory.began = clock.time end
+  memory.was_tracked = pose.tracked
+  head.look(yaw, pitch, p.speed)
+end
+
+local function wall_pitch()   -- rad
+  local looks_for_lines = not pose.tracked and (memory.was_tracked or clock.time - memory.began < p.line_search)
+  return looks_for_lines and p.field_pitch or p.wall_pitch
+end
 
 behavior "head_scan" {
   priority = 10,
   initial = "walls to the left",
 
   state "walls to the left" {
-    update = function() head.look(side(), wall_pitch(), p.speed) end,
+    update = function() look(side(), wall_pitch()) end,
     { "walls to the right", when = is_left, because = "the side is reached" },
     { "walls to the right", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "walls to the right" {
-    update = function() head.look(-side(), wall_pitch(), p.speed) end,
+    update = function() look(-side(), wall_pitch()) end,
     { "field to the left", when = is_right, because = "the side is reached" },
     { "field to the left", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "field to the left" {
-    update = function() head.look(side(), p.field_pitch, p.speed) end,
+    update = function() look(side(), p.field_pitch) end,
     { "field to the right", when = is_left, because = "the side is reached" },
     { "field to the right", after = "timeout", because = "the side cannot be reached" },
   },
 
   state "field to the right" {
-    update = function() head.look(-side(), p.field_pitch, p.speed) end,
+    update = function() look(-side(), p.field_pitch) end,
     { "walls to the left", when = is_right, because = "the side is reached" },
     { "walls to the left", after = "timeout", because = "the side cannot be reached" },
   },

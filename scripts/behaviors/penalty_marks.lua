@@ -1,7 +1,8 @@
 --- Walks from one penalty mark to the other and back, always by the pose that the robot believes in. Where it learns a room
 --- of which it knows nothing, it turns round once before it walks, and once more on the first visit of a mark if much of
 --- the room is still unknown. After a disturbance it goes to its own mark
---- first. Whether the belief is worth walking by, others judge: while they search for the pose it waits.
+--- first. Whether the belief is worth walking by, others judge: while they search for the pose it waits, and while the lines
+--- of the field do not fit the pose it turns on the spot, since a walk to a place that is not there ends anywhere.
 
 local walking = require "lib.walk"
 
@@ -11,6 +12,8 @@ local p = param {
   turn_round  = { true,                                   doc = "turn round once at first and on a mark while the room is being learned" },
   coverage    = { 0.8,  range = { 0, 1 },                 doc = "share of the wall from which on turning round is not needed" },
   turn_speed  = { 0.6,  range = { 0.1, 2 }, unit = "rad/s", doc = "how fast to turn round" },
+  lost_time   = { 2.0,  range = { 0, 60 },    unit = "s", doc = "how long the pose must not be tracked before the robot looks round" },
+  longest_look = { 30.0, range = { 0, 600 },  unit = "s", doc = "how long to look round at most before it walks by what it believes" },
   undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long the robot must stand again before it walks" },
 }
 
@@ -33,6 +36,10 @@ local function may_not_walk() return not robot.may_walk and not is_disturbed() e
 
 local function must_wait() return published.pose_is_searched and robot.may_walk and not is_disturbed() end
 
+local function is_lost() return not pose.tracked and robot.may_walk and not published.pose_is_searched end
+
+local function is_found() return not is_lost() end
+
 behavior "penalty_marks" {
   priority = 20,
   initial = "walking",
@@ -45,6 +52,7 @@ behavior "penalty_marks" {
 
   state "walking" {
     update = go,
+    { "looking round", when = is_lost, lasting = "lost_time", because = "the lines do not fit the pose" },
     { "turning round",
       when = function() return not memory.has_turned and does_not_know_the_room() end,
       because = "the robot begins to learn the room" },
@@ -59,6 +67,12 @@ behavior "penalty_marks" {
     update = function() walking.turn(p.turn_speed) end,
     { "on the mark", when = is_there, after = one_turn, because = "it has turned round" },
     { "walking", after = one_turn, because = "it has turned round" },
+  },
+
+  state "looking round" {
+    update = function() walking.turn(p.turn_speed) end,
+    { "walking", when = is_found, because = "the pose is known, or others search for it" },
+    { "walking", after = "longest_look", because = "nothing was found" },
   },
 
   state "on the mark" {

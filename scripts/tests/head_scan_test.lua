@@ -33,6 +33,21 @@ test("looks at the lines only while the robot looks for its place", function()
   expect.head(1.1, -0.1)
 end)
 
+test("looks at the walls again where the lines do not tell the place", function()
+  set_world { pose = { tracked = false } }
+  load_behavior "head_scan"
+  advance(15.9)   -- a side comes within reach of nobody: each state lasts 4 s
+  expect.state("head_scan", "field to the right")
+  advance(0.2)
+  expect.state("head_scan", "walls to the left")
+  expect.head(1.1, -0.1)
+  set_world { pose = { tracked = true } }
+  advance(0.1)
+  set_world { pose = { tracked = false } }
+  advance(0.1)
+  expect.head(1.1, 0.25)
+end)
+
 test("turns back when a side cannot be reached", function()
   load_behavior "head_scan"
   advance(4.2)

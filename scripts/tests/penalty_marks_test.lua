@@ -59,6 +59,27 @@ test("turns round once on a mark while it learns the room", function()
   expect.state("penalty_marks", "on the mark")
 end)
 
+test("looks round while the lines do not fit the pose, but not for ever", function()
+  load_behavior "penalty_marks"
+  stand_at(-3.2, -3.5, math.rad(90))
+  set_world { pose = { tracked = false } }
+  advance(1.9)
+  expect.state("penalty_marks", "walking")
+  advance(0.2)
+  expect.state("penalty_marks", "looking round")
+  expect.walk(0, 0, 0.6)
+  advance(3)
+  set_world { pose = { tracked = true } }
+  advance(0.1)
+  expect.state("penalty_marks", "walking")
+  expect.reason("penalty_marks", "the pose is known, or others search for it")
+  set_world { pose = { tracked = false } }
+  advance(2.1)
+  expect.state("penalty_marks", "looking round")
+  advance(30.0)
+  expect.state("penalty_marks", "walking")
+end)
+
 test("goes to its own mark first after a disturbance", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)

@@ -20,9 +20,6 @@ class CommandsTest : public ::testing::Test {
     words.insert(words.end(), {"--scripts", scripts_.string()});
     return run_reorient(words);
   }
-  void append(const std::string& file, const std::string& text) const {
-    std::ofstream(scripts_ / file, std::ios::app) << text;
-  }
   std::string path(const std::string& file) const { return (folder_.path() / file).string(); }
 
   TemporaryFolder folder_;
@@ -36,12 +33,12 @@ TEST_F(CommandsTest, CheckFindsNothingWrongWithTheShippedScripts) {
 }
 
 TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
-  append("behaviors/head_scan.lua", "local x = robot.penalised\n");
+  std::ofstream(scripts_ / "behaviors/odd.lua")
+      << "local x = robot.penalised\nbehavior \"odd\" { initial = \"a\", state \"a\" {} }\n";
   const ProgramRun checked = run({"check"});
   EXPECT_EQ(checked.code, kWrong);
-  EXPECT_NE(
-      checked.out.find("behaviors/head_scan.lua:50:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
-      std::string::npos)
+  EXPECT_NE(checked.out.find("behaviors/odd.lua:1:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
+            std::string::npos)
       << checked.out;
 }
 
