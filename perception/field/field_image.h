@@ -23,9 +23,10 @@ struct FieldImage {
 
   /// The nearest pixel; nothing outside of the image.
   std::optional<Eigen::Vector2i> nearest(const Eigen::Vector2d& pixel) const {
-    const int x = static_cast<int>(std::lround(pixel.x())), y = static_cast<int>(std::lround(pixel.y()));
-    if (x < 0 || y < 0 || x >= image.width || y >= image.height) return std::nullopt;
-    return Eigen::Vector2i(x, y);
+    // What is projected may lie farther outside than whole numbers reach.
+    const double x = std::round(pixel.x()), y = std::round(pixel.y());
+    if (!(x >= 0.0 && y >= 0.0 && x < image.width && y < image.height)) return std::nullopt;
+    return Eigen::Vector2i(static_cast<int>(x), static_cast<int>(y));
   }
   /// The same of a place on the ground, m.
   std::optional<Eigen::Vector2i> nearest_to_ground(const Eigen::Vector2d& place) const {

@@ -21,7 +21,7 @@ constexpr std::size_t kMostCandidates = 600;
 /// `widest` (rad), the widest even number of pixels that is not, at least 2.
 int limited_step(const GroundProjection& view, int step, double widest) {
   const double most = widest * view.camera().focal.x();
-  return step <= most ? step : std::clamp(static_cast<int>(most) & ~1, 2, std::max(step, 2));
+  return step <= most ? step : std::max(static_cast<int>(most) & ~1, 2);
 }
 
 /// Sums over a window of 5 x 5 pixels of products of luma's slopes: their main direction is across the edges in it.
@@ -81,8 +81,8 @@ struct NearestPixel {
 Vector2d chroma_of(const Ycbcr& color) { return {color.cb - 128.0, color.cr - 128.0}; }
 
 NearestPixel nearest_pixel(const ImageView& image, const CarpetColor& color, const Vector2d& where) {
-  const int x = std::clamp(static_cast<int>(std::lround(where.x())), 0, image.width - 1);
-  const int y = std::clamp(static_cast<int>(std::lround(where.y())), 0, image.height - 1);
+  const int x = static_cast<int>(std::lround(std::clamp(where.x(), 0.0, image.width - 1.0)));
+  const int y = static_cast<int>(std::lround(std::clamp(where.y(), 0.0, image.height - 1.0)));
   return {image.at(x, y), color.at(x, y)};
 }
 

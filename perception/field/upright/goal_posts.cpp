@@ -14,7 +14,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostPosts = 8;
-constexpr double kFarAway = 5.0;  // m
+constexpr double kFarAway = 5.0;    // m
+constexpr double kOtherHue = 12.0;  // steps of chroma
+
+double chroma_distance(const Ycbcr& a, const Ycbcr& b) { return pinned::hypot(a.cb - b.cb, a.cr - b.cr); }
 
 bool inside(const ImageView& image, const Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1;
@@ -59,7 +62,7 @@ void GoalPosts::scan(const Frame& frame, double share, FieldPercept& percept) {
   const auto row_of = [&](double x) {
     const double border = std::min(boundary_at(percept.boundary, image.width, x), image.height - 1.0);
     const double horizon = is_straight ? left + tilt * x : frame.view.horizon(x);
-    return std::clamp(static_cast<int>(border + share * (horizon - border)), 1, image.height - 2);
+    return static_cast<int>(std::clamp(border + share * (horizon - border), 1.0, image.height - 2.0));
   };
   const int step = image.width > 400 ? 2 : 1;
   luma_.resize(static_cast<std::size_t>(image.width / step));
@@ -95,22 +98,27 @@ void GoalPosts::consider(const Frame& frame, const Vector2d& pixel, double width
   if (post) percept.goal_posts.push_back(*post);
 }
 
-/// White, or yellow in 2013; lighter than the carpet.
+/// White, or yellow in 2013. It may be in the shade, while light falls on the carpet.
 bool GoalPosts::may_be_post(const Frame& frame, const Vector2d& pixel, const Ycbcr& look) const {
-  constexpr double kLighter = 1.4, kMostTint = 0.16;
-  if (look.y < std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast)) return false;
+  constexpr double kDarkest = 0.7, kMostTint = 0.16;
+  if (look.y < kDarkest * frame.color.luma()) return false;
   if (!field_.yellow_goals) return frame.color.tint_at(pixel_of(pixel), look) < kMostTint;
   const double blue = (look.cb - 128) / static_cast<double>(std::max<int>(look.y, 1));
   const double red = (look.cr - 128) / static_cast<double>(std::max<int>(look.y, 1));
   return blue < -0.15 && red > -0.15 && red < 0.3;
 }
 
+/// Which a post is where its side to the camera is lit like the carpet.
+bool GoalPosts::is_lighter_than_carpet(const Frame& frame, const Ycbcr& look) const {
+  constexpr double kLighter = 1.4;
+  return look.y >= std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast);
+}
+
 bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, const Vector2d& pixel) const {
   const Ycbcr seen = pixel_at(frame.image, pixel);
   const Ycbcr& look = candidate.look;
-  const double chroma = pinned::hypot(seen.cb - look.cb, seen.cr - look.cr);
   const double bright = std::max<double>(seen.y, look.y);
-  return std::abs(seen.y - look.y) < 8.0 + 0.25 * look.y && chroma < 6.0 + 0.08 * bright &&
+  return std::abs(seen.y - look.y) < 8.0 + 0.25 * look.y && chroma_distance(seen, look) < 6.0 + 0.08 * bright &&
          surface_at(frame.color, pixel, seen) != Surface::carpet;
 }
 
@@ -147,7 +155,8 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Cand
     const Vector2d position = *foot + (distance - from_foot + radius) * frame.view.away(*foot);
     return GoalPost{position, true, candidate.foot.cast<float>(), candidate.top.cast<float>()};
   };
-  if (from_height && outline_agrees(frame, candidate, upright_between(frame, candidate, *from_height))) {
+  if (from_height && outline_agrees(frame, candidate, upright_between(frame, candidate, *from_height)) &&
+      (*from_height <= kFarAway || is_lighter_than_carpet(frame, candidate.look))) {
     // Each is weighed by the inverse of its variance: far away, the height decides.
     constexpr double kTilt = 0.0175, kHeight = 0.05;  // rad; share
     const double height = frame.view.camera_height();
@@ -157,8 +166,10 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Cand
     return *from_height <= parameters_.post_range ? std::optional(post_at(distance)) : std::nullopt;
   }
   // Its end may be above the image, or hidden before something of the same color. Far away that may be a wall.
-  if (from_foot > std::min(kFarAway, parameters_.post_range) || !is_thick_enough(frame, candidate, from_foot))
+  if (from_foot > std::min(kFarAway, parameters_.post_range) || !is_lighter_than_carpet(frame, candidate.look) ||
+      !is_thick_enough(frame, candidate, from_foot)) {
     return std::nullopt;
+  }
   const GoalPost post = post_at(from_foot);
   return outline_agrees(frame, candidate, upright_at(frame, post.position)) ? std::optional(post) : std::nullopt;
 }
@@ -172,12 +183,17 @@ bool GoalPosts::stands_on_carpet(const Frame& frame, const Candidate& candidate,
   const double height = frame.view.camera_height();
   const double rows = frame.view.camera().focal.y() * height * inside_by / (square(distance) + square(height));
   if (candidate.foot.y() < boundary_at(boundary, frame.image.width, candidate.foot.x()) + rows) return false;
-  const Vector2d below = candidate.foot + Vector2d(0.0, std::max(3.0, 0.25 * candidate.width));
-  if (!inside(frame.image, below)) return false;
+  constexpr double kBelow = 3.0;  // pixels, at least
+  Vector2d below = candidate.foot + Vector2d(0.0, std::max(kBelow, 0.25 * candidate.width));
+  below.y() = std::min(below.y(), frame.image.height - 1.0);
+  if (!inside(frame.image, below) || below.y() < candidate.foot.y() + kBelow) return false;
   const Ycbcr ground = pixel_at(frame.image, below);
-  if (surface_at(frame.color, below, ground) == Surface::other ||
-      ground.y > candidate.look.y - parameters_.post_contrast)
-    return false;
+  if (surface_at(frame.color, below, ground) == Surface::other) return false;
+  // A post in the shade may be darker than carpet in the light, but has another hue.
+  constexpr double kLightestCarpet = 1.4;  // of its usual luma
+  const bool is_carpet_in_light =
+      ground.y < kLightestCarpet * frame.color.luma() && chroma_distance(ground, candidate.look) > kOtherHue;
+  if (ground.y > candidate.look.y - parameters_.post_contrast && !is_carpet_in_light) return false;
   constexpr int kSamples = 16, kMostOther = 4;  // lines, a ball
   int other = 0;
   for (int i = 0; i < kSamples; ++i) {
@@ -218,6 +234,7 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const Frame& frame, const C
   constexpr double kAgreement = 0.25;
   constexpr double kRange = 2.0;  // m; farther away, the foot is in view or the top is too close to the horizon
   if (candidate.top.y() < 2.0 || field_.goal_height - frame.view.camera_height() < 0.1) return std::nullopt;
+  if (!is_lighter_than_carpet(frame, candidate.look)) return std::nullopt;
   const auto top = frame.view.at_height(candidate.top, field_.goal_height);
   if (!top) return std::nullopt;
   const double distance = frame.view.distance(*top);
@@ -245,10 +262,10 @@ GoalPosts::Upright GoalPosts::upright_between(const Frame& frame, const Candidat
 /// side has not, and somewhere above its top, in the image or above it, there is no more of it.
 bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, const Upright& upright) const {
   constexpr int kHeights = 12;
-  constexpr double kEnds[] = {1.03, 1.06, 1.09, 1.12, 1.16, 1.2};  // of a post's height; at one of them it has ended
-  constexpr double kOtherHue = 12.0;                               // steps of chroma
-  constexpr double kLeastVisible = 0.6;                            // of its heights must be in the image
-  constexpr double kBelowBar = 0.86;                               // of its height
+  constexpr double kEnds[] = {1.03, 1.06, 1.09, 1.12, 1.16, 1.2};    // of a post's height; at one of them it has ended
+  constexpr double kLeastVisible = 0.6;                              // of its heights must be in the image
+  constexpr double kBelowBar = 0.86;                                 // of its height
+  constexpr double kLeastOfOneSide = 0.7, kLeastOfBothSides = 1.85;  // of the heights that must agree
   const Vector3d side_step = 0.5 * field_.goal_post_diameter * upright.foot.cross(upright.top).normalized();
   const auto point_at = [&](double share) -> Vector3d { return upright.foot + share * (upright.top - upright.foot); };
   const auto project = [&](const Vector3d& point) -> std::optional<Vector2d> {
@@ -258,8 +275,7 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
   };
   const auto differs = [&](const Vector2d& pixel, const Ycbcr& post) {
     const Ycbcr seen = pixel_at(frame.image, pixel);
-    return std::abs(seen.y - post.y) > 0.7 * parameters_.post_contrast ||
-           pinned::hypot(seen.cb - post.cb, seen.cr - post.cr) > kOtherHue;
+    return std::abs(seen.y - post.y) > 0.7 * parameters_.post_contrast || chroma_distance(seen, post) > kOtherHue;
   };
   int visible = 0, in_post = 0, left_free = 0, right_free = 0;
   for (int i = 0; i < kHeights; ++i) {
@@ -281,7 +297,11 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
         right_inside && differs(*middle + beyond, post) && has_post_color(frame, candidate, *middle + within) ? 1 : 0;
   }
   const double needed = parameters_.post_agreement * visible;
-  if (visible < kLeastVisible * kHeights || in_post < needed || left_free < needed || right_free < needed) return false;
+  if (visible < kLeastVisible * kHeights || in_post < needed) return false;
+  // Something as light as the post may be behind it on one side: a line, the net, a board. Far away that is too little.
+  const bool is_near = upright.foot.norm() <= kFarAway;
+  const double of_one = is_near ? kLeastOfOneSide : 1.0, of_both = is_near ? kLeastOfBothSides : 2.0;
+  if (std::min(left_free, right_free) < of_one * needed || left_free + right_free < of_both * needed) return false;
   return std::any_of(std::begin(kEnds), std::end(kEnds), [&](double end) {
     const auto above = project(point_at(end));
     return !above || differs(*above, candidate.look);

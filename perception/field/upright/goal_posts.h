@@ -45,6 +45,7 @@ class GoalPosts {
   void scan(const Frame& frame, double share, FieldPercept& percept);
   void consider(const Frame& frame, const Eigen::Vector2d& pixel, double width, FieldPercept& percept) const;
   bool may_be_post(const Frame& frame, const Eigen::Vector2d& pixel, const Ycbcr& look) const;
+  bool is_lighter_than_carpet(const Frame& frame, const Ycbcr& look) const;
   bool has_post_color(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& pixel) const;
   Eigen::Vector2d follow(const Frame& frame, const Candidate& candidate, int direction) const;
   std::optional<GoalPost> post_on_carpet(const Frame& frame, const Candidate& candidate,

@@ -154,7 +154,7 @@ void Obstacles::add(const CarpetMap& map, const GroundProjection& view, int firs
   obstacle.left = std::max(0, static_cast<int>(map.column_pixel(first) - half_column));
   obstacle.right = std::min(view.camera().width - 1, static_cast<int>(map.column_pixel(last) + half_column));
   obstacle.bottom = std::min(lowest->row, view.camera().height - 1);
-  obstacle.top = head ? std::clamp(static_cast<int>(head->y()), 0, obstacle.bottom) : 0;
+  obstacle.top = head ? static_cast<int>(std::clamp(head->y(), 0.0, 1.0 * obstacle.bottom)) : 0;
   percept.obstacles.push_back(obstacle);
 }
 

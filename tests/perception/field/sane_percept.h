@@ -10,8 +10,11 @@
 namespace reorient {
 
 inline bool is_covariance(const Eigen::Matrix2d& matrix) {
-  return matrix.allFinite() && matrix(0, 0) >= 0.0 && matrix(1, 1) >= 0.0 && matrix(0, 1) == matrix(1, 0) &&
-         matrix.determinant() >= -1e-9 * matrix(0, 0) * matrix(1, 1);
+  constexpr double kRounding = 1e-9;
+  const double scale = matrix(0, 0) * matrix(1, 1);
+  return matrix.allFinite() && matrix(0, 0) >= 0.0 && matrix(1, 1) >= 0.0 &&
+         std::abs(matrix(0, 1) - matrix(1, 0)) <= kRounding * std::sqrt(scale) &&
+         matrix.determinant() >= -kRounding * scale;
 }
 
 /// What of it cannot be, of an image of this size; empty: nothing.
