@@ -48,22 +48,6 @@ inline float rough_normal(Random& random) {
   return static_cast<float>(sum - 131070) * (1.0f / 37837.2f);
 }
 
-/// Two of them from one random number: sums of four bytes each, in steps of 0.007, within +-3.45.
-struct RoughNormals {
-  float first = 0.0f;
-  float second = 0.0f;
-};
-inline RoughNormals rough_normals(Random& random) {
-  constexpr std::uint64_t kEverySecondByte = 0x00FF00FF00FF00FFull, kEverySecondPair = 0x0000FFFF0000FFFFull;
-  const std::uint64_t bits = random();
-  const std::uint64_t pairs = (bits & kEverySecondByte) + ((bits >> 8) & kEverySecondByte);
-  const std::uint64_t sums = (pairs & kEverySecondPair) + ((pairs >> 16) & kEverySecondPair);
-  const auto normal = [](std::uint64_t sum) {
-    return static_cast<float>(static_cast<std::int32_t>(sum) - 510) * (1.0f / 147.80054f);
-  };
-  return {normal(sums & 0xFFFF), normal(sums >> 32)};
-}
-
 /// Multiplies each weight with the likelihood of what its particle explains, exp(-share * cost), and makes the weights
 /// add up to 1. Only differences of costs matter: the best particle keeps its weight, and none falls to zero. `costs`,
 /// as many as particles, is spent.
