@@ -124,6 +124,13 @@ void FrameLoop::take_told(const Told& told) {
   if (room_) room_->begin_anew();
 }
 
+/// Only on its feet a robot is pushed to all sides alike.
+void FrameLoop::feel_gravity(const BodySample& body) {
+  if (posture_.posture() != Posture::upright) return gravity_bias_.interrupt();
+  if (const auto torso = gravity_bias_.feel(body.acceleration, body.torso, body.time))
+    pose_tracker_.take_gravity(*torso);
+}
+
 /// What the posture is, and since when nothing has put the belief in doubt.
 void FrameLoop::feel_body() {
   const bool was_disturbed = world_.undisturbed_for <= 0.0;
@@ -135,6 +142,7 @@ void FrameLoop::feel_body() {
   BodySample body = observation_->body;
   if (body.time == 0.0) body.time = observation_->time;
   posture_.update(body, body_.standing_load, hints, parameters_.posture);
+  feel_gravity(body);
   world_.posture = posture_.posture();
   world_.posture_before = posture_.before();
   world_.posture_for = std::max(0.0, world_.time - posture_.since());

@@ -21,6 +21,7 @@
 #include "geometry/bytes.h"
 #include "localization/pose_filter.h"
 #include "localization/search/pose_search.h"
+#include "localization/tracking/gravity_bias.h"
 #include "localization/tracking/pose_tracker.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
@@ -73,6 +74,7 @@ class FrameLoop {
 
   void take_inputs(const FrameInputs& inputs);
   void feel_body();
+  void feel_gravity(const BodySample& body);
   void see_field();
   void localize();
   std::array<CameraPercept, 2> percepts_of_cameras() const;
@@ -109,6 +111,7 @@ class FrameLoop {
   std::array<FieldFeatures, 2> field_features_;  ///< of the upper and the lower camera
   PoseFilter pose_filter_;
   PoseTracker pose_tracker_;
+  GravityBias gravity_bias_;
   PoseSearch pose_search_;
   bool was_known_ = false;  ///< the pose, in the frame before
   std::optional<RoomAwareness> room_;

@@ -75,6 +75,26 @@ void PoseTracker::take_bias(const CameraBias& bias, double deviation) {
   }
 }
 
+void PoseTracker::take_gravity(const TiltBias& torso) {
+  if (!(parameters_.gravity_deviation > 0.0)) return;
+  const std::array told{torso.roll, torso.pitch};
+  const auto correct = [&](PoseState& state) {
+    const PoseState::Vector before = state.values();
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      PoseState::Measured measured;
+      measured.residual = before[kTorso + i] - told[i];
+      measured.row[kTorso + i] = 1.0;
+      measured.variance = square(parameters_.gravity_deviation);
+      state.take(measured, before);
+    }
+  };
+  correct(state_);
+  PoseState known{state_.pose, known_mean_, known_covariance_};
+  correct(known);
+  known_mean_ = known.mean;
+  known_covariance_ = known.covariance;
+}
+
 void PoseTracker::remember_bias() {
   known_mean_ = state_.mean;
   known_covariance_ = state_.covariance;

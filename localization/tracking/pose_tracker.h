@@ -23,6 +23,7 @@ struct PoseTrackerParameters {
   bool enabled = true;
   double torso_deviation = from_degrees(3.0);
   double mount_deviation = from_degrees(2.0);
+  double gravity_deviation = from_degrees(1.5);
   double drift = 0.0003;
   double sway_deviation = 0.01;
   double sway_time = 0.3;
@@ -38,6 +39,8 @@ void describe(PoseTrackerParameters& p, Visit&& visit) {
   visit("torso_deviation", p.torso_deviation, 0.0, 0.3, "rad",
         "standard deviation of the torso's measured roll and pitch, of robots in general");
   visit("mount_deviation", p.mount_deviation, 0.0, 0.3, "rad", "the same of the mounting of a camera");
+  visit("gravity_deviation", p.gravity_deviation, 0.0, 0.3, "rad",
+        "the same of the direction of gravity that an accelerometer tells; 0: it is not asked");
   visit("drift", p.drift, 0.0, 0.1, "rad/s^0.5", "how fast these errors change");
   visit("sway_deviation", p.sway_deviation, 0.0, 0.2, "rad",
         "standard deviation of the torso's sway that is not measured");
@@ -76,6 +79,9 @@ class PoseTracker {
   void flip() { state_.flip(); }
   /// What was saved of this body.
   void set_bias(const CameraBias& bias);
+
+  /// What an accelerometer says of the torso's bias. Once of each: its errors stay the same.
+  void take_gravity(const TiltBias& torso);
 
   /// What a search has found, known to about a degree. Call it before attach().
   void take_found(const CameraBias& bias);

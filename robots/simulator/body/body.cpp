@@ -49,7 +49,8 @@ Body::Body(const BodyParameters& parameters, const RobotBody& robot, const Pose2
   const double scale = parameters_.odometry_scale_error;
   odometry_scale_ = {1.0 + scale * random_.normal(), 1.0 + scale * random_.normal(), 1.0 + scale * random_.normal()};
   odometry_drift_ = parameters_.odometry_turn_bias * random_.normal();
-  attitude_bias_ = {parameters_.attitude_bias * random_.normal(), parameters_.attitude_bias * random_.normal()};
+  attitude_bias_ = {parameters_.roll_offset + parameters_.attitude_bias * random_.normal(),
+                    parameters_.pitch_offset + parameters_.attitude_bias * random_.normal()};
   for (double& bias : accelerometer_bias_) bias = parameters_.accelerometer_bias * random_.normal();
 }
 

@@ -33,6 +33,8 @@ struct BodyParameters {
   double head_noise = 0.002;
   double attitude_noise = 0.004;
   double attitude_bias = 0.004;
+  double roll_offset = 0.0;
+  double pitch_offset = 0.0;
   double fall_time = 0.8;
   double get_up_time = 6.0;
   double get_up_slip = 0.35;
@@ -66,6 +68,9 @@ void describe(BodyParameters& p, Visit&& visit) {
   visit("attitude_noise", p.attitude_noise, 0.0, 0.1, "rad", "standard deviation of the measured torso attitude");
   visit("attitude_bias", p.attitude_bias, 0.0, 0.1, "rad",
         "standard deviation of the robot's own constant attitude error");
+  visit("roll_offset", p.roll_offset, -0.2, 0.2, "rad",
+        "the same, not left to chance: how much more roll than is true the inertial unit measures");
+  visit("pitch_offset", p.pitch_offset, -0.2, 0.2, "rad", "how much more pitch it measures");
   visit("fall_time", p.fall_time, 0.1, 5.0, "s", "from upright to lying");
   visit("get_up_time", p.get_up_time, 0.5, 30.0, "s", "from lying to standing");
   visit("get_up_slip", p.get_up_slip, 0.0, 3.2, "rad",

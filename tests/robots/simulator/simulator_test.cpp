@@ -317,7 +317,7 @@ TEST(Simulator, DeclaresEveryParameterWithADefaultInsideOfItsRange) {
   describe(parameters.light, light);
   describe(shape, room);
   EXPECT_EQ(simulator.names.size() + body.names.size() + sensor.names.size() + room.names.size(),
-            16u + 26u + 16u + 10u);
+            16u + 28u + 16u + 10u);
   EXPECT_EQ(light.names.size(), 13u);
 }
 

@@ -1,0 +1,41 @@
+#include "localization/tracking/gravity_bias.h"
+
+#include <cmath>
+
+#include "geometry/pinned_math.h"
+
+namespace reorient {
+
+std::optional<TiltBias> GravityBias::feel(const Eigen::Vector3d& acceleration, const TorsoAttitude& measured,
+                                          double time) {
+  constexpr double kGravity = 9.81, kMostOff = 4.0;  // m/s^2
+  constexpr double kFeltFor = 3.0;                   // s
+  constexpr int kFewest = 60;                        // samples
+  constexpr double kMostTilt = 0.35;                 // rad; with more the robot does not stand
+  constexpr double kNothing = 1e-12;                 // what a robot without an accelerometer says is exactly upright
+  if (is_told_) return std::nullopt;
+  const bool is_believable = std::abs(acceleration.norm() - kGravity) <= kMostOff &&
+                             std::abs(measured.roll) <= kMostTilt && std::abs(measured.pitch) <= kMostTilt;
+  if (!is_believable || acceleration.head<2>().norm() < kNothing || !std::isfinite(time)) return std::nullopt;
+  if (samples_ == 0 || time < began_) {
+    interrupt();
+    began_ = time;
+  }
+  const double roll = pinned::atan2(acceleration.y(), acceleration.z());
+  const double pitch = pinned::atan2(-acceleration.x(), pinned::hypot(acceleration.y(), acceleration.z()));
+  sum_.roll += roll - measured.roll;
+  sum_.pitch += pitch - measured.pitch;
+  ++samples_;
+  if (samples_ < kFewest || time - began_ < kFeltFor) return std::nullopt;
+  const TiltBias mean{sum_.roll / samples_, sum_.pitch / samples_};
+  is_told_ = std::abs(mean.roll) <= kMostTilt && std::abs(mean.pitch) <= kMostTilt;
+  interrupt();
+  return is_told_ ? std::optional(mean) : std::nullopt;
+}
+
+void GravityBias::interrupt() {
+  sum_ = {};
+  samples_ = 0;
+}
+
+}  // namespace reorient

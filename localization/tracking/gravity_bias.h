@@ -1,0 +1,38 @@
+// What the accelerometer says of the torso's measured attitude.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "geometry/bytes.h"
+#include "geometry/camera_bias.h"
+#include "geometry/head.h"
+
+namespace reorient {
+
+/// Compares the measured attitude with the direction of gravity, as a mean over some seconds on the feet: steps push to
+/// all sides alike. An accelerometer has errors of its own, and they stay the same; so it is asked only once.
+class GravityBias {
+ public:
+  /// One sample of a robot on its feet. `acceleration`: of the torso against free fall, in its own frame, m/s^2.
+  /// `time`: s. Returns the torso's bias when enough was felt, and never again.
+  std::optional<TiltBias> feel(const Eigen::Vector3d& acceleration, const TorsoAttitude& measured, double time);
+  /// The robot does not stand on its feet: what was felt so far does not count.
+  void interrupt();
+
+  /// Throws BadBytes.
+  template <typename Archive>
+  void archive(Archive& archive) {
+    archive(sum_, samples_, began_, is_told_);
+    if constexpr (Archive::kReads) check_bytes(samples_ >= 0, "a number of samples is none");
+  }
+
+ private:
+  TiltBias sum_;  ///< of the differences, rad
+  int samples_ = 0;
+  double began_ = 0.0;  ///< s
+  bool is_told_ = false;
+};
+
+}  // namespace reorient
