@@ -1,6 +1,7 @@
 // What the accelerometer says of the torso's measured attitude.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include <Eigen/Core>
@@ -25,7 +26,10 @@ class GravityBias {
   template <typename Archive>
   void archive(Archive& archive) {
     archive(sum_, samples_, began_, is_told_);
-    if constexpr (Archive::kReads) check_bytes(samples_ >= 0, "a number of samples is none");
+    if constexpr (Archive::kReads) {
+      check_bytes(samples_ >= 0 && std::isfinite(sum_.roll) && std::isfinite(sum_.pitch) && std::isfinite(began_),
+                  "what was felt of gravity is not a number");
+    }
   }
 
  private:
