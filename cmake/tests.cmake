@@ -30,13 +30,14 @@ function(reorient_needs tier)
   add_dependencies(${tier} ${ARGN})
 endfunction()
 
-# reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]... [UNSANITIZED] [THREADED]): one
-# GoogleTest program, each of its tests known to CTest. PATTERN, as in --gtest_filter: tests of that group; all others belong to the gate.
-# NEEDS: programs that the tests start. UNSANITIZED: the sanitizers have nothing to find, as the tests only start programs that are
-# not ours, or count allocations with operators of their own. THREADED: the tests or what they call start threads, so that the
-# thread sanitizer has something to find. Those that link rapidcheck have its header precompiled.
+# reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]... [UNSANITIZED]
+# [TOO_SLOW_SANITIZED pattern] [THREADED]): one GoogleTest program, each of its tests known to CTest. PATTERN, as in --gtest_filter:
+# tests of that group; all others belong to the gate. NEEDS: programs that the tests start. UNSANITIZED: the sanitizers have nothing to
+# find, as the tests only start programs that are not ours, or count allocations with operators of their own. TOO_SLOW_SANITIZED: tests
+# of code that others run as well, with less. THREADED: the tests or what they call start threads, so that the thread sanitizer has
+# something to find. Those that link rapidcheck have its header precompiled.
 function(reorient_add_tests name)
-  cmake_parse_arguments(TESTS "UNSANITIZED;THREADED" "" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
+  cmake_parse_arguments(TESTS "UNSANITIZED;THREADED" "TOO_SLOW_SANITIZED" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
   reorient_add_program(${name}
     SOURCES ${TESTS_SOURCES} LINKS ${TESTS_LINKS} test_support GTest::gtest GTest::gtest_main)
   target_compile_options(${name} PRIVATE ${REORIENT_QUICKLY_COMPILED})
@@ -63,7 +64,11 @@ function(reorient_add_tests name)
     string(APPEND others ":${pattern}")
   endwhile()
   if(NOT TESTS_NEEDS AND NOT TESTS_UNSANITIZED)
-    string(REGEX REPLACE "^:" "*-" filter "${others}")
+    set(left_out "${others}")
+    if(TESTS_TOO_SLOW_SANITIZED)
+      string(APPEND left_out ":${TESTS_TOO_SLOW_SANITIZED}")
+    endif()
+    string(REGEX REPLACE "^:" "*-" filter "${left_out}")
     if(NOT filter)
       set(filter "*")
     endif()
