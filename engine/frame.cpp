@@ -124,7 +124,7 @@ void FrameLoop::take_told(const Told& told) {
   if (room_) room_->begin_anew();
 }
 
-/// Only on its feet a robot is pushed to all sides alike.
+/// Only while the robot is upright: the mean acceleration of a fall or of a lift is not that of gravity.
 void FrameLoop::feel_gravity(const BodySample& body) {
   if (posture_.posture() != Posture::upright) return gravity_bias_.interrupt();
   if (const auto torso = gravity_bias_.feel(body.acceleration, body.torso, body.time))

@@ -9,7 +9,6 @@
 #include "localization/reorientation.h"
 
 namespace reorient {
-
 namespace {
 
 /// By what probability a pose that is not tracked lies elsewhere. With one half, 96 to 99 % of the true poses of robots

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "geometry/bytes.h"
+#include "geometry/gravity.h"
 #include "geometry/pinned_math.h"
 
 namespace reorient {
 namespace {
 
-constexpr double kGravity = 9.81;       // m/s^2
 constexpr double kLongestStep = 0.2;    // s; a longer gap says nothing about what happened in it
 constexpr double kClockReset = 1.0;     // s; a time that far back is of a clock that began anew
 constexpr double kUprightAngle = 0.3;   // rad; a robot that stands leans no more than this
@@ -49,10 +49,7 @@ void PostureEstimator::become(Posture posture, double time) {
 
 /// The accelerations along the vertical, summed up twice; what is long ago is forgotten.
 void PostureEstimator::follow_height(const BodySample& sample, double step, const PostureParameters& parameters) {
-  const auto [sin_roll, cos_roll] = pinned::sincos(sample.torso.roll);
-  const auto [sin_pitch, cos_pitch] = pinned::sincos(sample.torso.pitch);
-  const Eigen::Vector3d up(-sin_pitch, sin_roll * cos_pitch, cos_roll * cos_pitch);  // in the torso's frame
-  const double upward = sample.acceleration.dot(up) - kGravity;
+  const double upward = sample.acceleration.dot(up_in_torso(sample.torso)) - kGravity;
   const double forget = 1.0 - std::min(1.0, step / parameters.lift_memory);
   climbing_ = forget * climbing_ + (upward - bias_) * step;
   climbed_ = forget * climbed_ + climbing_ * step;

@@ -2,17 +2,18 @@
 
 #include <cmath>
 
+#include "geometry/gravity.h"
 #include "geometry/pinned_math.h"
 
 namespace reorient {
 
 std::optional<TiltBias> GravityBias::feel(const Eigen::Vector3d& acceleration, const TorsoAttitude& measured,
                                           double time) {
-  constexpr double kGravity = 9.81, kMostOff = 4.0;  // m/s^2
-  constexpr double kFeltFor = 3.0;                   // s
-  constexpr int kFewest = 60;                        // samples
-  constexpr double kMostTilt = 0.35;                 // rad; with more the robot does not stand
-  constexpr double kNothing = 1e-12;                 // what a robot without an accelerometer says is exactly upright
+  constexpr double kMostOff = 4.0;    // m/s^2
+  constexpr double kFeltFor = 3.0;    // s
+  constexpr int kFewest = 60;         // samples
+  constexpr double kMostTilt = 0.35;  // rad; with more the robot does not stand
+  constexpr double kNothing = 1e-12;  // what a robot without an accelerometer says is exactly upright
   if (is_told_) return std::nullopt;
   const bool is_believable = std::abs(acceleration.norm() - kGravity) <= kMostOff &&
                              std::abs(measured.roll) <= kMostTilt && std::abs(measured.pitch) <= kMostTilt;

@@ -12,8 +12,8 @@
 
 namespace reorient {
 
-/// Compares the measured attitude with the direction of gravity, as a mean over some seconds on the feet: steps push to
-/// all sides alike. An accelerometer has errors of its own, and they stay the same; so it is asked only once.
+/// Compares the measured attitude with the direction of gravity, as a mean over some seconds on the feet, in which the
+/// accelerations of steps cancel out. An accelerometer has a constant error of its own, so it is asked only once.
 class GravityBias {
  public:
   /// One sample of a robot on its feet. `acceleration`: of the torso against free fall, in its own frame, m/s^2.

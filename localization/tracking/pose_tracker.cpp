@@ -89,16 +89,10 @@ void PoseTracker::take_gravity(const TiltBias& torso) {
     }
   };
   correct(state_);
-  PoseState known{state_.pose, known_mean_, known_covariance_};
-  correct(known);
-  known_mean_ = known.mean;
-  known_covariance_ = known.covariance;
+  correct(known_);
 }
 
-void PoseTracker::remember_bias() {
-  known_mean_ = state_.mean;
-  known_covariance_ = state_.covariance;
-}
+void PoseTracker::remember_bias() { known_ = state_; }
 
 BiasPrior PoseTracker::prior() const {
   BiasPrior prior{bias(), 0.0, 0.0};
@@ -113,14 +107,14 @@ BiasPrior PoseTracker::prior() const {
 
 void PoseTracker::doubt() {
   constexpr double kKnock = from_degrees(0.5);
-  for (std::size_t i = kTorso; i < kSway; ++i) known_covariance_[i][i] += square(kKnock);
+  for (std::size_t i = kTorso; i < kSway; ++i) known_.covariance[i][i] += square(kKnock);
   let_go();
 }
 
 void PoseTracker::let_go() {
   attached_ = false;
-  state_.mean = known_mean_;
-  state_.covariance = known_covariance_;
+  state_.mean = known_.mean;
+  state_.covariance = known_.covariance;
 }
 
 /// The longer the robot is lost, the less its former bias is believed.
@@ -188,7 +182,7 @@ void PoseTracker::update(const std::array<CameraPercept, 2>& seen, const PoseBel
     const double normalized = std::min(fit.normalized_squares / fit.measured, kMostNormalized);
     noise_ = std::clamp(noise_ * (1.0 + time / parameters_.noise_time * (normalized - 1.0)), kLeastNoise, kMostNoise);
   }
-  if (!is_sound(state_.mean, state_.covariance)) return set_bias({});
+  if (!is_sound(state_)) return set_bias({});
   if (attached_for_ > kKnownAfter && fit_ > kGoodFit) remember_bias();
 }
 
@@ -313,10 +307,11 @@ double PoseTracker::bias_deviation(const Isometry3& robot_from_camera, std::size
   return std::sqrt(std::max(0.0, state_.variance_of(row)));
 }
 
-bool PoseTracker::is_sound(const PoseState::Vector& mean, const PoseState::Matrix& covariance) {
+/// Whether its biases are possible.
+bool PoseTracker::is_sound(const PoseState& state) {
   for (std::size_t i = 0; i < kSize; ++i) {
-    if (!(std::abs(mean[i]) <= kMostBias) || !(covariance[i][i] >= 0.0)) return false;
-    for (const double value : covariance[i]) {
+    if (!(std::abs(state.mean[i]) <= kMostBias) || !(state.covariance[i][i] >= 0.0)) return false;
+    for (const double value : state.covariance[i]) {
       if (!std::isfinite(value)) return false;
     }
   }
@@ -328,8 +323,7 @@ void PoseTracker::complete() {
   const Pose2& pose = state_.pose;
   const bool is_pose = pose.position.allFinite() && std::isfinite(pose.rotation + attached_for_ + apart_for_ + fit_);
   check_bytes(is_pose && noise_ >= kLeastNoise && noise_ <= kMostNoise, "the tracked pose is impossible");
-  check_bytes(is_sound(state_.mean, state_.covariance) && is_sound(known_mean_, known_covariance_),
-              "the camera's bias is impossible");
+  check_bytes(is_sound(state_) && is_sound(known_), "the camera's bias is impossible");
 }
 
 }  // namespace reorient

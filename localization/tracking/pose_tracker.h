@@ -98,7 +98,7 @@ class PoseTracker {
   /// Throws BadBytes.
   template <typename Archive>
   void archive(Archive& archive) {
-    archive(state_, known_mean_, known_covariance_, attached_, attached_for_, apart_for_, fit_, noise_);
+    archive(state_, known_.mean, known_.covariance, attached_, attached_for_, apart_for_, fit_, noise_);
     if constexpr (Archive::kReads) complete();
   }
 
@@ -111,7 +111,7 @@ class PoseTracker {
     double normalized_squares = 0.0;  ///< of these: squared residuals by their expected variances
   };
 
-  static bool is_sound(const PoseState::Vector& mean, const PoseState::Matrix& covariance);
+  static bool is_sound(const PoseState& state);
   void complete();
   void take_bias(const CameraBias& bias, double deviation);
   void remember_bias();
@@ -124,8 +124,7 @@ class PoseTracker {
   FieldLineMap lines_;
   std::array<Eigen::Vector2d, 4> posts_;
   PoseState state_;
-  PoseState::Vector known_mean_{};        ///< of the biases, while it had been attached for long
-  PoseState::Matrix known_covariance_{};  ///< the same
+  PoseState known_;  ///< the biases, while it had been attached for long; the pose in it has no meaning
   bool attached_ = false;
   double attached_for_ = 0.0;  ///< s
   double apart_for_ = 0.0;     ///< s, for which its belief has been elsewhere

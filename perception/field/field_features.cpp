@@ -40,13 +40,13 @@ void FieldFeatures::find(const ImageView& image, const CameraModel& camera, cons
   if (!carpet_color_.known()) return;
   carpet_map_.fill(image, carpet_color_, highest_row_of_ground(*view));
   boundary_.find(carpet_map_, view->camera(), percept.boundary);
-  goal_posts_.find(image, *view, carpet_color_, percept);
+  const FieldImage seen{image, *view, carpet_color_};
+  goal_posts_.find(seen, percept);
   obstacles_.find(carpet_map_, *view, {}, kTallerThanLines, percept);
   line_points_.find(image, *view, carpet_color_, percept);
   percept.center_circle = center_circle_.find(percept.line_points, *view);
   const auto segments = line_segments_.find(percept.line_points, percept.center_circle, circle_radius_);
   const KnownLines lines{segments, percept.center_circle, circle_radius_, line_width_};
-  const FieldImage seen{image, *view, carpet_color_};
   percept.ball = ball_.find(seen, carpet_map_, lines, percept);
   intersections_.find(seen, segments, percept);
   obstacles_.find(carpet_map_, *view, lines, kLeastHeight, percept);

@@ -36,7 +36,7 @@ end)
 test("looks at the walls again where the lines do not tell the place", function()
   set_world { pose = { tracked = false } }
   load_behavior "head_scan"
-  advance(15.9)   -- a side comes within reach of nobody: each state lasts 4 s
+  advance(15.9)   -- the head never reaches a side here, so each state lasts 4 s
   expect.state("head_scan", "field to the right")
   advance(0.2)
   expect.state("head_scan", "walls to the left")

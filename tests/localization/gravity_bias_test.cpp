@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/pinned_math.h"
+#include "geometry/gravity.h"
 #include "geometry/random.h"
 #include "localization/tracking/pose_tracker.h"
 
@@ -15,21 +15,14 @@ namespace {
 
 constexpr double kPeriod = 0.03;  // s
 
-/// What gravity does to an accelerometer in this attitude.
-Eigen::Vector3d gravity_in(const TorsoAttitude& torso) {
-  const auto [sin_roll, cos_roll] = pinned::sincos(torso.roll);
-  const auto [sin_pitch, cos_pitch] = pinned::sincos(torso.pitch);
-  return 9.81 * Eigen::Vector3d(-sin_pitch, sin_roll * cos_pitch, cos_roll * cos_pitch);
-}
-
-/// Feels a walking robot for so long, whose unit measures `bias` too little. Gives what was told, and how often.
+/// A robot that walks, and whose inertial unit measures `bias` less than is true. Keeps what it is told of that.
 struct Walk {
   void walk(double seconds, const TiltBias& bias) {
     for (const double end = time + seconds; time < end; time += kPeriod) {
       const TorsoAttitude truth{0.03 * std::sin(7.0 * time), 0.1 + 0.02 * std::sin(11.0 * time)};
       const Eigen::Vector3d shock(random.normal(), random.normal(), random.normal());
       const auto bias_now =
-          gravity.feel(gravity_in(truth) + shock, {truth.roll - bias.roll, truth.pitch - bias.pitch}, time);
+          gravity.feel(kGravity * up_in_torso(truth) + shock, {truth.roll - bias.roll, truth.pitch - bias.pitch}, time);
       if (!bias_now) continue;
       told = *bias_now;
       ++times;

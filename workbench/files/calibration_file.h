@@ -26,7 +26,7 @@ Calibration load_calibration(const std::filesystem::path& file);
 Calibration parse_calibration(std::string_view text, const std::string& name);
 /// As such a file.
 std::string to_toml(const Calibration& calibration);
-/// Another number for another calibration; 0 without a file: as the data sheet says. Throws like load_calibration().
-std::uint64_t mounting_of(const std::filesystem::path& file);
+/// Another number for another calibration, and never 0, which stands for cameras as the data sheet says.
+std::uint64_t mounting_of(const Calibration& calibration);
 
 }  // namespace reorient

@@ -23,17 +23,8 @@ bool inside(const ImageView& image, const Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1;
 }
 
+/// Of a place inside of the image.
 Eigen::Vector2i pixel_of(const Vector2d& place) { return {std::lround(place.x()), std::lround(place.y())}; }
-
-Surface surface_at(const CarpetColor& color, const Vector2d& place, const Ycbcr& seen) {
-  const Eigen::Vector2i pixel = pixel_of(place);
-  return color.surface(pixel.x(), pixel.y(), seen);
-}
-
-/// For a pixel inside of the image.
-Ycbcr pixel_at(const ImageView& image, const Vector2d& pixel) {
-  return image.at(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
-}
 
 }  // namespace
 
@@ -43,18 +34,16 @@ GoalPosts::GoalPosts(const FieldFeatureParameters& parameters, const FieldDimens
   segments_.reserve(256);
 }
 
-void GoalPosts::find(const ImageView& image, const GroundProjection& view, const CarpetColor& color,
-                     FieldPercept& percept) {
+void GoalPosts::find(const FieldImage& frame, FieldPercept& percept) {
   percept.goal_posts.clear();
-  if (image.width < 16 || image.height < 16) return;
-  const Frame frame{image, view, color};
+  if (frame.image.width < 16 || frame.image.height < 16) return;
   // A post crosses everything between its foot and the horizon: in front of the carpet, of its border, of the room.
   for (const double share : {0.0, -0.15, 0.5, 0.9}) scan(frame, share, percept);
 }
 
 /// Along a line that is at `share` of the way from the boundary (0) up to the horizon (1). Large images are read at
 /// half their size, which is sharp enough for a post and less noisy.
-void GoalPosts::scan(const Frame& frame, double share, FieldPercept& percept) {
+void GoalPosts::scan(const FieldImage& frame, double share, FieldPercept& percept) {
   const ImageView& image = frame.image;
   const double left = frame.view.horizon(0.0);
   const double tilt = (frame.view.horizon(image.width - 1.0) - left) / std::max(1.0, image.width - 1.0);
@@ -81,12 +70,12 @@ void GoalPosts::scan(const Frame& frame, double share, FieldPercept& percept) {
   }
 }
 
-void GoalPosts::consider(const Frame& frame, const Vector2d& pixel, double width, FieldPercept& percept) const {
+void GoalPosts::consider(const FieldImage& frame, const Vector2d& pixel, double width, FieldPercept& percept) const {
   if (percept.goal_posts.size() >= kMostPosts) return;
   Candidate candidate;
   candidate.pixel = pixel;
   candidate.width = width;
-  candidate.look = pixel_at(frame.image, pixel);
+  candidate.look = frame.at(pixel_of(pixel));
   if (!may_be_post(frame, pixel, candidate.look)) return;
   for (const GoalPost& known : percept.goal_posts) {
     if (std::abs(known.base.x() - candidate.pixel.x()) < 1.5 * candidate.width + 4.0) return;
@@ -99,7 +88,7 @@ void GoalPosts::consider(const Frame& frame, const Vector2d& pixel, double width
 }
 
 /// White, or yellow in 2013. It may be in the shade, while light falls on the carpet.
-bool GoalPosts::may_be_post(const Frame& frame, const Vector2d& pixel, const Ycbcr& look) const {
+bool GoalPosts::may_be_post(const FieldImage& frame, const Vector2d& pixel, const Ycbcr& look) const {
   constexpr double kDarkest = 0.7, kMostTint = 0.16;
   if (look.y < kDarkest * frame.color.luma()) return false;
   if (!field_.yellow_goals) return frame.color.tint_at(pixel_of(pixel), look) < kMostTint;
@@ -109,21 +98,21 @@ bool GoalPosts::may_be_post(const Frame& frame, const Vector2d& pixel, const Ycb
 }
 
 /// Which a post is where its side to the camera is lit like the carpet.
-bool GoalPosts::is_lighter_than_carpet(const Frame& frame, const Ycbcr& look) const {
+bool GoalPosts::is_lighter_than_carpet(const FieldImage& frame, const Ycbcr& look) const {
   constexpr double kLighter = 1.4;
   return look.y >= std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast);
 }
 
-bool GoalPosts::has_post_color(const Frame& frame, const Candidate& candidate, const Vector2d& pixel) const {
-  const Ycbcr seen = pixel_at(frame.image, pixel);
+bool GoalPosts::has_post_color(const FieldImage& frame, const Candidate& candidate, const Vector2d& pixel) const {
+  const Ycbcr seen = frame.at(pixel_of(pixel));
   const Ycbcr& look = candidate.look;
   const double bright = std::max<double>(seen.y, look.y);
   return std::abs(seen.y - look.y) < 8.0 + 0.25 * look.y && chroma_distance(seen, look) < 6.0 + 0.08 * bright &&
-         surface_at(frame.color, pixel, seen) != Surface::carpet;
+         frame.surface(pixel_of(pixel)) != Surface::carpet;
 }
 
 /// The last pixel of the candidate's colour, downwards (1) or upwards (-1) along the image of a vertical edge.
-Vector2d GoalPosts::follow(const Frame& frame, const Candidate& candidate, int direction) const {
+Vector2d GoalPosts::follow(const FieldImage& frame, const Candidate& candidate, int direction) const {
   constexpr int kGap = 2;   // pixels of another colour that are passed
   constexpr int kBend = 8;  // rows after which the image of a vertical edge may run another way
   double slant = frame.view.vertical_slant(candidate.pixel);
@@ -143,7 +132,7 @@ Vector2d GoalPosts::follow(const Frame& frame, const Candidate& candidate, int d
   return last;
 }
 
-std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Candidate& candidate,
+std::optional<GoalPost> GoalPosts::post_on_carpet(const FieldImage& frame, const Candidate& candidate,
                                                   const std::vector<float>& boundary) const {
   const auto foot = frame.view.ground(candidate.foot);
   if (!foot) return std::nullopt;
@@ -176,7 +165,7 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const Frame& frame, const Cand
 
 /// Carpet before it, all the way to the robot: a banner may be as green, and its letters like posts. And carpet behind
 /// it, since goal lines are not at its border.
-bool GoalPosts::stands_on_carpet(const Frame& frame, const Candidate& candidate, double distance,
+bool GoalPosts::stands_on_carpet(const FieldImage& frame, const Candidate& candidate, double distance,
                                  const std::vector<float>& boundary) const {
   constexpr double kInside = 0.25, kInsideFarAway = 0.1;  // m
   const double inside_by = distance > kFarAway ? kInsideFarAway : kInside;
@@ -187,8 +176,8 @@ bool GoalPosts::stands_on_carpet(const Frame& frame, const Candidate& candidate,
   Vector2d below = candidate.foot + Vector2d(0.0, std::max(kBelow, 0.25 * candidate.width));
   below.y() = std::min(below.y(), frame.image.height - 1.0);
   if (!inside(frame.image, below) || below.y() < candidate.foot.y() + kBelow) return false;
-  const Ycbcr ground = pixel_at(frame.image, below);
-  if (surface_at(frame.color, below, ground) == Surface::other) return false;
+  const Ycbcr ground = frame.at(pixel_of(below));
+  if (frame.surface(pixel_of(below)) == Surface::other) return false;
   // A post in the shade may be darker than carpet in the light, but has another hue.
   constexpr double kLightestCarpet = 1.4;  // of its usual luma
   const bool is_carpet_in_light =
@@ -199,12 +188,12 @@ bool GoalPosts::stands_on_carpet(const Frame& frame, const Candidate& candidate,
   for (int i = 0; i < kSamples; ++i) {
     const double row = below.y() + (frame.image.height - 1.0 - below.y()) * i / (kSamples - 1.0);
     const Vector2d before(below.x(), row);
-    other += surface_at(frame.color, before, pixel_at(frame.image, before)) == Surface::other ? 1 : 0;
+    other += frame.surface(pixel_of(before)) == Surface::other ? 1 : 0;
   }
   return other <= kMostOther;
 }
 
-bool GoalPosts::is_thick_enough(const Frame& frame, const Candidate& candidate, double distance) const {
+bool GoalPosts::is_thick_enough(const FieldImage& frame, const Candidate& candidate, double distance) const {
   constexpr double kThinnest = 0.7;  // of the width that it should have
   const double width =
       frame.view.pixels_per_radian(candidate.pixel) * field_.goal_post_diameter / std::max(distance, 0.1);
@@ -213,7 +202,7 @@ bool GoalPosts::is_thick_enough(const Frame& frame, const Candidate& candidate, 
 
 /// Along the ground, from the angle between foot and top, which no tilt of the camera changes. Nothing where foot or
 /// thickness say otherwise by more than a wrong tilt explains. `from_foot`: the distance that the foot tells, m.
-std::optional<double> GoalPosts::distance_from_height(const Frame& frame, const Candidate& candidate,
+std::optional<double> GoalPosts::distance_from_height(const FieldImage& frame, const Candidate& candidate,
                                                       double from_foot) const {
   constexpr double kMostTilt = 0.04;  // rad
   if (candidate.top.y() < 2.0) return std::nullopt;
@@ -230,7 +219,7 @@ std::optional<double> GoalPosts::distance_from_height(const Frame& frame, const 
 }
 
 /// From the height of its top; the thickness must confirm the distance.
-std::optional<GoalPost> GoalPosts::post_without_foot(const Frame& frame, const Candidate& candidate) const {
+std::optional<GoalPost> GoalPosts::post_without_foot(const FieldImage& frame, const Candidate& candidate) const {
   constexpr double kAgreement = 0.25;
   constexpr double kRange = 2.0;  // m; farther away, the foot is in view or the top is too close to the horizon
   if (candidate.top.y() < 2.0 || field_.goal_height - frame.view.camera_height() < 0.1) return std::nullopt;
@@ -246,13 +235,14 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const Frame& frame, const C
 }
 
 /// A post at a place on the ground.
-GoalPosts::Upright GoalPosts::upright_at(const Frame& frame, const Vector2d& position) const {
+GoalPosts::Upright GoalPosts::upright_at(const FieldImage& frame, const Vector2d& position) const {
   return {frame.view.in_camera({position.x(), position.y(), 0.0}),
           frame.view.in_camera({position.x(), position.y(), field_.goal_height})};
 }
 
 /// From the candidate's foot to its top, so far away.
-GoalPosts::Upright GoalPosts::upright_between(const Frame& frame, const Candidate& candidate, double distance) const {
+GoalPosts::Upright GoalPosts::upright_between(const FieldImage& frame, const Candidate& candidate,
+                                              double distance) const {
   const double below = frame.view.camera_height(), above = field_.goal_height - below;
   return {pinned::hypot(distance, below) * frame.view.camera().ray(candidate.foot).normalized(),
           pinned::hypot(distance, above) * frame.view.camera().ray(candidate.top).normalized()};
@@ -260,7 +250,7 @@ GoalPosts::Upright GoalPosts::upright_between(const Frame& frame, const Candidat
 
 /// Compares a post with the image at some heights: its middle has the candidate's colour, what is beside it on either
 /// side has not, and somewhere above its top, in the image or above it, there is no more of it.
-bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, const Upright& upright) const {
+bool GoalPosts::outline_agrees(const FieldImage& frame, const Candidate& candidate, const Upright& upright) const {
   constexpr int kHeights = 12;
   constexpr double kEnds[] = {1.03, 1.06, 1.09, 1.12, 1.16, 1.2};    // of a post's height; at one of them it has ended
   constexpr double kLeastVisible = 0.6;                              // of its heights must be in the image
@@ -274,7 +264,7 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
     return pixel;
   };
   const auto differs = [&](const Vector2d& pixel, const Ycbcr& post) {
-    const Ycbcr seen = pixel_at(frame.image, pixel);
+    const Ycbcr seen = frame.at(pixel_of(pixel));
     return std::abs(seen.y - post.y) > 0.7 * parameters_.post_contrast || chroma_distance(seen, post) > kOtherHue;
   };
   int visible = 0, in_post = 0, left_free = 0, right_free = 0;
@@ -285,7 +275,7 @@ bool GoalPosts::outline_agrees(const Frame& frame, const Candidate& candidate, c
     if (!middle || !side) continue;
     ++visible;
     const double half = std::abs(side->x() - middle->x());
-    const Ycbcr post = pixel_at(frame.image, *middle);
+    const Ycbcr post = frame.at(pixel_of(*middle));
     const Vector2d beyond(1.3 * half + 2.0, 0.0);
     const Vector2d within(0.5 * half, 0.0);
     in_post += has_post_color(frame, candidate, *middle) ? 1 : 0;

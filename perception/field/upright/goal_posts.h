@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "geometry/field_dimensions.h"
-#include "perception/field/carpet/carpet_color.h"
+#include "perception/field/field_image.h"
 #include "perception/field/lines/scan_line.h"
 #include "perception/field/percepts.h"
 
@@ -21,14 +21,9 @@ class GoalPosts {
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
   /// Reads the percept's boundary and fills in its goal posts.
-  void find(const ImageView& image, const GroundProjection& view, const CarpetColor& color, FieldPercept& percept);
+  void find(const FieldImage& frame, FieldPercept& percept);
 
  private:
-  struct Frame {
-    const ImageView& image;
-    const GroundProjection& view;
-    const CarpetColor& color;
-  };
   /// A bright stretch of a row, and how far its colour goes on above and below.
   struct Candidate {
     Eigen::Vector2d pixel;
@@ -42,22 +37,23 @@ class GoalPosts {
     Eigen::Vector3d foot, top;
   };
 
-  void scan(const Frame& frame, double share, FieldPercept& percept);
-  void consider(const Frame& frame, const Eigen::Vector2d& pixel, double width, FieldPercept& percept) const;
-  bool may_be_post(const Frame& frame, const Eigen::Vector2d& pixel, const Ycbcr& look) const;
-  bool is_lighter_than_carpet(const Frame& frame, const Ycbcr& look) const;
-  bool has_post_color(const Frame& frame, const Candidate& candidate, const Eigen::Vector2d& pixel) const;
-  Eigen::Vector2d follow(const Frame& frame, const Candidate& candidate, int direction) const;
-  std::optional<GoalPost> post_on_carpet(const Frame& frame, const Candidate& candidate,
+  void scan(const FieldImage& frame, double share, FieldPercept& percept);
+  void consider(const FieldImage& frame, const Eigen::Vector2d& pixel, double width, FieldPercept& percept) const;
+  bool may_be_post(const FieldImage& frame, const Eigen::Vector2d& pixel, const Ycbcr& look) const;
+  bool is_lighter_than_carpet(const FieldImage& frame, const Ycbcr& look) const;
+  bool has_post_color(const FieldImage& frame, const Candidate& candidate, const Eigen::Vector2d& pixel) const;
+  Eigen::Vector2d follow(const FieldImage& frame, const Candidate& candidate, int direction) const;
+  std::optional<GoalPost> post_on_carpet(const FieldImage& frame, const Candidate& candidate,
                                          const std::vector<float>& boundary) const;
-  std::optional<GoalPost> post_without_foot(const Frame& frame, const Candidate& candidate) const;
-  bool stands_on_carpet(const Frame& frame, const Candidate& candidate, double distance,
+  std::optional<GoalPost> post_without_foot(const FieldImage& frame, const Candidate& candidate) const;
+  bool stands_on_carpet(const FieldImage& frame, const Candidate& candidate, double distance,
                         const std::vector<float>& boundary) const;
-  bool is_thick_enough(const Frame& frame, const Candidate& candidate, double distance) const;
-  std::optional<double> distance_from_height(const Frame& frame, const Candidate& candidate, double from_foot) const;
-  Upright upright_at(const Frame& frame, const Eigen::Vector2d& position) const;
-  Upright upright_between(const Frame& frame, const Candidate& candidate, double distance) const;
-  bool outline_agrees(const Frame& frame, const Candidate& candidate, const Upright& upright) const;
+  bool is_thick_enough(const FieldImage& frame, const Candidate& candidate, double distance) const;
+  std::optional<double> distance_from_height(const FieldImage& frame, const Candidate& candidate,
+                                             double from_foot) const;
+  Upright upright_at(const FieldImage& frame, const Eigen::Vector2d& position) const;
+  Upright upright_between(const FieldImage& frame, const Candidate& candidate, double distance) const;
+  bool outline_agrees(const FieldImage& frame, const Candidate& candidate, const Upright& upright) const;
 
   FieldFeatureParameters parameters_;
   FieldDimensions field_;

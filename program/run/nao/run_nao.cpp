@@ -77,6 +77,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
         "--places: the referee is heard with --team alone; give the team's number, or leave it out");
 
   nao::NaoOptions robot_options;
+  std::uint64_t mounting = 0;
   if (!options.calibration.empty()) {
     const Calibration calibration = load_calibration(options.calibration);
     if (calibration.recorded != RecordedAttitude())
@@ -84,6 +85,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                                ": [footage]: expected a calibration of this robot's cameras, found one that leaves out "
                                "what footage recorded; it is for run --robot footage --camera-offset");
     robot_options.offsets = calibration.offsets;
+    mounting = mounting_of(calibration);
   }
   robot_options.body = load_body(body_file(options.body));
   // LoLA has neither, and we do not bring them.
@@ -101,7 +103,6 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   setup.room_awareness = options.room_awareness;
   setup.scripts = edits.texts();
   setup.parameters = overrides_of(options.parameters);
-  const std::uint64_t mounting = mounting_of(options.calibration);
   setup.model = as_mounted(model, mounting);
   const std::vector<std::string> wanted =
       options.behaviors.empty() ? behaviors_for({true, options.walk, false}) : options.behaviors;

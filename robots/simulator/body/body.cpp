@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/gravity.h"
 #include "geometry/pinned_math.h"
 #include "geometry/transform.h"
 
 namespace reorient {
 namespace {
-
-constexpr double kGravity = 9.81;  // m/s^2
 
 double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 
