@@ -9,9 +9,6 @@
 namespace reorient {
 namespace {
 
-/// s: one image teaches no more of the room than so long a look, however long nothing was seen before it.
-constexpr double kMostTaughtByImage = 0.2;
-
 const FieldDimensions& checked(const FieldDimensions& field) {
   if (const std::string mistake = mistake_in(field); !mistake.empty()) throw std::runtime_error("field: " + mistake);
   return field;
@@ -29,17 +26,17 @@ FrameLoop::FrameLoop(FrameSetup setup)
       pose_search_(parameters_.pose_search, setup.field, setup.seed),
       body_(setup.body),
       external_reader_(setup.field),
-      behaviors_(std::move(setup.scripts), registry_, limits_) {
+      behaviors_(std::move(setup.scripts), registry_, limits_),
+      world_tracker_(setup.field, body_, setup.room_awareness) {
   arbiter_.set_parameters(parameters_.arbiter);
   for (FieldPercept& percept : record_.percepts) percept.reserve();
   covered_.reserve(record_.percepts[kUpper].obstacles.capacity() + record_.percepts[kUpper].goal_posts.capacity());
   if (setup.room_awareness) room_.emplace(parameters_.room, setup.seed);
-  world_ = world_of(setup.field, body_);
   if (room_ && setup.model) {
     room_->take_model(*setup.model);
-    world_.trained_seconds = setup.model->learned;
+    world_tracker_.set_trained_seconds(setup.model->learned);
     const std::optional<KnownBias>& known = setup.model->camera_bias;
-    if (known && known->body == world_.body) pose_tracker_.set_bias(known->bias);
+    if (known && known->body == world().body) pose_tracker_.set_bias(known->bias);
   }
   for (const std::string& behavior : setup.behaviors) behaviors_.host().load(behavior);
   record_.names = behaviors_.host().names().table();
@@ -76,9 +73,7 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   take_parameters(inputs.parameter_changes);
   record_.reloads.clear();
   if (!inputs.script_edits.empty()) record_.reloads = behaviors_.host().apply(inputs.script_edits);
-  if (world_.frame > 0) world_.time_step = std::max(0.0, observation_->time - world_.time);
-  world_.time = observation_->time;
-  ++world_.frame;
+  world_tracker_.begin_frame(observation_->time);
   record_.inputs.half_time = observation_->told.half_time || inputs.told.half_time;
   if (record_.inputs.half_time) change_sides();
   take_told(observation_->told);
@@ -94,15 +89,12 @@ void FrameLoop::take_parameters(const std::vector<ParameterChange>& changes) {
   pose_filter_.set_parameters(parameters_.pose_filter);
   pose_tracker_.set_parameters(parameters_.pose_tracker);
   pose_search_.set_parameters(parameters_.pose_search);
-  if (room_ && room_->set_parameters(parameters_.room)) world_.trained_seconds = 0.0;
+  if (room_ && room_->set_parameters(parameters_.room)) world_tracker_.set_trained_seconds(0.0);
   arbiter_.set_parameters(parameters_.arbiter);
 }
 
 void FrameLoop::take_told(const Told& told) {
-  if (told.referee) {
-    world_.referee = *told.referee;
-    world_.may_walk = may_walk(world_.referee);
-  }
+  if (told.referee) world_tracker_.take_referee(*told.referee);
   std::vector<Message>& messages = record_.inputs.messages;
   for (const Message& message : told.messages) {
     if (messages.size() < kMostMessages) messages.push_back({message.sender, message.text.substr(0, kLongestMessage)});
@@ -113,14 +105,14 @@ void FrameLoop::take_told(const Told& told) {
   if (!told.initial_pose) return;
   record_.inputs.initial_pose = told.initial_pose;
   const InitialPose& initial = *told.initial_pose;
-  if (repeated_pose_.note_set(initial.pose, world_.pose.pose, world_.time, parameters_.repeated_pose) && room_) {
+  if (repeated_pose_.note_set(initial.pose, world().pose.pose, world().time, parameters_.repeated_pose) && room_) {
     room_->turn_half();
     record_.logs.push_back(
         {0, 0, "a set pose undoes a flip: the room that was learned is turned by half a turn", 0, true});
   }
   pose_filter_.set_initial_pose(initial.pose, initial.position_deviation, initial.rotation_deviation);
   pose_tracker_.attach(pose_filter_.belief());
-  world_.pose_known = true;
+  world_tracker_.take_initial_pose();
   if (room_) room_->begin_anew();
 }
 
@@ -133,7 +125,6 @@ void FrameLoop::feel_gravity(const BodySample& body) {
 
 /// What the posture is, and since when nothing has put the belief in doubt.
 void FrameLoop::feel_body() {
-  const bool was_disturbed = world_.undisturbed_for <= 0.0;
   const Posture before = posture_.posture();
   const PostureEstimator::Hints hints{observation_->reported_posture, asked_to_get_up_};
   for (const BodySample& sample : observation_->body_samples) {
@@ -143,19 +134,16 @@ void FrameLoop::feel_body() {
   if (body.time == 0.0) body.time = observation_->time;
   posture_.update(body, body_.standing_load, hints, parameters_.posture);
   feel_gravity(body);
-  world_.posture = posture_.posture();
-  world_.posture_before = posture_.before();
-  world_.posture_for = std::max(0.0, world_.time - posture_.since());
   record_.posture_change.reset();
-  if (world_.posture != before) record_.posture_change = {before, world_.posture};
-  world_.undisturbed_for = world_.disturbed() ? 0.0 : world_.undisturbed_for + world_.time_step;
-  if (world_.disturbed()) repeated_pose_.forget();
-  if (was_disturbed && !world_.disturbed()) {
+  if (posture_.posture() != before) record_.posture_change = {before, posture_.posture()};
+  const bool has_changed = world_tracker_.take_posture({posture_.posture(), posture_.before(), posture_.since()});
+  if (world().disturbed()) repeated_pose_.forget();
+  if (has_changed && !world().disturbed()) {
     pose_filter_.doubt();
     pose_tracker_.doubt();
-    pose_search_.forget_before(world_.time);
+    pose_search_.forget_before(world().time);
   }
-  if (room_ && was_disturbed != world_.disturbed()) room_->begin_anew();
+  if (room_ && has_changed) room_->begin_anew();
   odometry_step_ = last_odometry_ ? last_odometry_->inverse() * observation_->odometry : Pose2();
   last_odometry_ = observation_->odometry;
 }
@@ -179,7 +167,7 @@ void FrameLoop::see_field() {
                           frame->image.width, frame->image.height};
     if (frame->time != observation_->time)
       camera->robot_from_camera = to_isometry(moved_since(*frame)) * camera->robot_from_camera;
-    if (world_.upright()) field_features_[which].find(frame->image, frame->camera, camera->robot_from_camera, percept);
+    if (world().upright()) field_features_[which].find(frame->image, frame->camera, camera->robot_from_camera, percept);
   };
   see(observation_->upper, record_.inputs.upper, kUpper);
   see(observation_->lower, record_.inputs.lower, kLower);
@@ -187,11 +175,7 @@ void FrameLoop::see_field() {
 
 void FrameLoop::look_at_room() {
   const StageTimer timer(record_, Stage::room);
-  // The arbitration is the last frame's: what behaviors paused then rests now. They knew nothing yet of a pose that is
-  // told in this frame, and where images come seldom one of them can paint much of the room at the wrong place.
-  const bool is_judged = !record_.inputs.initial_pose.has_value();
-  world_.training = room_ && world_.upright() && world_.pose_known && arbiter_.last().train && is_judged;
-  world_.evaluating = room_ && world_.upright() && arbiter_.last().evaluate;
+  world_tracker_.permit_views(arbiter_.last(), !record_.inputs.initial_pose.has_value());
   record_.inputs.room_camera.reset();
   if (!room_ || (!observation_->upper && !observation_->lower)) return;
   // The upper camera sees more of the wall; the lower one is looked through where there is nothing else.
@@ -204,42 +188,31 @@ void FrameLoop::look_at_room() {
                  .image = frame.image,
                  .camera = frame.camera,
                  .robot_from_camera = camera.robot_from_camera,
-                 .belief = world_.pose.pose,
+                 .belief = world().pose.pose,
                  .odometry_rotation = observation_->odometry.rotation,
                  .covered = covered_,
-                 .train = world_.training,
-                 .evaluate = world_.evaluating});
-  if (world_.training) world_.trained_seconds += std::min(world_.time_step, kMostTaughtByImage);
+                 .train = world().training,
+                 .evaluate = world().evaluating});
+  world_tracker_.take_view();
 }
 
 void FrameLoop::describe_world() {
-  world_.head = observation_->body.head;
-  world_.goal_posts = 0;
-  world_.line_points = 0;
-  world_.intersections = 0;
-  world_.ball = false;
-  world_.ball_distance = world_.ball_bearing = 0.0;
+  SensedField seen{.head = observation_->body.head};
   for (const FieldPercept& percept : record_.percepts) {
-    world_.goal_posts += static_cast<int>(percept.goal_posts.size());
-    world_.line_points += static_cast<int>(percept.line_points.size());
-    world_.intersections += static_cast<int>(percept.intersections.size());
-    if (!percept.ball) continue;
-    world_.ball = true;
-    world_.ball_distance = percept.ball->position.norm();
-    world_.ball_bearing = direction_of(percept.ball->position);
+    seen.goal_posts += static_cast<int>(percept.goal_posts.size());
+    seen.line_points += static_cast<int>(percept.line_points.size());
+    seen.intersections += static_cast<int>(percept.intersections.size());
+    if (percept.ball) seen.ball = percept.ball->position;
   }
-  world_.room_awareness = room_.has_value();
-  if (room_) {
-    world_.confidence = room_->confidences();
-    world_.views = room_->informative_views();
-  }
-  world_.room_status = room_status(world_, parameters_.room_status);
+  world_tracker_.take_field(seen);
+  if (room_) world_tracker_.take_room(room_->confidences(), room_->informative_views());
+  world_tracker_.judge_room(parameters_.room_status);
 }
 
 void FrameLoop::decide() {
   const StageTimer timer(record_, Stage::behaviors);
-  behaviors_.tick(world_, record_.inputs.messages);
-  const Arbitration& arbitration = arbiter_.arbitrate(behaviors_.wanted().commands, behaviors_.leases(), world_);
+  behaviors_.tick(world(), record_.inputs.messages);
+  const Arbitration& arbitration = arbiter_.arbitrate(behaviors_.wanted().commands, behaviors_.leases(), world());
   record_.reorientation.reset();
   record_.pose_particles.before.clear();
   if (arbitration.granted) rearrange(*arbitration.granted);
@@ -247,17 +220,14 @@ void FrameLoop::decide() {
 
 void FrameLoop::answer() {
   Answer& answer = record_.answer;
-  answer.request = behaviors_.wanted().request;
-  if (world_.referee.stopped) answer.request = {};  // all motion stops
-  if (!world_.may_walk || !world_.can_walk) answer.request.walk = {};
-  if (!world_.can_get_up) answer.request.get_up = false;
+  answer.request = permitted(behaviors_.wanted().request, world());
   answer.messages = behaviors_.wanted().messages;
   asked_to_get_up_ = answer.request.get_up;
-  answer.belief = {world_.pose.pose, world_.pose.covariance, world_.pose_known};
+  answer.belief = {world().pose.pose, world().pose.covariance, world().pose_known};
   answer.reorientation.reset();
   if (record_.reorientation) answer.reorientation = record_.reorientation->reorientation;
-  answer.room = {world_.confidence.current, world_.confidence.opposite, world_.confidence.evidence,
-                 world_.room_status == RoomStatus::usable};
+  answer.room = {world().confidence.current, world().confidence.opposite, world().confidence.evidence,
+                 world().room_status == RoomStatus::usable};
   answer.training_paused = !arbiter_.last().train;
   answer.evaluation_paused = !arbiter_.last().evaluate;
 }

@@ -17,7 +17,7 @@
 #include "engine/world/external_belief.h"
 #include "engine/world/posture.h"
 #include "engine/world/repeated_pose.h"
-#include "engine/world/world.h"
+#include "engine/world/world_tracker.h"
 #include "geometry/bytes.h"
 #include "localization/pose_filter.h"
 #include "localization/search/pose_search.h"
@@ -81,9 +81,10 @@ class FrameLoop {
   double bias_deviation(const std::array<CameraPercept, 2>& seen) const;
   bool is_pose_known() const;
   void search_pose(const std::array<CameraPercept, 2>& seen, const std::optional<SeenView>& view);
-  bool take_external_belief();
+  std::optional<SensedBelief> take_external_belief();
   void go_on_by_ourselves();
-  void watch_belief(const Pose2& expected);
+  SensedBelief locate_ourselves();
+  void follow_jump(BeliefJump jump);
   void look_at_room();
   void describe_world();
   void decide();
@@ -99,6 +100,8 @@ class FrameLoop {
   void fill_room();
   void append_poses(std::vector<Pose2>& poses) const;
   Pose2 moved_since(const CameraFrame& frame) const;
+
+  const World& world() const { return world_tracker_.world(); }
 
   static constexpr std::size_t kUpper = 0, kLower = 1;  ///< in arrays with one element for each camera
 
@@ -128,7 +131,7 @@ class FrameLoop {
   std::optional<Pose2> last_odometry_;
   Pose2 odometry_step_;
   std::vector<CoveredArea> covered_;
-  World world_;
+  WorldTracker world_tracker_;
   FrameRecord record_;
 };
 

@@ -19,32 +19,35 @@ constexpr double kUntrackedIsWrong = 0.5;
 
 void FrameLoop::localize() {
   const StageTimer timer(record_, Stage::localization);
-  const Pose2 expected = world_.pose.pose * odometry_step_;
-  if (!take_external_belief()) {
-    if (external_belief_) go_on_by_ourselves();
-    pose_filter_.predict(odometry_step_, world_.time_step);
-    pose_tracker_.predict(odometry_step_, world_.time_step, parameters_.pose_filter.motion);
-    const std::array<CameraPercept, 2> seen = percepts_of_cameras();
-    const std::optional<SeenView> view =
-        room_ ? seen_view(*room_, observation_->odometry.rotation, parameters_.seen_view) : std::nullopt;
-    pose_filter_.update(record_.percepts[kUpper], record_.percepts[kLower],
-                        room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown, view,
-                        bias_deviation(seen));
-    search_pose(seen, view);
-    pose_tracker_.update(seen, pose_filter_.belief(), world_.time_step);
-    world_.pose = pose_tracker_.belief(pose_filter_.belief());
-    world_.pose_tracked = is_pose_known();
-    if (!world_.pose_tracked)
-      world_.pose.covariance =
-          doubted_covariance(world_.pose, kUntrackedIsWrong, {world_.field.length, world_.field.width});
-    world_.camera_bias = pose_tracker_.bias();
-    const bool looks = world_.upright() && (observation_->upper || observation_->lower);
-    if (looks && !record_.percepts[kUpper].has_landmarks() && !record_.percepts[kLower].has_landmarks())
-      pose_filter_.see_nothing(world_.time_step);
-    world_.recovery_probability =
-        pose_filter_.recovery().recovery_probability(parameters_.pose_filter.injection.lost_margin);
-  }
-  if (room_) watch_belief(expected);
+  std::optional<SensedBelief> sensed = take_external_belief();
+  if (!sensed) sensed = locate_ourselves();
+  const BeliefJump jump = world_tracker_.take_belief(*sensed, odometry_step_, parameters_.pose_filter.clusters);
+  if (room_) follow_jump(jump);
+}
+
+SensedBelief FrameLoop::locate_ourselves() {
+  if (external_belief_) go_on_by_ourselves();
+  pose_filter_.predict(odometry_step_, world().time_step);
+  pose_tracker_.predict(odometry_step_, world().time_step, parameters_.pose_filter.motion);
+  const std::array<CameraPercept, 2> seen = percepts_of_cameras();
+  const std::optional<SeenView> view =
+      room_ ? seen_view(*room_, observation_->odometry.rotation, parameters_.seen_view) : std::nullopt;
+  pose_filter_.update(record_.percepts[kUpper], record_.percepts[kLower],
+                      room_ ? seen_goal(room_->confidences(), parameters_.goal_view) : SeenGoal::unknown, view,
+                      bias_deviation(seen));
+  search_pose(seen, view);
+  pose_tracker_.update(seen, pose_filter_.belief(), world().time_step);
+  SensedBelief sensed{pose_tracker_.belief(pose_filter_.belief()), is_pose_known()};
+  if (!sensed.tracked)
+    sensed.belief.covariance =
+        doubted_covariance(sensed.belief, kUntrackedIsWrong, {world().field.length, world().field.width});
+  world_tracker_.take_camera_bias(pose_tracker_.bias());
+  const bool looks = world().upright() && (observation_->upper || observation_->lower);
+  if (looks && !record_.percepts[kUpper].has_landmarks() && !record_.percepts[kLower].has_landmarks())
+    pose_filter_.see_nothing(world().time_step);
+  sensed.recovery_probability =
+      pose_filter_.recovery().recovery_probability(parameters_.pose_filter.injection.lost_margin);
+  return sensed;
 }
 
 std::array<CameraPercept, 2> FrameLoop::percepts_of_cameras() const {
@@ -78,13 +81,13 @@ void FrameLoop::search_pose(const std::array<CameraPercept, 2>& seen, const std:
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].percept != nullptr)
       pose_search_.see(*seen[i].percept, i, seen[i].robot_from_camera, bias_of(bias, i, seen[i].robot_from_camera),
-                       observation_->odometry, world_.time);
+                       observation_->odometry, world().time);
   }
   if (pose_filter_.is_lost() && pose_tracker_.is_attached()) pose_tracker_.let_go();
   const bool is_known = is_pose_known();
-  if (!is_known && was_known_) pose_search_.forget_before(world_.time - kBeforeItIsNoticed);
+  if (!is_known && was_known_) pose_search_.forget_before(world().time - kBeforeItIsNoticed);
   was_known_ = is_known;
-  if (is_known || !world_.upright()) return pose_search_.stop();
+  if (is_known || !world().upright()) return pose_search_.stop();
   const std::optional<PoseHypothesis> found = pose_search_.search(pose_filter_.map(), pose_tracker_.prior(),
                                                                   observation_->odometry, pose_filter_.belief().pose);
   if (!found) return;
@@ -94,25 +97,22 @@ void FrameLoop::search_pose(const std::array<CameraPercept, 2>& seen, const std:
 }
 
 /// Then our pose filter rests.
-bool FrameLoop::take_external_belief() {
-  if (!observation_->belief) return false;
+std::optional<SensedBelief> FrameLoop::take_external_belief() {
+  if (!observation_->belief) return std::nullopt;
   const std::optional<PoseBelief> belief =
-      external_reader_.read(*observation_->belief, world_.pose, parameters_.pose_filter.clusters);
-  if (!belief) return false;
+      external_reader_.read(*observation_->belief, world().pose, parameters_.pose_filter.clusters);
+  if (!belief) return std::nullopt;
   external_belief_ = true;
-  world_.pose = *belief;
-  world_.pose_known = is_known(*belief);
-  world_.recovery_probability = 0.0;
-  world_.pose_tracked = world_.pose_known;
-  return true;
+  world_tracker_.take_pose_known(is_known(*belief));
+  return SensedBelief{*belief, world().pose_known};
 }
 
 /// The other localization says no more: ours begins where that has ended.
 void FrameLoop::go_on_by_ourselves() {
   constexpr double kLeastPosition = 0.1, kMostPosition = 2.0;  // m
   const double least_rotation = from_degrees(5.0);
-  const Eigen::Vector3d deviation = world_.pose.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-  pose_filter_.set_initial_pose(world_.pose.pose,
+  const Eigen::Vector3d deviation = world().pose.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  pose_filter_.set_initial_pose(world().pose.pose,
                                 std::clamp(deviation.head<2>().maxCoeff(), kLeastPosition, kMostPosition),
                                 std::clamp(deviation.z(), least_rotation, kPi));
   pose_tracker_.let_go();
@@ -120,27 +120,26 @@ void FrameLoop::go_on_by_ourselves() {
 }
 
 /// A belief that jumps is another belief: what was seen before was compared with the old one.
-void FrameLoop::watch_belief(const Pose2& expected) {
-  const PoseClusterParameters& cluster = parameters_.pose_filter.clusters;
-  const auto is_near = [&](const Pose2& pose) {
-    return are_near(world_.pose.pose, pose, cluster.radius, cluster.max_rotation_difference);
-  };
-  if (is_near(expected)) return;
-  if (is_near(reflect(expected))) {
-    room_->on_belief_reflected();
-  } else {
-    room_->on_reset();
+void FrameLoop::follow_jump(BeliefJump jump) {
+  switch (jump) {
+    case BeliefJump::none:
+      break;
+    case BeliefJump::to_reflection:
+      room_->on_belief_reflected();
+      break;
+    case BeliefJump::elsewhere:
+      room_->on_reset();
+      break;
   }
 }
 
 /// Half-time: the axes are the team's, so whatever is believed and known gets the coordinates of the reflected place.
 /// A belief of another localization is turned by that itself.
 void FrameLoop::change_sides() {
-  world_.sides_changed = !world_.sides_changed;
+  world_tracker_.change_sides();
   pose_filter_.flip_pose();
   pose_tracker_.flip();
   repeated_pose_.forget();
-  world_.pose = flipped(world_.pose);
   if (room_) room_->turn_half();
 }
 
@@ -148,11 +147,11 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
   ReorientationRecord& record = record_.reorientation.emplace();
   record.reorientation = granted.request.reorientation;
   record.issuer = granted.request.issuer;
-  record.belief_before = world_.pose;
+  record.belief_before = world().pose;
   if (record_.filled.has(Topic::pose_particles)) append_poses(record_.pose_particles.before);
   if (external_belief_) {
     // It is carried out elsewhere, or not: what becomes of the belief, the next observations say.
-    record.belief_after = expected_after(record.reorientation, world_.pose);
+    record.belief_after = expected_after(record.reorientation, world().pose);
     if (room_ && record.reorientation == Reorientation::purge_reflection) room_->on_purge();
     if (record.reorientation == Reorientation::flip_pose) flip_between_equals();
     return;
@@ -161,7 +160,7 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
     case Reorientation::flip_pose:
       pose_filter_.flip_pose();
       pose_tracker_.flip();
-      repeated_pose_.note_flip(world_.time);
+      repeated_pose_.note_flip(world().time);
       if (room_) room_->on_flip();
       break;
     case Reorientation::purge_reflection:
@@ -174,18 +173,17 @@ void FrameLoop::rearrange(const CommandRecord& granted) {
       if (room_) room_->on_reset();
       break;
   }
-  // After a reset nobody knows the orientation; a flip or a purge says that the room, or somebody, has told it.
-  world_.pose_known = granted.request.reorientation != Reorientation::reset_orientation;
-  record.belief_after = world_.pose = pose_tracker_.belief(pose_filter_.belief());
+  record.belief_after = pose_tracker_.belief(pose_filter_.belief());
+  world_tracker_.take_reorientation(record.reorientation, record.belief_after);
 }
 
 /// If another localization has two opposite hypotheses of about equal weight, the engine keeps the one that it
 /// believes. The flip of such a pair is the same pair, which no observation can show. So the engine flips its own
 /// belief here.
 void FrameLoop::flip_between_equals() {
-  if (world_.pose.cluster_weight > parameters_.pose_filter.clusters.lead_to_switch * world_.pose.reflected_weight)
+  if (world().pose.cluster_weight > parameters_.pose_filter.clusters.lead_to_switch * world().pose.reflected_weight)
     return;
-  world_.pose = flipped(world_.pose);
+  world_tracker_.take_flip(flipped(world().pose));
   if (room_) room_->on_flip();
 }
 

@@ -12,7 +12,7 @@ void FrameLoop::complete_record() {
   record_.inputs.body_samples = static_cast<int>(observation_->body_samples.size());
   record_.inputs.reported_posture = observation_->reported_posture;
   record_.inputs.external_belief = external_belief_;
-  record_.world = world_;
+  record_.world = world();
   behaviors_.host().read_status(record_.machines);
   behaviors_.host().read_published(record_.published);
   const ScriptOutput& said = behaviors_.said();

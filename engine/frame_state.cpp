@@ -21,13 +21,13 @@ FrameSetup read_setup(ByteReader& in) {
 template <typename Archive>
 void FrameLoop::archive(Archive& archive) {
   archive(field_features_, pose_filter_, pose_tracker_, gravity_bias_, pose_search_, was_known_, arbiter_, posture_,
-          repeated_pose_, asked_to_get_up_, external_belief_, world_, last_odometry_);
+          repeated_pose_, asked_to_get_up_, external_belief_, world_tracker_, last_odometry_);
   if (room_) archive(*room_);
 }
 
 void FrameLoop::save(std::vector<std::byte>& state) const {
   ByteWriter out(state);
-  out(kStateMagic, world_.field, body_, room_.has_value(), registry_.overrides());
+  out(kStateMagic, world().field, body_, room_.has_value(), registry_.overrides());
   const_cast<FrameLoop*>(this)->archive(out);  // a writer only looks
   behaviors_.host().save(out);
 }
@@ -36,8 +36,8 @@ FrameLoop::FrameLoop(ByteReader&& state) : FrameLoop(read_setup(state)) {
   archive(state);
   behaviors_.host().restore(state);
   state.finish();
-  check_bytes(std::isfinite(world_.time) && world_.time_step >= 0.0, "a time is not a time");
-  check_bytes(world_.pose.pose.position.allFinite() && world_.pose.covariance.allFinite(), "a believed pose is none");
+  check_bytes(std::isfinite(world().time) && world().time_step >= 0.0, "a time is not a time");
+  check_bytes(world().pose.pose.position.allFinite() && world().pose.covariance.allFinite(), "a believed pose is none");
   record_.names = behaviors_.host().names().table();
 }
 

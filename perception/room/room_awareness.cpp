@@ -134,13 +134,8 @@ double RoomAwareness::turn_since_last(const RoomObservation& view) {
   return before ? angle_difference(*view_center_, *before) : turn;
 }
 
-void RoomAwareness::restart_confidences() {
-  confidences_.current = confidences_.opposite = 0.0;
-  confidences_.age = confidences_.smoothed_for = 0.0;
-}
-
 void RoomAwareness::on_flip() {
-  restart_confidences();
+  flip(confidences_);
   reflect_evidence();
 }
 
@@ -163,18 +158,17 @@ void RoomAwareness::restart_evidence() {
 }
 
 void RoomAwareness::on_purge() {
-  if (parameters_.confidence.restart_on_purge) restart_confidences();
+  if (parameters_.confidence.restart_on_purge) restart(confidences_);
 }
 
 void RoomAwareness::on_reset() {
-  restart_confidences();
+  reset(confidences_);
   restart_evidence();
 }
 
 void RoomAwareness::begin_anew() {
   on_reset();
-  confidences_.raw_current = confidences_.raw_opposite = 0.0;
-  confidences_.goal_own = confidences_.goal_opponent = 0.0;
+  clear_views(confidences_);
   filter_.spread(parameters_.view_filter);
   last_direction_.reset();
 }

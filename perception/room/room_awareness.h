@@ -132,7 +132,6 @@ class RoomAwareness {
   void train(double step);
   void evaluate(const RoomObservation& view, double step);
   double turn_since_last(const RoomObservation& view);
-  void restart_confidences();
   void restart_evidence();
   void reflect_evidence();
   void take_evidence();

@@ -26,4 +26,25 @@ void smooth(Confidences& confidences, double share) {
   confidences.opposite += share * (confidences.raw_opposite - confidences.opposite);
 }
 
+void restart(Confidences& confidences) {
+  confidences.current = confidences.opposite = 0.0;
+  confidences.age = confidences.smoothed_for = 0.0;
+}
+
+void flip(Confidences& confidences) {
+  restart(confidences);
+  confidences.evidence = -confidences.evidence;
+}
+
+void reset(Confidences& confidences) {
+  restart(confidences);
+  confidences.evidence = 0.0;
+}
+
+void clear_views(Confidences& confidences) {
+  reset(confidences);
+  confidences.raw_current = confidences.raw_opposite = 0.0;
+  confidences.goal_own = confidences.goal_opponent = 0.0;
+}
+
 }  // namespace reorient

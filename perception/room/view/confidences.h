@@ -60,4 +60,13 @@ void take_shares(Confidences& confidences, const ViewFilter& filter, double view
 /// Takes them into the smoothed ones.
 void smooth(Confidences& confidences, double share);
 
+/// They restart: as if nothing had been seen. The evidence stays.
+void restart(Confidences& confidences);
+/// The believed pose was flipped: what spoke for its reflection speaks for it.
+void flip(Confidences& confidences);
+/// Nothing is known of the believed pose: what was seen before says nothing about it.
+void reset(Confidences& confidences);
+/// The robot may stand elsewhere: not even what was seen last says anything.
+void clear_views(Confidences& confidences);
+
 }  // namespace reorient
