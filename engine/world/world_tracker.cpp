@@ -6,12 +6,6 @@
 #include "localization/reorientation.h"
 
 namespace reorient {
-namespace {
-
-/// s: one image teaches no more of the room than so long a look, however long nothing was seen before it.
-constexpr double kMostTaughtByImage = 0.2;
-
-}  // namespace
 
 void WorldTracker::begin_frame(double time) {
   if (world_.frame > 0) world_.time_step = std::max(0.0, time - world_.time);
@@ -57,7 +51,7 @@ void WorldTracker::permit_views(const Arbitration& last, bool is_judged) {
 }
 
 void WorldTracker::take_view() {
-  if (world_.training) world_.trained_seconds += std::min(world_.time_step, kMostTaughtByImage);
+  if (world_.training) world_.trained_seconds += std::min(world_.time_step, kLongestLook);
 }
 
 void WorldTracker::take_room(const Confidences& confidence, const InformativeViews& views) {

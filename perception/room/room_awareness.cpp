@@ -13,7 +13,6 @@ namespace reorient {
 namespace {
 
 constexpr double kFirstStep = 1.0 / 30.0;  // s
-constexpr double kLongestStep = 0.2;       // s; a longer gap is not time in which anything was seen
 
 }  // namespace
 
@@ -36,7 +35,7 @@ RoomAwareness::RoomAwareness(const RoomParameters& parameters, std::uint64_t see
 
 const Confidences& RoomAwareness::update(const RoomObservation& view) {
   const double elapsed = seconds_since_last(view.time);
-  const double step = std::min(elapsed, kLongestStep);
+  const double step = std::min(elapsed, kLongestLook);
   perceive(view, elapsed);
   if (view.train) train(step);
   compared_model_.prepare(model_, wall_, comparison_of(parameters_));

@@ -58,6 +58,9 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("views", p.views);
 }
 
+/// s between two images; a longer gap is not time in which anything was seen.
+inline constexpr double kLongestLook = 0.2;
+
 /// How tiles are compared.
 Comparison comparison_of(const RoomParameters& parameters);
 /// The fraction of the log-odds that counts as evidence: none in a symmetric room, unless the parameters say otherwise.

@@ -151,7 +151,7 @@ end)
 
 for what, interrupted in pairs {
   ["a fall"] = { robot = { posture = "lying" } },
-  ["a penalty"] = { robot = { penalized = true } },
+  ["a penalty"] = { robot = { penalized = true }, evaluation = { active = false } },   -- background_training pauses it
 } do
   test(what .. " does not end the search: it begins anew afterwards", function()
     put_down()
@@ -161,7 +161,9 @@ for what, interrupted in pairs {
     advance(45)
     expect.state("kidnap_recovery", "interrupted")
     expect.lease("pause_training")
-    set_world { robot = { posture = "upright", penalized = false }, confidence = { evidence = 0 } }
+    set_world {
+      robot = { posture = "upright", penalized = false }, confidence = { evidence = 0 }, evaluation = { active = true },
+    }
     advance(20)
     expect.state("kidnap_recovery", "searching/with its belief")
     expect.reason("kidnap_recovery", "the robot can search again")
@@ -217,7 +219,7 @@ test("leaves the flip to orientation and stands before walking", function()
   set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(5)
   expect.state("kidnap_recovery", "recovered")
-  expect.walk(0, 0, 0.6)   -- penalty_marks turns to its mark
+  expect.walk(0.2, 0, 0)   -- penalty_marks goes to its mark, at which the flipped pose looks
 end)
 
 test("leaves the legs to goal_search while that looks at a goal", function()

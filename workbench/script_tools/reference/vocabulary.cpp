@@ -67,8 +67,10 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"set_world(world: reorient.World)",
      "set_world { confidence = { opposite = 0.9 }, robot = { posture = \"lying\" } }",
-     "Changes the fake world, from the next frame on. What follows from the rest (times since a disturbance, age and "
-     "status of the confidences, whether training and evaluation go on) follows until the test sets it itself.",
+     "Changes what the robot senses in the fake world, from the next frame on. What follows from the rest (times since a "
+     "disturbance, age and status of the confidences, whether training and evaluation go on) follows by the engine's "
+     "own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in "
+     "the engine: after a flip, the evidence has the other sign.",
      {}},
     {"set_param(name: reorient.ParameterName, value: string)",
      "set_param(\"decision.false_flips\", \"1\")",

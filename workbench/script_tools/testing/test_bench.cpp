@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/language/world_fields.h"
@@ -20,7 +21,6 @@ constexpr double kFramesPerSecond = 30.0;
 constexpr double kLongestAdvance = 3600.0;  // s, of one advance()
 constexpr std::size_t kMostFailures = 100;
 constexpr std::size_t kLongestFailure = 10'000;  // bytes
-constexpr double kLongAgo = 60.0;                // s, since the robot was put on the field
 
 /// Throws std::runtime_error where the result were no script any more.
 std::string replace_all(const std::string& text, const std::string& from, const std::string& to) {
@@ -60,8 +60,6 @@ TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, cons
       trace_(trace) {
   parameters_.bind("arbiter", arbiter_parameters_);
   parameters_.bind("script", limits_);
-  world_ = world_of(FieldDimensions(), RobotBody());
-  world_.posture_for = world_.undisturbed_for = world_.confidence.age = kLongAgo;
 }
 
 template <auto Method>
@@ -226,8 +224,10 @@ int TestBench::set_world(lua_State* L) {
         if (!truth_) truth_.emplace();
         write_truth(*truth_, lua_tostring(L, -2), value);
       } else {
-        write_world(world_, table, lua_tostring(L, -2), value);
-        told_.insert(table + "." + lua_tostring(L, -2));
+        const bool was_known = world().pose_known;
+        fake_world_.set(table, lua_tostring(L, -2), value);
+        // Later on, the pose becomes known since somebody tells it.
+        is_pose_told_ |= frame_ > 0 && world().pose_known && !was_known;
       }
     }
   }
@@ -274,7 +274,7 @@ int TestBench::advance(lua_State* L) {
   if (!(seconds >= 0.0 && seconds <= kLongestAdvance))
     throw std::runtime_error("advance takes seconds, from 0 to 3600");
   if (replay_) {
-    advance_to(world_.time + std::max(seconds, world_.time_step));
+    advance_to(world().time + std::max(seconds, world().time_step));
     return 0;
   }
   begin_advance();
@@ -289,34 +289,17 @@ int TestBench::advance(lua_State* L) {
   return 0;
 }
 
-/// What the core derives from the rest of the world, as far as the test has not set it itself.
-void TestBench::follow_world() {
-  const double step = world_.time_step;
-  const auto derive = [this](const char* field, auto& place, auto value) {
-    if (!told_.contains(field)) place = static_cast<std::remove_reference_t<decltype(place)>>(value);
-  };
-  const bool changed = world_.posture != last_posture_;
-  if (changed) derive("robot.posture_before", world_.posture_before, last_posture_);
-  last_posture_ = world_.posture;
-  derive("robot.posture_for", world_.posture_for, changed ? 0.0 : world_.posture_for + step);
-  derive("robot.undisturbed_for", world_.undisturbed_for, world_.disturbed() ? 0.0 : world_.undisturbed_for + step);
-  derive("evaluation.active", world_.evaluating, world_.upright() && arbiter_.last().evaluate);
-  derive("training.active", world_.training, world_.upright() && world_.pose_known && arbiter_.last().train);
-  Confidences& confidence = world_.confidence;
-  derive("confidence.age", confidence.age,
-         world_.disturbed() ? 0.0 : confidence.age + (world_.evaluating ? step : 0.0));
-  derive("confidence.status", world_.room_status, room_status(world_, RoomStatusParameters{}));
-}
-
 /// One frame as the engine runs it, with a fake world; then the scenario's.
 void TestBench::step() {
-  world_.time_step = 1.0 / kFramesPerSecond;
-  follow_world();
   Behaviors& scripts = behaviors();
-  scripts.tick(world_, heard_);
+  const World& world = fake_world_.begin_frame(static_cast<double>(frame_) / kFramesPerSecond, arbiter_.last(),
+                                                {.is_pose_told = std::exchange(is_pose_told_, false)});
+  ++frame_;
+  scripts.tick(world, heard_);
   heard_.clear();
   arbiter_.set_parameters(arbiter_parameters_);
-  const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world_);
+  const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world);
+  fake_world_.end_frame(arbitration);
   const NameTable& names = *scripts.host().names().table();
   const ScriptOutput& said = scripts.said();
   seen_.note(names, said.transitions, said.logs, said.faults);
@@ -324,18 +307,15 @@ void TestBench::step() {
   seen_.note_commands(arbitration.commands, arbitration.begun);
   trace_.note(scripts.host().definitions(), names, said.transitions);
   leases_.assign(scripts.leases().begin(), scripts.leases().end());
-  request_ = scripts.wanted().request;
+  request_ = permitted(scripts.wanted().request, world);
   if (scenario_) {
     scripts.host().read_status(statuses_);
     scripts.host().read_published(published_);
-    recorded_.show(names, statuses_, published_, world_.time);
-    const ScenarioRecord& record = scenario_->tick({world_, truth_});
+    recorded_.show(names, statuses_, published_, world.time);
+    const ScenarioRecord& record = scenario_->tick({world, truth_});
     seen_.note_scenario(record);
     trace_.note(scenario_->machines(), *record.names, record.transitions);
   }
-  ++frame_;
-  world_.frame = static_cast<std::uint64_t>(frame_);
-  world_.time = static_cast<double>(frame_) / kFramesPerSecond;
 }
 
 void TestBench::look_at_machines() {

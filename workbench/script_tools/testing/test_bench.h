@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +13,9 @@
 #include "engine/parameters/parameter_registry.h"
 #include "engine/script/behaviors.h"
 #include "engine/world/arbiter.h"
-#include "engine/world/room_status.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/script_tools/testing/coverage.h"
+#include "workbench/script_tools/testing/fake_world.h"
 #include "workbench/script_tools/testing/played_recording.h"
 #include "workbench/script_tools/testing/simulation.h"
 #include "workbench/script_tools/testing/test_budget.h"
@@ -89,13 +88,13 @@ class TestBench {
   void add_function(lua_State* L, const char* name);
   void add_expectations(lua_State* L);
   Behaviors& behaviors();
+  const World& world() const { return replay_ ? replayed_world_ : fake_world_.world(); }
   void step();
   void begin_advance();
   bool step_replay();
   void require_fake_world(const char* what) const;
   void require_budget(lua_State* L);
   void require_state(std::string_view machine, std::string_view path);
-  void follow_world();
   void look_at_machines();
   void fail(const std::string& expected, const std::string& actual);
   void fail(const std::string& text);
@@ -121,12 +120,12 @@ class TestBench {
   std::map<std::string, TestFailure> set_early_;
   ArbiterParameters arbiter_parameters_;
   ScriptLimits limits_;
-  World world_;
-  std::set<std::string> told_;  ///< fields that the test has set: they stay so
-  std::vector<Message> heard_;  ///< that comes with the next frame
-  Posture last_posture_ = Posture::upright;
-  std::optional<GroundTruth> truth_;
+  FakeWorld fake_world_{parameters_};
+  bool is_pose_told_ = false;  ///< since the last frame
   long frame_ = 0;
+  World replayed_world_;        ///< of the last frame of a replay
+  std::vector<Message> heard_;  ///< that comes with the next frame
+  std::optional<GroundTruth> truth_;
   std::unique_ptr<Behaviors> behaviors_;
   RecordedBehaviors recorded_;  ///< what the scenario sees of the behaviours
   std::unique_ptr<ScenarioHost> scenario_;

@@ -56,23 +56,23 @@ bool TestBench::step_replay() {
   trace_.note(replay_->machines(), *frame->names, frame->transitions);
   leases_ = frame->leases;
   request_ = frame->answer.request;
-  const double before = std::exchange(world_, frame->world).time;
+  const double before = std::exchange(replayed_world_, frame->world).time;
   replayed_machines_.clear();
   for (const MachineStatus& status : frame->machines)
     replayed_machines_.push_back({frame->name(status.machine), frame->name(status.state)});
-  budget_.spend(std::max(0.0, world_.time - before));
+  budget_.spend(std::max(0.0, replayed_world_.time - before));
   return true;
 }
 
 /// advance_to(43.5): up to the last frame that is not after this time of the recording.
 void TestBench::advance_to(double time) {
   if (!replay_) throw std::runtime_error("advance_to goes on in a recording: replay \"FILE\" comes first");
-  if (!(time >= world_.time - kTimeTolerance))
-    throw std::runtime_error("advance_to: this replay is at " + std::to_string(world_.time) + " s already");
+  if (!(time >= replayed_world_.time - kTimeTolerance))
+    throw std::runtime_error("advance_to: this replay is at " + std::to_string(replayed_world_.time) + " s already");
   begin_advance();
-  while (world_.time + 0.5 * world_.time_step <= time) {
+  while (replayed_world_.time + 0.5 * replayed_world_.time_step <= time) {
     require_budget(lua_);
-    if (!step_replay()) throw std::runtime_error("the recording ends at " + std::to_string(world_.time) + " s");
+    if (!step_replay()) throw std::runtime_error("the recording ends at " + std::to_string(replayed_world_.time) + " s");
   }
   look_at_machines();
 }
@@ -89,7 +89,7 @@ int TestBench::world_value(lua_State* L) {
     throw std::runtime_error("the world has no '" + name + "'" + did_you_mean(name, known));
   }
   std::vector<double> values;
-  append_world(world_, values);
+  append_world(world(), values);
   const double value = values[static_cast<std::size_t>(field - all.begin())];
   if (field->type == WorldField::Type::boolean) {
     lua_pushboolean(L, value != 0.0 ? 1 : 0);
