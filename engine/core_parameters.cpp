@@ -69,6 +69,7 @@ void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   registry.bind("goal_view", parameters.goal_view);
   registry.bind("seen_view", parameters.seen_view);
   registry.bind("repeated_pose", parameters.repeated_pose);
+  registry.bind("external_belief", parameters.external_belief);
   registry.bind("arbiter", parameters.arbiter);
 }
 

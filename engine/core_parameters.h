@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/world/arbiter.h"
+#include "engine/world/external_belief.h"
 #include "engine/world/goal_view.h"
 #include "engine/world/posture.h"
 #include "engine/world/repeated_pose.h"
@@ -30,6 +31,7 @@ struct CoreParameters {
   GoalViewParameters goal_view;
   SeenViewParameters seen_view;
   RepeatedPoseParameters repeated_pose;
+  ExternalBeliefParameters external_belief;
   ArbiterParameters arbiter;
 };
 

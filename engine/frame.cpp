@@ -72,7 +72,11 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   record_.logs.clear();
   take_parameters(inputs.parameter_changes);
   record_.reloads.clear();
-  if (!inputs.script_edits.empty()) record_.reloads = behaviors_.host().apply(inputs.script_edits);
+  if (!inputs.script_edits.empty()) {
+    const std::shared_ptr<const NameTable> before = behaviors_.host().names().table();
+    record_.reloads = behaviors_.host().apply(inputs.script_edits);
+    arbiter_.rename(*before, *behaviors_.host().names().table());
+  }
   world_tracker_.begin_frame(observation_->time);
   record_.inputs.half_time = observation_->told.half_time || inputs.told.half_time;
   if (record_.inputs.half_time) change_sides();
@@ -110,6 +114,7 @@ void FrameLoop::take_told(const Told& told) {
     record_.logs.push_back(
         {0, 0, "a set pose undoes a flip: the room that was learned is turned by half a turn", 0, true});
   }
+  if (!observation_->belief) external_belief_ = false;  // the told pose is newer than what another localization said
   pose_filter_.set_initial_pose(initial.pose, initial.position_deviation, initial.rotation_deviation);
   pose_tracker_.attach(pose_filter_.belief());
   world_tracker_.take_initial_pose();
@@ -205,6 +210,10 @@ void FrameLoop::describe_world() {
     if (percept.ball) seen.ball = percept.ball->position;
   }
   world_tracker_.take_field(seen);
+  describe_room();
+}
+
+void FrameLoop::describe_room() {
   if (room_) world_tracker_.take_room(room_->confidences(), room_->informative_views());
   world_tracker_.judge_room(parameters_.room_status);
 }
@@ -215,7 +224,9 @@ void FrameLoop::decide() {
   const Arbitration& arbitration = arbiter_.arbitrate(behaviors_.wanted().commands, behaviors_.leases(), world());
   record_.reorientation.reset();
   record_.pose_particles.before.clear();
-  if (arbitration.granted) rearrange(*arbitration.granted);
+  if (!arbitration.granted) return;
+  rearrange(*arbitration.granted);
+  describe_room();  // from here on, belief and room are those after the reorientation
 }
 
 void FrameLoop::answer() {

@@ -87,6 +87,7 @@ class FrameLoop {
   void follow_jump(BeliefJump jump);
   void look_at_room();
   void describe_world();
+  void describe_room();
   void decide();
   void rearrange(const CommandRecord& granted);
   void flip_between_equals();
@@ -124,7 +125,9 @@ class FrameLoop {
   RobotBody body_;
   bool asked_to_get_up_ = false;  ///< in the frame before
   ExternalBeliefReader external_reader_;
-  bool external_belief_ = false;  ///< this frame, or the one before, goes by somebody else's localization
+  bool external_belief_ = false;          ///< this frame, or the one before, goes by somebody else's localization
+  double without_external_belief_ = 0.0;  ///< s for which none could be read since then
+  bool has_read_belief_ = false;          ///< an external one, in this frame
   Behaviors behaviors_;
 
   const Observation* observation_ = nullptr;  ///< while a frame runs

@@ -96,12 +96,20 @@ void FrameLoop::search_pose(const std::array<CameraPercept, 2>& seen, const std:
   pose_tracker_.attach(pose_filter_.belief());
 }
 
-/// Then our pose filter rests.
+/// Then our pose filter rests. Where no belief can be read, the last one moves with the odometry for a while.
 std::optional<SensedBelief> FrameLoop::take_external_belief() {
-  if (!observation_->belief) return std::nullopt;
-  const std::optional<PoseBelief> belief =
-      external_reader_.read(*observation_->belief, world().pose, parameters_.pose_filter.clusters);
-  if (!belief) return std::nullopt;
+  std::optional<PoseBelief> belief;
+  if (observation_->belief)
+    belief = external_reader_.read(*observation_->belief, world().pose, parameters_.pose_filter.clusters);
+  has_read_belief_ = belief.has_value();
+  if (!belief) {
+    without_external_belief_ += world().time_step;
+    if (!external_belief_ || without_external_belief_ > parameters_.external_belief.patience) return std::nullopt;
+    belief = world().pose;
+    belief->pose = belief->pose * odometry_step_;
+    return SensedBelief{*belief, world().pose_tracked};
+  }
+  without_external_belief_ = 0.0;
   external_belief_ = true;
   world_tracker_.take_pose_known(is_known(*belief));
   return SensedBelief{*belief, world().pose_known};
@@ -125,7 +133,7 @@ void FrameLoop::follow_jump(BeliefJump jump) {
     case BeliefJump::none:
       break;
     case BeliefJump::to_reflection:
-      room_->on_belief_reflected();
+      room_->on_flip();
       break;
     case BeliefJump::elsewhere:
       room_->on_reset();
@@ -189,7 +197,11 @@ void FrameLoop::flip_between_equals() {
 
 void FrameLoop::append_poses(std::vector<Pose2>& poses) const {
   if (external_belief_) {
-    external_reader_.append_poses(poses);
+    if (has_read_belief_) {
+      external_reader_.append_poses(poses);
+    } else {
+      poses.push_back(world().pose.pose);
+    }
   } else {
     pose_filter_.append_poses(poses);
   }

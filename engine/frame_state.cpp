@@ -4,7 +4,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x4465746174537252ull;  // "RrStateD": another layout gets another number
+constexpr std::uint64_t kStateMagic = 0x4565746174537252ull;  // "RrStateE": another layout gets another number
 
 /// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
 FrameSetup read_setup(ByteReader& in) {
@@ -21,7 +21,7 @@ FrameSetup read_setup(ByteReader& in) {
 template <typename Archive>
 void FrameLoop::archive(Archive& archive) {
   archive(field_features_, pose_filter_, pose_tracker_, gravity_bias_, pose_search_, was_known_, arbiter_, posture_,
-          repeated_pose_, asked_to_get_up_, external_belief_, world_tracker_, last_odometry_);
+          repeated_pose_, asked_to_get_up_, external_belief_, without_external_belief_, world_tracker_, last_odometry_);
   if (room_) archive(*room_);
 }
 

@@ -73,6 +73,9 @@ void fields(Visit&& visit, BelievedPose& belief) {
   visit(belief.pose, belief.covariance, belief.known);
 }
 
+/// In the frame that grants a reorientation, `belief` and `room` are those after it, where our own localization holds
+/// the belief: after a flip, the evidence has the other sign and the confidences are 0. Where another localization
+/// holds it, they stay as they are until its next belief shows what it did.
 struct Answer {
   Request request;
   BelievedPose belief;

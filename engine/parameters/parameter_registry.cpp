@@ -96,22 +96,26 @@ bool ParameterRegistry::belongs_to_program(std::string_view name) const {
   return found != entries_.end() && found->second.owners.empty();
 }
 
-void ParameterRegistry::set(std::string_view name, std::string_view text, ParameterOrigin origin) {
+bool ParameterRegistry::set(std::string_view name, std::string_view text, ParameterOrigin origin) {
   const auto found = entries_.find(name);
   if (found == entries_.end()) {
     throw std::runtime_error("there is no parameter '" + as_line(name) + "'" + did_you_mean(name, names()));
   }
   Entry& entry = found->second;
   ParameterValue value = parse_parameter(entry.parameter, text);
-  if (origin < entry.parameter.origin) return;
+  if (origin < entry.parameter.origin) return false;
   overrides_[entry.parameter.name] = {entry.parameter.name, std::string(text), origin, {}};
   assign(entry, std::move(value), origin);
+  return true;
 }
 
 ParameterOutcome ParameterRegistry::change(const ParameterChange& change) {
   ParameterOutcome outcome{change.name, {}, {}};
   try {
-    set(change.name, change.value, change.origin);
+    if (!set(change.name, change.value, change.origin))
+      outcome.refusal = "parameter " + change.name + " keeps its value: a change from '" +
+                        std::string(to_string(change.origin)) + "' does not replace one from '" +
+                        std::string(to_string(find(change.name)->origin)) + "'";
   } catch (const std::runtime_error& error) {
     outcome.refusal = error.what();
   }

@@ -211,7 +211,10 @@ FaultRecord::Consequence ScriptHost::count_fault(ScriptSlot& slot, const ScriptF
     return FaultRecord::Consequence::stopped;
   }
   std::unique_ptr<Script> script = std::move(slot.last_good);
-  swap_in(slot, script);
+  for (const std::string& warning : swap_in(slot, script)) {
+    const NameId machine = slot.machines.empty() ? kNoName : slot.machines.front().machine.definition().name_id;
+    output_.logs.push_back({machine, kNoName, "the version before took over: " + warning, 0, false});
+  }
   return FaultRecord::Consequence::rolled_back;
 }
 

@@ -50,6 +50,17 @@ void Arbiter::note_leases(std::span<const Lease> leases) {
   held_.assign(leases.begin(), leases.end());
 }
 
+void Arbiter::rename(const NameTable& before, const NameTable& now) {
+  const auto renamed = [&](NameId id) {
+    const std::string& name = before[id];
+    if (now[id] == name) return id;
+    const auto found = std::find(now.names.begin(), now.names.end(), name);
+    return found == now.names.end() ? kNoName : static_cast<NameId>(found - now.names.begin());
+  };
+  for (Lease& lease : held_)
+    lease.issuer = {renamed(lease.issuer.machine), renamed(lease.issuer.state), renamed(lease.issuer.reason)};
+}
+
 const Arbitration& Arbiter::arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                       const World& world) {
   note_leases(leases);

@@ -46,6 +46,9 @@ class Arbiter {
   const Arbitration& arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                const World& world);
 
+  /// The scripts' names have other numbers from now on: what is held is held on.
+  void rename(const NameTable& before, const NameTable& now);
+
   /// The latest one; before the first everything is allowed to happen.
   const Arbitration& last() const { return result_; }
 

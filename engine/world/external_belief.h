@@ -15,6 +15,16 @@ namespace reorient {
 /// Particles beyond this many are left out.
 inline constexpr std::size_t kMostExternalParticles = 10000;
 
+struct ExternalBeliefParameters {
+  double patience = 1.0;
+};
+template <typename Visit>
+void describe(ExternalBeliefParameters& p, Visit&& visit) {
+  visit("patience", p.patience, 0.0, 60.0, "s",
+        "for how long the last belief of another localization moves with the odometry where none can be read; then the "
+        "robot goes on with its own localization");
+}
+
 class ExternalBeliefReader {
  public:
   explicit ExternalBeliefReader(const FieldDimensions& field);

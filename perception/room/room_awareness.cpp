@@ -172,12 +172,6 @@ void RoomAwareness::begin_anew() {
   last_direction_.reset();
 }
 
-void RoomAwareness::on_belief_reflected() {
-  std::swap(confidences_.current, confidences_.opposite);
-  std::swap(confidences_.raw_current, confidences_.raw_opposite);
-  reflect_evidence();
-}
-
 void RoomAwareness::turn_half() {
   model_.turn_half(wall_);
   compared_model_.clear();

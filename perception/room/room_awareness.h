@@ -74,8 +74,9 @@ class RoomAwareness {
   /// anything that is not finite, or from outside of the wall, show no tiles; then the filter rests too.
   const Confidences& update(const RoomObservation& view);
 
-  /// What a granted command means here: the confidences begin anew, after a purge only if the parameters say so. A flip
-  /// turns the belief and not the robot: the belief of the view stays.
+  /// What a granted command means here: the confidences restart, after a purge only if the parameters say so. A flip
+  /// turns the belief and not the robot: the belief of the view stays. It is a flip, too, if the belief goes over to
+  /// its reflection by itself, or another localization turns it.
   void on_flip();
   void on_purge();
   void on_reset();
@@ -83,8 +84,6 @@ class RoomAwareness {
   /// The robot may stand elsewhere now, or was told where it stands: what was seen before says nothing any more. The
   /// confidences begin anew, the belief of the view is all around.
   void begin_anew();
-  /// The belief has gone over to its reflection by itself: what spoke for the one speaks for the other.
-  void on_belief_reflected();
 
   /// The teams change sides: the axes turn by half a turn, and with them the belief. Everything is known of the same
   /// places as before, under their new coordinates; the confidences stay. Done twice, it is the identity. Also for a

@@ -77,6 +77,19 @@ TEST_F(ArbiterTest, ALeasePausesUntilItIsGoneAndIsRecordedOnce) {
   EXPECT_EQ(last.begun.size(), 1u);
 }
 
+TEST_F(ArbiterTest, ALeaseIsTheSameAfterItsNamesWereNumberedAgain) {
+  NameTable before, now;
+  before.names.insert(before.names.end(), {"machine of old", "machine", "state", "reason"});
+  now.names.insert(now.names.end(), {"machine", "state", "reason"});
+  verdicts({}, {{Pause::training, {4, 5, 6}}});
+  arbiter.rename(before, now);
+  verdicts({}, {{Pause::training, {3, 4, 5}}});
+  EXPECT_TRUE(last.begun.empty());
+  arbiter.rename(now, now);
+  verdicts({}, {{Pause::training, {3, 4, 5}}});
+  EXPECT_TRUE(last.begun.empty());
+}
+
 TEST_F(ArbiterTest, ALeaseOfAnotherStateIsAnotherLease) {
   verdicts({}, {{Pause::training, {3, 4, 5}}});
   verdicts({}, {{Pause::training, {3, 6, 5}}});

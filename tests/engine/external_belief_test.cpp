@@ -131,9 +131,48 @@ TEST(ExternalBelief, ThatEndsIsGoneOnWith) {
   loop.inputs.observation.belief = sure_of(kHere);
   loop.step(10);
   loop.inputs.observation.belief.reset();
-  loop.step();
+  loop.step(29);
+  EXPECT_TRUE(loop.record().inputs.external_belief) << "for a second the last one counts";
+  EXPECT_EQ(loop.world().pose.pose.position, kHere.position);
+  loop.step(2);
   EXPECT_FALSE(loop.record().inputs.external_belief);
   expect_near(loop.world().pose.pose, kHere);
+}
+
+TEST(ExternalBelief, ThatCannotBeReadInOneFrameMovesWithTheOdometry) {
+  HandFedLoop loop(kIdle);
+  loop.inputs.observation.belief = sure_of(kHere);
+  loop.step(10);
+  const Pose2 step(0.02, 0.0, 0.01);
+  loop.inputs.observation.odometry = loop.inputs.observation.odometry * step;
+  loop.inputs.observation.belief->pose.position.x() = std::numeric_limits<double>::quiet_NaN();
+  loop.step();
+  EXPECT_TRUE(loop.record().inputs.external_belief);
+  EXPECT_TRUE(loop.world().pose_known);
+  expect_near(loop.world().pose.pose, kHere * step, 1e-12);
+  loop.inputs.observation.belief = sure_of(kHere * step);
+  loop.step();
+  EXPECT_TRUE(loop.record().inputs.external_belief);
+  expect_near(loop.world().pose.pose, kHere * step, 1e-12);
+}
+
+TEST(ExternalBelief, ThatHasEndedIsNotBelievedRatherThanAToldPose) {
+  HandFedLoop loop(kIdle);
+  loop.inputs.observation.belief = sure_of(kHere);
+  loop.step(10);
+  loop.inputs.observation.belief.reset();
+  loop.step();
+  loop.tell(Pose2(-2.0, 1.0, 3.0));
+  loop.step();
+  EXPECT_FALSE(loop.record().inputs.external_belief);
+  expect_near(loop.world().pose.pose, Pose2(-2.0, 1.0, 3.0));
+}
+
+TEST(ExternalBelief, ThatNeverCameIsNotWaitedFor) {
+  HandFedLoop loop(kIdle);
+  loop.tell(Pose2(-2.0, 1.0, 0.5));
+  loop.step();
+  EXPECT_FALSE(loop.record().inputs.external_belief);
 }
 
 /// A robot with a localization of its own, which knows everything but which way round it stands: it is right, or it

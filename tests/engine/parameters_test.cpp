@@ -45,6 +45,14 @@ class Parameters : public ::testing::Test {
   ParameterRegistry registry;
 };
 
+TEST_F(Parameters, AChangeOfLessWeightIsRefused) {
+  registry.set("view.noise", "0.5", ParameterOrigin::live);
+  const ParameterOutcome outcome = registry.change({"view.noise", "0.1", ParameterOrigin::file, ""});
+  EXPECT_EQ(outcome.refusal,
+            "parameter view.noise keeps its value: a change from 'file' does not replace one from 'live'");
+  EXPECT_EQ(filter.noise, 0.5);
+}
+
 TEST_F(Parameters, ASettingIsWrittenIntoTheBoundStruct) {
   registry.set("view.particles", "30", ParameterOrigin::live);
   registry.set("view.noise", "0.5", ParameterOrigin::live);

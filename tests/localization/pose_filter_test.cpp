@@ -145,10 +145,12 @@ TEST(PoseFilter, ForgetsTheRotationButNotThePositionOnAReset) {
 }
 
 RC_GTEST_PROP(PoseFilter, StaysFiniteWhateverItIsGiven, ()) {
-  static PoseFilter filter = spl_filter();
-  const double extreme = *rc::gen::element(kNaN, kInfinity, -kInfinity, 1e300, 0.0, 0.01);
-  filter.predict({extreme, 0.0, *rc::gen::element(kNaN, 0.0, 1e9)}, *rc::gen::element(kNaN, kInfinity, -1.0, 0.03));
-  filter.update(any_hostile_percept(), *rc::gen::element(SeenGoal::unknown, SeenGoal::opponent, SeenGoal::own));
+  PoseFilter filter = spl_filter();
+  for (int frame = *rc::gen::inRange(1, 20); frame > 0; --frame) {
+    const double extreme = *rc::gen::element(kNaN, kInfinity, -kInfinity, 1e300, 0.0, 0.01);
+    filter.predict({extreme, 0.0, *rc::gen::element(kNaN, 0.0, 1e9)}, *rc::gen::element(kNaN, kInfinity, -1.0, 0.03));
+    filter.update(any_hostile_percept(), *rc::gen::element(SeenGoal::unknown, SeenGoal::opponent, SeenGoal::own));
+  }
   for (const float value : state_of(filter)) RC_ASSERT(std::isfinite(value));
   const PoseBelief& belief = filter.belief();
   RC_ASSERT(belief.pose.position.allFinite() && std::isfinite(belief.pose.rotation) && belief.covariance.allFinite());

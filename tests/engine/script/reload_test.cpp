@@ -181,6 +181,17 @@ TEST_F(ScriptReload, AVersionThatFailsAgainAndAgainIsRolledBack) {
   EXPECT_EQ(logs.back(), "1three");
 }
 
+TEST_F(ScriptReload, WhatARollbackCannotKeepIsLogged) {
+  const std::string good = R"(local memory = keep { n = 1 } behavior "b" { update = function() memory.n = 2 end })";
+  load("b", good);
+  ticks(5);
+  ASSERT_TRUE(edit("b", edited(good, "memory.n = 2", "memory.f = function() end error(\"bad\")")).accepted);
+  ticks(limits.max_errors);
+  ASSERT_EQ(faults.back().consequence, FaultRecord::Consequence::rolled_back);
+  ASSERT_FALSE(logs.empty());
+  EXPECT_EQ(logs.back(), "the version before took over: keep: 'f' cannot be kept over a reload");
+}
+
 TEST_F(ScriptReload, WhatAVersionDidInItsLastFrameDoesNotCountAgainstTheOneThatTakesOver) {
   limits.max_errors = 1;
   const std::string good = R"(behavior "b" { initial = "one",

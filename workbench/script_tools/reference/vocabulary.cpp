@@ -67,7 +67,8 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"set_world(world: reorient.World)",
      "set_world { confidence = { opposite = 0.9 }, robot = { posture = \"lying\" } }",
-     "Changes what the robot senses in the fake world, from the next frame on. What follows from the rest (times since a "
+     "Changes what the robot senses in the fake world, from the next frame on. What follows from the rest (times since "
+     "a "
      "disturbance, age and status of the confidences, whether training and evaluation go on) follows by the engine's "
      "own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in "
      "the engine: after a flip, the evidence has the other sign.",

@@ -21,7 +21,8 @@ void apply(Reorientation reorientation, Confidences& confidence, const Confidenc
 
 }  // namespace
 
-FakeWorld::FakeWorld(ParameterRegistry& parameters, double stood_for) : world_(world_of(FieldDimensions(), RobotBody())) {
+FakeWorld::FakeWorld(ParameterRegistry& parameters, double stood_for)
+    : world_(world_of(FieldDimensions(), RobotBody())) {
   parameters.bind("confidence", confidence_parameters_);
   parameters.bind("room_status", room_status_parameters_);
   posture_.since = -stood_for;
@@ -99,10 +100,14 @@ const World& FakeWorld::begin_frame(double time, const Arbitration& last, const 
   world_ = derived(tracker);
   const bool compares = world_.evaluating && senses.sees && senses.knows_tiles;
   if (compares && !is_set("confidence.age")) world_.confidence.age += std::min(world_.time_step, kLongestLook);
+  judge_room();
+  return world_;
+}
+
+void FakeWorld::judge_room() {
   WorldTracker judged(world_);
   judged.judge_room(room_status_parameters_);
   world_ = derived(judged);
-  return world_;
 }
 
 void FakeWorld::end_frame(const Arbitration& arbitration) {
@@ -114,6 +119,7 @@ void FakeWorld::end_frame(const Arbitration& arbitration) {
   believed_ = world_.pose.pose;
   apply(reorientation, world_.confidence, confidence_parameters_);
   for (const char* field : {"current", "opposite", "evidence", "age"}) set_.erase(std::string("confidence.") + field);
+  judge_room();
 }
 
 }  // namespace reorient

@@ -43,6 +43,7 @@ class FakeWorld {
  private:
   bool is_set(const char* field) const { return set_.contains(field); }
   void sense_sides(WorldTracker& tracker);
+  void judge_room();
   World derived(const WorldTracker& tracker) const;
 
   ConfidenceParameters confidence_parameters_;

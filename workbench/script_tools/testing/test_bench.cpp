@@ -293,7 +293,7 @@ int TestBench::advance(lua_State* L) {
 void TestBench::step() {
   Behaviors& scripts = behaviors();
   const World& world = fake_world_.begin_frame(static_cast<double>(frame_) / kFramesPerSecond, arbiter_.last(),
-                                                {.is_pose_told = std::exchange(is_pose_told_, false)});
+                                               {.is_pose_told = std::exchange(is_pose_told_, false)});
   ++frame_;
   scripts.tick(world, heard_);
   heard_.clear();
@@ -364,7 +364,9 @@ int TestBench::reload(lua_State* L) {
     added_.script_edits.push_back(edit);
     return 0;
   }
+  const std::shared_ptr<const NameTable> names = behaviors().host().names().table();
   std::vector<ReloadRecord> reloads = behaviors().host().apply({&edit, 1});
+  arbiter_.rename(*names, *behaviors().host().names().table());
   if (scenario_) scenario_->apply({&edit, 1});
   for (ReloadRecord& reload : reloads) {
     if (!reload.accepted) refused_ = std::move(reload.fault);

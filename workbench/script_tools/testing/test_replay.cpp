@@ -72,7 +72,8 @@ void TestBench::advance_to(double time) {
   begin_advance();
   while (replayed_world_.time + 0.5 * replayed_world_.time_step <= time) {
     require_budget(lua_);
-    if (!step_replay()) throw std::runtime_error("the recording ends at " + std::to_string(replayed_world_.time) + " s");
+    if (!step_replay())
+      throw std::runtime_error("the recording ends at " + std::to_string(replayed_world_.time) + " s");
   }
   look_at_machines();
 }
