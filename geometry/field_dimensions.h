@@ -34,6 +34,14 @@ inline Eigen::Vector2d carpet_half_size(const FieldDimensions& field) {
   return {0.5 * field.length + field.border, 0.5 * field.width + field.border};
 }
 
+/// The robot may stand beside the carpet, but not far from it, m.
+inline constexpr double kBelievableBeyondCarpet = 1.0;
+
+/// How far from the center a robot may be believed to stand, m.
+inline Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
+  return carpet_half_size(field) + Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
+}
+
 template <typename Visit>
 void fields(Visit&& visit, FieldDimensions& field) {
   visit(field.length, field.width, field.border, field.line_width, field.penalty_area_depth, field.penalty_area_width,

@@ -59,10 +59,6 @@ bool is_size(double metres) { return metres > 0.0 && metres <= 200.0; }
 
 }  // namespace
 
-Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
-  return carpet_half_size(field) + Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
-}
-
 FieldMap::FieldMap(const FieldDimensions& field) {
   if (!is_size(field.length) || !is_size(field.width) || !(field.border >= 0.0 && field.border <= 50.0)) {
     throw std::invalid_argument("field map: length and width must be in (0, 200] m, border in [0, 50] m");

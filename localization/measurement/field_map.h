@@ -14,12 +14,6 @@
 
 namespace reorient {
 
-/// The robot may stand beside the carpet, but not far from it, m.
-inline constexpr double kBelievableBeyondCarpet = 1.0;
-
-/// How far from the centre a robot may be believed to stand: the carpet and one metre more, m.
-Eigen::Vector2d believable_half_size(const FieldDimensions& field);
-
 /// Likelihood fields (Probabilistic Robotics, chapter 6.4), one for each of 16 directions of a line's normal: the
 /// distance to the nearest line, to which a line counts as farther the more its direction differs. Only the quarter
 /// x, y >= 0 is stored, the rest is its mirror image: the map cannot but look the same from a reflected pose.

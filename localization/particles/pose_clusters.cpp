@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "localization/measurement/field_map.h"
-
 namespace reorient {
 namespace {
 

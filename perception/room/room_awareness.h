@@ -10,7 +10,6 @@
 #include "perception/room/background_model.h"
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/color/histogram_distance.h"
-#include "perception/room/color/light_adaptation.h"
 #include "perception/room/compared_model.h"
 #include "perception/room/evidence/evidence.h"
 #include "perception/room/evidence/informative_views.h"
@@ -21,6 +20,7 @@
 #include "perception/room/view/confidences.h"
 #include "perception/room/view/view_filter.h"
 #include "perception/room/view/viewpoint_scores.h"
+#include "perception/room/wall/light_adaptation.h"
 #include "perception/room/wall/perceived_tiles.h"
 #include "perception/room/wall/wall.h"
 

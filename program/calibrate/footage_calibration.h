@@ -6,7 +6,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "program/footage/footage_arguments.h"
+#include "program/run/footage_arguments.h"
 
 namespace reorient {
 

@@ -17,7 +17,7 @@
 #include "program/program.h"
 #include "program/recording/damages.h"
 #include "program/recording/recorded_times.h"
-#include "program/recording/run_recording.h"
+#include "program/run/run_recording.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/csv.h"

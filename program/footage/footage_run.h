@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/frame.h"
-#include "program/footage/footage_arguments.h"
 #include "program/options.h"
+#include "program/run/footage_arguments.h"
 #include "robots/footage/footage_robot.h"
 #include "workbench/run/run_loop.h"
 

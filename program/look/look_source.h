@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "program/footage/footage_arguments.h"
+#include "program/run/footage_arguments.h"
 #include "robots/footage/footage.h"
 #include "robots/robot_body.h"
 

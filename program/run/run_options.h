@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "perception/room/saved_model.h"
-#include "program/footage/footage_arguments.h"
 #include "program/options.h"
+#include "program/run/footage_arguments.h"
 
 namespace reorient {
 
@@ -65,7 +65,7 @@ struct RunOptions : SimulationOptions {
   bool realtime = false;
   std::filesystem::path record;  ///< the recording; empty: none
   std::string record_rotate;     ///< "100MB", "10min"; empty: one file
-  // program/recording/run_recording.h
+  // program/run/run_recording.h
   std::string record_images = "lossless";
   std::string view_images = "jpeg:75";
   std::string view_particles = "every:6";

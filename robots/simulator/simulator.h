@@ -17,7 +17,7 @@
 #include "robots/simulator/agents/spectators.h"
 #include "robots/simulator/body/ball.h"
 #include "robots/simulator/body/body.h"
-#include "robots/simulator/light/hall_light.h"
+#include "robots/simulator/render/light/hall_light.h"
 #include "robots/simulator/render/renderer.h"
 #include "robots/simulator/render/sensor.h"
 #include "robots/simulator/room/furniture.h"

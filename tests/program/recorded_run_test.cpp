@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/random.h"
-#include "program/recording/run_recording.h"
+#include "program/run/run_recording.h"
 #include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/less_of_a_user.h"

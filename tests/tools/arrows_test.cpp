@@ -96,6 +96,14 @@ TEST_F(House, FailsACircleOfIncludesWithinARoom) {
   EXPECT_EQ(check(), "includes run in a circle: upper/b.h upper/c.h upper/b.h\nexit 1");
 }
 
+TEST_F(House, FailsACircleOfFoldersWithinARoom) {
+  write("upper/left/a.h", "#include \"upper/right/deep/b.h\"\n");
+  write("upper/right/deep/b.h", "");
+  write("upper/right/c.h", "#include \"upper/left/d.h\"\n");
+  write("upper/left/d.h", "#include \"upper/beam.h\"\n");
+  EXPECT_EQ(check(), "includes of folders run in a circle: upper/left/ upper/right/ upper/left/\nexit 1");
+}
+
 TEST_F(House, FailsACircleInTheTable) {
   write("docs/architecture.md",
         "<!-- arrows: begin -->\n| `ground/` | `upper/` |\n| `upper/` | `ground/` |\n<!-- arrows: end -->\n");

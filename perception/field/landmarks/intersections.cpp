@@ -7,7 +7,7 @@
 #include "geometry/angle.h"
 #include "geometry/transform.h"
 #include "perception/field/carpet/boundary.h"
-#include "perception/field/upright/hiding.h"
+#include "perception/field/lines/hiding.h"
 
 namespace reorient {
 namespace {

@@ -8,7 +8,7 @@
 #include "geometry/pinned_math.h"
 #include "geometry/transform.h"
 #include "perception/field/carpet/boundary.h"
-#include "perception/field/upright/hiding.h"
+#include "perception/field/lines/hiding.h"
 
 namespace reorient {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "perception/room/background_model.h"
-#include "perception/room/color/light_adaptation.h"
+#include "perception/room/wall/light_adaptation.h"
 #include "perception/room/wall/wall.h"
 
 namespace reorient {

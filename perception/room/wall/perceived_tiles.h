@@ -8,8 +8,8 @@
 #include "geometry/transform.h"
 #include "perception/room/color/color_counting.h"
 #include "perception/room/color/color_histogram.h"
-#include "perception/room/color/light_adaptation.h"
 #include "perception/room/room_observation.h"
+#include "perception/room/wall/light_adaptation.h"
 #include "perception/room/wall/wall.h"
 #include "perception/room/wall/wall_sketch.h"
 

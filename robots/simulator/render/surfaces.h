@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 
 #include "geometry/field_dimensions.h"
-#include "robots/simulator/light/illumination.h"
-#include "robots/simulator/light/wall_patches.h"
 #include "robots/simulator/render/framebuffer.h"
+#include "robots/simulator/render/light/illumination.h"
+#include "robots/simulator/render/light/wall_patches.h"
 #include "robots/simulator/render/scene/field_lines.h"
 #include "robots/simulator/room/room.h"
 

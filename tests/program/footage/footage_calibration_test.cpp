@@ -12,7 +12,7 @@
 #include "geometry/angle.h"
 #include "localization/calibration/offset_fit.h"
 #include "program/calibrate/footage_images.h"
-#include "program/footage/footage_arguments.h"
+#include "program/run/footage_arguments.h"
 #include "program/run/venue.h"
 #include "tests/paths.h"
 #include "tests/program/footage/decoder.h"

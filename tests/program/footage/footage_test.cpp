@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
-#include "program/footage/footage_arguments.h"
+#include "program/run/footage_arguments.h"
 #include "program/run/venue.h"
 #include "tests/paths.h"
 #include "tests/program/footage/decoder.h"

@@ -1,4 +1,4 @@
-#include "robots/simulator/light/hall_light.h"
+#include "robots/simulator/render/light/hall_light.h"
 
 #include <algorithm>
 #include <cmath>

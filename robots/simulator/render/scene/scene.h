@@ -7,8 +7,8 @@
 
 #include "geometry/field_dimensions.h"
 #include "geometry/pose2.h"
-#include "robots/simulator/light/illumination.h"
-#include "robots/simulator/light/wall_patches.h"
+#include "robots/simulator/render/light/illumination.h"
+#include "robots/simulator/render/light/wall_patches.h"
 #include "robots/simulator/render/scene/shapes.h"
 #include "robots/simulator/room/furniture.h"
 

@@ -1,4 +1,4 @@
-#include "robots/simulator/light/illumination.h"
+#include "robots/simulator/render/light/illumination.h"
 
 #include <cmath>
 

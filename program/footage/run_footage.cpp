@@ -1,4 +1,4 @@
-#include "program/run/footage/run_footage.h"
+#include "program/footage/run_footage.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "perception/field/upright/hiding.h"
+#include "perception/field/lines/hiding.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "program/footage/recorded_footage.h"
+#include "program/run/recorded_footage.h"
 
 #include <algorithm>
 #include <optional>

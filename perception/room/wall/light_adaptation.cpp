@@ -1,4 +1,4 @@
-#include "perception/room/color/light_adaptation.h"
+#include "perception/room/wall/light_adaptation.h"
 
 #include <algorithm>
 #include <cmath>

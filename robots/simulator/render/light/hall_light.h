@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "geometry/random.h"
-#include "robots/simulator/light/illumination.h"
-#include "robots/simulator/light/wall_patches.h"
+#include "robots/simulator/render/light/illumination.h"
+#include "robots/simulator/render/light/wall_patches.h"
 
 namespace reorient {
 

@@ -1,4 +1,4 @@
-#include "program/footage/footage_arguments.h"
+#include "program/run/footage_arguments.h"
 
 #include <algorithm>
 #include <functional>
@@ -12,8 +12,8 @@
 #include "geometry/angle.h"
 #include "geometry/camera_offset.h"
 #include "geometry/pinned_math.h"
-#include "program/footage/recorded_footage.h"
 #include "program/options.h"
+#include "program/run/recorded_footage.h"
 #include "program/shell_word.h"
 #include "workbench/files/calibration_file.h"
 #include "workbench/footage/decoder_library.h"

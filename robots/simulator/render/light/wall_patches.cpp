@@ -1,4 +1,4 @@
-#include "robots/simulator/light/wall_patches.h"
+#include "robots/simulator/render/light/wall_patches.h"
 
 #include <algorithm>
 #include <cmath>

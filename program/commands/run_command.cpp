@@ -10,10 +10,10 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "geometry/image.h"
+#include "program/footage/run_footage.h"
 #include "program/named_files.h"
 #include "program/robots.h"
 #include "program/run/companion/run_companion.h"
-#include "program/run/footage/run_footage.h"
 #include "program/run/nao/run_nao.h"
 #include "program/run/run_scenario.h"
 #include "program/subcommand.h"

@@ -1,4 +1,4 @@
-#include "program/recording/run_recording.h"
+#include "program/run/run_recording.h"
 
 #include <charconv>
 #include <ctime>
