@@ -112,6 +112,7 @@ TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
   };
   for (const char* const signal : {"TERM", "HUP"}) {
     SCOPED_TRACE(signal);
+    std::filesystem::remove(said);  // what the guard before has said is not waited for
     EXPECT_EQ(std::system(ended_by(signal).c_str()), 0) << read_text(said);
     EXPECT_NE(read_text(said).find("connected to LoLA"), std::string::npos) << read_text(said);
   }
