@@ -72,11 +72,7 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   record_.logs.clear();
   take_parameters(inputs.parameter_changes);
   record_.reloads.clear();
-  if (!inputs.script_edits.empty()) {
-    const std::shared_ptr<const NameTable> before = behaviors_.host().names().table();
-    record_.reloads = behaviors_.host().apply(inputs.script_edits);
-    arbiter_.rename(*before, *behaviors_.host().names().table());
-  }
+  if (!inputs.script_edits.empty()) record_.reloads = behaviors_.apply(inputs.script_edits, arbiter_);
   world_tracker_.begin_frame(observation_->time);
   record_.inputs.half_time = observation_->told.half_time || inputs.told.half_time;
   if (record_.inputs.half_time) change_sides();

@@ -96,7 +96,7 @@ void FrameLoop::search_pose(const std::array<CameraPercept, 2>& seen, const std:
   pose_tracker_.attach(pose_filter_.belief());
 }
 
-/// Then our pose filter rests. Where no belief can be read, the last one moves with the odometry for a while.
+/// Then our pose filter rests. If no belief can be read, the last one moves with the odometry for a while.
 std::optional<SensedBelief> FrameLoop::take_external_belief() {
   std::optional<PoseBelief> belief;
   if (observation_->belief)
@@ -196,15 +196,9 @@ void FrameLoop::flip_between_equals() {
 }
 
 void FrameLoop::append_poses(std::vector<Pose2>& poses) const {
-  if (external_belief_) {
-    if (has_read_belief_) {
-      external_reader_.append_poses(poses);
-    } else {
-      poses.push_back(world().pose.pose);
-    }
-  } else {
-    pose_filter_.append_poses(poses);
-  }
+  if (!external_belief_) return pose_filter_.append_poses(poses);
+  if (has_read_belief_) return external_reader_.append_poses(poses);
+  poses.push_back(world().pose.pose);
 }
 
 }  // namespace reorient

@@ -31,8 +31,8 @@ class ParameterRegistry {
   /// library's). An override that no longer fits is clamped; returned is one line about each that was.
   std::vector<std::string> declare_for(const std::string& owner, const std::vector<ParameterDeclaration>& declarations);
 
-  /// False: it keeps a value that somebody of greater weight has set (ParameterOrigin). Throws std::runtime_error with
-  /// one line: the name is unknown, the text is of a wrong type or out of range.
+  /// Returns false if the value comes from a stronger origin (ParameterOrigin) and stays. Throws std::runtime_error
+  /// with one line: the name is unknown, the text is of a wrong type or out of range.
   bool set(std::string_view name, std::string_view text, ParameterOrigin origin);
 
   /// The same as a value: what became of it, with nothing thrown.

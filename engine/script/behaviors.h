@@ -1,6 +1,7 @@
 // The behaviours of a robot in one frame: from the world to what they want.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/language/world_fields.h"
 #include "engine/script/script_host.h"
+#include "engine/world/arbiter.h"
 #include "engine/world/world.h"
 
 namespace reorient {
@@ -27,6 +29,14 @@ class Behaviors {
     said_ = &host_.tick(world.time, values_);
     leases_.clear();
     host_.append_leases(leases_);
+  }
+
+  /// Between two frames. The arbiter is the one that judges what these behaviors want: it holds names of theirs.
+  std::vector<ReloadRecord> apply(std::span<const ScriptEdit> edits, Arbiter& arbiter) {
+    const std::shared_ptr<const NameTable> before = host_.names().table();
+    std::vector<ReloadRecord> reloads = host_.apply(edits);
+    arbiter.rename(*before, *host_.names().table());
+    return reloads;
   }
 
   // Of the last tick.

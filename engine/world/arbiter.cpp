@@ -51,12 +51,7 @@ void Arbiter::note_leases(std::span<const Lease> leases) {
 }
 
 void Arbiter::rename(const NameTable& before, const NameTable& now) {
-  const auto renamed = [&](NameId id) {
-    const std::string& name = before[id];
-    if (now[id] == name) return id;
-    const auto found = std::find(now.names.begin(), now.names.end(), name);
-    return found == now.names.end() ? kNoName : static_cast<NameId>(found - now.names.begin());
-  };
+  const auto renamed = [&](NameId id) { return now.find(before[id]).value_or(kNoName); };
   for (Lease& lease : held_)
     lease.issuer = {renamed(lease.issuer.machine), renamed(lease.issuer.state), renamed(lease.issuer.reason)};
 }

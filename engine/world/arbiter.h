@@ -46,7 +46,7 @@ class Arbiter {
   const Arbitration& arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                const World& world);
 
-  /// The scripts' names have other numbers from now on: what is held is held on.
+  /// The names of scripts have other numbers from now on; leases that are held stay so.
   void rename(const NameTable& before, const NameTable& now);
 
   /// The latest one; before the first everything is allowed to happen.

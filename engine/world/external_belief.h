@@ -21,8 +21,8 @@ struct ExternalBeliefParameters {
 template <typename Visit>
 void describe(ExternalBeliefParameters& p, Visit&& visit) {
   visit("patience", p.patience, 0.0, 60.0, "s",
-        "for how long the last belief of another localization moves with the odometry where none can be read; then the "
-        "robot goes on with its own localization");
+        "how long the last belief of another localization moves with the odometry if no belief can be read; then the "
+        "robot continues with its own localization");
 }
 
 class ExternalBeliefReader {

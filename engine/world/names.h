@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,10 @@ struct NameTable {
     static const std::string kUnknown;
     return id < names.size() ? names[id] : kUnknown;
   }
+  std::optional<NameId> find(std::string_view name) const {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? std::nullopt : std::optional(static_cast<NameId>(found - names.begin()));
+  }
 };
 template <typename Visit>
 void fields(Visit&& visit, NameTable& table) {
@@ -39,10 +44,8 @@ class Names {
  public:
   /// The number of a name, new or known. Where all numbers are taken: 0.
   NameId intern(std::string_view name) {
-    const std::vector<std::string>& known = table_->names;
-    const auto found = std::find(known.begin(), known.end(), name);
-    if (found != known.end()) return static_cast<NameId>(found - known.begin());
-    if (known.size() > kMost) return 0;
+    if (const std::optional<NameId> known = table_->find(name)) return *known;
+    if (size() > kMost) return 0;
     auto more = std::make_shared<NameTable>(*table_);
     more->names.emplace_back(name);
     table_ = std::move(more);

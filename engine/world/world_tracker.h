@@ -2,7 +2,7 @@
 // rules, so that no scripted test passes for a world that the engine never produces.
 #pragma once
 
-#include <cstdint>
+#include <optional>
 
 #include "engine/world/arbiter.h"
 #include "engine/world/room_status.h"
@@ -39,7 +39,7 @@ enum class BeliefJump { none, to_reflection, elsewhere };
 
 class WorldTracker {
  public:
-  WorldTracker(const FieldDimensions& field, const RobotBody& body, bool room_awareness = true)
+  WorldTracker(const FieldDimensions& field, const RobotBody& body, bool room_awareness)
       : world_(world_of(field, body)) {
     world_.room_awareness = room_awareness;
   }
@@ -54,13 +54,13 @@ class WorldTracker {
   /// The teams change sides: the believed pose gets the coordinates of the reflected place.
   void change_sides();
   void take_referee(const RefereeState& referee);
-  /// Somebody said where the robot stands.
+  /// An operator or another program set the pose.
   void take_initial_pose() { world_.pose_known = true; }
   /// Whether a disturbance (World::disturbed) began or ended.
   bool take_posture(const SensedPosture& posture);
   /// `moved`: by the odometry, since the frame before.
   BeliefJump take_belief(const SensedBelief& sensed, const Pose2& moved, const PoseClusterParameters& clusters);
-  /// An external localization has no initial pose that somebody told it: whether its belief counts as known.
+  /// Whether the belief of an external localization counts as known.
   void take_pose_known(bool known) { world_.pose_known = known; }
   void take_camera_bias(const CameraBias& bias) { world_.camera_bias = bias; }
   /// What may be done with the views of this frame. The arbitration is the last frame's: what behaviors paused then
@@ -74,8 +74,7 @@ class WorldTracker {
   /// The last step before behaviors see the world.
   void judge_room(const RoomStatusParameters& parameters);
 
-  /// What a reorientation made of the belief. After a reset nobody knows the orientation; a flip or a purge says that
-  /// the room, or somebody, has told it.
+  /// The belief after a reorientation. After a reset the orientation is not known; a flip or a purge confirms it.
   void take_reorientation(Reorientation reorientation, const PoseBelief& after);
   /// The same where another localization holds the belief, and the engine turns its own copy of it.
   void take_flip(const PoseBelief& after) { world_.pose = after; }

@@ -166,8 +166,8 @@ void RoomAwareness::on_reset() {
 }
 
 void RoomAwareness::begin_anew() {
-  on_reset();
   clear_views(confidences_);
+  restart_evidence();
   filter_.spread(parameters_.view_filter);
   last_direction_.reset();
 }

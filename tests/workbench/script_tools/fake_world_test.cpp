@@ -1,9 +1,7 @@
 // A scripted test's fake world beside the engine, fed with the same inputs: the worlds that behaviors see are the same.
 #include "workbench/script_tools/testing/fake_world.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -94,10 +92,7 @@ class TwoWorlds {
         behaviors_(texts(), parameters_) {
     parameters_.bind("arbiter", arbiter_parameters_);
     behaviors_.host().load("behaviors/tested.lua");
-    if (random_.below(2) == 0) {
-      loop_.inputs.observation.upper.reset();
-      upper_ = false;
-    }
+    if (random_.below(2) == 0) loop_.inputs.observation.upper.reset();
   }
 
   /// The first difference, or nothing.
@@ -186,7 +181,7 @@ class TwoWorlds {
     if (seldom(15)) {
       const std::string edited = std::string(kObedient) + (seldom(2) ? "-- edited" : "(");
       inputs.script_edits.push_back({"behaviors/tested.lua", ScriptText{edited, ""}});
-      behaviors_.host().apply(inputs.script_edits);
+      behaviors_.apply(inputs.script_edits, arbiter_);
     }
     if (observation.upper) {
       observation.upper->time = observation.time;
@@ -206,7 +201,7 @@ class TwoWorlds {
     believed_ = record.world.pose.pose;
     has_begun_ = true;
     senses.is_pose_told = record.inputs.initial_pose.has_value() && fault_ != Fault::age_kept_by_a_told_pose;
-    senses.sees = upper_ || fault_ == Fault::trained_without_images;
+    senses.sees = observation.upper || fault_ == Fault::trained_without_images;
     age_ = record.world.confidence.age;
     // As far as its age shows: it may also restart and come to the same value again.
     const bool may_restart = record.posture_change || record.inputs.initial_pose || was_rearranged_ ||
@@ -347,7 +342,6 @@ class TwoWorlds {
   Arbiter arbiter_;
   Pose2 external_;
   Pose2 believed_;  // by the engine, at the end of the frame before
-  bool upper_ = true;
   bool has_begun_ = false;
   bool is_over_ = false;
   bool was_rearranged_ = false;  // in the frame before

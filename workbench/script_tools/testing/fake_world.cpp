@@ -64,7 +64,6 @@ World FakeWorld::derived(const WorldTracker& tracker) const {
   if (is_set("confidence.goal_opponent")) confidence.goal_opponent = set.goal_opponent;
   if (is_set("confidence.evidence")) confidence.evidence = set.evidence;
   if (is_set("confidence.age")) confidence.age = set.age;
-  if (is_set("confidence.status")) world.room_status = world_.room_status;
   return world;
 }
 
@@ -105,9 +104,7 @@ const World& FakeWorld::begin_frame(double time, const Arbitration& last, const 
 }
 
 void FakeWorld::judge_room() {
-  WorldTracker judged(world_);
-  judged.judge_room(room_status_parameters_);
-  world_ = derived(judged);
+  if (!is_set("confidence.status")) world_.room_status = room_status(world_, room_status_parameters_);
 }
 
 void FakeWorld::end_frame(const Arbitration& arbitration) {

@@ -17,7 +17,7 @@ namespace reorient {
 /// What a scripted test cannot set: it stands still, and has its eyes open.
 struct FakeSenses {
   Pose2 moved{};              ///< by the odometry, since the frame before
-  bool is_pose_told = false;  ///< somebody said in this frame where the robot stands
+  bool is_pose_told = false;  ///< the pose was set in this frame
   bool sees = true;           ///< there is an image
   bool knows_tiles = true;    ///< known tiles of the wall are in it
 };

@@ -364,9 +364,7 @@ int TestBench::reload(lua_State* L) {
     added_.script_edits.push_back(edit);
     return 0;
   }
-  const std::shared_ptr<const NameTable> names = behaviors().host().names().table();
-  std::vector<ReloadRecord> reloads = behaviors().host().apply({&edit, 1});
-  arbiter_.rename(*names, *behaviors().host().names().table());
+  std::vector<ReloadRecord> reloads = behaviors().apply({&edit, 1}, arbiter_);
   if (scenario_) scenario_->apply({&edit, 1});
   for (ReloadRecord& reload : reloads) {
     if (!reload.accepted) refused_ = std::move(reload.fault);
