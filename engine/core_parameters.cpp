@@ -42,10 +42,10 @@ CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody
   const double line = std::sqrt(height * (field.line_width / usual_field.line_width) *
                                 (field_of_view(usual_body) / field_of_view(body)));
   FieldFeatureParameters& features = parameters.field_features;
-  MeasurementModelParameters& measurement = parameters.pose_filter.measurement;
+  MeasurementModelParameters& measurement = parameters.localizer.filter.measurement;
   features.line_range *= line;
   measurement.farthest_line_point *= line;
-  parameters.pose_tracker.farthest_line_point *= line;
+  parameters.localizer.tracker.farthest_line_point *= line;
   features.post_range *= height;
   features.obstacle_range *= height;
   features.obstacle_height *= height;
@@ -57,13 +57,13 @@ CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody
 void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   registry.bind("posture", parameters.posture);
   registry.bind("field_features", parameters.field_features);
-  registry.bind("pose_filter", parameters.pose_filter);
-  registry.bind("motion_model", parameters.pose_filter.motion);
-  registry.bind("measurement_model", parameters.pose_filter.measurement);
-  registry.bind("goal_injection", parameters.pose_filter.injection);
-  registry.bind("pose_tracker", parameters.pose_tracker);
-  registry.bind("pose_search", parameters.pose_search);
-  registry.bind("pose_clusters", parameters.pose_filter.clusters);
+  registry.bind("pose_filter", parameters.localizer.filter);
+  registry.bind("motion_model", parameters.localizer.filter.motion);
+  registry.bind("measurement_model", parameters.localizer.filter.measurement);
+  registry.bind("goal_injection", parameters.localizer.filter.injection);
+  registry.bind("pose_tracker", parameters.localizer.tracker);
+  registry.bind("pose_search", parameters.localizer.search);
+  registry.bind("pose_clusters", parameters.localizer.filter.clusters);
   for_each_part(parameters.room, [&](const char* prefix, auto& part) { registry.bind(prefix, part); });
   registry.bind("room_status", parameters.room_status);
   registry.bind("goal_view", parameters.goal_view);

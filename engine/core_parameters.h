@@ -9,9 +9,7 @@
 #include "engine/world/room_status.h"
 #include "engine/world/seen_view.h"
 #include "geometry/field_dimensions.h"
-#include "localization/pose_filter.h"
-#include "localization/search/pose_search.h"
-#include "localization/tracking/pose_tracker.h"
+#include "localization/localizer.h"
 #include "perception/field/field_features.h"
 #include "perception/room/room_awareness.h"
 #include "robots/robot_body.h"
@@ -23,9 +21,7 @@ class ParameterRegistry;
 struct CoreParameters {
   PostureParameters posture;
   FieldFeatureParameters field_features;
-  PoseFilterParameters pose_filter;
-  PoseTrackerParameters pose_tracker;
-  PoseSearchParameters pose_search;
+  LocalizerParameters localizer;
   RoomParameters room;
   RoomStatusParameters room_status;
   GoalViewParameters goal_view;

@@ -1,29 +1,21 @@
 // One frame, from the inputs to the answer: the order in which everything happens.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/carried.h"
 #include "engine/core_parameters.h"
 #include "engine/frame_inputs.h"
 #include "engine/parameters/parameter_registry.h"
 #include "engine/record/frame_record.h"
 #include "engine/script/behaviors.h"
-#include "engine/world/arbiter.h"
-#include "engine/world/external_belief.h"
-#include "engine/world/posture.h"
-#include "engine/world/repeated_pose.h"
-#include "engine/world/world_tracker.h"
+#include "engine/stages.h"
 #include "geometry/bytes.h"
-#include "localization/pose_filter.h"
-#include "localization/search/pose_search.h"
-#include "localization/tracking/gravity_bias.h"
-#include "localization/tracking/pose_tracker.h"
-#include "perception/field/field_features.h"
+#include "localization/localizer.h"
 #include "perception/room/room_awareness.h"
 #include "robots/robot_body.h"
 
@@ -72,39 +64,24 @@ class FrameLoop {
   template <typename Archive>
   void archive(Archive& archive);
 
-  void take_inputs(const FrameInputs& inputs);
-  void feel_body();
-  void feel_gravity(const BodySample& body);
-  void see_field();
-  void localize();
-  std::array<CameraPercept, 2> percepts_of_cameras() const;
-  double bias_deviation(const std::array<CameraPercept, 2>& seen) const;
-  bool is_pose_known() const;
-  void search_pose(const std::array<CameraPercept, 2>& seen, const std::optional<SeenView>& view);
-  std::optional<SensedBelief> take_external_belief();
-  void go_on_by_ourselves();
-  SensedBelief locate_ourselves();
-  void follow_jump(BeliefJump jump);
-  void look_at_room();
-  void describe_world();
-  void describe_room();
-  void decide();
-  void rearrange(const CommandRecord& granted);
-  void flip_between_equals();
-  void answer();
-  void complete_record();
-
   std::uint64_t declare_parameters(const std::vector<ParameterChange>& overrides);
+  void take_inputs(const FrameInputs& inputs);
   void take_parameters(const std::vector<ParameterChange>& changes);
+  void take_told(const Told& told, bool has_external_belief);
+  void set_pose(const InitialPose& initial, bool has_external_belief);
   void change_sides();
-  void take_told(const Told& told);
-  void fill_room();
+  void follow_posture(const SensedPosture& posture, const BodySample& body);
+  CameraPercepts see_field(const Observation& observation);
+  void localize(const Observation& observation, const CameraPercepts& seen);
+  SensedBelief locate_ourselves(const Observation& observation, const CameraPercepts& seen, const Pose2& odometry_step);
+  void see_room(const Observation& observation, const CameraPercepts& seen);
+  Decision act();
+  void describe_room();
   void append_poses(std::vector<Pose2>& poses) const;
-  Pose2 moved_since(const CameraFrame& frame) const;
+  void complete_record(const Observation& observation, const Decision& decision);
+  void fill_room();
 
-  const World& world() const { return world_tracker_.world(); }
-
-  static constexpr std::size_t kUpper = 0, kLower = 1;  ///< in arrays with one element for each camera
+  const World& world() const { return carried_.world.world(); }
 
   ParameterRegistry registry_;
   CoreParameters parameters_;
@@ -112,29 +89,18 @@ class FrameLoop {
   std::uint64_t revision_;             ///< of the registry, that the modules have
   std::uint64_t listed_revision_ = 0;  ///< that the record lists
 
-  std::array<FieldFeatures, 2> field_features_;  ///< of the upper and the lower camera
-  PoseFilter pose_filter_;
-  PoseTracker pose_tracker_;
-  GravityBias gravity_bias_;
-  PoseSearch pose_search_;
-  bool was_known_ = false;  ///< the pose, in the frame before
-  std::optional<RoomAwareness> room_;
-  Arbiter arbiter_;
-  PostureEstimator posture_;
-  RepeatedPose repeated_pose_;
   RobotBody body_;
-  bool asked_to_get_up_ = false;  ///< in the frame before
+  PostureEstimator posture_;
+  FieldVision field_vision_;
+  Localizer localizer_;
   ExternalBeliefReader external_reader_;
-  bool external_belief_ = false;          ///< this frame, or the one before, goes by somebody else's localization
-  double without_external_belief_ = 0.0;  ///< s for which none could be read since then
-  bool has_read_belief_ = false;          ///< an external one, in this frame
+  std::optional<RoomAwareness> room_;
+  RepeatedPose repeated_pose_;
   Behaviors behaviors_;
+  Arbiter arbiter_;
 
-  const Observation* observation_ = nullptr;  ///< while a frame runs
-  std::optional<Pose2> last_odometry_;
-  Pose2 odometry_step_;
-  std::vector<CoveredArea> covered_;
-  WorldTracker world_tracker_;
+  Carried carried_;
+  std::vector<CoveredArea> covered_;  ///< memory of see_room()
   FrameRecord record_;
 };
 

@@ -4,14 +4,14 @@
 
 namespace reorient {
 
-void FrameLoop::complete_record() {
+void FrameLoop::complete_record(const Observation& observation, const Decision& decision) {
   const StageTimer timer(record_, Stage::record);
   record_.names = behaviors_.host().names().table();
-  record_.inputs.body = observation_->body;
-  record_.inputs.odometry = observation_->odometry;
-  record_.inputs.body_samples = static_cast<int>(observation_->body_samples.size());
-  record_.inputs.reported_posture = observation_->reported_posture;
-  record_.inputs.external_belief = external_belief_;
+  record_.inputs.body = observation.body;
+  record_.inputs.odometry = observation.odometry;
+  record_.inputs.body_samples = static_cast<int>(observation.body_samples.size());
+  record_.inputs.reported_posture = observation.reported_posture;
+  record_.inputs.external_belief = carried_.external.in_use;
   record_.world = world();
   behaviors_.host().read_status(record_.machines);
   behaviors_.host().read_published(record_.published);
@@ -19,13 +19,13 @@ void FrameLoop::complete_record() {
   record_.transitions.assign(said.transitions.begin(), said.transitions.end());
   record_.logs.insert(record_.logs.end(), said.logs.begin(), said.logs.end());  // after what people noted
   record_.faults.assign(said.faults.begin(), said.faults.end());
-  record_.commands.assign(arbiter_.last().commands.begin(), arbiter_.last().commands.end());
-  record_.begun.assign(arbiter_.last().begun.begin(), arbiter_.last().begun.end());
+  record_.commands.assign(decision.arbitration.commands.begin(), decision.arbitration.commands.end());
+  record_.begun.assign(decision.arbitration.begun.begin(), decision.arbitration.begun.end());
   record_.leases.assign(behaviors_.leases().begin(), behaviors_.leases().end());
 
   if (record_.filled.has(Topic::images)) {
-    record_.images.upper = observation_->upper ? observation_->upper->image : ImageView();
-    record_.images.lower = observation_->lower ? observation_->lower->image : ImageView();
+    record_.images.upper = observation.upper ? observation.upper->image : ImageView();
+    record_.images.lower = observation.lower ? observation.lower->image : ImageView();
   }
   if (record_.filled.has(Topic::pose_particles)) {
     record_.pose_particles.particles.clear();

@@ -20,8 +20,8 @@ FrameSetup read_setup(ByteReader& in) {
 
 template <typename Archive>
 void FrameLoop::archive(Archive& archive) {
-  archive(field_features_, pose_filter_, pose_tracker_, gravity_bias_, pose_search_, was_known_, arbiter_, posture_,
-          repeated_pose_, asked_to_get_up_, external_belief_, without_external_belief_, world_tracker_, last_odometry_);
+  archive(field_vision_, localizer_, arbiter_, posture_, repeated_pose_, carried_.asked_to_get_up, carried_.external,
+          carried_.world, carried_.odometry);
   if (room_) archive(*room_);
 }
 

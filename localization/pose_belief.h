@@ -20,6 +20,13 @@ void fields(Visit&& visit, PoseBelief& belief) {
   visit(belief.pose, belief.covariance, belief.cluster_weight, belief.reflected_weight);
 }
 
+/// What a localization estimates in one frame.
+struct SensedBelief {
+  PoseBelief belief;
+  bool tracked = true;                ///< what is seen fits the belief, or its reflection, for seconds
+  double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
+};
+
 /// The covariance (as above) of what may be wrong by a probability of `doubt`: then the robot stands anywhere on a
 /// field of this size (m, along x and y).
 inline Eigen::Matrix3d doubted_covariance(const PoseBelief& belief, double doubt, const Eigen::Vector2d& size) {

@@ -46,24 +46,21 @@ bool ExternalBeliefReader::take_particles(std::span<const ExternalBelief::Partic
   return true;
 }
 
-std::optional<PoseBelief> ExternalBeliefReader::read(const ExternalBelief& external, const PoseBelief& last,
-                                                     const PoseClusterParameters& parameters) {
+std::optional<PoseBelief> ExternalBeliefReader::read(const std::optional<ExternalBelief>& external,
+                                                     const PoseBelief& last, const PoseClusterParameters& parameters) {
   poses_.clear();
-  if (!external.particles.empty()) {
-    if (!take_particles(external.particles)) return std::nullopt;
+  if (!external) return std::nullopt;
+  if (!external->particles.empty()) {
+    if (!take_particles(external->particles)) return std::nullopt;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       if (particles_.weight[i] > 0.0f) poses_.push_back(particles_.pose(i));
     }
     return clusters_.find(particles_, last, parameters);
   }
-  if (!is_pose(external.pose) || !is_covariance(external.covariance)) return std::nullopt;
-  const Pose2 pose(external.pose.position.cwiseMax(-half_size_).cwiseMin(half_size_), external.pose.rotation);
+  if (!is_pose(external->pose) || !is_covariance(external->covariance)) return std::nullopt;
+  const Pose2 pose(external->pose.position.cwiseMax(-half_size_).cwiseMin(half_size_), external->pose.rotation);
   poses_.push_back(pose);
-  return PoseBelief{.pose = pose, .covariance = external.covariance, .cluster_weight = 1.0, .reflected_weight = 0.0};
-}
-
-void ExternalBeliefReader::append_poses(std::vector<Pose2>& poses) const {
-  poses.insert(poses.end(), poses_.begin(), poses_.end());
+  return PoseBelief{.pose = pose, .covariance = external->covariance, .cluster_weight = 1.0, .reflected_weight = 0.0};
 }
 
 bool is_known(const PoseBelief& belief) {

@@ -25,17 +25,27 @@ void describe(ExternalBeliefParameters& p, Visit&& visit) {
         "robot continues with its own localization");
 }
 
+/// Whether the belief of another localization is used: what one frame leaves for the next.
+struct ExternalUse {
+  bool in_use = false;      ///< the belief of the frame before came from there
+  double unread_for = 0.0;  ///< s for which none could be read since then
+};
+template <typename Visit>
+void fields(Visit&& visit, ExternalUse& use) {
+  visit(use.in_use, use.unread_for);
+}
+
 class ExternalBeliefReader {
  public:
   explicit ExternalBeliefReader(const FieldDimensions& field);
 
   /// `last`: what was believed before; where particles are spread over several clusters, its own keeps its place as
-  /// with our pose filter. Nothing: that is no belief, since something in it is not finite, or is negative.
-  std::optional<PoseBelief> read(const ExternalBelief& external, const PoseBelief& last,
+  /// with our pose filter. Nothing: there is no belief, or something in it is not finite, or is negative.
+  std::optional<PoseBelief> read(const std::optional<ExternalBelief>& external, const PoseBelief& last,
                                  const PoseClusterParameters& parameters);
 
-  /// Of what was read last: its particles, or the pose where there were none.
-  void append_poses(std::vector<Pose2>& poses) const;
+  /// Of what was read last: its particles, or the pose where there were none. Empty: it could not be read.
+  const std::vector<Pose2>& poses() const { return poses_; }
 
  private:
   bool take_particles(std::span<const ExternalBelief::Particle> particles);

@@ -18,13 +18,6 @@ struct SensedPosture {
   double since = 0.0;                 ///< s, when the present one began
 };
 
-/// What a localization says.
-struct SensedBelief {
-  PoseBelief belief;
-  bool tracked = true;                ///< as World::pose_tracked
-  double recovery_probability = 0.0;  ///< as World::recovery_probability
-};
-
 /// What the cameras show of the field, and where the head is.
 struct SensedField {
   HeadAngles head;

@@ -1,0 +1,21 @@
+// What one frame leaves for the next.
+#pragma once
+
+#include <optional>
+
+#include "engine/world/external_belief.h"
+#include "engine/world/world_tracker.h"
+#include "geometry/pose2.h"
+
+namespace reorient {
+
+/// Beside this, each module has a memory of its own: the filters, the room, the arbiter (whose last() says what is
+/// paused), the machines. Until a stage replaces a value, it is that of the frame before.
+struct Carried {
+  WorldTracker world;
+  std::optional<Pose2> odometry{};  ///< dead reckoning, as observed; nothing before the first frame
+  bool asked_to_get_up = false;
+  ExternalUse external{};
+};
+
+}  // namespace reorient
