@@ -62,7 +62,7 @@ class FrameLoop {
  private:
   explicit FrameLoop(ByteReader&& state);
   template <typename Archive>
-  void archive(Archive& archive);
+  static void archive(Archive& archive, auto& self);
 
   std::uint64_t declare_parameters(const std::vector<ParameterChange>& overrides);
   void take_inputs(const FrameInputs& inputs);

@@ -19,21 +19,21 @@ FrameSetup read_setup(ByteReader& in) {
 }  // namespace
 
 template <typename Archive>
-void FrameLoop::archive(Archive& archive) {
-  archive(field_vision_, localizer_, arbiter_, posture_, repeated_pose_, carried_.asked_to_get_up, carried_.external,
-          carried_.world, carried_.odometry);
-  if (room_) archive(*room_);
+void FrameLoop::archive(Archive& archive, auto& self) {
+  archive(self.field_vision_, self.localizer_, self.arbiter_, self.posture_, self.repeated_pose_,
+          self.carried_.asked_to_get_up, self.carried_.external, self.carried_.world, self.carried_.odometry);
+  if (self.room_) archive(*self.room_);
 }
 
 void FrameLoop::save(std::vector<std::byte>& state) const {
   ByteWriter out(state);
   out(kStateMagic, world().field, body_, room_.has_value(), registry_.overrides());
-  const_cast<FrameLoop*>(this)->archive(out);  // a writer only looks
+  archive(out, *this);
   behaviors_.host().save(out);
 }
 
 FrameLoop::FrameLoop(ByteReader&& state) : FrameLoop(read_setup(state)) {
-  archive(state);
+  archive(state, *this);
   behaviors_.host().restore(state);
   state.finish();
   check_bytes(std::isfinite(world().time) && world().time_step >= 0.0, "a time is not a time");

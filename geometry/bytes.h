@@ -2,11 +2,13 @@
 // record can be written and read again. Little-endian, without padding.
 //
 // A plain struct says what it is made of by a free function beside it,
-//   template <typename Visit> void fields(Visit&& visit, Pose2& pose) { visit(pose.position, pose.rotation); }
-// a class by a member function
-//   template <typename Archive> void archive(Archive& archive) { archive(x_, y_); }
+//   template <typename Visit, ConstOr<Pose2> T>
+//   void fields(Visit&& visit, T& pose) { visit(pose.position, pose.rotation); }
+// a class by a static member function
+//   template <typename Archive> static void archive(Archive& archive, auto& self) { archive(self.x_, self.y_); }
 // and an enum by how many values it has,
 //   constexpr int enum_count(Posture) { return 5; }
+// A writer gets values that are const.
 #pragma once
 
 #include <array>
@@ -28,6 +30,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "geometry/const_or.h"
+
 namespace reorient {
 
 static_assert(std::endian::native == std::endian::little, "bytes are written as they lie in memory");
@@ -44,7 +48,7 @@ inline void check_bytes(bool sound, const char* what) {
 
 template <typename T, typename Archive>
 concept HasArchive = requires(T& value, Archive& archive) {
-  value.archive(archive);
+  T::archive(archive, value);
 };
 
 /// How deep values lie in values of the same type, for those that may.
@@ -92,9 +96,9 @@ class ByteWriter : public NestedBytes {
     } else if constexpr (std::is_arithmetic_v<T>) {
       raw(&value, sizeof(T));
     } else if constexpr (HasArchive<T, ByteWriter>) {
-      const_cast<T&>(value).archive(*this);  // a writer only looks
+      T::archive(*this, value);
     } else {
-      fields(*this, const_cast<T&>(value));
+      fields(*this, value);
     }
   }
   void write(const std::string& text) {
@@ -188,7 +192,7 @@ class ByteReader : public NestedBytes {
     } else if constexpr (std::is_arithmetic_v<T>) {
       raw(&value, sizeof(T));
     } else if constexpr (HasArchive<T, ByteReader>) {
-      value.archive(*this);
+      T::archive(*this, value);
     } else {
       fields(*this, value);
     }

@@ -44,9 +44,9 @@ struct CameraModel : Lens {
   bool operator==(const CameraModel&) const = default;
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive_width_and_lens(archive, width, *this, is_plain());
-    archive(height, focal, center, k1, k2);
+  static void archive(Archive& archive, auto& self) {
+    archive_width_and_lens(archive, self.width, self, self.is_plain());
+    archive(self.height, self.focal, self.center, self.k1, self.k2);
   }
 };
 

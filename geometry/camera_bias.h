@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/const_or.h"
 #include "geometry/transform.h"
 
 namespace reorient {
@@ -15,8 +16,8 @@ struct TiltBias {
   double roll = 0.0;   ///< left side up
   double pitch = 0.0;  ///< front down
 };
-template <typename Visit>
-void fields(Visit&& visit, TiltBias& bias) {
+template <typename Visit, ConstOr<TiltBias> T>
+void fields(Visit&& visit, T& bias) {
   visit(bias.roll, bias.pitch);
 }
 
@@ -27,8 +28,8 @@ struct CameraBias {
   std::array<TiltBias, 2> mounts;  ///< of the upper and of the lower camera
   double deviation = 0.0;          ///< rad, of the sum as it turns the upper camera: standard deviation for each axis
 };
-template <typename Visit>
-void fields(Visit&& visit, CameraBias& bias) {
+template <typename Visit, ConstOr<CameraBias> T>
+void fields(Visit&& visit, T& bias) {
   visit(bias.torso, bias.mounts, bias.deviation);
 }
 
@@ -37,8 +38,8 @@ struct KnownBias {
   std::uint64_t body = 0;  ///< digest_of() the body; in a file together with that of its calibration, if it has one
   CameraBias bias;
 };
-template <typename Visit>
-void fields(Visit&& visit, KnownBias& known) {
+template <typename Visit, ConstOr<KnownBias> T>
+void fields(Visit&& visit, T& known) {
   visit(known.body, known.bias);
 }
 

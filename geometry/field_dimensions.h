@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "geometry/const_or.h"
+
 namespace reorient {
 
 /// Defaults: the Standard Platform League's field of today.
@@ -42,8 +44,8 @@ inline Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
   return carpet_half_size(field) + Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
 }
 
-template <typename Visit>
-void fields(Visit&& visit, FieldDimensions& field) {
+template <typename Visit, ConstOr<FieldDimensions> T>
+void fields(Visit&& visit, T& field) {
   visit(field.length, field.width, field.border, field.line_width, field.penalty_area_depth, field.penalty_area_width,
         field.goal_area_depth, field.goal_area_width, field.penalty_mark_x, field.penalty_mark_size,
         field.center_circle_radius, field.corner_arc_radius, field.goal_post_y, field.goal_height, field.goal_depth,

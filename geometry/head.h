@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/angle.h"
+#include "geometry/const_or.h"
 #include "geometry/transform.h"
 
 namespace reorient {
@@ -18,8 +19,8 @@ struct HeadAngles {
   double pitch = 0.0;
 };
 
-template <typename Visit>
-void fields(Visit&& visit, HeadAngles& head) {
+template <typename Visit, ConstOr<HeadAngles> T>
+void fields(Visit&& visit, T& head) {
   visit(head.yaw, head.pitch);
 }
 
@@ -29,8 +30,8 @@ struct TorsoAttitude {
   double pitch = 0.0;
 };
 
-template <typename Visit>
-void fields(Visit&& visit, TorsoAttitude& torso) {
+template <typename Visit, ConstOr<TorsoAttitude> T>
+void fields(Visit&& visit, T& torso) {
   visit(torso.roll, torso.pitch);
 }
 
@@ -44,8 +45,8 @@ struct CameraMount {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
   double tilt = 0.0;                                   ///< rad, downwards
 };
-template <typename Visit>
-void fields(Visit&& visit, CameraMount& mount) {
+template <typename Visit, ConstOr<CameraMount> T>
+void fields(Visit&& visit, T& mount) {
   visit(mount.position, mount.tilt);
 }
 
@@ -62,8 +63,8 @@ struct RobotDimensions {
   CameraMount upper{{0.05871, 0.0, 0.06364}, 0.0209};  ///< 1.2 degrees
   CameraMount lower{{0.05071, 0.0, 0.01774}, 0.6929};  ///< 39.7 degrees
 };
-template <typename Visit>
-void fields(Visit&& visit, RobotDimensions& dimensions) {
+template <typename Visit, ConstOr<RobotDimensions> T>
+void fields(Visit&& visit, T& dimensions) {
   visit(dimensions.torso_height, dimensions.neck_order, dimensions.first_axis, dimensions.second_axis, dimensions.upper,
         dimensions.lower);
 }
@@ -74,8 +75,8 @@ struct PitchLimit {
   double min = 0.0;
   double max = 0.0;
 };
-template <typename Visit>
-void fields(Visit&& visit, PitchLimit& limit) {
+template <typename Visit, ConstOr<PitchLimit> T>
+void fields(Visit&& visit, T& limit) {
   visit(limit.yaw, limit.min, limit.max);
 }
 
@@ -90,8 +91,8 @@ struct NeckReach {
   PitchLimit pitch_at(double angle) const;
   HeadAngles clamp(const HeadAngles& wanted) const;
 };
-template <typename Visit>
-void fields(Visit&& visit, NeckReach& reach) {
+template <typename Visit, ConstOr<NeckReach> T>
+void fields(Visit&& visit, T& reach) {
   visit(reach.yaw, reach.pitch);
 }
 

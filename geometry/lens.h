@@ -69,13 +69,13 @@ struct Lens {
 /// the layout from before there were other lenses: recordings, saved states and digests of plain cameras stay the same.
 /// True: it is not plain, and what else the caller has may follow.
 template <typename Archive>
-bool archive_width_and_lens(Archive& archive, int& width, Lens& lens, bool plain) {
+bool archive_width_and_lens(Archive& archive, auto& width, auto& lens, bool plain) {
   constexpr int kOtherLens = std::numeric_limits<int>::min();  // instead of the width
   int first = plain && width != kOtherLens ? width : kOtherLens;
   archive(first);
-  if constexpr (Archive::kReads) lens = Lens();
+  if constexpr (Archive::kReads) static_cast<Lens&>(lens) = Lens();
   if (first != kOtherLens) {
-    width = first;
+    if constexpr (Archive::kReads) width = first;
     return false;
   }
   archive(width, lens.projection, lens.p1, lens.p2, lens.k3, lens.k4, lens.k5, lens.k6);

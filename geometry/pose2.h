@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/angle.h"
+#include "geometry/const_or.h"
 #include "geometry/transform.h"
 
 namespace reorient {
@@ -25,8 +26,8 @@ struct Pose2 {
   Pose2 inverse() const { return {rotated(-position, -rotation), -rotation}; }
 };
 
-template <typename Visit>
-void fields(Visit&& visit, Pose2& pose) {
+template <typename Visit, ConstOr<Pose2> T>
+void fields(Visit&& visit, T& pose) {
   visit(pose.position, pose.rotation);
 }
 

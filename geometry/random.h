@@ -67,8 +67,8 @@ class Random {
   }
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(state_, spare_, has_spare_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.state_, self.spare_, self.has_spare_);
   }
 
  private:

@@ -73,8 +73,8 @@ class Localizer {
 
   /// All that decides what comes next; parameters and field are as they are. Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(filter_, tracker_, gravity_, search_, was_known_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.filter_, self.tracker_, self.gravity_, self.search_, self.was_known_);
   }
 
  private:

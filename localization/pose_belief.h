@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "geometry/angle.h"
+#include "geometry/const_or.h"
 #include "geometry/pose2.h"
 
 namespace reorient {
@@ -15,8 +16,8 @@ struct PoseBelief {
   double reflected_weight = 0.0;                         ///< of all particles, near the reflection of `pose`
 };
 
-template <typename Visit>
-void fields(Visit&& visit, PoseBelief& belief) {
+template <typename Visit, ConstOr<PoseBelief> T>
+void fields(Visit&& visit, T& belief) {
   visit(belief.pose, belief.covariance, belief.cluster_weight, belief.reflected_weight);
 }
 

@@ -90,9 +90,9 @@ class PoseFilter {
 
   /// All that decides what comes next; parameters and field are as they are. Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(random_, recovery_, particles_, elapsed_, searching_, belief_);
-    if constexpr (Archive::kReads) complete();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.random_, self.recovery_, self.particles_, self.elapsed_, self.searching_, self.belief_);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:

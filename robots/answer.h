@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/angle.h"
+#include "geometry/const_or.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
 
@@ -18,8 +19,8 @@ struct WalkVelocity {
   double left = 0.0;
   double turn = 0.0;
 };
-template <typename Visit>
-void fields(Visit&& visit, WalkVelocity& walk) {
+template <typename Visit, ConstOr<WalkVelocity> T>
+void fields(Visit&& visit, T& walk) {
   visit(walk.forward, walk.left, walk.turn);
 }
 
@@ -27,8 +28,8 @@ struct HeadRequest {
   HeadAngles angles;                   ///< wanted joint angles, rad; clamped to what the neck reaches
   double speed = from_degrees(120.0);  ///< rad/s, at most the motors' own limit
 };
-template <typename Visit>
-void fields(Visit&& visit, HeadRequest& head) {
+template <typename Visit, ConstOr<HeadRequest> T>
+void fields(Visit&& visit, T& head) {
   visit(head.angles, head.speed);
 }
 
@@ -38,8 +39,8 @@ struct Request {
   WalkVelocity walk;    ///< zero: stand
   bool get_up = false;  ///< after a fall
 };
-template <typename Visit>
-void fields(Visit&& visit, Request& request) {
+template <typename Visit, ConstOr<Request> T>
+void fields(Visit&& visit, T& request) {
   visit(request.head, request.walk, request.get_up);
 }
 
@@ -57,8 +58,8 @@ struct RoomOpinion {
   double evidence = 0.0;  ///< log-odds of the reflection against the pose: log(99) where 99 in 100 are reflected
   bool usable = false;    ///< the room can tell at all: it is learned, seen, and not the same after half a turn
 };
-template <typename Visit>
-void fields(Visit&& visit, RoomOpinion& room) {
+template <typename Visit, ConstOr<RoomOpinion> T>
+void fields(Visit&& visit, T& room) {
   visit(room.current, room.opposite, room.evidence, room.usable);
 }
 
@@ -68,8 +69,8 @@ struct BelievedPose {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y, rotation; m^2, m rad, rad^2
   bool known = false;                                    ///< somebody told it, or it was found
 };
-template <typename Visit>
-void fields(Visit&& visit, BelievedPose& belief) {
+template <typename Visit, ConstOr<BelievedPose> T>
+void fields(Visit&& visit, T& belief) {
   visit(belief.pose, belief.covariance, belief.known);
 }
 
@@ -86,8 +87,8 @@ struct Answer {
   bool evaluation_paused = false;
   std::vector<std::string> messages;  ///< of this frame, to the team mates; each of at most kLongestMessage bytes
 };
-template <typename Visit>
-void fields(Visit&& visit, Answer& answer) {
+template <typename Visit, ConstOr<Answer> T>
+void fields(Visit&& visit, T& answer) {
   visit(answer.request, answer.belief, answer.reorientation, answer.room, answer.training_paused,
         answer.evaluation_paused, answer.messages);
 }

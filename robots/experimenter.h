@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "geometry/const_or.h"
 #include "geometry/pose2.h"
 
 namespace reorient {
@@ -27,8 +28,8 @@ struct GroundTruth {
   bool fallen = false;
   bool carried = false;
 };
-template <typename Visit>
-void fields(Visit&& visit, GroundTruth& truth) {
+template <typename Visit, ConstOr<GroundTruth> T>
+void fields(Visit&& visit, T& truth) {
   visit(truth.pose, truth.fallen, truth.carried);
 }
 

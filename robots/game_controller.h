@@ -31,8 +31,8 @@ class GameController {
 
   /// A half may end while nobody listens.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(team_, player_, last_, first_half_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.team_, self.player_, self.last_, self.first_half_);
   }
 
  private:

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "geometry/const_or.h"
+
 namespace reorient {
 
 /// Of the game, as the league's rules call it.
@@ -24,8 +26,8 @@ struct RefereeState {
   KickOff kick_off = KickOff::nobody;
   bool operator==(const RefereeState&) const = default;
 };
-template <typename Visit>
-void fields(Visit&& visit, RefereeState& referee) {
+template <typename Visit, ConstOr<RefereeState> T>
+void fields(Visit&& visit, T& referee) {
   visit(referee.penalized, referee.state, referee.stopped, referee.kick_off);
 }
 

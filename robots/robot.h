@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/camera.h"
+#include "geometry/const_or.h"
 #include "geometry/head.h"
 #include "geometry/image.h"
 #include "geometry/pose2.h"
@@ -35,8 +36,8 @@ struct BodySample {
   Eigen::Vector3d acceleration{0.0, 0.0, 9.81};  ///< of the torso against free fall, in its own frame, m/s^2
   double foot_load = 5.3;  ///< kg on both feet's pressure sensors; of no meaning where there are none
 };
-template <typename Visit>
-void fields(Visit&& visit, BodySample& body) {
+template <typename Visit, ConstOr<BodySample> T>
+void fields(Visit&& visit, T& body) {
   visit(body.time, body.head, body.torso, body.angular_velocity, body.acceleration, body.foot_load);
 }
 
@@ -52,8 +53,8 @@ struct ExternalBelief {
     Pose2 pose;
     double weight = 1.0;  ///< not negative, on any scale
   };
-  template <typename Visit>
-  friend void fields(Visit&& visit, Particle& particle) {
+  template <typename Visit, ConstOr<Particle> T>
+  friend void fields(Visit&& visit, T& particle) {
     visit(particle.pose, particle.weight);
   }
 
@@ -67,8 +68,8 @@ struct Message {
   int sender = 0;
   std::string text;  ///< at most kLongestMessage bytes; the rest is cut off
 };
-template <typename Visit>
-void fields(Visit&& visit, Message& message) {
+template <typename Visit, ConstOr<Message> T>
+void fields(Visit&& visit, T& message) {
   visit(message.sender, message.text);
 }
 inline constexpr std::size_t kMostMessages = 32;  // taken in one frame
@@ -80,8 +81,8 @@ struct InitialPose {
   double position_deviation = 0.1;                ///< m, along each axis: of somebody who places a robot by eye
   double rotation_deviation = from_degrees(5.0);  ///< rad
 };
-template <typename Visit>
-void fields(Visit&& visit, InitialPose& initial) {
+template <typename Visit, ConstOr<InitialPose> T>
+void fields(Visit&& visit, T& initial) {
   visit(initial.pose, initial.position_deviation, initial.rotation_deviation);
 }
 
@@ -95,8 +96,8 @@ struct Told {
 };
 inline constexpr std::size_t kLongestNote = 1000;  // the rest is cut off
 inline constexpr std::size_t kMostNotes = 32;      // taken in one frame
-template <typename Visit>
-void fields(Visit&& visit, Told& told) {
+template <typename Visit, ConstOr<Told> T>
+void fields(Visit&& visit, T& told) {
   visit(told.initial_pose, told.referee, told.messages, told.half_time, told.notes);
 }
 

@@ -7,6 +7,7 @@
 
 #include "geometry/angle.h"
 #include "geometry/camera.h"
+#include "geometry/const_or.h"
 #include "geometry/head.h"
 
 namespace reorient {
@@ -24,13 +25,13 @@ struct CameraOptics : Lens {
   double rate = 30.0;                     ///< images per second
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    const bool has_more = archive_width_and_lens(archive, width, *this, is_plain() && !center);
-    archive(height, field_of_view_horizontal, field_of_view_vertical, k1, k2, rate);
+  static void archive(Archive& archive, auto& self) {
+    const bool has_more = archive_width_and_lens(archive, self.width, self, self.is_plain() && !self.center);
+    archive(self.height, self.field_of_view_horizontal, self.field_of_view_vertical, self.k1, self.k2, self.rate);
     if (has_more) {
-      archive(center);
-    } else {
-      center.reset();
+      archive(self.center);
+    } else if constexpr (Archive::kReads) {
+      self.center.reset();
     }
   }
 };
@@ -49,8 +50,8 @@ struct Gait {
   double sway_pitch = 0.015;    ///< rad
   double sway_height = 0.006;   ///< m, of the torso's height
 };
-template <typename Visit>
-void fields(Visit&& visit, Gait& gait) {
+template <typename Visit, ConstOr<Gait> T>
+void fields(Visit&& visit, T& gait) {
   visit(gait.forward, gait.left, gait.turn, gait.cruise, gait.step_frequency, gait.sway_roll, gait.sway_pitch,
         gait.sway_height);
 }
@@ -68,8 +69,8 @@ struct RobotBody {
   std::optional<Gait> gait{Gait()};          ///< none: it does not walk
   std::optional<double> get_up_time{6.0};    ///< s; none: it stays where it fell
 };
-template <typename Visit>
-void fields(Visit&& visit, RobotBody& body) {
+template <typename Visit, ConstOr<RobotBody> T>
+void fields(Visit&& visit, T& body) {
   visit(body.name, body.field, body.dimensions, body.lying_height, body.neck, body.head_speed, body.upper_camera,
         body.lower_camera, body.standing_load, body.gait, body.get_up_time);
 }

@@ -1,8 +1,10 @@
 // A tunable number: its name, what it means, what it may be, and who set it.
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -31,8 +33,9 @@ struct ParameterDeclaration {
   std::vector<std::string> choices;  ///< of a choice
 };
 
-template <typename Visit>
-void fields(Visit&& visit, ParameterDeclaration& declaration) {
+template <typename Visit, typename T>
+requires std::same_as<std::remove_const_t<T>, ParameterDeclaration>
+void fields(Visit&& visit, T& declaration) {
   visit(declaration.name, declaration.kind, declaration.default_value, declaration.minimum, declaration.maximum,
         declaration.unit, declaration.description, declaration.choices);
 }
@@ -41,9 +44,11 @@ struct Parameter : ParameterDeclaration {
   ParameterValue value = 0.0;
   ParameterOrigin origin = ParameterOrigin::default_value;
 };
-template <typename Visit>
-void fields(Visit&& visit, Parameter& parameter) {
-  fields(visit, static_cast<ParameterDeclaration&>(parameter));
+template <typename Visit, typename T>
+requires std::same_as<std::remove_const_t<T>, Parameter>
+void fields(Visit&& visit, T& parameter) {
+  std::conditional_t<std::is_const_v<T>, const ParameterDeclaration, ParameterDeclaration>& declaration = parameter;
+  fields(visit, declaration);
   visit(parameter.value, parameter.origin);
 }
 
@@ -54,10 +59,9 @@ struct ParameterChange {
   ParameterOrigin origin = ParameterOrigin::live;
   std::string source;  ///< where it was written, for messages: "team.toml:12"; may be empty
 };
-template <typename Visit>
-void fields(Visit&& visit, ParameterChange& change) {
-  visit(change.name, change.value, change.origin, change.source);
-}
+template <typename Visit, typename T>
+requires std::same_as<std::remove_const_t<T>, ParameterChange>
+void fields(Visit&& visit, T& change) { visit(change.name, change.value, change.origin, change.source); }
 
 /// What became of such a change.
 struct ParameterOutcome {
@@ -65,10 +69,9 @@ struct ParameterOutcome {
   std::string value;    ///< as it is now; empty where there is no such parameter
   std::string refusal;  ///< empty: it was taken
 };
-template <typename Visit>
-void fields(Visit&& visit, ParameterOutcome& outcome) {
-  visit(outcome.name, outcome.value, outcome.refusal);
-}
+template <typename Visit, typename T>
+requires std::same_as<std::remove_const_t<T>, ParameterOutcome>
+void fields(Visit&& visit, T& outcome) { visit(outcome.name, outcome.value, outcome.refusal); }
 
 /// As a person writes it, and as parse_parameter() reads it back without loss.
 std::string to_text(const ParameterValue& value);

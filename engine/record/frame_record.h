@@ -34,8 +34,8 @@ struct CameraRecord {
   int width = 0;                                        ///< of the image, pixels
   int height = 0;
 };
-template <typename Visit>
-void fields(Visit&& visit, CameraRecord& camera) {
+template <typename Visit, ConstOr<CameraRecord> T>
+void fields(Visit&& visit, T& camera) {
   visit(camera.time, camera.camera, camera.robot_from_camera, camera.width, camera.height);
 }
 
@@ -53,8 +53,8 @@ struct InputRecord {
   std::vector<Message> messages;            ///< of team mates
   bool half_time = false;                   ///< the teams changed sides before this frame: all of it is in the new axes
 };
-template <typename Visit>
-void fields(Visit&& visit, InputRecord& in) {
+template <typename Visit, ConstOr<InputRecord> T>
+void fields(Visit&& visit, T& in) {
   visit(in.upper, in.lower, in.body, in.odometry, in.body_samples, in.reported_posture, in.external_belief,
         in.half_time, in.room_camera, in.initial_pose, in.messages);
 }
@@ -66,8 +66,8 @@ struct ReorientationRecord {
   PoseBelief belief_before;
   PoseBelief belief_after;
 };
-template <typename Visit>
-void fields(Visit&& visit, ReorientationRecord& record) {
+template <typename Visit, ConstOr<ReorientationRecord> T>
+void fields(Visit&& visit, T& record) {
   visit(record.reorientation, record.issuer, record.belief_before, record.belief_after);
 }
 
@@ -76,8 +76,8 @@ struct PoseParticlesRecord {
   std::vector<Pose2> particles;  ///< at the end of the frame
   std::vector<Pose2> before;     ///< before this frame's reorientation; empty where there was none
 };
-template <typename Visit>
-void fields(Visit&& visit, PoseParticlesRecord& record) {
+template <typename Visit, ConstOr<PoseParticlesRecord> T>
+void fields(Visit&& visit, T& record) {
   visit(record.particles, record.before);
 }
 
@@ -94,8 +94,8 @@ struct RoomRecord {
   std::vector<ViewCell> cells;          ///< of the grid; empty where there are particles
   std::vector<ViewCluster> clusters;
 };
-template <typename Visit>
-void fields(Visit&& visit, RoomRecord& room) {
+template <typename Visit, ConstOr<RoomRecord> T>
+void fields(Visit&& visit, T& room) {
   visit(room.basis, room.half_width, room.goal_half_width, room.center_of_view, room.light, room.model, room.perceived,
         room.particles, room.cells, room.clusters);
 }
@@ -107,9 +107,9 @@ struct ImagesRecord {
   std::array<std::vector<std::uint8_t>, 2> own;
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive_image(archive, upper, own[0]);
-    archive_image(archive, lower, own[1]);
+  static void archive(Archive& archive, auto& self) {
+    archive_image(archive, self.upper, self.own[0]);
+    archive_image(archive, self.lower, self.own[1]);
   }
 };
 
@@ -123,8 +123,8 @@ struct CostsRecord {
   std::array<double, kStageCount> seconds{};  ///< by stage, in wall-clock time
   std::vector<MachineCost> machines;
 };
-template <typename Visit>
-void fields(Visit&& visit, CostsRecord& costs) {
+template <typename Visit, ConstOr<CostsRecord> T>
+void fields(Visit&& visit, T& costs) {
   visit(costs.seconds, costs.machines);
 }
 
@@ -132,8 +132,8 @@ struct PostureChange {
   Posture from = Posture::upright;
   Posture to = Posture::upright;
 };
-template <typename Visit>
-void fields(Visit&& visit, PostureChange& change) {
+template <typename Visit, ConstOr<PostureChange> T>
+void fields(Visit&& visit, T& change) {
   visit(change.from, change.to);
 }
 

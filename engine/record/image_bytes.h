@@ -11,7 +11,7 @@ namespace reorient {
 
 /// Written from `view`; read into `own`, of which `view` is then.
 template <typename Archive>
-void archive_image(Archive& archive, ImageView& view, std::vector<std::uint8_t>& own) {
+void archive_image(Archive& archive, auto& view, auto& own) {
   std::uint16_t width = static_cast<std::uint16_t>(view.empty() ? 0 : view.width);
   std::uint16_t height = static_cast<std::uint16_t>(view.empty() ? 0 : view.height);
   archive(width, height);

@@ -16,6 +16,13 @@ void write_inputs(const FrameInputs& inputs, std::vector<std::byte>& bytes);
 /// The same, for whoever keeps the pixels elsewhere.
 void write_inputs_without_pixels(const FrameInputs& inputs, std::vector<std::byte>& bytes);
 
+/// What inputs see through views, where they are read from bytes.
+struct InputMemory {
+  std::array<std::vector<std::uint8_t>, 2> images;  ///< of the upper and of the lower camera
+  std::vector<BodySample> body_samples;
+  std::vector<ExternalBelief::Particle> particles;
+};
+
 /// Inputs with memory of their own.
 class StoredInputs {
  public:
@@ -32,9 +39,7 @@ class StoredInputs {
 
  private:
   FrameInputs inputs_;
-  std::array<std::vector<std::uint8_t>, 2> images_;
-  std::vector<BodySample> body_samples_;
-  std::vector<ExternalBelief::Particle> particles_;
+  InputMemory memory_;
 };
 
 }  // namespace reorient

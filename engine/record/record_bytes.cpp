@@ -9,7 +9,7 @@ constexpr std::uint32_t kRecordMagic = 0x42465252;  // "RRFB": another number wi
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>
-void visit_topic(Archive& archive, Topic topic, FrameRecord& record) {
+void visit_topic(Archive& archive, Topic topic, auto& record) {
   switch (topic) {
     case Topic::inputs:
       return archive(record.inputs);
@@ -44,7 +44,7 @@ void visit_topic(Archive& archive, Topic topic, FrameRecord& record) {
 
 void write_topic(const FrameRecord& record, Topic topic, std::vector<std::byte>& bytes) {
   ByteWriter writer(bytes);
-  visit_topic(writer, topic, const_cast<FrameRecord&>(record));  // a writer only looks
+  visit_topic(writer, topic, record);
 }
 
 void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted,

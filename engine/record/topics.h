@@ -86,9 +86,9 @@ class Topics {
   constexpr bool operator==(const Topics&) const = default;
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(bits_);
-    bits_ &= (1u << kTopicCount) - 1u;
+  static void archive(Archive& archive, auto& self) {
+    archive(self.bits_);
+    if constexpr (Archive::kReads) self.bits_ &= (1u << kTopicCount) - 1u;
   }
 
  private:

@@ -13,6 +13,7 @@
 #include "engine/parameters/parameter_registry.h"
 #include "engine/script/script.h"
 #include "engine/script/script_output.h"
+#include "geometry/const_or.h"
 
 namespace reorient {
 
@@ -24,8 +25,8 @@ struct MachineStatus {
   bool stopped = false;     ///< after too many errors
   int errors = 0;           ///< of its script, since it was loaded
 };
-template <typename Visit>
-void fields(Visit&& visit, MachineStatus& status) {
+template <typename Visit, ConstOr<MachineStatus> T>
+void fields(Visit&& visit, T& status) {
   visit(status.machine, status.state, status.entered_at, status.stopped, status.errors);
 }
 
@@ -36,8 +37,8 @@ struct MachineCost {
   std::int64_t instructions = 0;  ///< per frame on average
   std::uint64_t memory = 0;       ///< bytes
 };
-template <typename Visit>
-void fields(Visit&& visit, MachineCost& cost) {
+template <typename Visit, ConstOr<MachineCost> T>
+void fields(Visit&& visit, T& cost) {
   visit(cost.machine, cost.microseconds, cost.instructions, cost.memory);
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/script/sandbox/sandbox.h"
 #include "engine/world/names.h"
+#include "geometry/const_or.h"
 
 namespace reorient {
 
@@ -16,8 +17,8 @@ struct TransitionRecord {
   NameId reason = 0;    ///< the transition's `because`
   int transition = -1;  ///< of the machine's definition; -1: the start, or after a reload
 };
-template <typename Visit>
-void fields(Visit&& visit, TransitionRecord& record) {
+template <typename Visit, ConstOr<TransitionRecord> T>
+void fields(Visit&& visit, T& record) {
   visit(record.machine, record.from, record.to, record.reason, record.transition);
 }
 
@@ -28,8 +29,8 @@ struct LogRecord {
   int dropped = 0;       ///< lines after this one in the frame, beyond what a machine may log
   bool is_note = false;  ///< to be found again by whoever looks at the run later
 };
-template <typename Visit>
-void fields(Visit&& visit, LogRecord& record) {
+template <typename Visit, ConstOr<LogRecord> T>
+void fields(Visit&& visit, T& record) {
   visit(record.machine, record.state, record.text, record.dropped, record.is_note);
 }
 
@@ -42,8 +43,8 @@ struct FaultRecord {
   ScriptFault fault;
   Consequence consequence = Consequence::none;
 };
-template <typename Visit>
-void fields(Visit&& visit, FaultRecord& record) {
+template <typename Visit, ConstOr<FaultRecord> T>
+void fields(Visit&& visit, T& record) {
   visit(record.script, record.fault, record.consequence);
 }
 
@@ -54,8 +55,8 @@ struct ReloadRecord {
   ScriptFault fault;                  ///< where it was not accepted
   std::vector<std::string> warnings;  ///< states that are gone, parameters that were clamped, memory left out
 };
-template <typename Visit>
-void fields(Visit&& visit, ReloadRecord& record) {
+template <typename Visit, ConstOr<ReloadRecord> T>
+void fields(Visit&& visit, T& record) {
   visit(record.script, record.accepted, record.fault, record.warnings);
 }
 

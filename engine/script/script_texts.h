@@ -24,8 +24,8 @@ struct ScriptText {
   std::string problem;  ///< empty: none; "this is not a plain file ..."
   bool operator==(const ScriptText&) const = default;
 };
-template <typename Visit>
-void fields(Visit&& visit, ScriptText& text) {
+template <typename Visit, ConstOr<ScriptText> T>
+void fields(Visit&& visit, T& text) {
   visit(text.text, text.problem);
 }
 
@@ -35,8 +35,8 @@ struct ScriptEdit {
   std::optional<ScriptText> text;  ///< nothing: the file is gone
   bool again = false;              ///< to be read again even where this is the text that it had
 };
-template <typename Visit>
-void fields(Visit&& visit, ScriptEdit& edit) {
+template <typename Visit, ConstOr<ScriptEdit> T>
+void fields(Visit&& visit, T& edit) {
   visit(edit.file, edit.text, edit.again);
 }
 
@@ -59,10 +59,11 @@ class ScriptTexts {
   std::vector<std::string> in_folder(std::string_view folder) const;
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(root_, files_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.root_, self.files_);
     if constexpr (Archive::kReads) {
-      for (const auto& [file, text] : files_) check_bytes(text.text.size() <= kLargestScript, "a script is too long");
+      for (const auto& [file, text] : self.files_)
+        check_bytes(text.text.size() <= kLargestScript, "a script is too long");
     }
   }
 

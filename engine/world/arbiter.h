@@ -53,8 +53,8 @@ class Arbiter {
   const Arbitration& last() const { return result_; }
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(granted_at_, held_, result_.train, result_.evaluate);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.granted_at_, self.held_, self.result_.train, self.result_.evaluate);
   }
 
  private:

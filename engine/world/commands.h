@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "engine/world/names.h"
+#include "geometry/const_or.h"
 #include "robots/answer.h"
 
 namespace reorient {
@@ -24,8 +25,8 @@ struct Issuer {
   NameId state = 0;   ///< path, e.g. "watching/doubtful"
   NameId reason = 0;  ///< the `because` of the transition that led there
 };
-template <typename Visit>
-void fields(Visit&& visit, Issuer& issuer) {
+template <typename Visit, ConstOr<Issuer> T>
+void fields(Visit&& visit, T& issuer) {
   visit(issuer.machine, issuer.state, issuer.reason);
 }
 
@@ -34,8 +35,8 @@ struct ReorientationRequest {
   Issuer issuer;
   double priority = 0.0;  ///< the behaviour's; the greater wins
 };
-template <typename Visit>
-void fields(Visit&& visit, ReorientationRequest& request) {
+template <typename Visit, ConstOr<ReorientationRequest> T>
+void fields(Visit&& visit, T& request) {
   visit(request.reorientation, request.issuer, request.priority);
 }
 
@@ -44,8 +45,8 @@ struct Lease {
   Pause pause = Pause::training;
   Issuer issuer;
 };
-template <typename Visit>
-void fields(Visit&& visit, Lease& lease) {
+template <typename Visit, ConstOr<Lease> T>
+void fields(Visit&& visit, T& lease) {
   visit(lease.pause, lease.issuer);
 }
 
@@ -59,8 +60,8 @@ struct CommandRecord {
   ReorientationRequest request;
   Verdict verdict = Verdict::granted;
 };
-template <typename Visit>
-void fields(Visit&& visit, CommandRecord& record) {
+template <typename Visit, ConstOr<CommandRecord> T>
+void fields(Visit&& visit, T& record) {
   visit(record.request, record.verdict);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "geometry/field_dimensions.h"
 #include "localization/particles/particle_set.h"
 #include "localization/particles/pose_clusters.h"
@@ -30,8 +31,8 @@ struct ExternalUse {
   bool in_use = false;      ///< the belief of the frame before came from there
   double unread_for = 0.0;  ///< s for which none could be read since then
 };
-template <typename Visit>
-void fields(Visit&& visit, ExternalUse& use) {
+template <typename Visit, ConstOr<ExternalUse> T>
+void fields(Visit&& visit, T& use) {
   visit(use.in_use, use.unread_for);
 }
 

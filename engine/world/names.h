@@ -34,8 +34,8 @@ struct NameTable {
     return found == names.end() ? std::nullopt : std::optional(static_cast<NameId>(found - names.begin()));
   }
 };
-template <typename Visit>
-void fields(Visit&& visit, NameTable& table) {
+template <typename Visit, ConstOr<NameTable> T>
+void fields(Visit&& visit, T& table) {
   visit(table.names);
 }
 
@@ -62,12 +62,12 @@ class Names {
   static constexpr std::size_t kMost = 65535;
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    NameTable table = *table_;
+  static void archive(Archive& archive, auto& self) {
+    NameTable table = *self.table_;
     archive(table);
     if constexpr (Archive::kReads) {
       if (table.names.size() < NameTable().names.size()) throw BadBytes("the table of names is too short");
-      table_ = std::make_shared<NameTable>(std::move(table));
+      self.table_ = std::make_shared<NameTable>(std::move(table));
     }
   }
 

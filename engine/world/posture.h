@@ -86,10 +86,11 @@ class PostureEstimator {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(posture_, before_, since_, last_time_, seen_any_, unloaded_for_, loaded_for_, standing_for_, still_for_,
-            tipping_, climbed_, climbing_, bias_);
-    if constexpr (Archive::kReads) check();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.posture_, self.before_, self.since_, self.last_time_, self.seen_any_, self.unloaded_for_,
+            self.loaded_for_, self.standing_for_, self.still_for_, self.tipping_, self.climbed_, self.climbing_,
+            self.bias_);
+    if constexpr (Archive::kReads) self.check();
   }
 
  private:

@@ -42,12 +42,12 @@ class RepeatedPose {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(set_at_, flipped_at_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.set_at_, self.flipped_at_);
     if constexpr (Archive::kReads) {
-      for (const std::optional<double>& time : {set_at_, flipped_at_})
+      for (const std::optional<double>& time : {self.set_at_, self.flipped_at_})
         check_bytes(!time || std::isfinite(*time), "the time of a set pose is not a number");
-      check_bytes(set_at_ || !flipped_at_, "a flip of no pose");
+      check_bytes(self.set_at_ || !self.flipped_at_, "a flip of no pose");
     }
   }
 

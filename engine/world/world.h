@@ -6,6 +6,7 @@
 
 #include "engine/world/posture.h"
 #include "geometry/camera_bias.h"
+#include "geometry/const_or.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
@@ -77,8 +78,8 @@ struct World {
   /// Anything else than upright and in the game: the belief may not hold any more.
   bool disturbed() const { return !upright() || referee.penalized; }
 };
-template <typename Visit>
-void fields(Visit&& visit, World& world) {
+template <typename Visit, ConstOr<World> T>
+void fields(Visit&& visit, T& world) {
   visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, world.referee,
         world.may_walk, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.can_walk,
         world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_tracked, world.body,

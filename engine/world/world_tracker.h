@@ -76,8 +76,8 @@ class WorldTracker {
   void set_trained_seconds(double seconds) { world_.trained_seconds = seconds; }
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(world_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.world_);
   }
 
  private:

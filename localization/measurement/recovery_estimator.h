@@ -31,9 +31,9 @@ class RecoveryEstimator {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(age_, fast_age_, slow_, fast_);
-    if constexpr (Archive::kReads) complete();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.age_, self.fast_age_, self.slow_, self.fast_);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:

@@ -30,9 +30,9 @@ struct ParticleSet {
   void set_rotation(std::size_t index, BinaryAngle angle);
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(x, y, rotation, weight);
-    if constexpr (Archive::kReads) complete();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.x, self.y, self.rotation, self.weight);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:

@@ -44,8 +44,8 @@ struct PoseHypothesis {
   double cost = 0.0;  ///< -log of the likelihood, without a constant
   double fit = 0.0;   ///< share of the points that lie on lines
 };
-template <typename Visit>
-void fields(Visit&& visit, PoseHypothesis& one) {
+template <typename Visit, ConstOr<PoseHypothesis> T>
+void fields(Visit&& visit, T& one) {
   visit(one.field_from_odometry, one.bias.torso, one.bias.mounts, one.cost, one.fit);
 }
 
@@ -75,9 +75,9 @@ class PoseSearch {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(random_, sightings_, best_, count_, searched_, next_);
-    if constexpr (Archive::kReads) complete();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.random_, self.sightings_, self.best_, self.count_, self.searched_, self.next_);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:

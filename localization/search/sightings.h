@@ -21,8 +21,8 @@ struct Sighting {
     double normal = 0.0;    ///< rad
     double variance = 1.0;  ///< m^2, across the line
   };
-  template <typename Visit>
-  friend void fields(Visit&& visit, Line& line) {
+  template <typename Visit, ConstOr<Line> T>
+  friend void fields(Visit&& visit, T& line) {
     visit(line.place, line.normal, line.variance);
   }
   /// A place and a direction, which give a pose for each such landmark of the field.
@@ -31,8 +31,8 @@ struct Sighting {
     double direction = 0.0;                ///< rad
     std::optional<IntersectionKind> kind;  ///< nothing: the center circle, the direction is the halfway line's
   };
-  template <typename Visit>
-  friend void fields(Visit&& visit, Landmark& landmark) {
+  template <typename Visit, ConstOr<Landmark> T>
+  friend void fields(Visit&& visit, T& landmark) {
     visit(landmark.place, landmark.direction, landmark.kind);
   }
   static constexpr std::size_t kMostLines = 12, kMostPosts = 2, kMostLandmarks = 4;
@@ -50,8 +50,8 @@ struct Sighting {
   std::array<Landmark, kMostLandmarks> landmarks;
   std::uint32_t landmark_count = 0;
 };
-template <typename Visit>
-void fields(Visit&& visit, Sighting& sighting) {
+template <typename Visit, ConstOr<Sighting> T>
+void fields(Visit&& visit, T& sighting) {
   visit(sighting.time, sighting.odometry, sighting.camera, sighting.robot_from_camera, sighting.used, sighting.lines,
         sighting.posts, sighting.line_count, sighting.post_count, sighting.landmarks, sighting.landmark_count);
 }
@@ -77,9 +77,9 @@ class Sightings {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(all_, count_, last_);
-    if constexpr (Archive::kReads) complete();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.all_, self.count_, self.last_);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:

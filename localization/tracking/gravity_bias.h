@@ -24,10 +24,11 @@ class GravityBias {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(sum_, samples_, began_, is_told_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.sum_, self.samples_, self.began_, self.is_told_);
     if constexpr (Archive::kReads) {
-      check_bytes(samples_ >= 0 && std::isfinite(sum_.roll) && std::isfinite(sum_.pitch) && std::isfinite(began_),
+      check_bytes(self.samples_ >= 0 && std::isfinite(self.sum_.roll) && std::isfinite(self.sum_.pitch) &&
+                      std::isfinite(self.began_),
                   "what was felt of gravity is not a number");
     }
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "geometry/camera_bias.h"
+#include "geometry/const_or.h"
 #include "geometry/pose2.h"
 #include "localization/particles/motion_model.h"
 
@@ -51,8 +52,8 @@ struct PoseState {
 };
 
 /// All of it, in the order in which it is saved.
-template <typename Visit>
-void fields(Visit&& visit, PoseState& state) {
+template <typename Visit, ConstOr<PoseState> T>
+void fields(Visit&& visit, T& state) {
   visit(state.pose, state.mean, state.covariance);
 }
 

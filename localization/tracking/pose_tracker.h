@@ -97,9 +97,10 @@ class PoseTracker {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(state_, known_.mean, known_.covariance, attached_, attached_for_, apart_for_, fit_, noise_);
-    if constexpr (Archive::kReads) complete();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.state_, self.known_.mean, self.known_.covariance, self.attached_, self.attached_for_, self.apart_for_,
+            self.fit_, self.noise_);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:

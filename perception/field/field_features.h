@@ -42,8 +42,8 @@ class FieldFeatures {
 
   /// What was learned from the images so far. Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(carpet_color_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.carpet_color_);
   }
 
  private:

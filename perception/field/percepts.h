@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "geometry/const_or.h"
 #include "geometry/field_landmarks.h"
 
 namespace reorient {
@@ -17,8 +18,8 @@ struct LinePoint {
   Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
 };
 
-template <typename Visit>
-void fields(Visit&& visit, LinePoint& point) {
+template <typename Visit, ConstOr<LinePoint> T>
+void fields(Visit&& visit, T& point) {
   visit(point.position, point.normal, point.pixel);
 }
 
@@ -30,8 +31,8 @@ struct GoalPost {
   Eigen::Vector2f top = Eigen::Vector2f::Zero();   ///< pixel, the highest one found
 };
 
-template <typename Visit>
-void fields(Visit&& visit, GoalPost& post) {
+template <typename Visit, ConstOr<GoalPost> T>
+void fields(Visit&& visit, T& post) {
   visit(post.position, post.base_visible, post.base, post.top);
 }
 
@@ -44,8 +45,8 @@ struct Obstacle {
   int bottom = 0;
 };
 
-template <typename Visit>
-void fields(Visit&& visit, Obstacle& obstacle) {
+template <typename Visit, ConstOr<Obstacle> T>
+void fields(Visit&& visit, T& obstacle) {
   visit(obstacle.position, obstacle.left, obstacle.right, obstacle.top, obstacle.bottom);
 }
 
@@ -58,8 +59,8 @@ struct CenterCircle {
   double direction_variance = 0.0;  ///< rad^2
 };
 
-template <typename Visit>
-void fields(Visit&& visit, CenterCircle& circle) {
+template <typename Visit, ConstOr<CenterCircle> T>
+void fields(Visit&& visit, T& circle) {
   visit(circle.center, circle.covariance, circle.halfway_direction, circle.direction_variance);
 }
 
@@ -73,8 +74,8 @@ struct Intersection {
   Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
 };
 
-template <typename Visit>
-void fields(Visit&& visit, Intersection& intersection) {
+template <typename Visit, ConstOr<Intersection> T>
+void fields(Visit&& visit, T& intersection) {
   visit(intersection.position, intersection.covariance, intersection.kind, intersection.direction,
         intersection.corner_arc, intersection.pixel);
 }
@@ -85,8 +86,8 @@ struct PenaltyMark {
   Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
 };
 
-template <typename Visit>
-void fields(Visit&& visit, PenaltyMark& mark) {
+template <typename Visit, ConstOr<PenaltyMark> T>
+void fields(Visit&& visit, T& mark) {
   visit(mark.position, mark.covariance, mark.pixel);
 }
 
@@ -97,8 +98,8 @@ struct Ball {
   float radius = 0.0f;                                       ///< pixels
 };
 
-template <typename Visit>
-void fields(Visit&& visit, Ball& ball) {
+template <typename Visit, ConstOr<Ball> T>
+void fields(Visit&& visit, T& ball) {
   visit(ball.position, ball.covariance, ball.pixel, ball.radius);
 }
 
@@ -138,8 +139,8 @@ struct FieldPercept {
     boundary.clear();
   }
 };
-template <typename Visit>
-void fields(Visit&& visit, FieldPercept& percept) {
+template <typename Visit, ConstOr<FieldPercept> T>
+void fields(Visit&& visit, T& percept) {
   visit(percept.line_points, percept.goal_posts, percept.obstacles, percept.center_circle, percept.intersections,
         percept.penalty_marks, percept.ball, percept.boundary);
 }

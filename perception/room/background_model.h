@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/wall/wall.h"
 
@@ -54,8 +55,8 @@ struct TileModel {
   /// Whether it was seen, and trained for at least so many seconds.
   bool is_trained_for(double seconds) const { return visits > 0 && trained >= seconds; }
 };
-template <typename Visit>
-void fields(Visit&& visit, TileModel& tile) {
+template <typename Visit, ConstOr<TileModel> T>
+void fields(Visit&& visit, T& tile) {
   visit(tile.mean, tile.variance, tile.visits, tile.trained, tile.light, tile.light_visits);
 }
 
@@ -80,10 +81,10 @@ class BackgroundModel {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t tiles = tiles_.size();
-    archive(tiles_);
-    if constexpr (Archive::kReads) check(tiles);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t tiles = self.tiles_.size();
+    archive(self.tiles_);
+    if constexpr (Archive::kReads) self.check(tiles);
   }
   const TileModel& operator[](int tile) const { return tiles_[static_cast<std::size_t>(tile)]; }
 

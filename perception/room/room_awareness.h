@@ -121,10 +121,10 @@ class RoomAwareness {
   /// All that decides what comes next: model, belief of the view, confidences, light, random numbers; parameters are as
   /// they are. Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(light_, pose_lights_, model_, separability_, filter_, evidence_, views_, confidences_, last_time_,
-            last_direction_, view_center_);
-    if constexpr (Archive::kReads) complete();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.light_, self.pose_lights_, self.model_, self.separability_, self.filter_, self.evidence_, self.views_,
+            self.confidences_, self.last_time_, self.last_direction_, self.view_center_);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:

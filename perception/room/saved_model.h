@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/camera_bias.h"
+#include "geometry/const_or.h"
 #include "perception/room/background_model.h"
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/wall/wall.h"
@@ -23,8 +24,8 @@ struct ModelBasis {
   bool light_adaptation = true;  ///< LightParameters::enabled
   bool pose_light = true;        ///< PoseLightParameters::enabled
 };
-template <typename Visit>
-void fields(Visit&& visit, ModelBasis& basis) {
+template <typename Visit, ConstOr<ModelBasis> T>
+void fields(Visit&& visit, T& basis) {
   visit(basis.wall, basis.color.dark_below, basis.color.bright_above, basis.color.grey_within, basis.color.blur,
         basis.light_adaptation, basis.pose_light);
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "perception/room/compared_model.h"
 #include "perception/room/wall/wall.h"
 
@@ -45,10 +46,10 @@ class Separability {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t columns = columns_.size();
-    archive(columns_, next_, misfit_, misfit_age_, probability_);
-    if constexpr (Archive::kReads) check(columns);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t columns = self.columns_.size();
+    archive(self.columns_, self.next_, self.misfit_, self.misfit_age_, self.probability_);
+    if constexpr (Archive::kReads) self.check(columns);
   }
 
  private:
@@ -59,8 +60,8 @@ class Separability {
     int tiles = 0;
     Column& operator+=(const Column& other);
   };
-  template <typename Visit>
-  friend void fields(Visit&& visit, Column& column) {
+  template <typename Visit, ConstOr<Column> T>
+  friend void fields(Visit&& visit, T& column) {
     visit(column.half, column.eighths, column.tiles);
   }
 

@@ -28,8 +28,8 @@ class ClientClock {
   bool began_anew() const { return began_anew_; }
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(known_, client_, offset_, last_time_, before_, last_odometry_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.known_, self.client_, self.offset_, self.last_time_, self.before_, self.last_odometry_);
   }
 
  private:

@@ -71,9 +71,9 @@ class Companion : public Robot, private Receiver {
 
   /// What a process that takes this one's place has to know, but for the engine.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(clock_, last_time_, told_, game_);
-    if constexpr (Archive::kReads) last_arrival_ = options_.now();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.clock_, self.last_time_, self.told_, self.game_);
+    if constexpr (Archive::kReads) self.last_arrival_ = self.options_.now();
   }
 
  private:

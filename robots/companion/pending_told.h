@@ -29,8 +29,8 @@ class PendingTold {
 
   /// What a process that takes this one's place has to know.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(is_other_half_, referee_, told_.half_time);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.is_other_half_, self.referee_, self.told_.half_time);
   }
 
  private:

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "robots/footage/footage.h"
 #include "robots/robot.h"
 #include "robots/robot_instance.h"
@@ -28,8 +29,8 @@ struct BeliefChange {
   double turned_by = 0.0;   ///< rad to the left, by which the belief's rotation is wrong from then on
   double lifted_for = 1.5;  ///< s; the images of that time are not seen
 };
-template <typename Visit>
-void fields(Visit&& visit, BeliefChange& change) {
+template <typename Visit, ConstOr<BeliefChange> T>
+void fields(Visit&& visit, T& change) {
   visit(change.kind, change.at, change.mirrored, change.turned_by, change.lifted_for);
 }
 constexpr int enum_count(BeliefChange::Kind) { return 2; }

@@ -18,8 +18,8 @@ struct Part {
   Color color = Color::red;
   bool operator==(const Part&) const = default;
 };
-template <typename Visit>
-void fields(Visit&& visit, Part& part) {
+template <typename Visit, ConstOr<Part> T>
+void fields(Visit&& visit, T& part) {
   visit(part.length, part.color);
 }
 
@@ -28,8 +28,8 @@ class Counter {
   void add(int value) { sum_ += value; }
   int sum() const { return sum_; }
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(sum_);
+  static void archive(Archive& archive, auto& self) {
+    archive(self.sum_);
   }
 
  private:
@@ -53,8 +53,8 @@ struct Everything {
   Isometry3 pose = to_isometry({1.0, 2.0, 0.5});
   Counter counter;
 };
-template <typename Visit>
-void fields(Visit&& visit, Everything& e) {
+template <typename Visit, ConstOr<Everything> T>
+void fields(Visit&& visit, T& e) {
   visit(e.flag, e.small, e.large, e.share, e.text, e.parts, e.numbers, e.none, e.some, e.map, e.variant, e.pairs,
         e.matrix, e.pose, e.counter);
 }

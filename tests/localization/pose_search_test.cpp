@@ -83,10 +83,10 @@ TEST(PoseSearch, GoesOnFromItsBytes) {
   for (int i = 0; i < 20; ++i) robot.frame();
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
-  robot.search.archive(out);
+  out(robot.search);
   Searching restored({}, Pose2(-2.0, 1.0, 0.0), 1);
   ByteReader in(bytes);
-  restored.search.archive(in);
+  in(restored.search);
   restored.time = robot.time;
   restored.camera = robot.camera;
   const auto a = robot.within(8.0), b = restored.within(8.0);

@@ -186,10 +186,10 @@ TEST(PoseTracker, GoesOnFromItsBytes) {
   scanning.scan(8.0);
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
-  scanning.tracker.archive(out);
+  out(scanning.tracker);
   PoseTracker restored({}, FieldDimensions());
   ByteReader in(bytes);
-  restored.archive(in);
+  in(restored);
   EXPECT_TRUE(restored.is_attached());
   EXPECT_EQ(restored.bias().torso.pitch, scanning.tracker.bias().torso.pitch);
   EXPECT_EQ(restored.belief(belief_at(kStandsAt)).pose.rotation,

@@ -5,6 +5,7 @@
 
 #include "engine/frame.h"
 #include "engine/record/frame_record.h"
+#include "geometry/const_or.h"
 #include "robots/experimenter.h"
 #include "workbench/scenario/scenario_host.h"
 
@@ -18,8 +19,8 @@ struct StageRecord {
   double stepping = 0.0;   ///< s in wall-clock time that the engine took
 };
 
-template <typename Visit>
-void fields(Visit&& visit, StageRecord& stage) {
+template <typename Visit, ConstOr<StageRecord> T>
+void fields(Visit&& visit, T& stage) {
   visit(stage.truth, stage.scenario, stage.observing, stage.stepping);
 }
 

@@ -28,10 +28,10 @@ struct ScenarioRecord {
   const std::string& name(NameId id) const { return (*names)[id]; }
 
   template <typename Archive>
-  void archive(Archive& archive) {
-    NameTable table = *names;
-    archive(table, machines, transitions, actions, logs, faults, reloads, verdict);
-    if constexpr (Archive::kReads) names = std::make_shared<NameTable>(std::move(table));
+  static void archive(Archive& archive, auto& self) {
+    NameTable table = *self.names;
+    archive(table, self.machines, self.transitions, self.actions, self.logs, self.faults, self.reloads, self.verdict);
+    if constexpr (Archive::kReads) self.names = std::make_shared<NameTable>(std::move(table));
   }
 };
 

@@ -10,6 +10,7 @@
 #include "engine/script/language/script_language.h"
 #include "engine/script/language/world_fields.h"
 #include "engine/world/world.h"
+#include "geometry/const_or.h"
 #include "geometry/random.h"
 #include "robots/experimenter.h"
 #include "robots/robot.h"
@@ -41,8 +42,8 @@ struct ExperimenterAction {
   Message message{};       ///< of tell_message
   RefereeState referee{};  ///< what of it the kind is about
 };
-template <typename Visit>
-void fields(Visit&& visit, ExperimenterAction& action) {
+template <typename Visit, ConstOr<ExperimenterAction> T>
+void fields(Visit&& visit, T& action) {
   visit(action.kind, action.pose, action.stops, action.penalized, action.message, action.referee);
 }
 
@@ -57,8 +58,8 @@ struct ScenarioVerdict {
   std::string text;
   double time = 0.0;
 };
-template <typename Visit>
-void fields(Visit&& visit, ScenarioVerdict& verdict) {
+template <typename Visit, ConstOr<ScenarioVerdict> T>
+void fields(Visit&& visit, T& verdict) {
   visit(verdict.succeeded, verdict.text, verdict.time);
 }
 

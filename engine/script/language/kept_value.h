@@ -22,10 +22,10 @@ struct KeptValue {
 
   /// Throws BadBytes where tables lie in each other deeper than read_kept() goes.
   template <typename Archive>
-  void archive(Archive& archive) {
+  static void archive(Archive& archive, auto& self) {
     if (archive.depth() > kDeepest) throw BadBytes("what a script keeps is too deep");
     const typename Archive::Level level(archive);
-    archive(value);
+    archive(self.value);
   }
   static constexpr int kDeepest = 16;
 };

@@ -226,8 +226,7 @@ std::span<const WorldField> world_fields() {
 std::span<const WorldTable> world_tables() { return kTables; }
 
 void append_world(const World& world, std::vector<double>& values) {
-  // The accessors only hand out addresses; nothing is written through them here.
-  auto& readable = const_cast<World&>(world);
+  World readable = world;  // the accessors give addresses that can be written
   for (const BoundField& field : kFields) {
     values.push_back(std::visit([&](auto access) { return static_cast<double>(*access(readable)); }, field.access));
   }

@@ -9,6 +9,7 @@
 #include "engine/script/machine/machine_definition.h"
 #include "engine/script/script_output.h"
 #include "engine/world/commands.h"
+#include "geometry/const_or.h"
 
 namespace reorient {
 
@@ -37,8 +38,8 @@ struct OpenCondition {
   double waited = 0.0;   ///< s since `from` was entered
   double after = 0.0;    ///< s that must have passed since then; NaN: as above
 };
-template <typename Visit>
-void fields(Visit&& visit, OpenCondition& condition) {
+template <typename Visit, ConstOr<OpenCondition> T>
+void fields(Visit&& visit, T& condition) {
   visit(condition.machine, condition.from, condition.target, condition.reason, condition.line, condition.when,
         condition.held, condition.lasting, condition.waited, condition.after);
 }
@@ -90,9 +91,10 @@ class Machine {
 
   /// Everything but the definition; throws BadBytes where it does not fit that.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(active_, entered_, holding_since_, looks_, last_child_, leases_, reason_, lost_state_, not_entered_);
-    if constexpr (Archive::kReads) check();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.active_, self.entered_, self.holding_since_, self.looks_, self.last_child_, self.leases_, self.reason_,
+            self.lost_state_, self.not_entered_);
+    if constexpr (Archive::kReads) self.check();
   }
 
  private:
@@ -101,8 +103,8 @@ class Machine {
     int state = 0;
     NameId reason = kNoName;
   };
-  template <typename Visit>
-  friend void fields(Visit&& visit, Held& held) {
+  template <typename Visit, ConstOr<Held> T>
+  friend void fields(Visit&& visit, T& held) {
     visit(held.pause, held.state, held.reason);
   }
   /// What was heard when a transition was last looked at, for those who ask why.
@@ -111,8 +113,8 @@ class Machine {
     double lasting = std::numeric_limits<double>::quiet_NaN();  ///< s, as a function said
     double after = std::numeric_limits<double>::quiet_NaN();
   };
-  template <typename Visit>
-  friend void fields(Visit&& visit, Look& look) {
+  template <typename Visit, ConstOr<Look> T>
+  friend void fields(Visit&& visit, T& look) {
     visit(look.when, look.lasting, look.after);
   }
 

@@ -12,6 +12,7 @@
 
 #include "engine/script/sandbox/metatables.h"
 #include "engine/script/sandbox/script_limits.h"
+#include "geometry/const_or.h"
 #include "geometry/random.h"
 
 namespace reorient {
@@ -31,8 +32,8 @@ struct ScriptFault {
   std::string text() const;
 };
 
-template <typename Visit>
-void fields(Visit&& visit, ScriptFault& fault) {
+template <typename Visit, ConstOr<ScriptFault> T>
+void fields(Visit&& visit, T& fault) {
   visit(fault.file, fault.line, fault.message, fault.traceback, fault.column);
 }
 
@@ -76,10 +77,10 @@ class Sandbox {
 
   /// What a script's past decides of its future, apart from Lua's own memory: the dice, and what its texts cost.
   template <typename Archive>
-  void archive(Archive& archive) {
-    std::uint64_t longest_string = longest_string_;
-    archive(random_, longest_string, spent_);
-    longest_string_ = longest_string;
+  static void archive(Archive& archive, auto& self) {
+    std::uint64_t longest_string = self.longest_string_;
+    archive(self.random_, longest_string, self.spent_);
+    if constexpr (Archive::kReads) self.longest_string_ = longest_string;
   }
 
   std::size_t string_length() const { return static_cast<std::size_t>(limits_.string_length); }

@@ -1,6 +1,8 @@
 // What one script may use. Nothing here depends on the clock: a script behaves the same on a slow machine.
 #pragma once
 
+#include "geometry/const_or.h"
+
 namespace reorient {
 
 struct ScriptLimits {
@@ -15,8 +17,8 @@ struct ScriptLimits {
 
 inline constexpr ScriptLimits kDefaultLimits{};
 
-template <typename Visit>
-void fields(Visit&& visit, ScriptLimits& limits) {
+template <typename Visit, ConstOr<ScriptLimits> T>
+void fields(Visit&& visit, T& limits) {
   visit(limits.instructions_per_frame, limits.instructions_per_load, limits.max_memory, limits.string_length,
         limits.max_errors, limits.error_window, limits.trial_time);
 }

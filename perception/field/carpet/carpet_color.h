@@ -109,10 +109,10 @@ class CarpetColor {
 
   /// What was learned. Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    archive(known_, learned_.blue, learned_.red, learned_.luma, learned_.noise, learned_.deviation, doubted_,
-            white_known_, white_less_carpet_);
-    if constexpr (Archive::kReads) check();
+  static void archive(Archive& archive, auto& self) {
+    archive(self.known_, self.learned_.blue, self.learned_.red, self.learned_.luma, self.learned_.noise,
+            self.learned_.deviation, self.doubted_, self.white_known_, self.white_less_carpet_);
+    if constexpr (Archive::kReads) self.check();
   }
 
  private:

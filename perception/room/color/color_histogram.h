@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "geometry/const_or.h"
 #include "geometry/image.h"
 
 namespace reorient {
@@ -37,8 +38,8 @@ struct Light {
   double cb = 128.0;
   double cr = 128.0;
 };
-template <typename Visit>
-void fields(Visit&& visit, Light& light) {
+template <typename Visit, ConstOr<Light> T>
+void fields(Visit&& visit, T& light) {
   visit(light.luma, light.cb, light.cr);
 }
 /// All three are levels of a byte.
@@ -51,8 +52,8 @@ struct RelativeLight {
   double cb = 0.0;    ///< less the room's
   double cr = 0.0;    ///< the same
 };
-template <typename Visit>
-void fields(Visit&& visit, RelativeLight& light) {
+template <typename Visit, ConstOr<RelativeLight> T>
+void fields(Visit&& visit, T& light) {
   visit(light.luma, light.cb, light.cr);
 }
 RelativeLight relative(const Light& place, const Light& room);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "perception/room/compared_model.h"
 #include "perception/room/view/viewpoint_scores.h"
 #include "perception/room/wall/wall.h"
@@ -74,10 +75,10 @@ class Evidence {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t tiles = tiles_.size();
-    archive(tiles_, log_odds_);
-    if constexpr (Archive::kReads) check(tiles);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t tiles = self.tiles_.size();
+    archive(self.tiles_, self.log_odds_);
+    if constexpr (Archive::kReads) self.check(tiles);
   }
 
  private:
@@ -85,8 +86,8 @@ class Evidence {
     double say = 0.0;   // the mean, per gain; positive: for the reflection
     double time = 0.0;  // s in view, at most `settle`; fading
   };
-  template <typename Visit>
-  friend void fields(Visit&& visit, SeenTile& tile) {
+  template <typename Visit, ConstOr<SeenTile> T>
+  friend void fields(Visit&& visit, T& tile) {
     visit(tile.say, tile.time);
   }
 

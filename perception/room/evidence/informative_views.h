@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "geometry/pose2.h"
 #include "geometry/transform.h"
 #include "perception/room/compared_model.h"
@@ -37,8 +38,8 @@ struct InformativeViews {
   double unknown = 0.0;  ///< most tiles are not trusted yet there
   double unknown_worth = 0.0;
 };
-template <typename Visit>
-void fields(Visit&& visit, InformativeViews& views) {
+template <typename Visit, ConstOr<InformativeViews> T>
+void fields(Visit&& visit, T& views) {
   visit(views.telling, views.telling_worth, views.unknown, views.unknown_worth);
 }
 
@@ -60,10 +61,10 @@ class ViewChooser {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t columns = looked_at_.size();
-    archive(looked_at_, views_);
-    if constexpr (Archive::kReads) check(columns);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t columns = self.looked_at_.size();
+    archive(self.looked_at_, self.views_);
+    if constexpr (Archive::kReads) self.check(columns);
   }
 
  private:

@@ -48,10 +48,10 @@ class PoseLights {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t tiles = tiles_.size();
-    archive(tiles_, if_believed_, if_reflected_, until_next_);
-    if constexpr (Archive::kReads) check(tiles);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t tiles = self.tiles_.size();
+    archive(self.tiles_, self.if_believed_, self.if_reflected_, self.until_next_);
+    if constexpr (Archive::kReads) self.check(tiles);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/angle.h"
+#include "geometry/const_or.h"
 #include "perception/room/view/view_filter.h"
 
 namespace reorient {
@@ -27,8 +28,8 @@ struct Confidences {
   int visible_tiles = 0;         ///< tiles that counted in this frame
 };
 
-template <typename Visit>
-void fields(Visit&& visit, Confidences& c) {
+template <typename Visit, ConstOr<Confidences> T>
+void fields(Visit&& visit, T& c) {
   visit(c.current, c.opposite, c.raw_current, c.raw_opposite, c.goal_opponent, c.goal_own, c.coverage, c.paired,
         c.distinctiveness, c.separability, c.evidence, c.age, c.smoothed_for, c.visible_tiles);
 }

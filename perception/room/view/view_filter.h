@@ -45,10 +45,10 @@ class ViewFilter {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    ViewMethod method = method_;
-    archive(method, particles_, grid_, clusters_);
-    if constexpr (Archive::kReads) check(method);
+  static void archive(Archive& archive, auto& self) {
+    ViewMethod method = self.method_;
+    archive(method, self.particles_, self.grid_, self.clusters_);
+    if constexpr (Archive::kReads) self.check(method);
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "perception/room/view/view_cluster.h"
 #include "perception/room/view/view_filter_parameters.h"
 #include "perception/room/view/viewpoint_scores.h"
@@ -17,8 +18,8 @@ struct ViewCell {
   double azimuth = 0.0;  ///< of its middle, rad in (-pi, pi]
   double share = 0.0;    ///< of the whole belief
 };
-template <typename Visit>
-void fields(Visit&& visit, ViewCell& cell) {
+template <typename Visit, ConstOr<ViewCell> T>
+void fields(Visit&& visit, T& cell) {
   visit(cell.azimuth, cell.share);
 }
 
@@ -48,10 +49,10 @@ class ViewGrid {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t count = shares_.size();
-    archive(first_, shares_);
-    if constexpr (Archive::kReads) check(count);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t count = self.shares_.size();
+    archive(self.first_, self.shares_);
+    if constexpr (Archive::kReads) self.check(count);
   }
 
  private:

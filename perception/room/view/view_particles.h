@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "geometry/random.h"
 #include "perception/room/view/view_cluster.h"
 #include "perception/room/view/view_filter_parameters.h"
@@ -17,8 +18,8 @@ struct ViewParticle {
   double azimuth = 0.0;
   double weight = 0.0;  ///< of this frame, before resampling; the weights sum up to 1
 };
-template <typename Visit>
-void fields(Visit&& visit, ViewParticle& particle) {
+template <typename Visit, ConstOr<ViewParticle> T>
+void fields(Visit&& visit, T& particle) {
   visit(particle.azimuth, particle.weight);
 }
 
@@ -44,10 +45,10 @@ class ViewParticles {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t count = particles_.size();
-    archive(random_, particles_);
-    if constexpr (Archive::kReads) check(count);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t count = self.particles_.size();
+    archive(self.random_, self.particles_);
+    if constexpr (Archive::kReads) self.check(count);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "geometry/image.h"
 #include "perception/room/color/color_histogram.h"
 #include "perception/room/wall/wall.h"
@@ -65,8 +66,8 @@ struct SeenLight {
   double unseen = 0.0;  ///< s since it was in view
   bool known = false;
 };
-template <typename Visit>
-void fields(Visit&& visit, SeenLight& tile) {
+template <typename Visit, ConstOr<SeenLight> T>
+void fields(Visit&& visit, T& tile) {
   visit(tile.light, tile.unseen, tile.known);
 }
 /// Of one that was read: throws BadBytes where there cannot be such.
@@ -87,10 +88,10 @@ class LightAdaptation {
 
   /// Throws BadBytes.
   template <typename Archive>
-  void archive(Archive& archive) {
-    const std::size_t tiles = tiles_.size();
-    archive(light_, tiles_, unseen_);
-    if constexpr (Archive::kReads) check(tiles);
+  static void archive(Archive& archive, auto& self) {
+    const std::size_t tiles = self.tiles_.size();
+    archive(self.light_, self.tiles_, self.unseen_);
+    if constexpr (Archive::kReads) self.check(tiles);
   }
 
  private:

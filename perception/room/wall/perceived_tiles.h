@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "geometry/transform.h"
 #include "perception/room/color/color_counting.h"
 #include "perception/room/color/color_histogram.h"
@@ -52,8 +53,8 @@ struct PerceivedTile {
   double coverage() const { return expected_area > 0.0 ? area / expected_area : 0.0; }
 };
 
-template <typename Visit>
-void fields(Visit&& visit, PerceivedTile& tile) {
+template <typename Visit, ConstOr<PerceivedTile> T>
+void fields(Visit&& visit, T& tile) {
   visit(tile.tile, tile.samples, tile.area, tile.expected_area, tile.distance, tile.incidence, tile.counts,
         tile.histogram, tile.reflected_histogram);
 }

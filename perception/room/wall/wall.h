@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "geometry/const_or.h"
 #include "geometry/pose2.h"
 
 namespace reorient {
@@ -25,8 +26,8 @@ struct WallParameters {
   int rows = 4;
   int columns = 48;
 };
-template <typename Visit>
-void fields(Visit&& visit, WallParameters& p) {
+template <typename Visit, ConstOr<WallParameters> T>
+void fields(Visit&& visit, T& p) {
   visit(p.radius, p.bottom, p.top, p.rows, p.columns);
 }
 template <typename Visit>

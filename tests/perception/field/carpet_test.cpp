@@ -133,9 +133,9 @@ TEST(FieldFeatures, ThatWereSavedGoOnTheSameWhereNoGroundIsInView) {
   percept_in(one, lines.view(), here.camera, here.robot_from_camera);
   std::vector<std::byte> bytes;
   ByteWriter writer(bytes);
-  one.archive(writer);
+  writer(one);
   ByteReader reader(bytes);
-  other.archive(reader);
+  reader(other);
   for (FieldFeatures* each : {&one, &other}) percept_in(*each, room.view(), up.camera, up.robot_from_camera);
   for (int cb = 64; cb < 192; cb += 2) {
     for (int cr = 64; cr < 192; cr += 2) {
