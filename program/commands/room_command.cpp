@@ -20,7 +20,7 @@
 #include "program/robots.h"
 #include "program/room/learned_room.h"
 #include "program/room/rating_text.h"
-#include "program/run/shipped_behaviors.h"
+#include "program/run/engine_setup.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
 #include "program/subcommand.h"

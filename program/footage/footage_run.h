@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/frame.h"
-#include "program/options.h"
+#include "program/run/engine_setup.h"
 #include "program/run/footage_arguments.h"
 #include "robots/footage/footage_robot.h"
 #include "workbench/run/run_loop.h"
@@ -16,15 +16,9 @@
 namespace reorient {
 
 /// What the engine is made of: nobody moves this robot, so the behaviors are those that ask for no motion.
-struct FootageSetup {
+struct FootageSetup : EngineOptions {
   std::filesystem::path source;
   FootageArguments footage;
-  std::filesystem::path body, field;   ///< as --body and --field name them
-  std::filesystem::path scripts;       ///< root of the scripts
-  std::vector<std::string> behaviors;  ///< empty: the shipped ones that ask for no motion
-  ParameterOptions parameters;
-  std::uint64_t seed = 1;
-  bool room_awareness = true;
   std::optional<SavedModel> model;  ///< of the room, learned before
   std::string at;  ///< X,Y,DEGREES where it starts, where the footage has no positions; empty: nobody knows
 };

@@ -68,17 +68,8 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   ScriptEdits edits(options.scripts);
   const std::filesystem::path& offset = options.footage.camera_offset;
   const std::uint64_t mounting = offset.empty() ? 0 : mounting_of(load_calibration(offset));
-  const FootageSetup setup{.source = options.scenario,
-                           .footage = options.footage,
-                           .body = options.body,
-                           .field = options.field,
-                           .scripts = options.scripts,
-                           .behaviors = options.behaviors,
-                           .parameters = options.parameters,
-                           .seed = options.seed,
-                           .room_awareness = options.room_awareness,
-                           .model = as_mounted(model_to_begin_with(options), mounting),
-                           .at = options.at};
+  const FootageSetup setup{
+      {options}, options.scenario, options.footage, as_mounted(model_to_begin_with(options), mounting), options.at};
   FootageOptions robot_options = robot_options_of(setup);
   robot_options.change = belief_change_of(options);
   PreparedFootage prepared = prepare_footage(setup, edits.texts());

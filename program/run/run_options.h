@@ -9,33 +9,27 @@
 #include <vector>
 
 #include "perception/room/saved_model.h"
-#include "program/options.h"
+#include "program/run/engine_setup.h"
 #include "program/run/footage_arguments.h"
 
 namespace reorient {
 
 /// A scenario and its circumstances: the same ones give the same run, byte for byte.
-struct SimulationOptions {
+struct SimulationOptions : EngineOptions {
   std::string robot = "simulator";        ///< program/robots.h
   std::string scenario = "turned_round";  ///< scripts/scenarios/NAME.lua, or a path to a file
   std::vector<std::string> with;          ///< behaviours beside those that the scenario lists
   std::vector<std::string> without;       ///< of those that the scenario lists
-  std::filesystem::path scripts;          ///< root of the scripts
   // Where it takes place; what is left open here is up to the scenario (program/run/venue.h).
-  std::filesystem::path body;              ///< TOML file, or the name of a shipped one; empty: the NAO
-  std::filesystem::path field;             ///< TOML file, or the name of a shipped one
   std::string room;                        ///< panorama file, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of the procedural hall
-  std::uint64_t seed = 1;
-  int width = 320;                ///< of the camera image, pixels; the height is 3/4 of it
-  std::string cameras = "upper";  ///< or "both"
-  bool room_awareness = true;
-  std::filesystem::path model;        ///< of the room, if the file is there; empty: none
-  std::optional<SavedModel> learned;  ///< a model of the room, instead of one from a file
-  bool sides_changed = false;         ///< the team plays towards the other goal than the model's axes say
+  int width = 320;                         ///< of the camera image, pixels; the height is 3/4 of it
+  std::string cameras = "upper";           ///< or "both"
+  std::filesystem::path model;             ///< of the room, if the file is there; empty: none
+  std::optional<SavedModel> learned;       ///< a model of the room, instead of one from a file
+  bool sides_changed = false;              ///< the team plays towards the other goal than the model's axes say
   /// Of the robot's time, at most. Nothing: kUsualSeconds of a simulation; footage ends by itself.
   std::optional<double> seconds;
-  ParameterOptions parameters;
   std::map<std::string, std::string> said_at;  ///< of an experiment: file and line of "scenario", of "with head_scan"
 };
 
@@ -43,10 +37,9 @@ constexpr double kUsualSeconds = 600.0;
 
 struct RunOptions : SimulationOptions {
   // Of the companion (program/run/companion/).
-  std::filesystem::path socket;        ///< at which it listens; empty: in the user's own folder for such things
-  std::filesystem::path state;         ///< what it goes on from; empty: beside the socket
-  bool fresh = false;                  ///< it goes on from nothing
-  std::vector<std::string> behaviors;  ///< empty: all that the robot can carry out
+  std::filesystem::path socket;  ///< at which it listens; empty: in the user's own folder for such things
+  std::filesystem::path state;   ///< what it goes on from; empty: beside the socket
+  bool fresh = false;            ///< it goes on from nothing
   // Of the NAO (program/run/nao/).
   std::filesystem::path guard;        ///< the memory that is shared with it; empty: where it is by itself
   std::string at;                     ///< X,Y,DEGREES, told once it stands; empty: nobody tells it

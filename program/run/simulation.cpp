@@ -119,13 +119,9 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario, overrides, behaviors_, options.seed);
   const RobotBody body = load_body(body_file(options.body));
   venue_ = venue_of(options, scenario_->setting(), body);
-  FrameSetup setup;
+  FrameSetup setup = engine_setup(options, scripts, overrides);
   setup.field = load_field(venue_.field);
-  setup.seed = options.seed;
-  setup.room_awareness = options.room_awareness;
-  setup.scripts = scripts;
   setup.behaviors = chosen_behaviors(options, scripts, scenario_->wanted_behaviors());
-  setup.parameters = overrides;
   setup.model = model_;
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
   RobotOptions robot{

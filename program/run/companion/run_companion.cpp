@@ -25,10 +25,8 @@
 #include "program/run/narration.h"
 #include "program/run/run_recording.h"
 #include "program/run/script_edits.h"
-#include "program/run/shipped_behaviors.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
-#include "program/script_names.h"
 #include "robots/companion/companion.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
@@ -117,17 +115,10 @@ class CompanionReport : public Observer {
 
 /// What is known before anybody comes. Throws std::runtime_error with one line.
 FrameSetup setup_for(const Greeting& greeting, const RunOptions& options, const ScriptTexts& scripts) {
-  FrameSetup setup;
-  setup.body = greeting.body;
-  setup.field = greeting.field;
-  setup.seed = options.seed;
-  setup.room_awareness = options.room_awareness;
-  setup.scripts = scripts;
-  setup.parameters = overrides_of(options.parameters);
-  const Abilities abilities{greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up};
-  const std::vector<std::string> wanted = options.behaviors.empty() ? behaviors_for(abilities) : options.behaviors;
-  for (const std::string& name : wanted) setup.behaviors.push_back(behavior_file(options.scripts, scripts, name));
-  return setup;
+  return engine_setup(options, scripts, greeting.body, greeting.field,
+                      {.head = greeting.carries_out_head,
+                       .walk = greeting.carries_out_walk,
+                       .get_up = greeting.carries_out_get_up});
 }
 
 /// What is wrong with options and scripts is told now, not to the first client.

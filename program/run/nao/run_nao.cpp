@@ -21,10 +21,8 @@
 #include "program/run/places.h"
 #include "program/run/run_recording.h"
 #include "program/run/script_edits.h"
-#include "program/run/shipped_behaviors.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
-#include "program/script_names.h"
 #include "robots/nao/nao.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
@@ -96,17 +94,11 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   robot_options.player = options.player;
   robot_options.stands_at_once = options.stand;
 
-  FrameSetup setup;
-  setup.body = robot_options.body;
-  setup.field = load_field(field_file(options.field, setup.body));
-  setup.seed = options.seed;
-  setup.room_awareness = options.room_awareness;
-  setup.scripts = edits.texts();
-  setup.parameters = overrides_of(options.parameters);
+  FrameSetup setup = engine_setup(options, edits.texts(), robot_options.body,
+                                  load_field(field_file(options.field, robot_options.body)),
+                                  {.head = true, .walk = options.walk, .get_up = false});
   setup.model = as_mounted(model, mounting);
-  const std::vector<std::string> wanted =
-      options.behaviors.empty() ? behaviors_for({true, options.walk, false}) : options.behaviors;
-  for (const std::string& name : wanted) setup.behaviors.push_back(behavior_file(options.scripts, setup.scripts, name));
+  const std::size_t behaviors = setup.behaviors.size();
   FrameLoop engine(std::move(setup));
 
   LiveConsole console(STDIN_FILENO, out,
@@ -122,7 +114,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   auto robot = std::make_unique<Nao>(robot_options, hardware.surroundings(is_over, tell));
   const Nao& itself = *robot;
   StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], itself, engine);
-  err << fmt::format("reorient: {} behaviours on a NAO; {}\n", wanted.size(),
+  err << fmt::format("reorient: {} behaviours on a NAO; {}\n", behaviors,
                      options.stand ? "it stands up" : "press its chest's button, and it stands up")
       << std::flush;
   std::optional<ModelKeeper> model_keeper;

@@ -1,4 +1,8 @@
-#include "program/run/shipped_behaviors.h"
+#include "program/run/engine_setup.h"
+
+#include <utility>
+
+#include "program/script_names.h"
 
 namespace reorient {
 namespace {
@@ -25,6 +29,26 @@ std::vector<std::string> behaviors_for(const Abilities& abilities) {
     if (possible) names.emplace_back(one.name);
   }
   return names;
+}
+
+FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts,
+                        std::vector<ParameterChange> parameters) {
+  return {.field = {},
+          .seed = options.seed,
+          .room_awareness = options.room_awareness,
+          .scripts = scripts,
+          .behaviors = {},
+          .parameters = std::move(parameters)};
+}
+
+FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts, RobotBody body, FieldDimensions field,
+                        const Abilities& abilities) {
+  FrameSetup setup = engine_setup(options, scripts, overrides_of(options.parameters));
+  setup.body = std::move(body);
+  setup.field = std::move(field);
+  for (const std::string& name : options.behaviors.empty() ? behaviors_for(abilities) : options.behaviors)
+    setup.behaviors.push_back(behavior_file(options.scripts, scripts, name));
+  return setup;
 }
 
 }  // namespace reorient

@@ -1,0 +1,41 @@
+// The engine's setup as options give it, whichever robot it is for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/frame.h"
+#include "program/options.h"
+
+namespace reorient {
+
+struct EngineOptions {
+  std::filesystem::path body;          ///< TOML file, or the name of a shipped one; empty: the NAO
+  std::filesystem::path field;         ///< TOML file, or the name of a shipped one; empty: the body's
+  std::filesystem::path scripts;       ///< root of the scripts
+  std::vector<std::string> behaviors;  ///< where no scenario lists them; empty: all that the robot can carry out
+  ParameterOptions parameters;
+  std::uint64_t seed = 1;
+  bool room_awareness = true;
+};
+
+/// Of what behaviours ask for, what the robot carries out.
+struct Abilities {
+  bool head = true;
+  bool walk = true;
+  bool get_up = true;
+};
+
+/// Those of the shipped behaviours that a robot can make use of.
+std::vector<std::string> behaviors_for(const Abilities& abilities);
+
+/// Without body, field, behaviors and model. `parameters`: overrides_of() the options.
+FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts,
+                        std::vector<ParameterChange> parameters);
+/// Without a model. Throws std::runtime_error with one line about the options' parameters or behaviors.
+FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts, RobotBody body, FieldDimensions field,
+                        const Abilities& abilities);
+
+}  // namespace reorient
