@@ -96,12 +96,13 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   };
   RunParts parts{instance, engine, nullptr, nullptr, {}, {}, {}, options.seconds.value_or(0.0), false};
   return run_prepared(options,
-                      {.parts = std::move(parts),
+                      {.live = {.parts = std::move(parts),
+                                .edits = options.realtime ? &edits : nullptr,
+                                .model = setup.model,
+                                .recording = {}},
                        .venue = setup.source.string(),
                        .parameters = [&] { return engine.parameters(); },
                        .kept_parameters = [&] { return prepared.kept; },
-                       .model = setup.model,
-                       .edits = &edits,
                        .failure = failure},
                       {{}, {}, verdict}, out, err);
 }

@@ -3,16 +3,13 @@
 
 #include <functional>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/parameters/parameter.h"
-#include "perception/room/saved_model.h"
+#include "program/run/live_run.h"
 #include "program/run/run_options.h"
-#include "program/run/script_edits.h"
 #include "workbench/run/observer.h"
-#include "workbench/run/run_loop.h"
 #include "workbench/run/run_summary.h"
 
 namespace reorient {
@@ -26,12 +23,10 @@ struct RunGuests {
 
 /// A robot and an engine that are ready to run, on a simulated clock. What it points to must outlive the run.
 struct PreparedRun {
-  RunParts parts;     ///< without observers and sources
+  LiveRunParts live;  ///< without observers and a recording
   std::string venue;  ///< where it takes place, for people
   std::function<std::vector<Parameter>()> parameters;
   std::function<std::vector<ParameterChange>()> kept_parameters;  ///< of scripts and robots that are not in this run
-  std::optional<SavedModel> model;                                ///< that it began with
-  ScriptEdits* edits = nullptr;                                   ///< of scripts, where it is in real time
   std::function<std::string()> failure{};  ///< one line, once it is over: why the robot ended early; may be empty
 };
 

@@ -16,14 +16,11 @@
 
 #include "engine/record/digest.h"
 #include "program/interruption.h"
-#include "program/model/model_keeper.h"
 #include "program/monotonic_clock.h"
-#include "program/program.h"
 #include "program/run/companion/state_file.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
-#include "program/run/narration.h"
-#include "program/run/run_recording.h"
+#include "program/run/live_run.h"
 #include "program/run/script_edits.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
@@ -115,10 +112,9 @@ class CompanionReport : public Observer {
 
 /// What is known before anybody comes. Throws std::runtime_error with one line.
 FrameSetup setup_for(const Greeting& greeting, const RunOptions& options, const ScriptTexts& scripts) {
-  return engine_setup(options, scripts, greeting.body, greeting.field,
-                      {.head = greeting.carries_out_head,
-                       .walk = greeting.carries_out_walk,
-                       .get_up = greeting.carries_out_get_up});
+  return engine_setup(
+      options, scripts, greeting.body, greeting.field,
+      {.head = greeting.carries_out_head, .walk = greeting.carries_out_walk, .get_up = greeting.carries_out_get_up});
 }
 
 /// What is wrong with options and scripts is told now, not to the first client.
@@ -146,12 +142,10 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   FrameLoop* engine_now = nullptr;
   LiveConsole console(
       STDIN_FILENO, out,
-      {.scenario = nullptr,
-       .parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
-       .kept_parameters = [] { return std::vector<ParameterChange>(); },
+      {.parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
        .scripts = options.scripts},
       history_path());
-  const auto is_over = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
+  const auto is_over = [&] { return is_ended_by_hand(console); };
   Companion companion({socket, known_robots(), drawn_by_lot(), monotonic_clock, is_over});
   err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
 
@@ -195,31 +189,21 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
                goes_on ? "going on from before" : "beginning anew")
         << std::flush;
 
-    Narration narration(console, options.every_transition, out, err);
+    LiveRun live(options, console, out, err);
     CompanionReport report(companion);
-    std::optional<ModelKeeper> model_keeper;
-    if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed);
     auto owned = std::make_unique<KeptCompanion>(companion, keeper);
     KeptCompanion* const robot = owned.get();
     robot->set_engine(*engine);
     RobotInstance instance{std::move(owned), greeting.body, RobotInstance::Clock::real, nullptr, nullptr};
-    RunParts parts{
-        instance, *engine, nullptr, nullptr, {&edits, &console}, {&report, &narration.log, &narration.timeline},
-        {},       0.0,     false};
-    if (model_keeper) parts.observers.push_back(&*model_keeper);
-    RunRecording recording(
-        recording_options, [&](const std::string& line) { narration.tell(line); }, EarlierRecording::stays);
-    if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
-    parts.observers.push_back(&narration.progress);
-    parts.observers.push_back(&console);
-    parts.stop = is_over;
-    RunLoop(std::move(parts)).run();
-    narration.progress.end();
+    live.run({.parts = {.robot = instance, .engine = *engine, .sources = {}, .observers = {&report}, .stop = {}},
+              .edits = &edits,
+              .model = model,
+              .recording = recording_options});
     if (robot->any_frame()) keeper.finish(*engine, companion);
-    recording.end(out);
-    if (model_keeper) {
+    live.end_recording();
+    if (live.model() != nullptr) {
       const std::size_t before = failures.size();
-      try_to_write(failures, [&] { model_keeper->save(); });
+      live.save_model(failures);
       try_to_write(failures, [&] { model = model_to_begin_with(options); });
       for (std::size_t i = before; i < failures.size(); ++i) err << "reorient: " << failures[i] << "\n" << std::flush;
     }
@@ -230,8 +214,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   out << fmt::format(
       "{} frames of {} clients; {} not looked at since a newer one had come, {} of no use, {} answers not taken\n",
       counts.frames, counts.clients, counts.superseded, counts.unusable, counts.unanswered);
-  if (!failures.empty()) return kBadInput;
-  return Interruption::signal() != 0 ? exit_code_of(Interruption::signal()) : kSuccess;
+  return exit_code_of_runs(failures);
 }
 
 }  // namespace reorient

@@ -9,17 +9,13 @@
 #include <vector>
 
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/spdlog.h>
 
 #include "program/interruption.h"
-#include "program/model/model_keeper.h"
-#include "program/program.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/live_console.h"
+#include "program/run/live_run.h"
 #include "program/run/nao/nao_hardware.h"
-#include "program/run/narration.h"
 #include "program/run/places.h"
-#include "program/run/run_recording.h"
 #include "program/run/script_edits.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
@@ -102,45 +98,33 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   FrameLoop engine(std::move(setup));
 
   LiveConsole console(STDIN_FILENO, out,
-                      {.scenario = nullptr,
-                       .parameters = [&] { return engine.parameters(); },
-                       .kept_parameters = [] { return std::vector<ParameterChange>(); },
-                       .scripts = options.scripts},
-                      history_path());
-  const auto is_over = [&] { return Interruption::signal() != 0 || console.wants_to_quit(); };
+                      {.parameters = [&] { return engine.parameters(); }, .scripts = options.scripts}, history_path());
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
-  Narration narration(console, options.every_transition, out, err);
-  const auto tell = [&](const std::string& line) { narration.tell(line); };
-  auto robot = std::make_unique<Nao>(robot_options, hardware.surroundings(is_over, tell));
+  LiveRun live(options, console, out, err);
+  auto robot =
+      std::make_unique<Nao>(robot_options, hardware.surroundings([&] { return is_ended_by_hand(console); },
+                                                                 [&](const std::string& line) { live.tell(line); }));
   const Nao& itself = *robot;
   StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], itself, engine);
   err << fmt::format("reorient: {} behaviours on a NAO; {}\n", behaviors,
                      options.stand ? "it stands up" : "press its chest's button, and it stands up")
       << std::flush;
-  std::optional<ModelKeeper> model_keeper;
-  if (!options.model.empty()) model_keeper.emplace(options.model, model, options.sides_changed, mounting);
   RobotInstance instance{std::move(robot), robot_options.body, RobotInstance::Clock::real, nullptr, nullptr};
-  RunParts parts{instance, engine, nullptr, nullptr, {&edits, &console, &start}, {&narration.log, &narration.timeline},
-                 {},       0.0,    false};
-  if (model_keeper) parts.observers.push_back(&*model_keeper);
-  RunRecording recording(std::move(recording_options), tell, EarlierRecording::stays);
-  if (Observer* const recorder = recording.observer()) parts.observers.push_back(recorder);
-  parts.observers.push_back(&narration.progress);
-  parts.observers.push_back(&console);
-  parts.stop = is_over;
-  RunLoop(std::move(parts)).run();
-  narration.progress.end();
-  recording.end(out);
+  live.run({.parts = {.robot = instance, .engine = engine, .sources = {&start}, .observers = {}, .stop = {}},
+            .edits = &edits,
+            .model = model,
+            .mounting = mounting,
+            .recording = std::move(recording_options)});
+  live.end_recording();
   std::vector<std::string> failures;
-  if (model_keeper) try_to_write(failures, [&] { model_keeper->save(); });
+  live.save_model(failures);
   for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
   const Nao::Counts counts = itself.counts();
   out << fmt::format(
       "{} frames; {} images not looked at since a newer one had come, {} of which nobody knows where the head was, {} "
       "damaged; cameras begun anew {} times\n",
       counts.frames, counts.passed_over, counts.unplaced, counts.damaged, counts.begun_anew);
-  if (!failures.empty()) return kBadInput;
-  return Interruption::signal() != 0 ? exit_code_of(Interruption::signal()) : kSuccess;
+  return exit_code_of_runs(failures);
 }
 
 }  // namespace reorient

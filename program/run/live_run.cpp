@@ -1,0 +1,65 @@
+#include "program/run/live_run.h"
+
+#include <utility>
+
+#include "program/interruption.h"
+#include "program/program.h"
+#include "program/robots.h"
+#include "workbench/files/atomic_file.h"
+
+namespace reorient {
+
+LiveRun::LiveRun(const RunOptions& options, LiveConsole& console, std::ostream& out, std::ostream& err)
+    : options_(options),
+      console_(console),
+      out_(out),
+      err_(err),
+      room_for_log_([this] { console_.make_room(); }),
+      progress_(err, [this] { return console_.is_open(); }),
+      timeline_(out, options.every_transition, [this] {
+        progress_.make_room();
+        console_.begin_line();
+      }) {}
+
+void LiveRun::tell(const std::string& line) {
+  progress_.make_room();
+  console_.make_room();
+  err_ << "reorient: " << line << '\n' << std::flush;
+}
+
+RunEnd LiveRun::run(LiveRunParts live) {
+  std::vector<Observer*>& observers = live.parts.observers;
+  observers.insert(observers.end(), {&log_, &timeline_});
+  if (!options_.model.empty())
+    observers.push_back(&model_.emplace(options_.model, live.model, options_.sides_changed, live.mounting));
+  const bool is_simulated = options_.robot == kSimulator || options_.robot == kFootage;
+  recording_.emplace(
+      std::move(live.recording), [this](const std::string& line) { tell(line); },
+      is_simulated ? EarlierRecording::is_replaced : EarlierRecording::stays);
+  if (Observer* const recorder = recording_->observer()) observers.push_back(recorder);
+  observers.push_back(&progress_);
+  if (live.edits != nullptr) {
+    live.parts.sources.insert(live.parts.sources.begin(), {live.edits, &console_});
+    observers.push_back(&console_);
+  }
+  live.parts.stop = [this, stop = std::move(live.parts.stop)] {
+    return is_ended_by_hand(console_) || (stop && stop());
+  };
+  const RunEnd end = RunLoop(std::move(live.parts)).run();
+  progress_.end();
+  return end;
+}
+
+void LiveRun::save_model(std::vector<std::string>& failures) {
+  if (model_) try_to_write(failures, [&] { model_->save(); });
+}
+
+bool is_ended_by_hand(const LiveConsole& console) { return Interruption::signal() != 0 || console.wants_to_quit(); }
+
+int exit_code_of_runs(const std::vector<std::string>& failures, bool succeeded) {
+  if (!failures.empty()) return kBadInput;
+  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+  return succeeded ? kSuccess : kWrong;
+}
+
+}  // namespace reorient
