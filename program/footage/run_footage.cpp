@@ -15,9 +15,7 @@
 #include "engine/parameters/nearest_name.h"
 #include "program/footage/footage_run.h"
 #include "program/interruption.h"
-#include "program/model/model_keeper.h"
 #include "program/run/run_scenario.h"
-#include "program/run/script_edits.h"
 #include "program/run/simulation.h"
 #include "workbench/files/calibration_file.h"
 
@@ -101,8 +99,9 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
                                 .model = setup.model,
                                 .recording = {}},
                        .venue = setup.source.string(),
-                       .parameters = [&] { return engine.parameters(); },
-                       .kept_parameters = [&] { return prepared.kept; },
+                       .subject = {.parameters = [&] { return engine.parameters(); },
+                                   .kept_parameters = [&] { return prepared.kept; },
+                                   .scripts = options.scripts},
                        .failure = failure},
                       {{}, {}, verdict}, out, err);
 }

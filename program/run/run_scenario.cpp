@@ -7,13 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include "program/interruption.h"
 #include "program/run/console/history_file.h"
-#include "program/run/console/live_console.h"
-#include "program/run/live_run.h"
 #include "program/run/report.h"
 #include "program/run/simulation.h"
 #include "workbench/files/atomic_file.h"
@@ -46,12 +43,7 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   FrameTimes frame_times;
   DigestObserver digest;
   RunPictures pictures;
-  LiveConsole console(STDIN_FILENO, out,
-                      {.scenario = run.live.parts.scenario,
-                       .parameters = run.parameters,
-                       .kept_parameters = run.kept_parameters,
-                       .scripts = options.scripts},
-                      history_path());
+  LiveConsole console(STDIN_FILENO, out, run.subject, history_path());
   LiveRun live(options, console, out, err);
 
   RunParts& parts = run.live.parts;
@@ -82,7 +74,9 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   if (!options.json.empty())
     try_to_write(failures, [&] { write_summary(result, commands, circumstances, options.json); });
   if (!options.save_parameters.empty()) {
-    try_to_write(failures, [&] { save_parameters(run.parameters(), run.kept_parameters(), options.save_parameters); });
+    try_to_write(failures, [&] {
+      save_parameters(run.subject.parameters(), run.subject.kept_parameters(), options.save_parameters);
+    });
   }
   live.save_model(failures);
   if (options.pictures) {
@@ -109,8 +103,10 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                                 .model = simulation.model(),
                                 .recording = {}},
                        .venue = simulation.venue().name(),
-                       .parameters = [&] { return simulation.parameters(); },
-                       .kept_parameters = [&] { return simulation.kept_parameters(); }},
+                       .subject = {.scenario = &simulation.scenario(),
+                                   .parameters = [&] { return simulation.parameters(); },
+                                   .kept_parameters = [&] { return simulation.kept_parameters(); },
+                                   .scripts = options.scripts}},
                       guests, out, err);
 }
 

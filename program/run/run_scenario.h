@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/parameters/parameter.h"
 #include "program/run/live_run.h"
 #include "program/run/run_options.h"
 #include "workbench/run/observer.h"
@@ -23,10 +22,9 @@ struct RunGuests {
 
 /// A robot and an engine that are ready to run, on a simulated clock. What it points to must outlive the run.
 struct PreparedRun {
-  LiveRunParts live;  ///< without observers and a recording
-  std::string venue;  ///< where it takes place, for people
-  std::function<std::vector<Parameter>()> parameters;
-  std::function<std::vector<ParameterChange>()> kept_parameters;  ///< of scripts and robots that are not in this run
+  LiveRunParts live;                       ///< without observers and a recording
+  std::string venue;                       ///< where it takes place, for people
+  ConsoleSubject subject;                  ///< what commands act on
   std::function<std::string()> failure{};  ///< one line, once it is over: why the robot ended early; may be empty
 };
 

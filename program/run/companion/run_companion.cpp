@@ -1,6 +1,5 @@
 #include "program/run/companion/run_companion.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -19,16 +18,13 @@
 #include "program/monotonic_clock.h"
 #include "program/run/companion/state_file.h"
 #include "program/run/console/history_file.h"
-#include "program/run/console/live_console.h"
 #include "program/run/live_run.h"
-#include "program/run/script_edits.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
 #include "robots/companion/companion.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
-#include "workbench/run/run_loop.h"
 
 namespace reorient {
 namespace {

@@ -12,11 +12,9 @@
 
 #include "program/interruption.h"
 #include "program/run/console/history_file.h"
-#include "program/run/console/live_console.h"
 #include "program/run/live_run.h"
 #include "program/run/nao/nao_hardware.h"
 #include "program/run/places.h"
-#include "program/run/script_edits.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
 #include "robots/nao/nao.h"
@@ -25,7 +23,6 @@
 #include "workbench/files/calibration_file.h"
 #include "workbench/files/field_file.h"
 #include "workbench/files/places_file.h"
-#include "workbench/run/run_loop.h"
 
 namespace reorient {
 namespace {
