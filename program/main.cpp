@@ -1,3 +1,4 @@
+#include <clocale>
 #include <csignal>
 #include <iostream>
 
@@ -8,5 +9,7 @@ int main(int argc, char** argv) {
   // with which nothing else that a run writes must be lost.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  // libedit converts letters by the locale. Before there are threads; numbers stay as they are.
+  std::setlocale(LC_CTYPE, "C.UTF-8");
   return reorient::run_program(argc, argv, std::cout, std::cerr);
 }

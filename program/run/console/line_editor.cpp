@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <cwchar>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -14,15 +15,14 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "engine/parameters/utf8.h"
 #include "program/run/console/history_file.h"
-#include "program/run/console/letters.h"
-#include "program/run/console/line_reader.h"
 
 namespace reorient {
 namespace {
 
 constexpr const char* kPrompt = "> ";
-constexpr std::size_t kPromptWidth = 2;
+constexpr int kPromptWidth = 2;
 constexpr const char* kControlD = "\x04";
 
 struct Binding {
@@ -30,38 +30,41 @@ struct Binding {
   const char* command;  ///< of libedit
 };
 
-/// Those that terminals send for the keys beside the letters. Others are left out: libedit would type their ends.
-constexpr Binding kSequences[] = {
-    {"\x1B[A", "ed-prev-history"},    {"\x1BOA", "ed-prev-history"},       {"\x1B[B", "ed-next-history"},
-    {"\x1BOB", "ed-next-history"},    {"\x1B[C", "ed-next-char"},          {"\x1BOC", "ed-next-char"},
-    {"\x1B[D", "ed-prev-char"},       {"\x1BOD", "ed-prev-char"},          {"\x1B[H", "ed-move-to-beg"},
-    {"\x1BOH", "ed-move-to-beg"},     {"\x1B[1~", "ed-move-to-beg"},       {"\x1B[7~", "ed-move-to-beg"},
-    {"\x1B[F", "ed-move-to-end"},     {"\x1BOF", "ed-move-to-end"},        {"\x1B[4~", "ed-move-to-end"},
-    {"\x1B[8~", "ed-move-to-end"},    {"\x1B[3~", "ed-delete-next-char"},  {"\x1B[1;5C", "em-next-word"},
-    {"\x1B[1;5D", "ed-prev-word"},    {"\033f", "em-next-word"},           {"\033b", "ed-prev-word"},
-    {"\033d", "em-delete-next-word"}, {"\x1B\x7F", "ed-delete-prev-word"},
+/// Sequences are those that terminals send for the keys beside the letters. Others are left out: libedit would type
+/// their ends. Commands of libedit that would wait for another key are replaced or taken away: nothing here may wait.
+constexpr Binding kBindings[] = {
+    {"\x1B[A", "ed-prev-history"},      {"\x1BOA", "ed-prev-history"},       {"\x1B[B", "ed-next-history"},
+    {"\x1BOB", "ed-next-history"},      {"\x1B[C", "ed-next-char"},          {"\x1BOC", "ed-next-char"},
+    {"\x1B[D", "ed-prev-char"},         {"\x1BOD", "ed-prev-char"},          {"\x1B[H", "ed-move-to-beg"},
+    {"\x1BOH", "ed-move-to-beg"},       {"\x1B[1~", "ed-move-to-beg"},       {"\x1B[7~", "ed-move-to-beg"},
+    {"\x1B[F", "ed-move-to-end"},       {"\x1BOF", "ed-move-to-end"},        {"\x1B[4~", "ed-move-to-end"},
+    {"\x1B[8~", "ed-move-to-end"},      {"\x1B[3~", "ed-delete-next-char"},  {"\x1B[1;5C", "em-next-word"},
+    {"\x1B[1;5D", "ed-prev-word"},      {"\033f", "em-next-word"},           {"\033b", "ed-prev-word"},
+    {"\033d", "em-delete-next-word"},   {"\x1B\x7F", "ed-delete-prev-word"}, {"\t", "reorient-complete"},
+    {"\x12", "ed-search-prev-history"}, {"\x13", "ed-search-next-history"},  {"\x16", "ed-unassigned"},
+    {"\x17", "ed-delete-prev-word"},    {"\x18", "ed-unassigned"},
 };
 
-/// Commands of libedit that would wait for another key are replaced or taken away: nothing here may wait.
-constexpr Binding kKeys[] = {
-    {"\t", "reorient-complete"}, {"\x12", "ed-search-prev-history"}, {"\x13", "ed-search-next-history"},
-    {"\x16", "ed-unassigned"},   {"\x17", "ed-delete-prev-word"},    {"\x18", "ed-unassigned"},
-};
-
-std::set<std::string, std::less<>> known_sequences() {
+std::set<std::string, std::less<>> bound_keys() {
   std::set<std::string, std::less<>> all;
-  for (const Binding& binding : kSequences) all.insert(binding.keys);
+  for (const Binding& binding : kBindings) all.insert(binding.keys);
   return all;
-}
-
-std::wstring_view before_cursor(EditLine* editor) {
-  const LineInfoW& line = *el_wline(editor);
-  return {line.buffer, static_cast<std::size_t>(line.cursor - line.buffer)};
 }
 
 std::size_t line_length(EditLine* editor) {
   const LineInfoW& line = *el_wline(editor);
   return static_cast<std::size_t>(line.lastchar - line.buffer);
+}
+
+/// In rows of a terminal.
+int rows_above_cursor(EditLine* editor, int columns) {
+  const LineInfoW& line = *el_wline(editor);
+  int width = kPromptWidth;
+  for (const wchar_t* letter = line.buffer; letter != line.cursor; ++letter) {
+    const int shown = ::wcwidth(*letter);
+    width += shown < 0 ? 2 : shown;  // ^A
+  }
+  return width / columns;
 }
 
 int columns_of(int descriptor) {
@@ -92,8 +95,7 @@ LineEditor::LineEditor(int descriptor, Candidates candidates, std::optional<std:
       history_file_(std::move(history)),
       history_(history_init(), history_end),
       editor_(nullptr, el_end),
-      keys_(known_sequences()) {
-  const Utf8Letters utf8;
+      keys_(bound_keys()) {
   editor_.reset(el_init_fd("reorient", stdin, stdout, stderr, descriptor, STDOUT_FILENO, STDERR_FILENO));
   if (!editor_ || !history_) throw std::runtime_error("this terminal cannot be used to edit lines");
   HistEvent event;
@@ -106,7 +108,9 @@ LineEditor::LineEditor(int descriptor, Candidates candidates, std::optional<std:
       editor_.get(), EL_PROMPT, +[](EditLine*) { return const_cast<char*>(kPrompt); });
   el_set(editor_.get(), EL_HIST, ::history, history_.get());
   el_wset(editor_.get(), EL_GETCFN, &LineEditor::next_letter);
-  bind_keys();
+  // With narrow strings libedit would make wide ones and never free them.
+  el_wset(editor_.get(), EL_ADDFN, L"reorient-complete", L"complete the word", &LineEditor::complete_word);
+  for (const Binding& binding : kBindings) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
   load_history();
 }
 
@@ -114,13 +118,6 @@ LineEditor::~LineEditor() {
   close();
   // In the background the terminal is not ours to be set once more.
   if (!is_in_foreground(descriptor_)) static_cast<void>(editor_.release());
-}
-
-void LineEditor::bind_keys() {
-  // With narrow strings libedit would make wide ones and never free them.
-  el_wset(editor_.get(), EL_ADDFN, L"reorient-complete", L"complete the word", &LineEditor::complete_word);
-  for (const Binding& binding : kSequences) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
-  for (const Binding& binding : kKeys) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
 }
 
 void LineEditor::load_history() {
@@ -161,17 +158,17 @@ LineEditor& LineEditor::of(EditLine* editor) {
 
 /// 0: there is none, which to libedit is the end of the input, and makes it return.
 int LineEditor::next_letter(EditLine* editor, wchar_t* letter) {
-  std::wstring& letters = of(editor).letters_;
-  if (letters.empty()) return 0;
-  *letter = letters.front();
-  letters.erase(0, 1);
+  std::string& key = of(editor).key_;
+  std::mbstate_t state{};
+  const std::size_t length = std::mbrtowc(letter, key.data(), key.size(), &state);
+  if (key.empty() || length > key.size()) return 0;
+  key.erase(0, std::max<std::size_t>(1, length));
   return 1;
 }
 
-LineEditor::Typed LineEditor::poll() {
+Typed LineEditor::poll() {
   Typed typed;
   if (line_ == Line::none || !is_in_foreground(descriptor_)) return typed;
-  const Utf8Letters utf8;
   if (TerminalGuard::came_back()) el_set(editor_.get(), EL_REFRESH);
   follow_size();
   if (keys_.empty() || late_ > 0) read_keys();
@@ -202,13 +199,13 @@ void LineEditor::take_key(const std::string& key, Typed& typed) {
   }
   const bool is_text = static_cast<unsigned char>(key.front()) >= ' ' && key != "\x7F";
   if (is_text && line_length(editor_.get()) >= kLongestLine) return;
-  letters_ = wide(key);
-  if (letters_.empty()) return;
+  key_ = key;
   int count = 0;
   const wchar_t* const letters = el_wgets(editor_.get(), &count);
-  letters_.clear();
+  key_.clear();
   if (letters != nullptr && count > 0 && letters[count - 1] == L'\n') {
-    typed.line = narrow({letters, static_cast<std::size_t>(count - 1)});
+    const LineInfo& line = *el_line(editor_.get());
+    typed.line.emplace(line.buffer, line.lastchar - 1);
     remember(*typed.line);
     line_ = Line::none;
   }
@@ -221,7 +218,8 @@ void LineEditor::take_key(const std::string& key, Typed& typed) {
 unsigned char LineEditor::complete_word(EditLine* editor, int /*key*/) { return of(editor).complete(); }
 
 unsigned char LineEditor::complete() {
-  const std::string text = narrow(before_cursor(editor_.get()));
+  const LineInfo& line = *el_line(editor_.get());
+  const std::string text(line.buffer, line.cursor);
   const std::size_t begin = text.find_last_of(' ') + 1;  // of npos: 0
   const std::string word = text.substr(begin);
   std::istringstream in(text.substr(0, begin));
@@ -234,12 +232,13 @@ unsigned char LineEditor::complete() {
   std::erase_if(fitting, [&](const std::string& name) { return !name.starts_with(word); });
   if (fitting.empty()) return CC_ERROR;
   std::string rest = common_beginning(fitting).substr(word.size());
+  while (!is_utf8(rest)) rest.pop_back();  // where names differ within a letter
   if (fitting.size() == 1) rest += ' ';
   if (rest.empty()) {
     list(fitting);
     return CC_NORM;
   }
-  return el_winsertstr(editor_.get(), wide(rest).c_str()) == 0 ? CC_REFRESH : CC_ERROR;
+  return el_insertstr(editor_.get(), rest.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
 }
 
 void LineEditor::list(const Words& names) {
@@ -264,14 +263,8 @@ void LineEditor::follow_size() {
   show();
 }
 
-int LineEditor::rows_above_cursor() const {
-  const std::size_t width = kPromptWidth + shown_width(before_cursor(editor_.get()));
-  return static_cast<int>(width) / columns_;
-}
-
 void LineEditor::show() {
   if (line_ == Line::shown || !is_in_foreground(descriptor_)) return;
-  const Utf8Letters utf8;
   if (!guard_) guard_.emplace(descriptor_);
   if (line_ == Line::hidden) {
     el_set(editor_.get(), EL_REFRESH);
@@ -286,16 +279,14 @@ void LineEditor::show() {
 
 void LineEditor::hide() {
   if (line_ != Line::shown) return;
-  const Utf8Letters utf8;
   std::string text = "\r";
-  for (int row = rows_above_cursor(); row > 0; --row) text += "\x1B[A";
+  for (int row = rows_above_cursor(editor_.get(), columns_); row > 0; --row) text += "\x1B[A";
   std::fputs((text + "\x1B[J").c_str(), stdout);
   std::fflush(stdout);
   line_ = Line::hidden;
 }
 
 void LineEditor::close() {
-  const Utf8Letters utf8;
   keys_.drop_begun();
   line_ = Line::none;
   if (!guard_) return;

@@ -12,6 +12,7 @@
 
 #include "program/run/console/command.h"
 #include "program/run/console/key_queue.h"
+#include "program/run/console/line_reader.h"
 #include "program/terminal_guard.h"
 
 namespace reorient {
@@ -21,8 +22,8 @@ class LineEditor {
   /// What the next word may be, behind these.
   using Candidates = std::function<Words(const Words& before)>;
 
-  /// Reads `descriptor` and writes to the standard output, which are one terminal. What was typed in earlier runs is in
-  /// the file `history`; nothing: there is none.
+  /// Reads `descriptor` and writes to the standard output, which are one terminal. The locale must be one of UTF-8.
+  /// What was typed in earlier runs is in the file `history`; nothing: there is none.
   LineEditor(int descriptor, Candidates candidates, std::optional<std::filesystem::path> history);
   ~LineEditor();
   LineEditor(const LineEditor&) = delete;
@@ -32,10 +33,6 @@ class LineEditor {
   static bool is_possible(int descriptor);
 
   /// Takes what was typed since the last call, up to the end of a line. Never blocks.
-  struct Typed {
-    std::optional<std::string> line;
-    bool closed = false;  ///< by Ctrl-D on an empty line
-  };
   Typed poll();
 
   /// The prompt with what is typed so far; a new line where the last one was ended.
@@ -55,7 +52,6 @@ class LineEditor {
   static int next_letter(EditLine* editor, wchar_t* letter);
   static unsigned char complete_word(EditLine* editor, int key);
 
-  void bind_keys();
   void load_history();
   void remember(const std::string& line);
   void read_keys();
@@ -63,7 +59,6 @@ class LineEditor {
   unsigned char complete();
   void list(const Words& names);
   void follow_size();
-  int rows_above_cursor() const;
 
   int descriptor_;
   Candidates candidates_;
@@ -74,9 +69,9 @@ class LineEditor {
   std::optional<TerminalGuard> guard_;  ///< while the terminal is ours
   Line line_ = Line::none;
   KeyQueue keys_;
-  int late_ = 0;          ///< for how many calls the rest of a key has not come
-  std::wstring letters_;  ///< of the key that libedit is told now
-  std::string listing_;   ///< names to be shown above the line
+  int late_ = 0;         ///< for how many calls the rest of a key has not come
+  std::string key_;      ///< what libedit has not yet read of the key that it is told now
+  std::string listing_;  ///< names to be shown above the line
   int columns_ = 80;
 };
 

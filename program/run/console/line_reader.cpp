@@ -18,23 +18,23 @@ bool has_input(int descriptor) {
   return ::poll(&waiting, 1, 0) == 1 && (waiting.revents & (POLLIN | POLLHUP)) != 0;
 }
 
-std::optional<std::string> LineReader::poll() {
-  if (!ended_ && read_.find('\n') == std::string::npos && has_input(descriptor_)) read_some();
-  return take_line();
+Typed LineReader::poll() {
+  const bool closed = !ended_ && read_.find('\n') == std::string::npos && has_input(descriptor_) && read_some();
+  return {take_line(), closed};
 }
 
-bool LineReader::was_closed() { return std::exchange(closed_, false); }
-
-void LineReader::read_some() {
+/// Whether a terminal was closed: by Ctrl-D, which does not last.
+bool LineReader::read_some() {
   std::array<char, 4096> buffer;
   const ssize_t count = read(descriptor_, buffer.data(), buffer.size());
   if (count > 0) {
     read_.append(buffer.data(), static_cast<std::size_t>(count));
   } else if (count == 0 && isatty(descriptor_) == 1) {
-    closed_ = true;  // Ctrl-D says so once, not for ever
+    return true;
   } else {
     ended_ = count == 0 || (errno != EAGAIN && errno != EINTR);
   }
+  return false;
 }
 
 std::optional<std::string> LineReader::take_line() {

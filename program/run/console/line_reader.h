@@ -10,25 +10,28 @@ namespace reorient {
 /// Bytes. A longer line is nobody's command.
 inline constexpr std::size_t kLongestLine = 1000;
 
+/// Since the last look.
+struct Typed {
+  std::optional<std::string> line;  ///< nothing: none is whole yet
+  bool closed = false;              ///< of a terminal: by Ctrl-D on an empty line
+};
+
 /// Reads from a file descriptor without ever blocking, and little at a time: whatever pours in, the robot goes on.
 class LineReader {
  public:
   explicit LineReader(int descriptor) : descriptor_(descriptor) {}
 
-  /// The next line; nothing: none is whole yet. What stands behind the last line break is a line once there is no more.
-  std::optional<std::string> poll();
-  /// Of a terminal: Ctrl-D on an empty line, since the last call.
-  bool was_closed();
+  /// The next line. What stands behind the last line break is a line once there is no more.
+  Typed poll();
 
  private:
-  void read_some();
+  bool read_some();
   std::optional<std::string> take_line();
 
   int descriptor_;
   std::string read_;       ///< and not yet taken
   bool too_long_ = false;  ///< the rest of an endless line is dropped
   bool ended_ = false;     ///< there will be no more
-  bool closed_ = false;
 };
 
 /// Whether a read would not block; false for a terminal that is somebody else's now.

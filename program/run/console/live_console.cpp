@@ -43,20 +43,12 @@ void LiveConsole::add_to(FrameInputs& inputs) {
 }
 
 std::optional<std::string> LiveConsole::next_line() {
-  if (open_ && editor_) {
-    LineEditor::Typed typed = editor_->poll();
-    if (typed.closed) {
-      out_ << "\n";
-      close();
-    }
-    return std::move(typed.line);
-  }
-  std::optional<std::string> line = lines_.poll();
-  if (lines_.was_closed() && open_) {
+  Typed typed = open_ && editor_ ? editor_->poll() : lines_.poll();
+  if (typed.closed && open_) {
     out_ << "\n";
     close();
   }
-  return line;
+  return std::move(typed.line);
 }
 
 void LiveConsole::take_line(const std::string& line, FrameInputs& inputs) {
