@@ -12,6 +12,8 @@ namespace reorient {
 struct TextPosition {
   int line = 0;
   int column = 0;  ///< in bytes
+
+  bool operator==(const TextPosition&) const = default;
 };
 
 inline bool is_before(TextPosition left, TextPosition right) {

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "workbench/script_tools/check/lua_syntax.h"
 #include "workbench/script_tools/check/symbol_table.h"
+#include "workbench/script_tools/syntax/lua_syntax.h"
 
 namespace reorient {
 

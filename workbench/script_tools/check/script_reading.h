@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "workbench/script_tools/check/finding.h"
-#include "workbench/script_tools/check/lua_syntax.h"
 #include "workbench/script_tools/check/script_facts.h"
 #include "workbench/script_tools/check/symbol_table.h"
+#include "workbench/script_tools/syntax/lua_syntax.h"
 
 namespace reorient {
 

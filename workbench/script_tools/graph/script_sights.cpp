@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "engine/script/source/lua_tokens.h"
+#include "workbench/script_tools/syntax/lua_syntax.h"
 
 namespace reorient {
 namespace {
 
-using Kind = LuaToken::Kind;
+using syntax::Expression;
+using syntax::Statement;
+using syntax::Suffix;
 
-/// A local name's or a library member's definition: "name", or "module.name".
+/// A definition among the outermost statements of a file, by what it defines: "name", or "module.name".
 struct Reference {
   std::string file;
   std::string name;
@@ -21,7 +22,7 @@ struct Reference {
   bool operator<(const Reference& other) const { return std::tie(file, name) < std::tie(other.file, other.name); }
 };
 
-/// What a stretch of a script looks at, and which definitions it names.
+/// What a part of a script looks at, and which definitions it names.
 struct Passage {
   std::set<Sight> sights;
   std::set<Reference> references;
@@ -32,154 +33,59 @@ struct Passage {
   }
 };
 
-/// One file: its tokens, and what its outermost statements define.
-class ScriptSource {
- public:
-  ScriptSource(std::string file, std::string_view text) : file_(std::move(file)), tokens_(lua_tokens(text)) {
-    std::size_t begin = 0;
-    int blocks = 0;
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (blocks == 0 && tokens_[i].depth == 0 && begins_statement(i)) {
-        read_statement(begin, i);
-        begin = i;
-      }
-      for (const char* const word : {"function", "do", "if", "repeat"}) blocks += tokens_[i].is_keyword(word) ? 1 : 0;
-      for (const char* const word : {"end", "until"}) blocks -= tokens_[i].is_keyword(word) ? 1 : 0;
-    }
+bool is_text(const Expression& expression) {
+  return expression.kind == Expression::Kind::literal && expression.token->kind == LuaToken::Kind::text;
+}
+
+/// Of .name and ["name"]; empty: it is something else, or there is no such suffix.
+std::string field_name(const std::vector<Suffix>& suffixes, std::size_t index) {
+  if (index >= suffixes.size()) return {};
+  const Suffix& suffix = suffixes[index];
+  if (suffix.kind == Suffix::Kind::field) return suffix.place->text;
+  const bool is_named = suffix.kind == Suffix::Kind::index && is_text(suffix.arguments.front());
+  return is_named ? suffix.arguments.front().token->text : "";
+}
+
+/// The text that an operand is compared with, which may be on either side; empty: it is not compared with a text.
+std::string compared_text(const Expression& operation, std::size_t operand) {
+  for (const std::size_t other : {operand + 1, operand - 1}) {
+    if (other >= operation.operands.size() || !is_text(operation.operands[other])) continue;
+    const LuaToken& sign = *operation.operators[std::min(operand, other)];
+    if (sign.is_symbol("==") || sign.is_symbol("~=")) return operation.operands[other].token->text;
   }
+  return {};
+}
 
-  const std::vector<LuaToken>& tokens() const { return tokens_; }
-  /// What a name stands for: a passage between two tokens.
-  struct Definition {
-    Passage passage;
-    std::size_t begin = 0;
-    std::size_t end = 0;
-  };
-  /// nullptr: the file does not define it.
-  const Definition* find(const std::string& name) const {
-    const auto found = definitions_.find(name);
-    return found == definitions_.end() ? nullptr : &found->second;
+/// Of `local a, b = ...`, `local function a`, `function m.a`, `m.a = ...`, `a = ...`.
+std::vector<std::string> defined_names(const Statement& statement) {
+  std::vector<std::string> names;
+  for (const LuaToken* const name : statement.names) names.push_back(name->text);
+  for (const Expression& target : statement.targets) {
+    if (target.kind == Expression::Kind::name) names.push_back(target.token->text);
+    if (const std::string field = field_name(target.suffixes, 0); !field.empty()) names.push_back("module." + field);
   }
+  return names;
+}
 
-  /// Of the token alone: a name and what follows it.
-  Passage look_at(std::size_t i) const {
-    Passage passage;
-    const bool is_field = i > 0 && (tokens_[i - 1].is_symbol(".") || tokens_[i - 1].is_symbol(":"));
-    if (tokens_[i].kind != Kind::name || is_field) return passage;
-    const std::string& name = tokens_[i].text;
-    const std::string field = field_at(i + 1);
-    if (name == "published") {
-      if (!field.empty()) passage.sights.insert({"", field, ""});
-    } else if (name == "behaviors") {
-      if (!field.empty()) passage.sights.insert(machine_sight(i, field));
-    } else if (const auto module = modules_.find(name); module != modules_.end()) {
-      passage.references.insert({module->second, "module." + field});
-    } else {
-      passage.references.insert({file_, name});
-      if (!field.empty()) passage.references.insert({file_, "module." + field});
-    }
-    return passage;
-  }
-
- private:
-  const LuaToken& at(std::size_t index) const { return tokens_[std::min(index, tokens_.size() - 1)]; }
-
-  /// "name" of .name or ["name"] that begins there; empty: it is something else.
-  std::string field_at(std::size_t i) const {
-    if (at(i).is_symbol(".") && at(i + 1).kind == Kind::name) return at(i + 1).text;
-    if (at(i).is_symbol("[") && at(i + 1).kind == Kind::text && at(i + 2).is_symbol("]")) return at(i + 1).text;
+/// The file of `local name = require "..."`.
+std::optional<std::string> required_file(const Statement& statement) {
+  if (statement.kind != Statement::Kind::local || statement.names.size() != 1 || statement.values.size() != 1)
     return {};
-  }
-
-  static bool compares(const LuaToken& token) { return token.is_symbol("==") || token.is_symbol("~="); }
-
-  /// behaviors.NAME.state == "text", of which either side may be the text.
-  Sight machine_sight(std::size_t i, const std::string& machine) const {
-    const std::size_t rest = i + (at(i + 1).is_symbol(".") ? 3 : 4);
-    Sight sight{machine, field_at(rest), ""};
-    const std::size_t behind = rest + (at(rest).is_symbol(".") ? 2 : 3);
-    if (sight.field != "state") return sight;
-    if (compares(at(behind)) && at(behind + 1).kind == Kind::text) {
-      sight.state = at(behind + 1).text;
-    } else if (i >= 2 && compares(at(i - 1)) && at(i - 2).kind == Kind::text) {
-      sight.state = at(i - 2).text;
-    }
-    return sight;
-  }
-
-  /// An expression ends with the token before, and one does not go on with this.
-  bool begins_statement(std::size_t i) const {
-    if (i == 0) return false;
-    const LuaToken& before = tokens_[i - 1];
-    const LuaToken& token = tokens_[i];
-    if (before.is_symbol(";") || token.kind == Kind::end) return true;
-    const bool is_over = before.kind == Kind::name || before.kind == Kind::number || before.kind == Kind::text ||
-                         before.is_symbol(")") || before.is_symbol("]") || before.is_symbol("}") ||
-                         before.is_symbol("...") || before.is_keyword("end") || before.is_keyword("nil") ||
-                         before.is_keyword("true") || before.is_keyword("false");
-    const bool goes_on = token.is_keyword("and") || token.is_keyword("or");
-    return is_over && (token.kind == Kind::name || (token.kind == Kind::keyword && !goes_on));
-  }
-
-  void read_statement(std::size_t begin, std::size_t end) {
-    std::vector<std::string> names = defined_names(begin);
-    if (names.empty()) return;
-    if (at(begin + 2).is_symbol("=") && at(begin + 3).text == "require") {
-      const LuaToken& argument = at(begin + (at(begin + 4).is_symbol("(") ? 5 : 4));
-      if (const auto required = module_file(argument.text)) modules_[names.front()] = *required;
-      return;
-    }
-    Passage passage;
-    for (std::size_t i = begin; i < end; ++i) passage.add(look_at(i));
-    for (const std::string& name : names) {
-      Definition& definition = definitions_[name];
-      definition.passage.add(passage);
-      definition.begin = begin;
-      definition.end = end;
-    }
-  }
-
-  /// Of `local a, b = ...`, `local function a`, `function m.a`, `m.a = ...`, `a = ...`.
-  std::vector<std::string> defined_names(std::size_t i) const {
-    std::vector<std::string> names;
-    if (at(i).is_keyword("local") && !at(i + 1).is_keyword("function")) {
-      do names.push_back(at(++i).text);
-      while (at(++i).is_symbol(","));
-      return names;
-    }
-    const bool is_local = at(i).is_keyword("local");
-    const bool is_function = at(i + (is_local ? 1 : 0)).is_keyword("function");
-    const std::size_t first = i + (is_local ? 1 : 0) + (is_function ? 1 : 0);
-    if (at(first).kind != Kind::name) return names;
-    if (at(first + 1).is_symbol(".") || at(first + 1).is_symbol(":")) {
-      if (is_function || at(first + 3).is_symbol("=")) names.push_back("module." + at(first + 2).text);
-    } else if (is_function || at(first + 1).is_symbol("=")) {
-      names.push_back(at(first).text);
-    }
-    return names;
-  }
-
-  std::string file_;
-  std::vector<LuaToken> tokens_;
-  std::map<std::string, std::string> modules_;     ///< file of each `local name = require "..."`
-  std::map<std::string, Definition> definitions_;  ///< where there are several of a name, all of them
-};
+  const Expression& value = statement.values.front();
+  if (value.suffixes.size() != 1 || !value.token->is(LuaToken::Kind::name, "require")) return {};
+  const std::vector<Expression>& arguments = value.suffixes.front().arguments;
+  return arguments.size() == 1 && is_text(arguments.front()) ? module_file(arguments.front().token->text)
+                                                             : std::nullopt;
+}
 
 class SightSearch {
  public:
   SightSearch(const MachineDefinition& machine, const ScriptTexts& texts) : machine_(machine), texts_(texts) {}
 
   std::map<int, std::set<Sight>> run() {
-    find_states();
-    std::map<int, Passage> passages;
-    for (const auto& [file, states] : states_) {
-      const ScriptSource& source = source_of(file);
-      for (std::size_t i = 0; i < states.size(); ++i) {
-        if (states[i] >= 0) passages[states[i]].add(source.look_at(i));
-      }
-    }
+    for (const StateDefinition& state : machine_.states) read_file(state.file);
     std::map<int, std::set<Sight>> all;
-    for (const auto& [state, passage] : passages) {
+    for (const auto& [state, passage] : states_) {
       std::set<Sight> sights = follow(passage);
       if (!sights.empty()) all[state] = std::move(sights);
     }
@@ -187,36 +93,86 @@ class SightSearch {
   }
 
  private:
-  const ScriptSource& source_of(const std::string& file) {
-    const auto known = sources_.find(file);
-    if (known != sources_.end()) return known->second;
+  void read_file(const std::string& file) {
     const ScriptText* const text = texts_.find(file);
-    return sources_.emplace(file, ScriptSource(file, text == nullptr ? std::string_view() : text->text)).first->second;
-  }
-
-  void find_states() {
-    for (std::size_t state = 0; state < machine_.states.size(); ++state) {  // inner ones come after
-      const StateDefinition& definition = machine_.states[state];
-      const std::vector<LuaToken>& tokens = source_of(definition.file).tokens();
-      std::vector<int>& states = states_[definition.file];
-      states.resize(tokens.size(), -1);
-      const auto name = std::lower_bound(
-          tokens.begin(), tokens.end(), definition.position,
-          [](const LuaToken& token, TextPosition position) { return is_before(token.position, position); });
-      const auto brace = name == tokens.end() ? name : name + 1;
-      if (definition.position.column == 0 || brace == tokens.end() || !brace->is_symbol("{")) continue;
-      for (auto token = brace + 1; token != tokens.end() && token->depth > brace->depth; ++token)
-        states[static_cast<std::size_t>(token - tokens.begin())] = static_cast<int>(state);
+    if (text == nullptr || !files_.insert(file).second) return;
+    file_ = file;
+    const syntax::Script script = syntax::read_script(text->text);
+    for (const Statement& statement : script.body) {
+      if (const auto required = required_file(statement)) {
+        modules_[{file, statement.names.front()->text}] = *required;
+        continue;
+      }
+      Passage passage;
+      here_ = &passage;
+      holds_a_state_ = false;
+      read(statement);
+      // What is in a state that a local name holds is that state's, not that of the table which names it.
+      if (holds_a_state_) continue;
+      for (const std::string& name : defined_names(statement)) definitions_[{file, name}].add(passage);
     }
   }
 
-  /// A local name for a state: what is in it is that state's, not that of the table which names it.
-  bool holds_a_state(const std::string& file, const ScriptSource::Definition& definition) const {
-    const auto found = states_.find(file);
-    if (found == states_.end()) return false;
-    const auto first = found->second.begin();
-    return std::any_of(first + static_cast<std::ptrdiff_t>(definition.begin),
-                       first + static_cast<std::ptrdiff_t>(definition.end), [](int state) { return state >= 0; });
+  void read(const Statement& statement) {
+    for (const Expression& target : statement.targets) read(target);
+    for (const Expression& value : statement.values) read(value);
+    for (const syntax::Block& block : statement.blocks) read(block);
+    if (statement.function != nullptr) read(statement.function->body);
+  }
+
+  void read(const syntax::Block& block) {
+    for (const Statement& statement : block) read(statement);
+  }
+
+  void read(const Expression& expression, const std::string& compared_with = {}) {
+    const bool is_suffixed = expression.kind == Expression::Kind::suffixed;
+    const Expression& head = is_suffixed ? expression.operands.front() : expression;
+    if (head.kind == Expression::Kind::name) look_at(head.token->text, expression.suffixes, compared_with);
+    for (std::size_t i = 0; i < expression.operands.size(); ++i) {
+      if (!is_suffixed || head.kind != Expression::Kind::name)
+        read(expression.operands[i], compared_text(expression, i));
+    }
+    for (std::size_t i = 0; i < expression.suffixes.size(); ++i) {
+      Passage* const around = here_;
+      if (const int state = i == 0 ? -1 : named_state(expression.suffixes[i - 1]); state >= 0) {
+        here_ = &states_[state];
+        holds_a_state_ = true;
+      }
+      for (const Expression& argument : expression.suffixes[i].arguments) read(argument);
+      here_ = around;
+    }
+    for (const syntax::Field& field : expression.fields) {
+      for (const Expression& key : field.computed_key) read(key);
+      read(field.value);
+    }
+    if (expression.function != nullptr) read(expression.function->body);
+  }
+
+  /// Which state `"name"` declares, of `state "name" { ... }`; -1: none.
+  int named_state(const Suffix& suffix) const {
+    if (suffix.kind != Suffix::Kind::call) return -1;
+    int index = static_cast<int>(machine_.states.size()) - 1;
+    for (; index >= 0; --index) {
+      const StateDefinition& state = machine_.states[static_cast<std::size_t>(index)];
+      if (state.file == file_ && state.position == suffix.place->position) break;
+    }
+    return index;
+  }
+
+  void look_at(const std::string& name, const std::vector<Suffix>& suffixes, const std::string& compared_with) {
+    const std::string field = field_name(suffixes, 0);
+    if (name == "published") {
+      if (!field.empty()) here_->sights.insert({"", field, ""});
+    } else if (name == "behaviors") {
+      const std::string seen = field_name(suffixes, 1);
+      if (!field.empty())
+        here_->sights.insert({field, seen, seen == "state" && suffixes.size() == 2 ? compared_with : ""});
+    } else if (const auto module = modules_.find({file_, name}); module != modules_.end()) {
+      here_->references.insert({module->second, "module." + field});
+    } else {
+      here_->references.insert({file_, name});
+      if (!field.empty()) here_->references.insert({file_, "module." + field});
+    }
   }
 
   /// What a passage looks at, itself and through what it names.
@@ -228,9 +184,8 @@ class SightSearch {
       const Reference reference = std::move(next.back());
       next.pop_back();
       if (!seen.insert(reference).second) continue;
-      const ScriptSource::Definition* const named = source_of(reference.file).find(reference.name);
-      if (named == nullptr || holds_a_state(reference.file, *named)) continue;
-      const Passage& passage = named->passage;
+      read_file(reference.file);
+      const Passage& passage = definitions_[reference];
       sights.insert(passage.sights.begin(), passage.sights.end());
       next.insert(next.end(), passage.references.begin(), passage.references.end());
     }
@@ -239,9 +194,13 @@ class SightSearch {
 
   const MachineDefinition& machine_;
   const ScriptTexts& texts_;
-  std::map<std::string, ScriptSource> sources_;
-  /// By file: for each token the innermost state in whose braces it stands; -1: none.
-  std::map<std::string, std::vector<int>> states_;
+  std::set<std::string> files_;               ///< that were read
+  std::map<Reference, std::string> modules_;  ///< file of each `local name = require "..."`
+  std::map<Reference, Passage> definitions_;  ///< where there are several of a name, all of them
+  std::map<int, Passage> states_;             ///< what stands in the table of each, without the states in it
+  std::string file_;                          ///< that is being read
+  Passage* here_ = nullptr;                   ///< to which what is read belongs
+  bool holds_a_state_ = false;                ///< the outermost statement that is being read
 };
 
 }  // namespace

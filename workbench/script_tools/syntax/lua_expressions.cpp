@@ -1,7 +1,7 @@
 #include <array>
 #include <utility>
 
-#include "workbench/script_tools/check/lua_parser.h"
+#include "workbench/script_tools/syntax/lua_parser.h"
 
 namespace reorient::syntax {
 namespace {

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "workbench/script_tools/check/lua_parser.h"
+#include "workbench/script_tools/syntax/lua_parser.h"
 
 namespace reorient::syntax {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "workbench/script_tools/check/lua_syntax.h"
+#include "workbench/script_tools/syntax/lua_syntax.h"
 
 namespace reorient::syntax {
 
