@@ -19,7 +19,6 @@
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/graph/machine_graph.h"
-#include "workbench/script_tools/graph/machines_graph.h"
 
 namespace reorient {
 namespace {
@@ -107,20 +106,15 @@ class DrawnScripts {
   std::vector<MachineDefinition> machines_;
 };
 
-std::string draw(const DrawnScripts& scripts, bool as_dot) {
-  const std::vector<MachineDefinition>& machines = scripts.machines();
-  if (machines.size() == 1) return as_dot ? to_dot(machines.front()) : to_mermaid(machines.front());
-  const std::vector<MachineLink> links = machine_links(machines, scripts.texts());
-  return as_dot ? to_dot(machines, links) : to_mermaid(machines, links);
-}
-
 int graph(const GraphOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts_root);
   require_writable_output(options.out, "--out", root);
   DrawnScripts scripts(root);
   for (const std::string& name : options.scripts) scripts.add(name);
   if (options.with_behaviors) scripts.add_behaviors_of_scenarios();
-  const std::string text = draw(scripts, options.format == "dot");
+  const std::vector<MachineDefinition>& machines = scripts.machines();
+  const std::vector<MachineLink> links = machine_links(machines, scripts.texts());
+  const std::string text = options.format == "dot" ? to_dot(machines, links) : to_mermaid(machines, links);
   if (options.out.empty()) {
     out << text;
   } else {

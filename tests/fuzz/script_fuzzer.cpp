@@ -195,7 +195,7 @@ class Trial {
 
   void look_at_definitions() const {
     for (const MachineDefinition* definition : host_.definitions()) {
-      require(!to_mermaid(*definition).empty() && !to_dot(*definition).empty(), "a machine can be drawn");
+      require(!to_mermaid({definition, 1}).empty() && !to_dot({definition, 1}).empty(), "a machine can be drawn");
       (void)machine_warnings(*definition);
       for (const TransitionDefinition& transition : definition->transitions) {
         require(transition.to > 0 && transition.to < static_cast<int>(definition->states.size()),

@@ -8,7 +8,6 @@
 
 #include "tests/engine/script/script_fixture.h"
 #include "workbench/script_tools/graph/machine_graph.h"
-#include "workbench/script_tools/graph/machines_graph.h"
 #include "workbench/script_tools/graph/script_sights.h"
 
 namespace reorient {
@@ -34,7 +33,7 @@ behavior "drawn" {
 };
 
 TEST_F(GraphTest, IsAMermaidStateDiagram) {
-  EXPECT_EQ(to_mermaid(machine()), R"(stateDiagram-v2
+  EXPECT_EQ(to_mermaid({&machine(), 1}), R"(stateDiagram-v2
   [*] --> at_rest
   state "at rest" as at_rest
   state "moving" as moving
@@ -54,7 +53,7 @@ TEST_F(GraphTest, IsAMermaidStateDiagram) {
 }
 
 TEST_F(GraphTest, IsAGraphvizDigraphWithClusters) {
-  EXPECT_EQ(to_dot(machine()), R"(digraph "drawn" {
+  EXPECT_EQ(to_dot({&machine(), 1}), R"(digraph "drawn" {
   compound=true;
   node [shape=box, style=rounded];
   start [shape=point];
@@ -79,7 +78,7 @@ TEST_F(GraphTest, IsAGraphvizDigraphWithClusters) {
 TEST_F(GraphTest, KeepsStatesApartWhoseNamesDifferInASignOnly) {
   load("alike", R"(behavior "alike" { initial = "a b",
   state "a b" { { "a_b", after = 1 } }, state "a_b" { { "a b", after = 1 } } })");
-  const std::string text = to_mermaid(*host().definitions().front());
+  const std::string text = to_mermaid({host().definitions().front(), 1});
   EXPECT_NE(text.find("state \"a b\" as a_b\n"), std::string::npos) << text;
   EXPECT_NE(text.find("state \"a_b\" as a_b_2\n"), std::string::npos) << text;
 }
@@ -87,7 +86,8 @@ TEST_F(GraphTest, KeepsStatesApartWhoseNamesDifferInASignOnly) {
 TEST_F(GraphTest, WritesOutWhatNobodyCanRead) {
   load("odd",
        R"(behavior "odd" { initial = "a", state "a" { { "b", after = 1, because = "\27[2J\xFF" } }, state "b" {} })");
-  for (const std::string& text : {to_mermaid(*host().definitions().front()), to_dot(*host().definitions().front())}) {
+  for (const std::string& text :
+       {to_mermaid({host().definitions().front(), 1}), to_dot({host().definitions().front(), 1})}) {
     EXPECT_NE(text.find("x1B[2J"), std::string::npos) << text;
     EXPECT_NE(text.find("xFF"), std::string::npos) << text;
     EXPECT_EQ(text.find('\x1B'), std::string::npos) << text;

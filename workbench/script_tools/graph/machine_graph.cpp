@@ -1,101 +1,239 @@
 #include "workbench/script_tools/graph/machine_graph.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <set>
+#include <utility>
 
-#include "workbench/script_tools/graph/graph_text.h"
+#include "engine/parameters/utf8.h"
+#include "workbench/script_tools/graph/script_sights.h"
 
 namespace reorient {
 namespace {
 
-/// One identifier a state: its path in letters, digits and _; numbered where two paths would become the same.
-std::vector<std::string> identifiers(const MachineDefinition& machine) {
-  std::vector<std::string> all;
-  for (const StateDefinition& state : machine.states) {
-    std::string id = state_identifier(state);
-    if (std::find(all.begin(), all.end(), id) != all.end()) id += "_" + std::to_string(all.size());
-    all.push_back(std::move(id));
+std::string with(std::string text, char from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, 1, to);
+  return text;
+}
+
+/// Nothing in it ends a line, a label or a statement of Mermaid's.
+std::string mermaid_text(const std::string& text) {
+  return with(with(with(as_line(text), '#', "#35;"), '"', "'"), ':', "#58;");
+}
+
+/// In quotes: nothing in it is taken for markup.
+std::string mermaid_label(const std::string& text) {
+  return '"' + with(with(with(mermaid_text(text), '<', "#lt;"), '>', "#gt;"), '`', "'") + '"';
+}
+
+/// In quotes.
+std::string dot_text(const std::string& text) {
+  return '"' + with(with(as_line(text), '\\', "\\\\"), '"', "\\\"") + '"';
+}
+
+/// The reason, and how long it takes.
+std::string transition_label(const TransitionDefinition& transition) {
+  std::string text = transition.because;
+  if (transition.lasting.kind != Dwell::Kind::none) text += " [for " + transition.lasting.text + "]";
+  const std::string after = "after " + transition.after.text;
+  if (transition.after.kind != Dwell::Kind::none && text != after) text += " [" + after + "]";
+  return text;
+}
+
+/// One machine of a picture, with identifiers of letters, digits and _ that differ from all others in it.
+struct DrawnMachine {
+  const MachineDefinition& machine;
+  std::string id;
+  std::vector<std::string> states;  ///< of state 0: the node "any state"
+  std::vector<std::string> starts;  ///< the dots from which the arrows to initial states lead
+  bool has_common_way = false;      ///< some transition is the machine's own, and leads out of whichever state
+};
+
+std::vector<DrawnMachine> drawn_machines(std::span<const MachineDefinition> machines) {
+  std::set<std::string> taken;
+  const auto fresh = [&](const std::string& wanted) {
+    std::string name = wanted;
+    for (int i = 2; !taken.insert(name).second; ++i) name = wanted + "_" + std::to_string(i);
+    return name;
+  };
+  std::vector<DrawnMachine> all;
+  for (const MachineDefinition& machine : machines) {
+    const std::string prefix = machines.size() == 1 ? "" : machine.name + "_";
+    DrawnMachine drawn{machine, fresh(machine.name + "_machine"), {}, {}};
+    for (const StateDefinition& state : machine.states) {
+      std::string path = state.path.empty() ? "any_state" : state.path;
+      std::replace_if(
+          path.begin(), path.end(), [](unsigned char c) { return std::isalnum(c) == 0 || c >= 128; }, '_');
+      drawn.states.push_back(fresh(prefix + path));
+    }
+    for (std::size_t i = 0; i < machine.states.size(); ++i)
+      drawn.starts.push_back(fresh((i == 0 ? prefix : drawn.states[i] + "_") + "start"));
+    for (const TransitionDefinition& transition : machine.transitions) drawn.has_common_way |= transition.from == 0;
+    all.push_back(std::move(drawn));
   }
   return all;
 }
 
-struct MermaidWriter {
-  const MachineDefinition& machine;
-  std::vector<std::string> id;
-  std::string out;
-
-  void write_states(int index, const std::string& indent) {
-    const StateDefinition& state = machine.states[index];
-    if (state.initial >= 0) out += indent + "[*] --> " + id[state.initial] + "\n";
-    for (const int child : state.children) {
-      const StateDefinition& inner = machine.states[child];
-      out += indent + "state \"" + mermaid_text(inner.name) + "\" as " + id[child] + "\n";
-      if (inner.children.empty()) continue;
-      out += indent + "state " + id[child] + " {\n";
-      write_states(child, indent + "  ");
-      out += indent + "}\n";
-    }
+void add_states_of_diagram(std::string& out, const DrawnMachine& drawn, int outer, const std::string& indent) {
+  const StateDefinition& state = drawn.machine.states[outer];
+  if (state.initial >= 0) out += indent + "[*] --> " + drawn.states[state.initial] + "\n";
+  for (const int child : state.children) {
+    const StateDefinition& inner = drawn.machine.states[child];
+    out += indent + "state \"" + mermaid_text(inner.name) + "\" as " + drawn.states[child] + "\n";
+    if (inner.children.empty()) continue;
+    out += indent + "state " + drawn.states[child] + " {\n";
+    add_states_of_diagram(out, drawn, child, indent + "  ");
+    out += indent + "}\n";
   }
+}
+
+std::string state_diagram(const DrawnMachine& drawn) {
+  std::string out = "stateDiagram-v2\n";
+  add_states_of_diagram(out, drawn, 0, "  ");
+  if (drawn.has_common_way) out += "  state \"any state\" as " + drawn.states[0] + "\n";
+  for (const TransitionDefinition& transition : drawn.machine.transitions) {
+    out += "  " + drawn.states[transition.from] + " --> " + drawn.states[transition.to] + " : " +
+           mermaid_text(transition_label(transition)) + "\n";
+  }
+  return out;
+}
+
+void add_states_of_chart(std::string& out, const DrawnMachine& drawn, int outer, const std::string& indent) {
+  const StateDefinition& state = drawn.machine.states[outer];
+  if (state.initial >= 0) out += indent + drawn.starts[outer] + "((\" \")) --> " + drawn.states[state.initial] + "\n";
+  for (const int child : state.children) {
+    const StateDefinition& inner = drawn.machine.states[child];
+    if (inner.children.empty()) {
+      out += indent + drawn.states[child] + "(" + mermaid_label(inner.name) + ")\n";
+      continue;
+    }
+    out += indent + "subgraph " + drawn.states[child] + "[" + mermaid_label(inner.name) + "]\n";
+    add_states_of_chart(out, drawn, child, indent + "  ");
+    out += indent + "end\n";
+  }
+}
+
+std::string flowchart(std::span<const DrawnMachine> machines, std::span<const MachineLink> links) {
+  std::string out = "flowchart TB\n";
+  for (const DrawnMachine& drawn : machines) {
+    out += "  subgraph " + drawn.id + "[" + mermaid_label(drawn.machine.name) + "]\n";
+    if (drawn.has_common_way) out += "    " + drawn.states[0] + "([\"any state\"])\n";
+    add_states_of_chart(out, drawn, 0, "    ");
+    for (const TransitionDefinition& transition : drawn.machine.transitions) {
+      out += "    " + drawn.states[transition.from] + " -->|" + mermaid_label(transition_label(transition)) + "| " +
+             drawn.states[transition.to] + "\n";
+    }
+    out += "  end\n";
+  }
+  const auto end = [&](int machine, int state) {
+    return state == 0 ? machines[machine].id : machines[machine].states[state];
+  };
+  for (const MachineLink& link : links) {
+    out += "  " + end(link.from_machine, link.from_state) + " -.->|" + mermaid_label(link.label) + "| " +
+           end(link.to_machine, link.to_state) + "\n";
+  }
+  return out;
+}
+
+void add_states_of_digraph(std::string& out, const DrawnMachine& drawn, int outer, const std::string& indent) {
+  for (const int child : drawn.machine.states[outer].children) {
+    const StateDefinition& inner = drawn.machine.states[child];
+    const std::string label = "label=" + dot_text(inner.name);
+    if (inner.children.empty()) {
+      out += indent + drawn.states[child] + " [" + label + "];\n";
+      continue;
+    }
+    out += indent + "subgraph cluster_" + drawn.states[child] + " {\n" + indent + "  " + label + ";\n";
+    add_states_of_digraph(out, drawn, child, indent + "  ");
+    out += indent + "}\n";
+  }
+}
+
+/// Graphviz draws edges between nodes only, and cuts them off at the border of the cluster that is meant.
+struct DotEnd {
+  std::string node;
+  std::string cluster;  ///< empty: the node itself is meant
 };
 
-struct DotWriter {
-  const MachineDefinition& machine;
-  std::vector<std::string> id;
-  std::string out;
+/// State 0: the machine's cluster.
+DotEnd dot_end(const DrawnMachine& drawn, int state) {
+  int inner = state;
+  while (drawn.machine.states[inner].initial >= 0) inner = drawn.machine.states[inner].initial;
+  if (inner == 0) return {drawn.starts[0], drawn.id};  // a machine without states
+  if (state == 0) return {drawn.states[inner], drawn.id};
+  return {drawn.states[inner], inner == state ? "" : drawn.states[state]};
+}
 
-  void write_states(int index, const std::string& indent) {
-    for (const int child : machine.states[index].children) {
-      const StateDefinition& inner = machine.states[child];
-      if (inner.children.empty()) {
-        out += indent + id[child] + " [label=" + dot_text(inner.name) + "];\n";
-        continue;
-      }
-      out.append(indent).append("subgraph cluster_").append(id[child]).append(" {\n");
-      out.append(indent).append("  label=").append(dot_text(inner.name)).append(";\n");
-      write_states(child, indent + "  ");
-      out += indent + "}\n";
-    }
+/// Each of the attributes begins with a comma.
+std::string dot_edge(const DotEnd& from, const DotEnd& to, std::string attributes) {
+  if (!from.cluster.empty()) attributes += ", ltail=cluster_" + from.cluster;
+  if (!to.cluster.empty()) attributes += ", lhead=cluster_" + to.cluster;
+  if (!attributes.empty()) attributes = " [" + attributes.substr(2) + "]";
+  return from.node + " -> " + to.node + attributes + ";\n";
+}
+
+/// Of several machines, only links are dashed.
+void add_machine_to_digraph(std::string& out, const DrawnMachine& drawn, bool is_one) {
+  const std::string indent = is_one ? "  " : "    ";
+  const std::string common = is_one ? ", style=dashed" : "";
+  out += indent + drawn.starts[0] + " [shape=point" + (is_one ? "" : ", label=\"\"") + "];\n";
+  if (drawn.has_common_way) out += indent + drawn.states[0] + " [label=\"any state\", style=\"rounded,dashed\"];\n";
+  add_states_of_digraph(out, drawn, 0, indent);
+  if (const int initial = drawn.machine.states[0].initial; initial >= 0)
+    out += indent + dot_edge({drawn.starts[0], ""}, dot_end(drawn, initial), "");
+  for (const TransitionDefinition& transition : drawn.machine.transitions) {
+    const DotEnd from = transition.from == 0 ? DotEnd{drawn.states[0], ""} : dot_end(drawn, transition.from);
+    out += indent + dot_edge(from, dot_end(drawn, transition.to),
+                             ", label=" + dot_text(transition_label(transition)) + (transition.common ? common : ""));
   }
-
-  int innermost(int state) const { return innermost_state(machine, state); }
-
-  /// An edge of a cluster is cut off at its border.
-  std::string ends(int from, int to) const {
-    std::string cut;
-    if (from != 0 && from != innermost(from)) cut += ", ltail=cluster_" + id[from];
-    if (to != innermost(to)) cut += ", lhead=cluster_" + id[to];
-    return cut;
-  }
-};
+}
 
 }  // namespace
 
-std::string to_mermaid(const MachineDefinition& machine) {
-  MermaidWriter writer{machine, identifiers(machine), "stateDiagram-v2\n"};
-  writer.write_states(0, "  ");
-  if (has_common_way(machine)) writer.out += "  state \"any state\" as " + writer.id[0] + "\n";
-  for (const TransitionDefinition& transition : machine.transitions) {
-    writer.out += "  " + writer.id[transition.from] + " --> " + writer.id[transition.to] + " : " +
-                  mermaid_text(transition_label(transition)) + "\n";
+std::vector<MachineLink> machine_links(std::span<const MachineDefinition> machines, const ScriptTexts& texts) {
+  std::vector<MachineLink> links;
+  const int count = static_cast<int>(machines.size());
+  const auto add_links_of = [&](const Sight& sight, int to_machine, int to_state) {
+    for (int from = 0; from < count; ++from) {
+      const MachineDefinition& machine = machines[from];
+      if (from == to_machine || machine.is_scenario) continue;  // no behavior sees a scenario
+      for (int state = 0; state < static_cast<int>(machine.states.size()); ++state) {
+        const bool is_seen = sight.machine.empty()
+                                 ? machine.states[state].publishes == sight.field
+                                 : machine.name == sight.machine && state == std::max(machine.find(sight.state), 0);
+        if (is_seen) links.push_back({from, state, to_machine, to_state, sight.field});
+      }
+    }
+  };
+  for (int machine = 0; machine < count; ++machine) {
+    for (const auto& [state, sights] : sights_of(machines[machine], texts)) {
+      for (const Sight& sight : sights) add_links_of(sight, machine, state);
+    }
   }
-  return writer.out;
+  return links;
 }
 
-std::string to_dot(const MachineDefinition& machine) {
-  DotWriter writer{machine, identifiers(machine), "digraph " + dot_text(machine.name) + " {\n"};
-  std::string& out = writer.out;
-  out += "  compound=true;\n  node [shape=box, style=rounded];\n  start [shape=point];\n";
-  if (has_common_way(machine)) out += "  " + writer.id[0] + " [label=\"any state\", style=\"rounded,dashed\"];\n";
-  writer.write_states(0, "  ");
-  if (const int initial = machine.states[0].initial; initial >= 0) {
-    const std::string cut = writer.ends(0, initial);
-    out +=
-        "  start -> " + writer.id[writer.innermost(initial)] + (cut.empty() ? "" : " [" + cut.substr(2) + "]") + ";\n";
+std::string to_mermaid(std::span<const MachineDefinition> machines, std::span<const MachineLink> links) {
+  const std::vector<DrawnMachine> drawn = drawn_machines(machines);
+  return drawn.size() == 1 ? state_diagram(drawn.front()) : flowchart(drawn, links);
+}
+
+std::string to_dot(std::span<const MachineDefinition> machines, std::span<const MachineLink> links) {
+  const std::vector<DrawnMachine> drawn = drawn_machines(machines);
+  const bool is_one = drawn.size() == 1;
+  std::string out = "digraph " + (is_one ? dot_text(machines.front().name) : "machines") +
+                    " {\n  compound=true;\n  node [shape=box, style=rounded];\n";
+  for (const DrawnMachine& machine : drawn) {
+    if (!is_one) out += "  subgraph cluster_" + machine.id + " {\n    label=" + dot_text(machine.machine.name) + ";\n";
+    add_machine_to_digraph(out, machine, is_one);
+    if (!is_one) out += "  }\n";
   }
-  for (const TransitionDefinition& transition : machine.transitions) {
-    const int from = transition.from == 0 ? 0 : writer.innermost(transition.from);
-    out += "  " + writer.id[from] + " -> " + writer.id[writer.innermost(transition.to)] +
-           " [label=" + dot_text(transition_label(transition)) + (transition.common ? ", style=dashed" : "") +
-           writer.ends(transition.from, transition.to) + "];\n";
+  for (const MachineLink& link : links) {
+    out += "  " + dot_edge(dot_end(drawn[link.from_machine], link.from_state),
+                           dot_end(drawn[link.to_machine], link.to_state),
+                           ", label=" + dot_text(link.label) + ", style=dashed, constraint=false");
   }
   return out + "}\n";
 }

@@ -29,7 +29,7 @@ std::string table(std::span<const ParameterDeclaration> parameters) {
 
 std::string with_generated_parts(const std::string& page, const MachineDefinition& machine,
                                  std::span<const ParameterDeclaration> parameters) {
-  const std::string states = "```mermaid\n" + to_mermaid(machine) + "```\n";
+  const std::string states = "```mermaid\n" + to_mermaid({&machine, 1}) + "```\n";
   return replaced(replaced(page, "states", states), "parameters", table(parameters));
 }
 
