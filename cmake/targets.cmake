@@ -44,6 +44,19 @@ function(reorient_include_root target scope)
   target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${root}>")
 endfunction()
 
+# reorient_embed(VARIABLE file...): VARIABLE becomes the rows of a C++ table, {"name", R"text(...)text"}, with the text of each file
+# under its name without the ending. So a program needs no folder to read them from.
+function(reorient_embed variable)
+  set(rows)
+  foreach(file ${ARGN})
+    cmake_path(GET file STEM LAST_ONLY name)
+    file(READ "${file}" text)
+    string(APPEND rows "      {\"${name}\", R\"text(${text})text\"},\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  endforeach()
+  set(${variable} "${rows}" PARENT_SCOPE)
+endfunction()
+
 # reorient_add_room(NAME [SOURCES file...] [HEADERS file...] [WITHOUT folder...] [PUBLIC target...] [PRIVATE target...])
 # One static library (or, without sources, headers alone). Its headers are those below the present folder, except for
 # the subfolders WITHOUT, which are rooms of their own; or just HEADERS. PUBLIC: what its headers include; PRIVATE: what

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/commands/script_templates.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/script_names.h"
@@ -19,148 +20,6 @@ struct NewOptions {
   std::string name;
   std::filesystem::path scripts;
 };
-
-constexpr const char* kBehavior =
-    R"(--- Says what this behaviour is for, in a sentence or two. As it stands: it looks around while the robot is not sure of
---- its pose.
-
-local p = param {
-  sure  = { 0.5, range = { 0, 1 },                doc = "how far the believed pose must be ahead for the robot to be sure" },
-  dwell = { 1.0, range = { 0.1, 10 }, unit = "s", doc = "how long to look to one side" },
-  angle = { 0.8, range = { 0, 2 }, unit = "rad",  doc = "how far to turn the head to each side" },
-}
-
-local memory = keep { looks = 0 }   -- survives a reload; local variables do not
-
-local function is_sure() return confidence.current - confidence.opposite > p.sure end
-
-behavior "NAME" {
-  priority = 22,                    -- greater than that of head_scan: while this one looks, that one waits
-  initial = "sure",
-
-  state "sure" {
-    { "looking", when = function() return not is_sure() end, lasting = 0.5, because = "the robot is not sure of its pose" },
-  },
-
-  state "looking" {
-    initial = "left",
-    enter = function()
-      memory.looks = memory.looks + 1
-      log.info("not sure where I am, for the " .. memory.looks .. ". time")
-    end,
-    { "sure", when = is_sure, because = "the robot is sure of its pose" },
-
-    state "left" {
-      update = function() head.look(p.angle, 0) end,
-      { "right", after = "dwell" },
-    },
-    state "right" {
-      update = function() head.look(-p.angle, 0) end,
-      { "left", after = "dwell" },
-    },
-  },
-}
-)";
-
-constexpr const char* kBehaviorTest =
-    R"(--- Tests of the behaviour NAME, in a fake world with a fake clock: reorient test scripts/tests/NAME_test.lua
-
-test("rests while the robot is sure of its pose", function()
-  set_world { confidence = { current = 0.9, opposite = 0.0 } }
-  load_behavior "NAME"
-  advance(5.0)
-  expect.state("NAME", "sure")
-end)
-
-test("looks to both sides while it is not", function()
-  set_world { confidence = { current = 0.4, opposite = 0.4 } }
-  load_behavior "NAME"
-  advance(1.0)
-  expect.state("NAME", "looking/left")
-  expect.reason("NAME", "the robot is not sure of its pose")
-  expect.head(0.8, 0)
-  advance(1.0)
-  expect.state("NAME", "looking/right")
-  expect.head(-0.8, 0)
-  advance(1.0)
-  expect.state("NAME", "looking/left")
-end)
-
-test("rests again as soon as it is sure", function()
-  load_behavior "NAME"
-  advance(1.0)
-  set_world { confidence = { current = 0.9, opposite = 0.0 } }
-  advance(0.1)
-  expect.state("NAME", "sure")
-end)
-
-test("keeps its state when the script is edited", function()
-  load_behavior "NAME"
-  advance(1.0)
-  reload { from = "0.8, range", to = "0.5, range" }
-  expect.state("NAME", "looking/left")
-  advance(0.1)
-  expect.head(0.5, 0)
-end)
-)";
-
-constexpr const char* kScenario =
-    R"(--- Says which situation this scenario makes. As it stands: the robot is told where it is, looks about, and is judged by
---- how well it still knows its place after some time.
-
-local p = param {
-  time  = { 20.0, range = { 1, 600 }, unit = "s",  doc = "how long to wait" },
-  error = { 0.5,  range = { 0.01, 5 }, unit = "m", doc = "how far the believed pose may be off" },
-}
-
-local function is_right()
-  local dx, dy = pose.x - truth.x, pose.y - truth.y
-  return dx * dx + dy * dy < p.error * p.error
-end
-
-scenario "NAME" {
-  behaviors = { "orientation", "head_scan" },
-  initial = "placing",
-
-  state "placing" {
-    enter = function()
-      experimenter.put_down(-1.0, 0.5, 0)
-      experimenter.set_initial_pose(-1.0, 0.5, 0)
-    end,
-    { "waiting", after = 0.1, because = "the robot was told where it stands" },
-  },
-
-  state "waiting" {
-    { "right", when = is_right, after = "time", because = "the time is over" },
-    { "wrong", after = "time", because = "the time is over" },
-  },
-
-  state "right" { enter = function() verdict.succeed("the robot knows its place") end },
-  state "wrong" { enter = function() verdict.fail("the robot has lost its place") end },
-}
-)";
-
-constexpr const char* kScenarioTest = R"(--- Tests of the scenario NAME.
-
-test("judges by the pose", function()
-  load_scenario "NAME"
-  set_world { pose = { x = -1.0, y = 0.5 }, truth = { x = -1.0, y = 0.5 } }
-  advance(21.0)
-  expect.verdict(true, "knows its place")
-end)
-
-test("fails a robot that is elsewhere", function()
-  load_scenario "NAME"
-  set_world { pose = { x = -1.0, y = 0.5 }, truth = { x = 1.0, y = -0.5 } }
-  advance(21.0)
-  expect.verdict(false, "lost its place")
-end)
-
-test("ends right on the simulator", function()
-  simulate { scenario = "NAME", seed = 1, width = 160 }
-  expect.verdict(true, "knows its place")
-end)
-)";
 
 std::string named(std::string text, const std::string& name) {
   const std::string blank = "NAME";
@@ -186,8 +45,8 @@ int make(const NewOptions& options, std::ostream& out) {
       throw std::runtime_error("cannot make the folder " + file.parent_path().string() + ": " + error.message());
   }
   const std::string where = options.scripts.empty() ? "" : " --scripts " + options.scripts.string();
-  write_whole_file(script, named(is_behavior ? kBehavior : kScenario, options.name));
-  write_whole_file(test, named(is_behavior ? kBehaviorTest : kScenarioTest, options.name));
+  write_whole_file(script, named(script_template(options.kind), options.name));
+  write_whole_file(test, named(script_template(options.kind + "_test"), options.name));
   out << script.string() << "\n"
       << test.string() << "\nNext: reorient check" << where << ", then reorient test " << test.string() << where
       << "\n";

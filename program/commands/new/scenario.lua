@@ -1,0 +1,33 @@
+--- Says which situation this scenario makes. As it stands: the robot is told where it is, looks about, and is judged by
+--- how well it still knows its place after some time.
+
+local p = param {
+  time  = { 20.0, range = { 1, 600 }, unit = "s",  doc = "how long to wait" },
+  error = { 0.5,  range = { 0.01, 5 }, unit = "m", doc = "how far the believed pose may be off" },
+}
+
+local function is_right()
+  local dx, dy = pose.x - truth.x, pose.y - truth.y
+  return dx * dx + dy * dy < p.error * p.error
+end
+
+scenario "NAME" {
+  behaviors = { "orientation", "head_scan" },
+  initial = "placing",
+
+  state "placing" {
+    enter = function()
+      experimenter.put_down(-1.0, 0.5, 0)
+      experimenter.set_initial_pose(-1.0, 0.5, 0)
+    end,
+    { "waiting", after = 0.1, because = "the robot was told where it stands" },
+  },
+
+  state "waiting" {
+    { "right", when = is_right, after = "time", because = "the time is over" },
+    { "wrong", after = "time", because = "the time is over" },
+  },
+
+  state "right" { enter = function() verdict.succeed("the robot knows its place") end },
+  state "wrong" { enter = function() verdict.fail("the robot has lost its place") end },
+}
