@@ -1,9 +1,12 @@
 // The errors of the decoders: one line with the byte, the value, what was expected and what was found.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robots/footage/footage.h"
 
@@ -21,6 +24,17 @@ inline std::string printable(std::string_view text) {
   for (const char letter : text.substr(0, kLongest)) line += letter >= ' ' && letter < 0x7F ? letter : '?';
   if (text.size() > kLongest) line += "...";
   return line;
+}
+
+/// Of a message's field `name`. Zeros if the field is missing.
+template <std::size_t Size>
+std::array<double, Size> matrix_of(const std::vector<double>& numbers, const std::string& name) {
+  std::array<double, Size> matrix{};
+  if (!numbers.empty() && numbers.size() != Size) {
+    throw BadFootage(name + ": expected " + std::to_string(Size) + " numbers, found " + std::to_string(numbers.size()));
+  }
+  std::copy(numbers.begin(), numbers.end(), matrix.begin());
+  return matrix;
 }
 
 inline std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }

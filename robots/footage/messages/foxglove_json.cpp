@@ -117,18 +117,6 @@ std::vector<double> numbers_in(const Json& object, const char* name) {
   return numbers;
 }
 
-template <std::size_t Size>
-std::array<double, Size> matrix_in(const Json& object, const char* name) {
-  const std::vector<double> numbers = numbers_in(object, name);
-  std::array<double, Size> matrix{};
-  if (!numbers.empty() && numbers.size() != Size) {
-    throw BadFootage(std::string(name) + ": expected " + std::to_string(Size) + " numbers, found " +
-                     std::to_string(numbers.size()));
-  }
-  std::copy(numbers.begin(), numbers.end(), matrix.begin());
-  return matrix;
-}
-
 Transform transform_of(const Json& json) {
   Transform transform;
   transform.header = {time_in(json), text_in(json, "parent_frame_id")};
@@ -165,8 +153,8 @@ CameraInfo camera_calibration(std::span<const std::byte> message) {
   info.height = count_in(json, "height");
   info.distortion_model = text_in(json, "distortion_model");
   info.d = numbers_in(json, "D");
-  info.k = matrix_in<9>(json, "K");
-  info.p = matrix_in<12>(json, "P");
+  info.k = matrix_of<9>(numbers_in(json, "K"), "K");
+  info.p = matrix_of<12>(numbers_in(json, "P"), "P");
   return info;
 }
 

@@ -1,7 +1,5 @@
 #include "robots/footage/messages/foxglove_protobuf.h"
 
-#include <algorithm>
-
 #include "robots/footage/messages/bad_message.h"
 #include "robots/footage/messages/protobuf_reader.h"
 
@@ -50,39 +48,15 @@ Motion read_pose(ProtobufReader in) {
   return pose;
 }
 
-template <std::size_t Size>
-std::array<double, Size> matrix_of(const std::vector<double>& numbers, const char* what) {
-  std::array<double, Size> matrix{};
-  if (!numbers.empty() && numbers.size() != Size) {
-    throw BadFootage(std::string(what) + ": expected " + std::to_string(Size) + " numbers, found " +
-                     std::to_string(numbers.size()));
-  }
-  std::copy(numbers.begin(), numbers.end(), matrix.begin());
-  return matrix;
-}
-
 Transform read_transform(ProtobufReader in) {
   Transform transform;
   while (in.next()) {
-    switch (in.field()) {
-      case 1:
-        transform.header.time = read_time(in.message("timestamp"));
-        break;
-      case 2:
-        transform.header.frame = in.text("parent_frame_id");
-        break;
-      case 3:
-        transform.child = in.text("child_frame_id");
-        break;
-      case 4:
-        transform.parent_from_child.translation = read_vector(in.message("translation"), "translation");
-        break;
-      case 5:
-        transform.parent_from_child.rotation = read_quaternion(in.message("rotation"), "rotation");
-        break;
-      default:
-        break;
-    }
+    if (in.field() == 1) transform.header.time = read_time(in.message("timestamp"));
+    if (in.field() == 2) transform.header.frame = in.text("parent_frame_id");
+    if (in.field() == 3) transform.child = in.text("child_frame_id");
+    if (in.field() == 4)
+      transform.parent_from_child.translation = read_vector(in.message("translation"), "translation");
+    if (in.field() == 5) transform.parent_from_child.rotation = read_quaternion(in.message("rotation"), "rotation");
   }
   return transform;
 }
@@ -95,31 +69,13 @@ RawImage raw_image(std::span<const std::byte> message) {
   ProtobufReader in(message);
   RawImage image;
   while (in.next()) {
-    switch (in.field()) {
-      case 1:
-        image.header.time = read_time(in.message("timestamp"));
-        break;
-      case 2:
-        image.width = in.fixed32("width");
-        break;
-      case 3:
-        image.height = in.fixed32("height");
-        break;
-      case 4:
-        image.encoding = in.text("encoding");
-        break;
-      case 5:
-        image.step = in.fixed32("step");
-        break;
-      case 6:
-        assign(image.data, in.bytes("data"));
-        break;
-      case 7:
-        image.header.frame = in.text("frame_id");
-        break;
-      default:
-        break;
-    }
+    if (in.field() == 1) image.header.time = read_time(in.message("timestamp"));
+    if (in.field() == 2) image.width = in.fixed32("width");
+    if (in.field() == 3) image.height = in.fixed32("height");
+    if (in.field() == 4) image.encoding = in.text("encoding");
+    if (in.field() == 5) image.step = in.fixed32("step");
+    if (in.field() == 6) assign(image.data, in.bytes("data"));
+    if (in.field() == 7) image.header.frame = in.text("frame_id");
   }
   return image;
 }
@@ -128,22 +84,10 @@ CompressedImage compressed_image(std::span<const std::byte> message) {
   ProtobufReader in(message);
   CompressedImage image;
   while (in.next()) {
-    switch (in.field()) {
-      case 1:
-        image.header.time = read_time(in.message("timestamp"));
-        break;
-      case 2:
-        assign(image.data, in.bytes("data"));
-        break;
-      case 3:
-        image.format = in.text("format");
-        break;
-      case 4:
-        image.header.frame = in.text("frame_id");
-        break;
-      default:
-        break;
-    }
+    if (in.field() == 1) image.header.time = read_time(in.message("timestamp"));
+    if (in.field() == 2) assign(image.data, in.bytes("data"));
+    if (in.field() == 3) image.format = in.text("format");
+    if (in.field() == 4) image.header.frame = in.text("frame_id");
   }
   return image;
 }
@@ -153,34 +97,14 @@ CameraInfo camera_calibration(std::span<const std::byte> message) {
   CameraInfo info;
   std::vector<double> k, p;
   while (in.next()) {
-    switch (in.field()) {
-      case 1:
-        info.header.time = read_time(in.message("timestamp"));
-        break;
-      case 2:
-        info.width = in.fixed32("width");
-        break;
-      case 3:
-        info.height = in.fixed32("height");
-        break;
-      case 4:
-        info.distortion_model = in.text("distortion_model");
-        break;
-      case 5:
-        in.append_numbers(info.d, "D");
-        break;
-      case 6:
-        in.append_numbers(k, "K");
-        break;
-      case 8:
-        in.append_numbers(p, "P");
-        break;
-      case 9:
-        info.header.frame = in.text("frame_id");
-        break;
-      default:
-        break;
-    }
+    if (in.field() == 1) info.header.time = read_time(in.message("timestamp"));
+    if (in.field() == 2) info.width = in.fixed32("width");
+    if (in.field() == 3) info.height = in.fixed32("height");
+    if (in.field() == 4) info.distortion_model = in.text("distortion_model");
+    if (in.field() == 5) in.append_numbers(info.d, "D");
+    if (in.field() == 6) in.append_numbers(k, "K");
+    if (in.field() == 8) in.append_numbers(p, "P");
+    if (in.field() == 9) info.header.frame = in.text("frame_id");
   }
   info.k = matrix_of<9>(k, "K");
   info.p = matrix_of<12>(p, "P");
