@@ -21,8 +21,9 @@
 #include "workbench/files/body_file.h"
 #include "workbench/files/calibration_file.h"
 #include "workbench/files/field_file.h"
+#include "workbench/views/pictures/camera_view.h"
 #include "workbench/views/pictures/canvas/png_file.h"
-#include "workbench/views/pictures/record_views.h"
+#include "workbench/views/scene/camera_overlay.h"
 
 namespace reorient {
 namespace {
@@ -148,28 +149,27 @@ std::vector<Eigen::Vector2d> vertical_through(const ImageEdge& edge, const Camer
 /// `view`: as it is drawn. `before`, `after`: the same with both camera poses.
 pictures::CameraView edge_picture(const FootageFrame& frame, const EdgeView& view, const EdgeView& before,
                                   const EdgeView& after) {
-  pictures::CameraView picture;
-  picture.image = frame.image.view();
-  picture.time = frame.time;
+  std::vector<std::vector<Eigen::Vector2d>> edges, verticals;
   for (const ImageEdge& edge : view.edges) {
     const std::array alone{EdgeView{view.camera, before.robot_from_camera, {edge}},
                            EdgeView{view.camera, after.robot_from_camera, {edge}}};
     if (edge_angles(std::span(&alone[0], 1), std::span(&alone[1], 1)).before.empty()) continue;
-    picture.edges.push_back({edge.upper, edge.lower});
-    picture.projected_verticals.push_back(vertical_through(edge, view.camera, view.robot_from_camera));
+    edges.push_back({edge.upper, edge.lower});
+    verticals.push_back(vertical_through(edge, view.camera, view.robot_from_camera));
   }
-  return picture;
+  return {
+      frame.image.view(),
+      frame.time,
+      {scene::polylines("nearly vertical edges", std::move(edges), scene::palette::percept, 3.0, view.camera),
+       scene::polylines("verticals as expected", std::move(verticals), scene::palette::expected, 1.5, view.camera)}};
 }
 
 pictures::CameraView line_picture(const FootageFrame& frame, const LineView& view, const CameraOffset& offset,
                                   const FieldDimensions& field) {
-  pictures::CameraView picture;
-  picture.image = frame.image.view();
-  picture.time = frame.time;
-  pictures::add_line_points(view.line_points, view.camera, view.found_from_camera, picture);
-  pictures::add_field_lines(field, view.camera, to_isometry(view.robot) * turned(view.robot_from_camera, offset),
-                            picture);
-  return picture;
+  return {frame.image.view(),
+          frame.time,
+          {scene::expected_lines(field, view.camera, to_isometry(view.robot) * turned(view.robot_from_camera, offset)),
+           scene::line_points(view.line_points, view.camera, view.found_from_camera)}};
 }
 
 /// Of the images that were not used for the fit: the one with most line points.

@@ -26,8 +26,9 @@
 #include "workbench/files/body_file.h"
 #include "workbench/files/calibration_file.h"
 #include "workbench/files/field_file.h"
+#include "workbench/views/pictures/camera_view.h"
 #include "workbench/views/pictures/canvas/png_file.h"
-#include "workbench/views/pictures/record_views.h"
+#include "workbench/views/scene/camera_overlay.h"
 
 namespace reorient {
 namespace {
@@ -75,10 +76,11 @@ std::array<CalibrationShots, 2> look(const CalibrateOptions& options, const Robo
 void draw_picture(const CalibrationShots& shots, const CameraOffset& offset, const Pose2& robot,
                   const FieldDimensions& field, const std::filesystem::path& file) {
   const CalibrationView& view = shots.views[shots.pictured];
-  pictures::CameraView picture;
-  picture.image = shots.picture.view();
-  pictures::add_line_points(view.line_points, view.camera, view.robot_from_camera, picture);
-  pictures::add_field_lines(field, view.camera, to_isometry(robot) * turned(view.robot_from_camera, offset), picture);
+  const pictures::CameraView picture{
+      .image = shots.picture.view(),
+      .overlay = {
+          scene::expected_lines(field, view.camera, to_isometry(robot) * turned(view.robot_from_camera, offset)),
+          scene::line_points(view.line_points, view.camera, view.robot_from_camera)}};
   pictures::write_png(file, pictures::draw_camera_view(picture));
 }
 

@@ -35,9 +35,10 @@
 #include "workbench/files/home.h"
 #include "workbench/footage/decoder_library.h"
 #include "workbench/footage/open_footage.h"
+#include "workbench/views/pictures/camera_view.h"
 #include "workbench/views/pictures/canvas/png_file.h"
 #include "workbench/views/pictures/contact_sheet.h"
-#include "workbench/views/pictures/record_views.h"
+#include "workbench/views/scene/camera_overlay.h"
 
 namespace reorient {
 namespace {
@@ -125,9 +126,8 @@ struct Eyes {
     const auto view = GroundProjection::look(camera, robot_from_camera);
     if (!view) throw std::runtime_error(as_line(labeled.labels->name + ": no camera looks at the ground like that"));
     const FieldPercept percept = percept_of_still_image(image.view(), camera, robot_from_camera, parameters, field);
-    pictures::CameraView drawn;
-    drawn.image = image.view();
-    pictures::add_percept(percept, camera, robot_from_camera, drawn);
+    const pictures::CameraView drawn{.image = image.view(),
+                                     .overlay = scene::percept_overlay(percept, camera, robot_from_camera)};
     return {score_of(percept, *labeled.labels, *view, parameters.line_range),
             pictures::draw_camera_thumbnail(drawn, kThumbnailWidth)};
   }

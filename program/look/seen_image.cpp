@@ -8,7 +8,8 @@
 #include "perception/field/ground_projection.h"
 #include "perception/room/room_awareness.h"
 #include "workbench/field_images/still_image.h"
-#include "workbench/views/pictures/record_views.h"
+#include "workbench/views/scene/camera_overlay.h"
+#include "workbench/views/scene/color.h"
 
 namespace reorient {
 namespace {
@@ -84,15 +85,16 @@ SeenImage see(const LookImage& image, const LookSetup& setup) {
 
 pictures::CameraView camera_view_of(const LookImage& image, const SeenImage& seen, const FieldDimensions& field) {
   const Isometry3 field_from_camera = to_isometry(seen.pose) * seen.robot_from_camera;
-  pictures::CameraView view;
-  view.image = image.frame.image.view();
-  view.time = image.frame.time;
-  pictures::add_percept(seen.percept, seen.camera, seen.robot_from_camera, view);
-  if (!seen.shows_carpet) view.boundary.clear();
-  view.horizon = horizon_of(seen.camera, seen.robot_from_camera);
-  pictures::add_tiles(seen.tiles, seen.wall, seen.camera, field_from_camera, view);
+  FieldPercept percept = seen.percept;
+  if (!seen.shows_carpet) percept.boundary.clear();
+  pictures::CameraView view{image.frame.image.view(), image.frame.time,
+                            scene::percept_overlay(percept, seen.camera, seen.robot_from_camera)};
+  view.overlay.insert(view.overlay.begin(),
+                      scene::perceived_tiles(seen.tiles, seen.wall, seen.camera, field_from_camera));
+  view.overlay.push_back(scene::polylines("horizon", {horizon_of(seen.camera, seen.robot_from_camera)},
+                                          scene::palette::horizon, 2.0, seen.camera));
   if (seen.pose_is_recorded && seen.shows_carpet)
-    pictures::add_field_lines(field, seen.camera, field_from_camera, view);
+    view.overlay.push_back(scene::expected_lines(field, seen.camera, field_from_camera));
   return view;
 }
 

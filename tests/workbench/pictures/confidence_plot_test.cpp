@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/workbench/pictures/pixels.h"
-#include "workbench/views/pictures/canvas/palette.h"
+#include "workbench/views/scene/color.h"
 
 namespace reorient::pictures {
 namespace {

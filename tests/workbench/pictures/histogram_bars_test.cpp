@@ -14,9 +14,13 @@ namespace {
 
 constexpr Color kGround{207, 212, 218};
 
+using scene::bin_color;
+using scene::HistogramBars;
+using scene::kHistogramBins;
+
 Picture chart(const HistogramBars& bars, double below) {
   Canvas canvas(280, 100, kGround);
-  draw_histogram(canvas, bars, {0.0, 0.0, 280.0, 100.0}, below, 0.5);
+  draw_histogram(canvas, bars, scene::upright_chart({0.0, 0.0}, {280.0, 100.0}, below), 0.5);
   return canvas.finish();
 }
 
@@ -68,7 +72,7 @@ TEST(HistogramBars, end_at_the_top_however_large_the_share) {
   HistogramBars bars;
   bars.share[2] = 1e30F;
   Canvas canvas(280, 100, kGround);
-  draw_histogram(canvas, bars, {0.0, 40.0, 280.0, 60.0}, 0.0, 0.5);
+  draw_histogram(canvas, bars, scene::upright_chart({0.0, 40.0}, {280.0, 100.0}), 0.5);
   const Picture picture = canvas.finish();
   EXPECT_TRUE(alike(picture.at(50, 45), bin_color(2)));
   EXPECT_EQ(picture.at(50, 36), kGround);

@@ -6,7 +6,7 @@
 
 #include "geometry/angle.h"
 #include "tests/workbench/pictures/pixels.h"
-#include "workbench/views/pictures/canvas/palette.h"
+#include "workbench/views/scene/color.h"
 
 namespace reorient::pictures {
 namespace {
@@ -50,16 +50,17 @@ TEST(WorldView, draws_a_tile_in_its_direction_and_what_is_perceived_further_out)
   WorldView world;
   world.model = {tile(kPi / 2.0, 0, kPurple)};
   const Picture low = draw_world_view(world);
-  EXPECT_GT(count(low, bin_color(kPurple), 700, 0, 800, 600), 50);  // y left is up
-  EXPECT_EQ(count(low, bin_color(kPurple), 0, 600, 1180, 1200), 0);
+  EXPECT_GT(count(low, scene::bin_color(kPurple), 700, 0, 800, 600), 50);  // y left is up
+  EXPECT_EQ(count(low, scene::bin_color(kPurple), 0, 600, 1180, 1200), 0);
 
   world.model.push_back(tile(kPi / 2.0, 1, 0));
   WorldView above;
   above.model = {tile(kPi / 2.0, 1, kPurple)};
   WorldView seen;
   seen.perceived = {tile(kPi / 2.0, 0, kPurple)};
-  EXPECT_GT(farthest(draw_world_view(above), bin_color(kPurple)), farthest(draw_world_view(world), bin_color(kPurple)));
-  EXPECT_GT(farthest(draw_world_view(seen), bin_color(kPurple)), farthest(low, bin_color(kPurple)));
+  EXPECT_GT(farthest(draw_world_view(above), scene::bin_color(kPurple)),
+            farthest(draw_world_view(world), scene::bin_color(kPurple)));
+  EXPECT_GT(farthest(draw_world_view(seen), scene::bin_color(kPurple)), farthest(low, scene::bin_color(kPurple)));
 }
 
 TEST(WorldView, draws_each_view_particle_in_magenta) {

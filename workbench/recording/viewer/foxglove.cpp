@@ -20,6 +20,13 @@ double rounded(double number, double steps = 1e4) {
   return std::isfinite(number) ? std::round(steps * number) / steps : 0.0;
 }
 
+template <typename Vector>
+Json point(const Vector& point) {
+  Json json{{"x", rounded(point.x())}, {"y", rounded(point.y())}};
+  if constexpr (Vector::RowsAtCompileTime == 3) json["z"] = rounded(point.z());
+  return json;
+}
+
 Json quaternion(const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond turn(rotation);
   constexpr double kSteps = 1e6;
@@ -29,9 +36,15 @@ Json quaternion(const Eigen::Matrix3d& rotation) {
           {"w", rounded(turn.w(), kSteps)}};
 }
 
-Json points_json(const std::vector<Eigen::Vector3d>& points) {
+Json color(const scene::Color& color) {
+  const auto level = [](std::uint8_t byte) { return rounded(byte / 255.0, 1e3); };
+  return {{"r", level(color.red)}, {"g", level(color.green)}, {"b", level(color.blue)}, {"a", color.opacity}};
+}
+
+template <typename Point>
+Json points_json(const std::vector<Point>& points) {
   Json all = Json::array();
-  for (const Eigen::Vector3d& each : points) all.push_back(point(each));
+  for (const Point& each : points) all.push_back(point(each));
   return all;
 }
 
@@ -39,15 +52,49 @@ Json pose_at(const Eigen::Vector3d& where) {
   return {{"position", point(where)}, {"orientation", {{"x", 0.0}, {"y", 0.0}, {"z", 0.0}, {"w", 1.0}}}};
 }
 
-// Of LinePrimitive and PointsAnnotation.
-enum LineType { line_strip, line_loop, line_list };
-enum PointsType { points = 1, loop, strip };
+Json triangles_json(const std::vector<scene::Shape<Eigen::Vector3d>>& shapes) {
+  Json points = Json::array(), colors = Json::array(), indices = Json::array();
+  for (const auto& shape : shapes) {
+    if (!(shape.fill.opacity > 0.0)) continue;
+    const std::size_t first = points.size();
+    for (const Eigen::Vector3d& corner : shape.points) {
+      points.push_back(point(corner));
+      colors.push_back(color(shape.fill));
+    }
+    for (std::size_t i = 2; i < shape.points.size(); ++i)
+      for (const std::size_t corner : {std::size_t{0}, i - 1, i}) indices.push_back(first + corner);
+  }
+  if (points.empty()) return Json::array();
+  return Json::array({{{"pose", pose_at(Eigen::Vector3d::Zero())},
+                       {"points", std::move(points)},
+                       {"color", color({255, 255, 255})},
+                       {"colors", std::move(colors)},
+                       {"indices", std::move(indices)}}});
+}
 
-Json lines_json(LineType type, const std::vector<Eigen::Vector3d>& points, double thickness, const Color& of) {
-  return {{"type", static_cast<int>(type)}, {"pose", pose_at(Eigen::Vector3d::Zero())},
-          {"thickness", thickness},         {"scale_invariant", false},
-          {"points", points_json(points)},  {"color", color(of)},
-          {"colors", Json::array()},        {"indices", Json::array()}};
+/// Shapes with a common style as one: pairs of points where `is_list`.
+template <typename Point>
+struct Stroke {
+  scene::Shape<Point> shape;
+  bool is_list = false;
+};
+
+/// Many short lines follow each other: together they take a fraction of the text.
+template <typename Point>
+std::vector<Stroke<Point>> strokes(const std::vector<scene::Shape<Point>>& shapes) {
+  std::vector<Stroke<Point>> all;
+  for (const scene::Shape<Point>& shape : shapes) {
+    if (shape.points.empty() || !(shape.thickness > 0.0)) continue;
+    const bool is_list = shape.points.size() == 2 && !shape.closed;
+    if (is_list && !all.empty() && all.back().is_list && all.back().shape.color == shape.color &&
+        all.back().shape.thickness == shape.thickness) {
+      auto& points = all.back().shape.points;
+      points.insert(points.end(), shape.points.begin(), shape.points.end());
+    } else {
+      all.push_back({shape, is_list});
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -61,16 +108,10 @@ Json time(double seconds) {
   return {{"sec", static_cast<std::int64_t>(whole) + nanoseconds / kSecond}, {"nsec", nanoseconds % kSecond}};
 }
 
-Json point(const Eigen::Vector3d& point) {
-  return {{"x", rounded(point.x())}, {"y", rounded(point.y())}, {"z", rounded(point.z())}};
-}
-
 Json pose(const Pose2& pose) {
   const Isometry3 motion = on_the_ground(pose);
   return {{"position", point(motion.translation())}, {"orientation", quaternion(motion.linear())}};
 }
-
-Json color(const Color& color) { return {{"r", color.r}, {"g", color.g}, {"b", color.b}, {"a", color.a}}; }
 
 Json transform(double seconds, std::string_view parent, std::string_view child, const Isometry3& motion) {
   return {{"timestamp", time(seconds)},
@@ -144,84 +185,101 @@ Json log(double seconds, Level level, std::string_view name, std::string_view me
           {"line", std::max(line, 0)}};
 }
 
-Entity::Entity(double seconds, std::string_view frame, std::string_view id)
-    : json_{{"timestamp", time(seconds)}, {"frame_id", frame},      {"id", id},
-            {"lifetime", time(0.0)},      {"frame_locked", true},   {"metadata", Json::array()},
-            {"arrows", Json::array()},    {"cubes", Json::array()}, {"spheres", Json::array()},
-            {"cylinders", Json::array()}, {"lines", Json::array()}, {"triangles", Json::array()},
-            {"texts", Json::array()},     {"models", Json::array()}} {}
-
-void Entity::lines(const std::vector<Eigen::Vector3d>& points, bool closed, double thickness, const Color& of) {
-  json_["lines"].push_back(lines_json(closed ? line_loop : line_strip, points, thickness, of));
-}
-
-void Entity::segments(const std::vector<Eigen::Vector3d>& points, double thickness, const Color& of) {
-  if (!points.empty()) json_["lines"].push_back(lines_json(line_list, points, thickness, of));
-}
-
-void Entity::quads(std::span<const Quad> quads, std::span<const Color> colors) {
-  if (quads.empty()) return;
-  Json points = Json::array(), of_points = Json::array(), indices = Json::array();
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    for (const Eigen::Vector3d& corner : quads[i]) {
-      points.push_back(point(corner));
-      of_points.push_back(color(colors[i]));
+Json scene_update(double seconds, std::string_view frame, std::string_view id, const scene::Scene& scene) {
+  Json cylinders = Json::array(), lines = Json::array(), triangles = Json::array(), texts = Json::array();
+  for (const scene::SceneLayer& layer : scene) {
+    for (Json& each : triangles_json(layer.shapes)) triangles.push_back(std::move(each));
+    for (const auto& [shape, is_list] : strokes(layer.shapes)) {
+      lines.push_back({{"type", is_list        ? 2
+                                : shape.closed ? 1
+                                               : 0},  // LINE_LIST, LINE_LOOP, LINE_STRIP
+                       {"pose", pose_at(Eigen::Vector3d::Zero())},
+                       {"thickness", shape.thickness},
+                       {"scale_invariant", false},
+                       {"points", points_json(shape.points)},
+                       {"color", color(shape.color)},
+                       {"colors", Json::array()},
+                       {"indices", Json::array()}});
     }
-    for (const std::size_t corner : {0, 1, 2, 0, 2, 3}) indices.push_back(4 * i + corner);
+    for (const auto& circle : layer.circles) {
+      cylinders.push_back({{"pose", pose_at(circle.center + 0.5 * circle.height * Eigen::Vector3d::UnitZ())},
+                           {"size", point(Eigen::Vector3d(2.0 * circle.radius, 2.0 * circle.radius, circle.height))},
+                           {"bottom_scale", 1.0},
+                           {"top_scale", 1.0},
+                           {"color", color(circle.color)}});
+    }
+    for (const auto& label : layer.labels) {
+      texts.push_back({{"pose", pose_at(label.position)},
+                       {"billboard", true},
+                       {"font_size", label.size},
+                       {"scale_invariant", false},
+                       {"color", color(label.color)},
+                       {"text", label.text}});
+    }
   }
-  json_["triangles"].push_back({{"pose", pose_at(Eigen::Vector3d::Zero())},
-                                {"points", std::move(points)},
-                                {"color", color({})},
-                                {"colors", std::move(of_points)},
-                                {"indices", std::move(indices)}});
+  Json entity{{"timestamp", time(seconds)},
+              {"frame_id", frame},
+              {"id", id},
+              {"lifetime", time(0.0)},
+              {"frame_locked", true},
+              {"cylinders", std::move(cylinders)},
+              {"lines", std::move(lines)},
+              {"triangles", std::move(triangles)},
+              {"texts", std::move(texts)}};
+  for (const char* const unused : {"metadata", "arrows", "cubes", "spheres", "models"}) entity[unused] = Json::array();
+  return {{"deletions", Json::array()}, {"entities", Json::array({std::move(entity)})}};
 }
 
-void Entity::cylinder(const Eigen::Vector3d& foot, double height, double diameter, const Color& of) {
-  json_["cylinders"].push_back({{"pose", pose_at(foot + Eigen::Vector3d(0.0, 0.0, 0.5 * height))},
-                                {"size", point({diameter, diameter, height})},
-                                {"bottom_scale", 1.0},
-                                {"top_scale", 1.0},
-                                {"color", color(of)}});
-}
-
-void Entity::text(const Eigen::Vector3d& where, std::string_view text, double size, const Color& of) {
-  json_["texts"].push_back({{"pose", pose_at(where)},
-                            {"billboard", true},
-                            {"font_size", size},
-                            {"scale_invariant", false},
-                            {"color", color(of)},
-                            {"text", text}});
-}
-
-Json Entity::update() && {
-  Json entities = Json::array();
-  entities.push_back(std::move(json_));
-  return {{"deletions", Json::array()}, {"entities", std::move(entities)}};
-}
-
-Annotations::Annotations(double seconds)
-    : time_(time(seconds)),
-      json_{{"timestamp", time_}, {"circles", Json::array()}, {"points", Json::array()}, {"texts", Json::array()}} {}
-
-void Annotations::points(const std::vector<Eigen::Vector2d>& all, double size, const Color& color) {
-  add(PointsType::points, all, size, color);
-}
-
-void Annotations::line(const std::vector<Eigen::Vector2d>& all, bool closed, double thickness, const Color& color) {
-  add(closed ? PointsType::loop : PointsType::strip, all, thickness, color);
-}
-
-void Annotations::add(int type, const std::vector<Eigen::Vector2d>& all, double thickness, const Color& of) {
-  if (all.empty()) return;
-  Json pixels = Json::array();
-  for (const Eigen::Vector2d& pixel : all) pixels.push_back({{"x", rounded(pixel.x())}, {"y", rounded(pixel.y())}});
-  json_["points"].push_back({{"timestamp", time_},
-                             {"type", type},
-                             {"points", std::move(pixels)},
-                             {"outline_color", color(of)},
-                             {"outline_colors", Json::array()},
-                             {"fill_color", color({0.0, 0.0, 0.0, 0.0})},
-                             {"thickness", thickness}});
+Json image_annotations(double seconds, const scene::Overlay& overlay) {
+  const Json timestamp = time(seconds);
+  constexpr scene::Color kNothing{0, 0, 0, 0.0};
+  Json circles = Json::array(), points = Json::array(), texts = Json::array();
+  const auto add_points = [&](int type, const std::vector<Eigen::Vector2d>& pixels, double thickness,
+                              const scene::Color& outline, const scene::Color& fill) {
+    points.push_back({{"timestamp", timestamp},
+                      {"type", type},
+                      {"points", points_json(pixels)},
+                      {"outline_color", color(outline)},
+                      {"outline_colors", Json::array()},
+                      {"fill_color", color(fill)},
+                      {"thickness", rounded(thickness)}});
+  };
+  for (const scene::OverlayLayer& layer : overlay) {
+    for (const auto& [shape, is_list] : strokes(layer.shapes))  // LINE_LIST, LINE_LOOP, LINE_STRIP
+      add_points(is_list ? 4 : shape.closed ? 2 : 3, shape.points, shape.thickness, shape.color, shape.fill);
+    for (std::size_t i = 0; i < layer.circles.size();) {
+      const auto& style = layer.circles[i];
+      std::vector<Eigen::Vector2d> centers;
+      for (; i < layer.circles.size() && layer.circles[i].radius == style.radius &&
+             layer.circles[i].ring == style.ring && layer.circles[i].color == style.color;
+           ++i)
+        centers.push_back(layer.circles[i].center);
+      if (!(style.ring > 0.0)) {
+        add_points(1, centers, 2.0 * style.radius, style.color, style.color);  // POINTS
+        continue;
+      }
+      for (const Eigen::Vector2d& center : centers) {
+        circles.push_back({{"timestamp", timestamp},
+                           {"position", point(center)},
+                           {"diameter", rounded(2.0 * style.radius)},
+                           {"thickness", rounded(style.ring)},
+                           {"fill_color", color(kNothing)},
+                           {"outline_color", color(style.color)}});
+      }
+    }
+    for (const auto& label : layer.labels) {
+      texts.push_back({{"timestamp", timestamp},
+                       {"position", point(Eigen::Vector2d(label.position + label.size * Eigen::Vector2d(0.25, 0.3)))},
+                       {"text", label.text},
+                       {"font_size", rounded(label.size)},
+                       {"text_color", color(label.color)},
+                       {"background_color", color(kNothing)}});
+    }
+  }
+  return {{"timestamp", timestamp},
+          {"circles", std::move(circles)},
+          {"points", std::move(points)},
+          {"texts", std::move(texts)}};
 }
 
 }  // namespace reorient::foxglove

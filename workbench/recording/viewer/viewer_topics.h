@@ -56,7 +56,7 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::upper_image, "/camera/upper/image", "foxglove.CompressedImage", "a JPEG, not what is replayed"},
     {ViewerTopic::upper_calibration, "/camera/upper/calibration", "foxglove.CameraCalibration", "its camera", true},
     {ViewerTopic::upper_annotations, "/camera/upper/annotations", "foxglove.ImageAnnotations",
-     "what was seen of the field, in the image"},
+     "what was seen of the field, and its lines as believed, in the image"},
     {ViewerTopic::lower_image, "/camera/lower/image", "foxglove.CompressedImage", "the same, of the lower camera"},
     {ViewerTopic::lower_calibration, "/camera/lower/calibration", "foxglove.CameraCalibration", "the same", true},
     {ViewerTopic::lower_annotations, "/camera/lower/annotations", "foxglove.ImageAnnotations", "the same"},

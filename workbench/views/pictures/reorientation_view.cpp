@@ -7,6 +7,7 @@
 #include "geometry/angle.h"
 #include "workbench/views/pictures/parts/field_drawing.h"
 #include "workbench/views/pictures/parts/legend.h"
+#include "workbench/views/scene/field_scene.h"
 
 namespace reorient::pictures {
 namespace {
@@ -40,9 +41,7 @@ void draw_panel(Canvas& canvas, const Box& box, const FieldDimensions& field, co
   canvas.within(box, [&] {
     canvas.fill_box(box, palette::carpet_border);
     draw_field(canvas, view, field);
-    draw_pose_particles(canvas, view, snapshot.particles);
-    if (snapshot.truth) draw_robot(canvas, view, *snapshot.truth, palette::truth, kTruthRadius);
-    if (snapshot.belief) draw_robot(canvas, view, *snapshot.belief, palette::belief);
+    draw_poses(canvas, view, scene::pose_layers(snapshot.particles, snapshot.truth, snapshot.belief));
   });
 }
 
@@ -62,18 +61,6 @@ void draw_row(Canvas& canvas, double top, const FieldDimensions& field, const Re
   }
 }
 
-std::vector<LegendEntry> entries() {
-  const auto robot = [](Color color) {
-    return [color](Canvas& canvas, const Pixel& center) { draw_robot_symbol(canvas, center, color); };
-  };
-  const auto particle = [](Canvas& canvas, const Pixel& center) {
-    const Pose2 sample;
-    draw_pose_particles(canvas, {center - Pixel(4.0, 0.0), 1.0}, {&sample, 1});
-  };
-  return {
-      {robot(palette::truth), "true pose"}, {robot(palette::belief), "believed pose"}, {particle, "pose particles"}};
-}
-
 }  // namespace
 
 Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<ReorientationPanels>& reorientations) {
@@ -82,7 +69,8 @@ Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<
   const double height = kHeader + std::max(row_height * static_cast<double>(rows) + kMargin, 80.0);
   Canvas canvas(kSheetWidth, static_cast<int>(height));
   canvas.text({kMargin, 54.0}, "Spontaneous reorientation", {.size = 28.0, .bold = true});
-  draw_legend_rows(canvas, {kMargin - 4.0, 72.0, kSheetWidth - 2.0 * kMargin, 32.0}, entries());
+  draw_legend_rows(canvas, {kMargin - 4.0, 72.0, kSheetWidth - 2.0 * kMargin, 32.0},
+                   pose_entries(scene::pose_layers({Pose2()}, Pose2(), Pose2())));
 
   const TextStyle plain{.size = 19.0, .color = palette::faint_ink};
   if (rows == 0) canvas.text({kMargin, kHeader + 40.0}, "No command rearranged the particles.", plain);

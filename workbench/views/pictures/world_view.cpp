@@ -6,7 +6,9 @@
 
 #include "geometry/angle.h"
 #include "workbench/views/pictures/parts/field_drawing.h"
+#include "workbench/views/pictures/parts/histogram_bars.h"
 #include "workbench/views/pictures/parts/legend.h"
+#include "workbench/views/scene/field_scene.h"
 
 namespace reorient::pictures {
 namespace {
@@ -156,20 +158,8 @@ void draw_view_particles(Canvas& canvas, const Pixel& center, const WorldView& w
   }
 }
 
-std::vector<LegendEntry> entries(const WorldView& world) {
-  std::vector<LegendEntry> list;
-  const auto robot = [](Color color) {
-    return [color](Canvas& canvas, const Pixel& center) { draw_robot_symbol(canvas, center, color); };
-  };
-  if (world.truth) list.push_back({robot(palette::truth), "true pose"});
-  if (world.belief) list.push_back({robot(palette::belief), "believed pose"});
-  if (!world.pose_particles.empty()) {
-    list.push_back({[](Canvas& canvas, const Pixel& center) {
-                      const Pose2 sample;
-                      draw_pose_particles(canvas, {center - Pixel(4.0, 0.0), 1.0}, {&sample, 1});
-                    },
-                    "pose particles"});
-  }
+std::vector<LegendEntry> entries(const WorldView& world, std::span<const scene::PoseLayer> poses) {
+  std::vector<LegendEntry> list = pose_entries(poses);
   if (!world.view_particles.empty()) list.push_back(dot_entry(palette::view_particle, 4.0, "view particles"));
   if (!world.view_cells.empty()) list.push_back(patch_entry(palette::view_particle, "view cells"));
   if (!world.view_clusters.empty()) {
@@ -189,7 +179,7 @@ std::vector<LegendEntry> entries(const WorldView& world) {
 void draw_chart_legend(Canvas& canvas, bool any_perceived) {
   const double left = 1226.0;
   const double top = 988.0;
-  canvas.text({left, top}, "Colour histograms", {.size = 21.0, .bold = true});
+  canvas.text({left, top}, "Color histograms", {.size = 21.0, .bold = true});
   draw_bin_legend(canvas, {left, top + 18.0});
   const TextStyle small{.size = 16.0, .color = palette::faint_ink};
   char words[64];
@@ -214,9 +204,8 @@ Picture draw_world_view(const WorldView& world) {
   draw_sectors(canvas, view, world);
   draw_view_cells(canvas, center, world);
   draw_view_particles(canvas, center, world);
-  draw_pose_particles(canvas, view, world.pose_particles);
-  if (world.truth) draw_robot(canvas, view, *world.truth, palette::truth, kTruthRadius);
-  if (world.belief) draw_robot(canvas, view, *world.belief, palette::belief);
+  const std::vector<scene::PoseLayer> poses = scene::pose_layers(world.pose_particles, world.truth, world.belief);
+  draw_poses(canvas, view, poses);
   const double field_bottom = (world.field.width / 2.0 + world.field.border) * view.pixels_per_metre;
   draw_scale_bar(canvas, view, center + Pixel(0.0, std::clamp(field_bottom + 44.0, 60.0, 236.0)), palette::ink);
 
@@ -229,7 +218,7 @@ Picture draw_world_view(const WorldView& world) {
     canvas.text({36.0, 92.0}, time, plain);
   }
   canvas.text({36.0, 120.0}, shortened(world.note, 380.0, plain), plain);
-  const std::vector<LegendEntry> list = entries(world);
+  const std::vector<LegendEntry> list = entries(world, poses);
   draw_legend_column(canvas, {36.0, kHeight - 40.0 - 30.0 * static_cast<double>(list.size())}, list);
   draw_chart_legend(canvas, std::any_of(world.perceived.begin(), world.perceived.end(), drawable));
   return canvas.finish();

@@ -7,7 +7,8 @@
 
 #include "geometry/field_dimensions.h"
 #include "geometry/pose2.h"
-#include "workbench/views/pictures/parts/histogram_bars.h"
+#include "workbench/views/pictures/canvas/picture.h"
+#include "workbench/views/scene/histogram.h"
 
 namespace reorient::pictures {
 
@@ -16,7 +17,7 @@ struct WallTile {
   double from = 0.0;  ///< its right side
   double to = 0.0;    ///< its left side, greater than `from`
   int row = 0;        ///< 0 is the lowest; at most 5 are drawn
-  HistogramBars histogram;
+  scene::HistogramBars histogram;
 };
 
 /// A cell of the view filter's grid.

@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-#include "workbench/views/pictures/canvas/palette.h"
 #include "workbench/views/pictures/canvas/picture.h"
 
 namespace reorient::pictures {

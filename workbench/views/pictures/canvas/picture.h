@@ -5,17 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "workbench/views/scene/color.h"
+
 namespace reorient::pictures {
 
-struct Color {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-  double opacity = 1.0;  ///< what of it covers what is beneath: 0 nothing, 1 all
-
-  constexpr Color with_opacity(double new_opacity) const { return {red, green, blue, new_opacity}; }
-  bool operator==(const Color&) const = default;
-};
+using scene::Color;
+namespace palette = scene::palette;
 
 /// Rows from top to bottom, three bytes a pixel: red, green, blue (sRGB).
 struct Picture {

@@ -1,4 +1,4 @@
-// From the camera's colours to a screen's.
+// From the camera's colors to a screen's.
 #pragma once
 
 #include "geometry/image.h"
@@ -6,8 +6,7 @@
 
 namespace reorient::pictures {
 
-/// Full-range BT.601, as JPEG has it.
-Color to_color(Ycbcr color);
+inline Color to_color(Ycbcr color) { return scene::to_color(color.y, color.cb, color.cr); }
 
 Picture to_picture(const ImageView& image);
 

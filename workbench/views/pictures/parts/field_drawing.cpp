@@ -4,64 +4,13 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "workbench/views/pictures/parts/scene_drawing.h"
+#include "workbench/views/scene/field_scene.h"
 
 namespace reorient::pictures {
 namespace {
 
-class LinePainter {
- public:
-  LinePainter(Canvas& canvas, const FieldView& view, double line_width)
-      : canvas_(canvas), view_(view), thickness_(std::max(1.5, line_width * view.pixels_per_metre)) {}
-
-  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-    canvas_.line(view_ * from, view_ * to, palette::field_line, thickness_);
-  }
-
-  void rectangle(double x1, double y1, double x2, double y2) {
-    const Pixel corners[] = {view_ * Eigen::Vector2d(x1, y1), view_ * Eigen::Vector2d(x2, y1),
-                             view_ * Eigen::Vector2d(x2, y2), view_ * Eigen::Vector2d(x1, y2)};
-    canvas_.polyline(corners, palette::field_line, thickness_, true);
-  }
-
-  void circle(double radius) {
-    canvas_.ring(view_.center, radius * view_.pixels_per_metre, palette::field_line, thickness_);
-  }
-
-  /// `turn`: rad at which it begins; it goes on for a quarter.
-  void quarter(const Eigen::Vector2d& center, double radius, double turn) {
-    const std::vector<Pixel> points = arc(view_ * center, radius * view_.pixels_per_metre, turn, turn + 0.5 * kPi);
-    if (!points.empty()) canvas_.polyline(points, palette::field_line, thickness_);
-  }
-
-  void cross(double x, double size) {
-    line({x - size / 2.0, 0.0}, {x + size / 2.0, 0.0});
-    line({x, -size / 2.0}, {x, size / 2.0});
-  }
-
- private:
-  Canvas& canvas_;
-  const FieldView& view_;
-  double thickness_;
-};
-
-void draw_goal(Canvas& canvas, const FieldView& view, const FieldDimensions& field, double side) {
-  const double front = side * field.length / 2.0;
-  const double back = front + side * field.goal_depth;
-  const Pixel net[] = {
-      view * Eigen::Vector2d(front, field.goal_post_y), view * Eigen::Vector2d(back, field.goal_post_y),
-      view * Eigen::Vector2d(back, -field.goal_post_y), view * Eigen::Vector2d(front, -field.goal_post_y)};
-  const Color posts = field.yellow_goals ? Color{255, 214, 10} : Color{255, 255, 255};
-  canvas.fill(net, posts.with_opacity(0.28));
-  canvas.polyline(net, posts.with_opacity(0.8), 1.0);
-  const double radius = std::max(2.5, field.goal_post_diameter / 2.0 * view.pixels_per_metre);
-  for (const double y : {field.goal_post_y, -field.goal_post_y}) {
-    const Pixel post = view * Eigen::Vector2d(front, y);
-    canvas.disc(post, radius + 1.0, palette::ink);
-    canvas.disc(post, radius, posts);
-  }
-}
-
-void draw_robot_at(Canvas& canvas, const Pixel& center, double heading, double radius, double wedge, Color color) {
+void draw_robot(Canvas& canvas, const Pixel& center, double heading, double radius, double wedge, Color color) {
   if (wedge > 0.0) {
     std::vector<Pixel> sector = arc(center, wedge, heading - kPi / 6.0, heading + kPi / 6.0);
     if (sector.empty()) return;
@@ -82,6 +31,11 @@ void draw_robot_at(Canvas& canvas, const Pixel& center, double heading, double r
   canvas.disc(center, 2.6, Color{255, 255, 255});
 }
 
+void draw_particle(Canvas& canvas, const Pixel& center, double heading, double radius, Color color) {
+  canvas.line(center, center + 10.0 * Pixel(std::cos(heading), -std::sin(heading)), color, 1.5);
+  canvas.disc(center, radius, color);
+}
+
 }  // namespace
 
 FieldView FieldView::fitted(const FieldDimensions& field, const Box& box) {
@@ -91,56 +45,43 @@ FieldView FieldView::fitted(const FieldDimensions& field, const Box& box) {
 }
 
 void draw_field(Canvas& canvas, const FieldView& view, const FieldDimensions& field) {
-  const double x = field.length / 2.0;
-  const double y = field.width / 2.0;
-  const auto carpet = [&](double border, Color color) {
-    const Pixel corner = view * Eigen::Vector2d(-x - border, y + border);
-    const Pixel size = 2.0 * (view.center - corner);
-    canvas.fill_box({corner.x(), corner.y(), size.x(), size.y()}, color);
-  };
-  carpet(field.border, palette::carpet_border);
-  carpet(0.0, palette::carpet);
-
-  LinePainter paint(canvas, view, field.line_width);
-  paint.rectangle(-x, -y, x, y);
-  paint.line({0.0, -y}, {0.0, y});
-  paint.circle(field.center_circle_radius);
-  paint.cross(0.0, field.penalty_mark_size);
-  if (field.corner_arc_radius > 0.0) {
-    paint.quarter({x, y}, field.corner_arc_radius, kPi);
-    paint.quarter({-x, y}, field.corner_arc_radius, 1.5 * kPi);
-    paint.quarter({-x, -y}, field.corner_arc_radius, 0.0);
-    paint.quarter({x, -y}, field.corner_arc_radius, 0.5 * kPi);
+  const Brush brush{.scale = view.pixels_per_metre, .least_line = 1.5, .least_radius = 2.5};
+  for (scene::SceneLayer& layer : scene::field_scene(field)) {
+    layer.labels.clear();  // there is no space for them
+    draw_layer(
+        canvas, layer, [&](const Eigen::Vector3d& point) { return view * point.head<2>(); }, brush);
   }
-  for (const double side : {-1.0, 1.0}) {
-    const auto area = [&](double depth, double width) {
-      if (depth > 0.0) paint.rectangle(side * x, -width / 2.0, side * (x - depth), width / 2.0);
+}
+
+void draw_poses(Canvas& canvas, const FieldView& view, std::span<const scene::PoseLayer> layers) {
+  const double wedge = std::clamp(1.1 * view.pixels_per_metre, 34.0, 80.0);
+  for (const scene::PoseLayer& layer : layers) {
+    for (const Pose2& pose : layer.poses) {
+      const Pixel center = view * pose.position;
+      if (!center.allFinite()) continue;
+      if (layer.is_robot) {
+        draw_robot(canvas, center, pose.rotation, layer.radius, wedge, layer.color);
+      } else {
+        draw_particle(canvas, center, pose.rotation, layer.radius, layer.color);
+      }
+    }
+  }
+}
+
+std::vector<LegendEntry> pose_entries(std::span<const scene::PoseLayer> layers) {
+  std::vector<LegendEntry> entries;
+  for (const scene::PoseLayer& layer : layers) {
+    const auto symbol = [is_robot = layer.is_robot, radius = layer.radius, color = layer.color](Canvas& canvas,
+                                                                                                const Pixel& center) {
+      if (is_robot) {
+        draw_robot(canvas, center - Pixel(3.0, 0.0), 0.0, std::min(radius, 8.0), 0.0, color);
+      } else {
+        draw_particle(canvas, center - Pixel(4.0, 0.0), 0.0, radius, color);
+      }
     };
-    area(field.penalty_area_depth, field.penalty_area_width);
-    area(field.goal_area_depth, field.goal_area_width);
-    paint.cross(side * field.penalty_mark_x, field.penalty_mark_size);
-    draw_goal(canvas, view, field, side);
+    entries.push_back({symbol, layer.meaning});
   }
-}
-
-void draw_robot(Canvas& canvas, const FieldView& view, const Pose2& pose, Color color, double radius) {
-  const Pixel center = view * pose.position;
-  if (!center.allFinite()) return;
-  draw_robot_at(canvas, center, pose.rotation, radius, std::clamp(1.1 * view.pixels_per_metre, 34.0, 80.0), color);
-}
-
-void draw_robot_symbol(Canvas& canvas, const Pixel& center, Color color) {
-  draw_robot_at(canvas, center - Pixel(3.0, 0.0), 0.0, kBeliefRadius, 0.0, color);
-}
-
-void draw_pose_particles(Canvas& canvas, const FieldView& view, std::span<const Pose2> particles) {
-  const Color color = palette::pose_particle.with_opacity(0.62);
-  for (const Pose2& particle : particles) {
-    const Pixel center = view * particle.position;
-    const Pixel forward(std::cos(particle.rotation), -std::sin(particle.rotation));
-    canvas.line(center, center + 10.0 * forward, color, 1.5);
-    canvas.disc(center, 2.6, color);
-  }
+  return entries;
 }
 
 void draw_scale_bar(Canvas& canvas, const FieldView& view, const Pixel& center, Color color) {
