@@ -68,12 +68,12 @@ TEST(ConfidencePlot, draws_refusals_frame_after_frame_as_one) {
 TEST(ConfidencePlot, gives_a_condition_a_lane_and_shades_the_ground_where_the_robot_was_carried) {
   ConfidencePlot plot = ten_seconds(0.9, 0.1);
   const int height_without = draw_confidence_plot(plot).height;
-  plot.conditions = {{Condition::carried, 4.0, 6.0}};
+  plot.conditions = {{RunCondition::lifted, 4.0, 6.0}};
   const Picture picture = draw_confidence_plot(plot);
   EXPECT_GT(picture.height, height_without);
   EXPECT_FALSE(alike(picture.at(kLeft + 640, kTop + 210), palette::page));
   EXPECT_TRUE(alike(picture.at(kLeft + 300, kTop + 210), palette::page));
-  plot.conditions = {{Condition::training, 4.0, 6.0}};
+  plot.conditions = {{RunCondition::training, 4.0, 6.0}};
   EXPECT_TRUE(alike(draw_confidence_plot(plot).at(kLeft + 640, kTop + 210), palette::page));
 }
 
@@ -81,7 +81,8 @@ TEST(ConfidencePlot, stays_within_its_axes_whatever_the_values) {
   ConfidencePlot plot = ten_seconds(1e30, -1e30);
   plot.samples.push_back({kNaN, 0.5, 0.5, 0.5, 0.5});
   plot.commands = {{kNaN, "flip", true}, {-1e300, "flip", true}, {1e300, std::string(5000, 'x'), true}};
-  plot.conditions = {{Condition::fallen, kNaN, 3.0}, {Condition::fallen, 5.0, 2.0}, {Condition::fallen, -1e300, 1e300}};
+  plot.conditions = {
+      {RunCondition::down, kNaN, 3.0}, {RunCondition::down, 5.0, 2.0}, {RunCondition::down, -1e300, 1e300}};
   const Picture picture = draw_confidence_plot(plot);
   EXPECT_EQ(picture.width, 1500);
   EXPECT_EQ(count(picture, palette::page, kRight + 6, kTop, 1500, kBottom), (1500 - kRight - 6) * (kBottom - kTop));

@@ -14,9 +14,9 @@ namespace {
 constexpr int kPanelTop = 170;
 constexpr int kMiddle = 750;
 
-ReorientationPanels flip() {
+ReorientationSnapshot flip() {
   const Pose2 truth(3.0, 1.0, 0.0);
-  return {"flip", 46.2, {{Pose2(-3.0, -1.0, 0.0)}, truth, reflect(truth)}, {{truth}, truth, truth}};
+  return {46.2, Reorientation::flip_pose, truth, reflect(truth), truth, {Pose2(-3.0, -1.0, 0.0)}, {truth}};
 }
 
 TEST(ReorientationView, shows_the_belief_jump_to_the_truth) {
@@ -40,7 +40,7 @@ TEST(ReorientationView, gives_each_command_a_line) {
 }
 
 TEST(ReorientationView, stays_of_a_size_that_can_be_looked_at) {
-  EXPECT_LT(draw_reorientation_view({}, std::vector<ReorientationPanels>(500)).height, 8000);
+  EXPECT_LT(draw_reorientation_view({}, std::vector<ReorientationSnapshot>(500)).height, 8000);
 }
 
 TEST(ReorientationView, draws_a_run_without_commands) {
@@ -51,9 +51,15 @@ TEST(ReorientationView, draws_a_run_without_commands) {
 
 TEST(ReorientationView, leaves_out_poses_that_are_none) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  ReorientationPanels bad{"purge", nan, {}, {}};
-  const ReorientationPanels empty = bad;
-  bad.before = {{Pose2(nan, nan, nan), Pose2(1e300, 0.0, 0.0)}, Pose2(0.0, nan, 0.0), Pose2(nan, 0.0, 0.0)};
+  const Pose2 none(nan, nan, nan);
+  const ReorientationSnapshot empty{nan, Reorientation::purge_reflection, {}, none, none, {}, {}};
+  const ReorientationSnapshot bad{nan,
+                                  Reorientation::purge_reflection,
+                                  Pose2(0.0, nan, 0.0),
+                                  Pose2(nan, 0.0, 0.0),
+                                  none,
+                                  {none, Pose2(1e300, 0.0, 0.0)},
+                                  {none}};
   EXPECT_EQ(draw_reorientation_view({}, {bad}), draw_reorientation_view({}, {empty}));
 }
 

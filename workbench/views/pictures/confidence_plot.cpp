@@ -27,19 +27,17 @@ struct LaneStyle {
   bool shades_curves;
 };
 
-LaneStyle lane_style(Condition condition) {
+LaneStyle lane_style(RunCondition condition) {
   switch (condition) {
-    case Condition::training:
+    case RunCondition::training:
       return {"training", {64, 160, 92}, false};
-    case Condition::training_paused:
-      return {"training paused", {150, 160, 60}, false};
-    case Condition::evaluation_paused:
+    case RunCondition::evaluation_paused:
       return {"evaluation paused", palette::cluster, false};
-    case Condition::belief_reflected:
+    case RunCondition::belief_reflected:
       return {"belief reflected", palette::opposite, false};
-    case Condition::carried:
+    case RunCondition::lifted:
       return {"carried", {126, 87, 194}, true};
-    case Condition::fallen:
+    case RunCondition::down:
       return {"fallen", {230, 126, 34}, true};
   }
   return {"", palette::cluster, false};
@@ -61,7 +59,7 @@ TimeAxis time_axis(const ConfidencePlot& plot) {
     first = std::min(first, time);
     last = std::max(last, time);
   };
-  for (const ConfidenceSample& sample : plot.samples) include(sample.time);
+  for (const ConfidencePoint& sample : plot.samples) include(sample.time);
   if (plot.samples.empty()) {
     for (const CommandMark& mark : plot.commands) include(mark.time);
     for (const ConditionInterval& interval : plot.conditions) {
@@ -117,10 +115,10 @@ std::optional<Box> box_between(const TimeAxis& axis, const ConditionInterval& in
   return Box{left, top, std::max(right - left, 1.0), height};
 }
 
-std::vector<Condition> lanes_of(const ConfidencePlot& plot) {
-  std::vector<Condition> lanes;
-  for (const Condition condition : {Condition::training, Condition::training_paused, Condition::evaluation_paused,
-                                    Condition::belief_reflected, Condition::carried, Condition::fallen}) {
+std::vector<RunCondition> lanes_of(const ConfidencePlot& plot) {
+  std::vector<RunCondition> lanes;
+  for (const RunCondition condition : {RunCondition::training, RunCondition::evaluation_paused,
+                                       RunCondition::belief_reflected, RunCondition::lifted, RunCondition::down}) {
     const auto is_it = [&](const ConditionInterval& interval) { return interval.condition == condition; };
     if (std::any_of(plot.conditions.begin(), plot.conditions.end(), is_it)) lanes.push_back(condition);
   }
@@ -135,9 +133,10 @@ void shade_curves(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& pl
   }
 }
 
-void draw_lanes(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, const std::vector<Condition>& lanes) {
+void draw_lanes(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot,
+                const std::vector<RunCondition>& lanes) {
   double top = kTop + kCurves + 14.0;
-  for (const Condition condition : lanes) {
+  for (const RunCondition condition : lanes) {
     const LaneStyle style = lane_style(condition);
     canvas.text({kLeft - 10.0, top + 17.0}, style.name, {.size = 17.0, .align = Align::right});
     canvas.fill_box({kLeft, top + 2.0, kRight - kLeft, kLane - 8.0}, palette::empty_plate);
@@ -150,11 +149,11 @@ void draw_lanes(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot
   }
 }
 
-void draw_curve(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, double ConfidenceSample::*value,
+void draw_curve(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, double ConfidencePoint::*value,
                 Color color, double thickness) {
   std::vector<Pixel> points;
   points.reserve(plot.samples.size());
-  for (const ConfidenceSample& sample : plot.samples) {
+  for (const ConfidencePoint& sample : plot.samples) {
     const double confidence = sample.*value;  // clamping would hide a NaN
     points.emplace_back(axis.x(sample.time), std::isfinite(confidence) ? confidence_y(confidence) : confidence);
   }
@@ -219,9 +218,16 @@ std::vector<LegendEntry> entries(const ConfidencePlot& plot) {
 
 }  // namespace
 
+ConfidencePlot confidence_plot_of(const RunHistory& history) {
+  ConfidencePlot plot{history.points(), {}, history.intervals()};
+  for (const reorient::CommandMark& mark : history.commands())
+    plot.commands.push_back({mark.time, short_name(mark.reorientation), mark.granted});
+  return plot;
+}
+
 Picture draw_confidence_plot(const ConfidencePlot& plot) {
   const TimeAxis axis = time_axis(plot);
-  const std::vector<Condition> lanes = lanes_of(plot);
+  const std::vector<RunCondition> lanes = lanes_of(plot);
   const double lanes_height = lanes.empty() ? 0.0 : 14.0 + kLane * static_cast<double>(lanes.size());
   const double bottom = kTop + kCurves + lanes_height;
   Canvas canvas(kPlotWidth, static_cast<int>(bottom + 76.0));
@@ -233,10 +239,10 @@ Picture draw_confidence_plot(const ConfidencePlot& plot) {
   draw_lanes(canvas, axis, plot, lanes);
   const Box curves{kLeft, kTop - 12.0, kRight - kLeft + 2.0, kCurves + 24.0};
   canvas.within(curves, [&] {
-    draw_curve(canvas, axis, plot, &ConfidenceSample::raw_opposite, palette::opposite.with_opacity(0.3), 1.0);
-    draw_curve(canvas, axis, plot, &ConfidenceSample::raw_current, palette::belief.with_opacity(0.3), 1.0);
-    draw_curve(canvas, axis, plot, &ConfidenceSample::opposite, palette::opposite, 3.5);
-    draw_curve(canvas, axis, plot, &ConfidenceSample::current, palette::belief, 3.5);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_opposite, palette::opposite.with_opacity(0.3), 1.0);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_current, palette::belief.with_opacity(0.3), 1.0);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::opposite, palette::opposite, 3.5);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::current, palette::belief, 3.5);
   });
   draw_commands(canvas, axis, plot, kTop + kCurves);
   return canvas.finish();

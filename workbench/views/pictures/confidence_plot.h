@@ -4,18 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "workbench/run/run_history.h"
 #include "workbench/views/pictures/canvas/picture.h"
 
 namespace reorient::pictures {
-
-/// Confidences are in [0, 1]; one that is not finite leaves a gap.
-struct ConfidenceSample {
-  double time = 0.0;  ///< s
-  double current = 0.0;
-  double opposite = 0.0;
-  double raw_current = 0.0;
-  double raw_opposite = 0.0;
-};
 
 struct CommandMark {
   double time = 0.0;    ///< s
@@ -23,21 +15,15 @@ struct CommandMark {
   bool granted = true;  ///< false: refused, drawn dashed
 };
 
-enum class Condition { training, training_paused, evaluation_paused, belief_reflected, carried, fallen };
-
-struct ConditionInterval {
-  Condition condition = Condition::training;
-  double from = 0.0;  ///< s
-  double to = 0.0;    ///< s
-};
-
-/// All in the order of time. Conditions get a lane each below the curves; while the robot is carried or fallen, the
+/// All in the order of time. Conditions get a lane each below the curves; while the robot is lifted or down, the
 /// curves' ground is shaded as well.
 struct ConfidencePlot {
-  std::vector<ConfidenceSample> samples;
+  std::vector<ConfidencePoint> samples;  ///< in [0, 1]; a confidence that is not finite leaves a gap
   std::vector<CommandMark> commands;
   std::vector<ConditionInterval> conditions;
 };
+
+ConfidencePlot confidence_plot_of(const RunHistory& history);
 
 Picture draw_confidence_plot(const ConfidencePlot& plot);
 

@@ -25,45 +25,48 @@ double panel_height(const FieldDimensions& field) {
   return std::isfinite(ratio) ? std::clamp(kPanelWidth * ratio, 200.0, 900.0) : 480.0;
 }
 
-// How far the belief is from the truth, where both are known.
-std::string error_of(const PoseSnapshot& snapshot) {
-  if (!snapshot.truth || !snapshot.belief) return {};
-  const double distance = (snapshot.truth->position - snapshot.belief->position).norm();
-  const double turn = std::abs(to_degrees(angle_difference(snapshot.truth->rotation, snapshot.belief->rotation)));
+// How far the belief is from the truth, where the truth is known.
+std::string error_of(const std::optional<Pose2>& truth, const Pose2& belief) {
+  if (!truth) return {};
+  const double distance = (truth->position - belief.position).norm();
+  const double turn = std::abs(to_degrees(angle_difference(truth->rotation, belief.rotation)));
   if (!std::isfinite(distance) || !std::isfinite(turn)) return {};
   char words[80];
   std::snprintf(words, sizeof words, "belief %.2f m and %.0f deg off", distance, turn);
   return words;
 }
 
-void draw_panel(Canvas& canvas, const Box& box, const FieldDimensions& field, const PoseSnapshot& snapshot) {
+void draw_panel(Canvas& canvas, const Box& box, const FieldDimensions& field, std::span<const scene::PoseLayer> poses) {
   const FieldView view = FieldView::fitted(field, box);
   canvas.within(box, [&] {
     canvas.fill_box(box, palette::carpet_border);
     draw_field(canvas, view, field);
-    draw_poses(canvas, view, scene::pose_layers(snapshot.particles, snapshot.truth, snapshot.belief));
+    draw_poses(canvas, view, poses);
   });
 }
 
-void draw_row(Canvas& canvas, double top, const FieldDimensions& field, const ReorientationPanels& reorientation) {
+void draw_row(Canvas& canvas, double top, const FieldDimensions& field, const ReorientationSnapshot& reorientation) {
   char time[48];
   std::snprintf(time, sizeof time, " at %.1f s", reorientation.time);
   const TextStyle title{.size = 24.0, .bold = true};
-  const std::string name = shortened(reorientation.command, 300.0, title) + time + ": ";
+  const std::string name = short_name(reorientation.reorientation) + time + ": ";
   double left = kMargin;
   for (const bool before : {true, false}) {
-    const PoseSnapshot& snapshot = before ? reorientation.before : reorientation.after;
+    const Pose2& belief = before ? reorientation.belief_before : reorientation.belief_after;
+    const std::vector<Pose2>& particles = before ? reorientation.particles_before : reorientation.particles_after;
     canvas.text({left, top + kTitle - 16.0}, name + (before ? "before" : "after"), title);
-    canvas.text({left + kPanelWidth, top + kTitle - 16.0}, error_of(snapshot),
+    canvas.text({left + kPanelWidth, top + kTitle - 16.0}, error_of(reorientation.truth, belief),
                 {.size = 19.0, .color = palette::faint_ink, .align = Align::right});
-    draw_panel(canvas, {left, top + kTitle, kPanelWidth, panel_height(field)}, field, snapshot);
+    draw_panel(canvas, {left, top + kTitle, kPanelWidth, panel_height(field)}, field,
+               scene::pose_layers(particles, reorientation.truth, belief));
     left += kPanelWidth + kPanelGap;
   }
 }
 
 }  // namespace
 
-Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<ReorientationPanels>& reorientations) {
+Picture draw_reorientation_view(const FieldDimensions& field,
+                                const std::vector<ReorientationSnapshot>& reorientations) {
   const std::size_t rows = std::min(reorientations.size(), kMost);
   const double row_height = kTitle + panel_height(field);
   const double height = kHeader + std::max(row_height * static_cast<double>(rows) + kMargin, 80.0);

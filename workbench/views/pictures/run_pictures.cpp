@@ -2,8 +2,9 @@
 
 #include "workbench/files/atomic_file.h"
 #include "workbench/views/pictures/canvas/png_file.h"
-#include "workbench/views/pictures/history_views.h"
+#include "workbench/views/pictures/confidence_plot.h"
 #include "workbench/views/pictures/record_views.h"
+#include "workbench/views/pictures/reorientation_view.h"
 
 namespace reorient {
 
@@ -32,7 +33,7 @@ std::vector<std::string> RunPictures::write(const std::filesystem::path& folder)
   }
   const FieldDimensions field = moment_ ? moment_->frame.world.field : FieldDimensions();
   write("confidences.png", draw_confidence_plot(pictures::confidence_plot_of(history_)));
-  write("reorientations.png", draw_reorientation_view(field, pictures::reorientations_of(history_)));
+  write("reorientations.png", pictures::draw_reorientation_view(field, history_.reorientations()));
   return failures;
 }
 

@@ -40,6 +40,11 @@ void draw_legend_rows(Canvas& canvas, const Box& box, std::span<const LegendEntr
   }
 }
 
+std::string short_name(Reorientation reorientation) {
+  const std::string name(to_string(reorientation));
+  return name.substr(0, name.find('_'));
+}
+
 LegendEntry line_entry(Color color, double thickness, std::string meaning) {
   const auto symbol = [=](Canvas& canvas, const Pixel& center) {
     canvas.line(center - Pixel(16.0, 0.0), center + Pixel(16.0, 0.0), color, thickness);

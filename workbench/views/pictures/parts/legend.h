@@ -1,10 +1,11 @@
-// What the colours and marks of a picture mean.
+// What the colors and marks of a picture mean.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <string>
 
+#include "engine/world/commands.h"
 #include "workbench/views/pictures/canvas/canvas.h"
 
 namespace reorient::pictures {
@@ -20,6 +21,9 @@ double draw_legend_column(Canvas& canvas, const Pixel& top_left, std::span<const
 
 /// Entries from left to right, in as many lines as `box` needs; what does not fit into its height is left out.
 void draw_legend_rows(Canvas& canvas, const Box& box, std::span<const LegendEntry> entries, double size = 19.0);
+
+/// "flip", "purge" or "reset".
+std::string short_name(Reorientation reorientation);
 
 /// Symbols that several pictures share.
 LegendEntry line_entry(Color color, double thickness, std::string meaning);
