@@ -26,7 +26,7 @@ std::string output_of(const std::string& command) {
   return text + "exit " + std::to_string(WEXITSTATUS(pclose(pipe)));
 }
 
-/// A tree with two sources that share a header. Its scripts, includes and links are always clean.
+/// A tree with two sources that share a header. Its scripts, includes, links and words are always clean.
 class LintedTree {
  public:
   explicit LintedTree(const TemporaryFolder& cache) : cache_(cache) {
@@ -42,6 +42,7 @@ class LintedTree {
     write("scripts/a.lua", "");
     write_program("tools/arrows", "");
     write_program("tools/links", "");
+    write_program("tools/words", "");
     write_program("bin/luacheck", "");
     std::filesystem::copy(std::filesystem::path(kSourceFolder) / "tools" / "lint", folder_.path() / "tools" / "lint");
   }
