@@ -44,17 +44,9 @@ inline Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
   return carpet_half_size(field) + Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
 }
 
-template <typename Visit, ConstOr<FieldDimensions> T>
-void fields(Visit&& visit, T& field) {
-  visit(field.length, field.width, field.border, field.line_width, field.penalty_area_depth, field.penalty_area_width,
-        field.goal_area_depth, field.goal_area_width, field.penalty_mark_x, field.penalty_mark_size,
-        field.center_circle_radius, field.corner_arc_radius, field.goal_post_y, field.goal_height, field.goal_depth,
-        field.goal_post_diameter, field.ball_diameter, field.yellow_goals);
-}
-
 /// Calls visit(key, length, least, most) for each length, with the range in which there can be such a field.
-template <typename Visit>
-void describe(FieldDimensions& field, Visit&& visit) {
+template <ConstOr<FieldDimensions> T, typename Visit>
+void describe(T& field, Visit&& visit) {
   visit("length", field.length, 2.0, 120.0);
   visit("width", field.width, 1.0, 90.0);
   visit("border", field.border, 0.0, 10.0);
@@ -74,8 +66,14 @@ void describe(FieldDimensions& field, Visit&& visit) {
   visit("ball_diameter", field.ball_diameter, 0.03, 0.5);
 }
 
+template <typename Visit, ConstOr<FieldDimensions> T>
+void fields(Visit&& visit, T& field) {
+  describe(field, [&](const char*, auto& value, const auto&...) { visit(value); });
+  visit(field.yellow_goals);
+}
+
 /// The first length that is out of its range, and how to mend it; empty: there is none.
-inline std::string mistake_in(FieldDimensions field) {
+inline std::string mistake_in(const FieldDimensions& field) {
   std::string mistake;
   describe(field, [&](const char* key, double value, double least, double most) {
     // Written so that NaN fails as well.

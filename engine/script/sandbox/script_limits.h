@@ -17,14 +17,8 @@ struct ScriptLimits {
 
 inline constexpr ScriptLimits kDefaultLimits{};
 
-template <typename Visit, ConstOr<ScriptLimits> T>
-void fields(Visit&& visit, T& limits) {
-  visit(limits.instructions_per_frame, limits.instructions_per_load, limits.max_memory, limits.string_length,
-        limits.max_errors, limits.error_window, limits.trial_time);
-}
-
-template <typename Visit>
-void describe(ScriptLimits& limits, Visit&& visit) {
+template <ConstOr<ScriptLimits> T, typename Visit>
+void describe(T& limits, Visit&& visit) {
   visit("instructions_per_frame", limits.instructions_per_frame, 1000, 100'000'000, "",
         "how many Lua instructions a script may run in one frame");
   visit("instructions_per_load", limits.instructions_per_load, 1000, 1'000'000'000, "",
@@ -37,6 +31,10 @@ void describe(ScriptLimits& limits, Visit&& visit) {
         "how long without an error until earlier ones are forgotten");
   visit("trial_time", limits.trial_time, 0.0, 3600.0, "s",
         "how long a version must run without an error to count as good");
+}
+template <typename Visit, ConstOr<ScriptLimits> T>
+void fields(Visit&& visit, T& limits) {
+  describe(limits, [&](const char*, auto& value, const auto&...) { visit(value); });
 }
 
 }  // namespace reorient

@@ -26,17 +26,17 @@ struct WallParameters {
   int rows = 4;
   int columns = 48;
 };
-template <typename Visit, ConstOr<WallParameters> T>
-void fields(Visit&& visit, T& p) {
-  visit(p.radius, p.bottom, p.top, p.rows, p.columns);
-}
-template <typename Visit>
-void describe(WallParameters& p, Visit&& visit) {
+template <ConstOr<WallParameters> T, typename Visit>
+void describe(T& p, Visit&& visit) {
   visit("radius", p.radius, 1.0, 200.0, "m", "distance of the virtual wall from the field's centre");
   visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the lowest row of tiles begins");
   visit("top", p.top, 0.1, 120.0, "m", "height where the highest row of tiles ends");
   visit("rows", p.rows, 1, 8, "", "rows of tiles");
   visit("columns", p.columns, 4, kMostColumns, "", "columns of tiles around the field; made even");
+}
+template <typename Visit, ConstOr<WallParameters> T>
+void fields(Visit&& visit, T& p) {
+  describe(p, [&](const char*, auto& value, const auto&...) { visit(value); });
 }
 
 /// A place on the wall in units of tiles: column in [0, columns), row in [0, rows) if the place lies on a tile.
