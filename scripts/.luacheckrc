@@ -24,7 +24,7 @@ stds.reorient = { read_globals = {
   chance = fields("between"),
   clock = fields("time", "step", "frame"),
   command = fields("flip_pose", "purge_reflection", "reset_orientation", "pause_training", "pause_evaluation"),
-  confidence = fields("current", "opposite", "evidence", "raw_current", "raw_opposite", "goal_opponent", "goal_own", "coverage", "paired", "distinctiveness", "separability", "asymmetry", "age", "status", "visible_tiles"),
+  confidence = fields("current", "opposite", "evidence", "raw_current", "raw_opposite", "goal_opponent", "goal_own", "coverage", "paired", "distinctiveness", "separability", "asymmetry", "age", "status", "can_tell", "visible_tiles"),
   evaluation = fields("active"),
   experimenter = fields("pick_up", "put_down", "push_over", "penalize", "set_game_state", "stop_game", "set_kick_off", "set_exposure_compensation", "change_light", "set_initial_pose", "tell_message", "half_time"),
   field = fields("length", "width", "border", "penalty_mark_x", "penalty_area_depth", "penalty_area_width", "goal_post_y", "corner_arc_radius", "center_circle_radius"),

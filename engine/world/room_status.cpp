@@ -19,4 +19,8 @@ RoomStatus room_status(const World& world, const RoomStatusParameters& p) {
   return RoomStatus::usable;
 }
 
+bool can_tell(RoomStatus status) {
+  return status == RoomStatus::usable || status == RoomStatus::lost || status == RoomStatus::fresh;
+}
+
 }  // namespace reorient

@@ -31,4 +31,9 @@ void describe(RoomStatusParameters& p, Visit&& visit) {
 /// The first reason in the order of RoomStatus.
 RoomStatus room_status(const World& world, const RoomStatusParameters& parameters);
 
+/// Whether the room can tell the believed pose from its reflection: it is known, not symmetric, and being compared.
+/// Whether it has been seen for long enough is a different question (fresh), and so is whether both poses are wrong
+/// (lost).
+bool can_tell(RoomStatus status);
+
 }  // namespace reorient

@@ -79,6 +79,7 @@ pose = {}
 ---@field asymmetry number former name of confidence.separability
 ---@field age number s, for how long known tiles were in view since the confidences began anew: after a lift, a fall, a penalty, a told pose, a flip or a jump of the belief
 ---@field status "usable"|"off"|"resting"|"unlearned"|"symmetric"|"lost"|"fresh" whether the confidences say something about the believed pose; if not, why not
+---@field can_tell boolean whether the room can tell the believed pose from its reflection: it is known, not symmetric, and being compared; true while confidence.status is usable, lost or fresh
 ---@field visible_tiles number how many tiles of the wall counted in this frame
 confidence = {}
 

@@ -24,10 +24,8 @@ local function own_goal() return -field.length / 2, 0.0 end
 
 -- Before the room is known, or where both of its ends look the same, looking at the goals would not help either; and
 -- after a disturbance the head scans as usual until its views say something.
-local CANNOT_TELL = { off = true, resting = true, unlearned = true, symmetric = true, fresh = true }
-
 local function is_unsure()
-  return not CANNOT_TELL[confidence.status] and not decision.for_either()
+  return confidence.can_tell and confidence.status ~= "fresh" and not decision.for_either()
 end
 
 local function is_sure() return not is_unsure() end

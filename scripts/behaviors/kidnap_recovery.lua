@@ -29,14 +29,10 @@ local function room_supports_the_pose()
   return is_right_way_round and confidence.current > p.share and is_pose_found()
 end
 
--- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
-local CANNOT_TELL = { off = true, resting = true, unlearned = true, symmetric = true }
-
-local function can_room_tell() return not CANNOT_TELL[confidence.status] end
-
 local function can_search() return robot.undisturbed_for > 0.0 and robot.may_walk end
 
-local function is_stuck() return can_room_tell() and not decision.for_either() and seen.goal_posts == 0 end
+-- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
+local function is_stuck() return confidence.can_tell and not decision.for_either() and seen.goal_posts == 0 end
 
 behavior "kidnap_recovery" {
   priority = 25,
@@ -66,7 +62,7 @@ behavior "kidnap_recovery" {
 
     state "with its belief" {
       { "with any orientation", when = is_stuck, lasting = "no_goal_time", after = "timeout", because = "neither pose won" },
-      { "lost", when = function() return not can_room_tell() end, after = "timeout", because = "the room cannot tell" },
+      { "lost", when = function() return not confidence.can_tell end, after = "timeout", because = "the room cannot tell" },
       { "lost", after = "longest", because = "the room speaks, but the place does not fit" },
     },
 

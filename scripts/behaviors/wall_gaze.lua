@@ -19,10 +19,9 @@ local NEAR = 0.08   -- rad
 
 local memory = keep { yaw = 0.0 }   -- where it looks
 
-local CAN_TELL = { usable = true, fresh = true }
-
+-- Where the pose filter is lost, the walls are not where the belief says, and neither is the most telling view.
 local function is_in_doubt()
-  return CAN_TELL[confidence.status] and not decision.for_either() and views.telling_worth > p.least
+  return confidence.can_tell and confidence.status ~= "lost" and not decision.for_either() and views.telling_worth > p.least
 end
 
 local function is_learning() return training.active and views.unknown_worth > p.unknown end

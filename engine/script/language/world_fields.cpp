@@ -10,16 +10,23 @@
 #include <variant>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/world/room_status.h"
 
 namespace reorient {
 namespace {
 
 using Type = WorldField::Type;
 
-/// Where a field lives in a world. Only tests write through it.
+/// A field that follows from another one.
+struct Computed {
+  bool (*value)(const World&);
+  std::string_view source;  ///< "confidence.status"
+};
+
+/// Where a field lives in a world, or how it is computed. Only tests write through it.
 using Access =
     std::variant<double* (*)(World&), bool* (*)(World&), int* (*)(World&), std::uint64_t* (*)(World&),
-                 Posture* (*)(World&), RoomStatus* (*)(World&), GameState* (*)(World&), KickOff* (*)(World&)>;
+                 Posture* (*)(World&), RoomStatus* (*)(World&), GameState* (*)(World&), KickOff* (*)(World&), Computed>;
 
 struct BoundField {
   std::string_view table;
@@ -134,6 +141,10 @@ const BoundField kFields[] = {
      [](World& w) { return &w.confidence.age; }},
     {"confidence", "status", "", "whether the confidences say something about the believed pose; if not, why not",
      [](World& w) { return &w.room_status; }},
+    {"confidence", "can_tell", "",
+     "whether the room can tell the believed pose from its reflection: it is known, not symmetric, and being compared; "
+     "true while confidence.status is usable, lost or fresh",
+     Computed{[](const World& w) { return can_tell(w.room_status); }, "confidence.status"}},
     {"confidence", "visible_tiles", "", "how many tiles of the wall counted in this frame",
      [](World& w) { return &w.confidence.visible_tiles; }},
     {"views", "telling", "rad", "yaw of the head at which the room would tell most about the pose and its reflection",
@@ -209,6 +220,10 @@ WorldField described(const BoundField& field, Value* (*)(World&)) {
   return result;
 }
 
+WorldField described(const BoundField& field, const Computed&) {
+  return described(field, static_cast<bool* (*)(World&)>(nullptr));
+}
+
 std::vector<WorldField> make_fields() {
   std::vector<WorldField> fields;
   for (const BoundField& field : kFields)
@@ -227,9 +242,14 @@ std::span<const WorldTable> world_tables() { return kTables; }
 
 void append_world(const World& world, std::vector<double>& values) {
   World readable = world;  // the accessors give addresses that can be written
-  for (const BoundField& field : kFields) {
-    values.push_back(std::visit([&](auto access) { return static_cast<double>(*access(readable)); }, field.access));
-  }
+  const auto value = [&](auto access) {
+    if constexpr (std::is_same_v<decltype(access), Computed>) {
+      return static_cast<double>(access.value(world));
+    } else {
+      return static_cast<double>(*access(readable));
+    }
+  };
+  for (const BoundField& field : kFields) values.push_back(std::visit(value, field.access));
 }
 
 double checked_value(const WorldField& field, const WorldValue& value) {
@@ -262,12 +282,17 @@ void write_world(World& world, std::string_view table, std::string_view name, co
     const double number = checked_value(all[i], value);
     std::visit(
         [&](auto access) {
-          auto* place = access(world);
-          using Value = std::remove_pointer_t<decltype(place)>;
-          if constexpr (std::is_enum_v<Value>) {
-            *place = static_cast<Value>(static_cast<int>(number));
+          if constexpr (std::is_same_v<decltype(access), Computed>) {
+            throw std::runtime_error(all[i].full_name() + " cannot be set: it follows from " +
+                                     std::string(access.source));
           } else {
-            *place = static_cast<Value>(number);
+            auto* place = access(world);
+            using Value = std::remove_pointer_t<decltype(place)>;
+            if constexpr (std::is_enum_v<Value>) {
+              *place = static_cast<Value>(static_cast<int>(number));
+            } else {
+              *place = static_cast<Value>(number);
+            }
           }
         },
         kFields[i].access);

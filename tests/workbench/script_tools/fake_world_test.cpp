@@ -50,7 +50,7 @@ behavior "tested" {
 const std::set<std::string_view> kDerived{
     "clock.time",        "clock.step",      "clock.frame",      "robot.posture_before", "robot.posture_for",
     "robot.may_walk",    "training.active", "training.seconds", "evaluation.active",    "robot.undisturbed_for",
-    "confidence.status", "pose.known",      "confidence.age"};
+    "confidence.status", "pose.known",      "confidence.age",   "confidence.can_tell"};
 
 /// A mistake in the rules of the fake world: what a test of this test seeds.
 enum class Fault {

@@ -80,6 +80,18 @@ TEST_F(ScriptedTests, HearNothingThatNobodyCanSay) {
   EXPECT_NE(only_failure().find("at most 32 messages"), std::string::npos);
 }
 
+TEST_F(ScriptedTests, SeeThatARoomCanTellWhichIsKnownAndNotSymmetric) {
+  run(R"(test("t", function()
+  for status, can_tell in pairs { usable = true, off = false, resting = false, unlearned = false, symmetric = false,
+                                  lost = true, fresh = true } do
+    set_world { confidence = { status = status } }
+    advance(0.1)
+    expect.equal(world_value("confidence.can_tell"), can_tell)
+  end
+end))");
+  EXPECT_EQ(summary.failed, 0) << out.str();
+}
+
 TEST_F(ScriptedTests, TellEachFailureWithItsLineAndBothSides) {
   run(R"(test("is wrong twice", function()
   load_behavior "lamp"
@@ -574,6 +586,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WorldName", "set_world { robot = { posture = 'flying' } }", "robot.posture"},
         Mistake{"WorldRange", "set_world { confidence = { current = 7 } }", "confidence.current"},
         Mistake{"WorldNumber", "set_world { confidence = { current = 0/0 } }", "confidence.current"},
+        Mistake{"WorldComputed", "set_world { confidence = { can_tell = true } }",
+                "confidence.can_tell cannot be set: it follows from confidence.status"},
         Mistake{"BehaviorTwice", "load_behavior 'lamp'  load_behavior 'lamp'", "'lamp' is loaded already"},
         Mistake{"NoBehavior", "load_behavior 'lapm'", "lapm"},
         Mistake{"TooLong", "advance(1e9)", "advance takes seconds, from 0 to 3600"},
