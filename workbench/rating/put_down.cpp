@@ -7,6 +7,7 @@
 #include "engine/script/behaviors.h"
 #include "engine/world/arbiter.h"
 #include "engine/world/room_status.h"
+#include "engine/world/world_tracker.h"
 #include "geometry/pinned_math.h"
 #include "perception/room/evidence/evidence.h"
 #include "perception/room/evidence/informative_views.h"
@@ -110,21 +111,13 @@ bool is_flip(const Arbitration& decided) {
 }
 
 /// s of training are those of the model: nothing is learned meanwhile.
-World world_in_the_hands(const RatedRobot& robot, const RatedModel& model, const Pose2& belief, double head_yaw) {
+World world_in_the_hands(const RatedRobot& robot, const RatedModel& model, const Pose2& belief) {
   World world = world_of(robot.field, robot.body);
   world.pose.pose = belief;
   world.pose.cluster_weight = 1.0;
   world.pose_known = true;
   world.trained_seconds = model.learned_for;
-  world.posture = Posture::lifted;
-  world.head = robot.body.neck.clamp({head_yaw, 0.0});
   return world;
-}
-
-void land(World& world) {
-  world.posture_before = world.posture;
-  world.posture = Posture::upright;
-  world.posture_for = 0.0;
 }
 
 }  // namespace
@@ -178,33 +171,32 @@ PutDownResult put_down(const PutDown& how, const RatedRobot& robot, const RatedM
                        VisibleTiles& visible) {
   Brain brain(robot);
   SyntheticAwareness room(model, brain.core());
-  World world = world_in_the_hands(robot, model, visible.pose(), how.head_yaw);
+  WorldTracker tracker(world_in_the_hands(robot, model, visible.pose()));
+  HeadAngles head = robot.body.neck.clamp({how.head_yaw, 0.0});
   PutDownResult result;
   const int last = static_cast<int>(std::lround(how.limit / kStep));
   const int landing = static_cast<int>(std::lround((how.lowering + brain.core().posture.lifted_time) / kStep));
   for (int frame = 0; frame <= last; ++frame) {
-    world.time = frame * kStep;
-    world.time_step = kStep;
-    ++world.frame;
-    world.posture_for += kStep;
-    if (frame == landing) land(world);
-    if (world.upright()) world.undisturbed_for += kStep;
-    world.evaluating = world.upright() && brain.decided().evaluate;
-    world.training = world.upright() && brain.decided().train;
-    if (world.evaluating) {
+    tracker.begin_frame(frame * kStep);
+    // Nothing is compared before the landing, so the landing restarts nothing.
+    tracker.take_posture(frame < landing ? SensedPosture{Posture::lifted, Posture::upright, 0.0}
+                                         : SensedPosture{Posture::upright, Posture::lifted, landing * kStep});
+    tracker.permit_views(brain.decided(), true);
+    if (tracker.world().evaluating) {
       result.has_evaluated = true;
-      room.observe(visible.at(world.head), looks, how.is_mirrored);
+      room.observe(visible.at(head), looks, how.is_mirrored);
       result.most_evidence = std::max(result.most_evidence, room.confidences().evidence);
     }
-    world.confidence = room.confidences();
-    world.views = room.choose_view(
-        world.pose.pose, robot_from_camera(robot.body.dimensions, world.head, {}, robot.body.dimensions.torso_height));
-    world.room_status = room_status(world, brain.core().room_status);
-    if (is_flip(brain.decide(world))) {
-      result.flipped_after = world.time;
+    const InformativeViews& views = room.choose_view(
+        visible.pose(), robot_from_camera(robot.body.dimensions, head, {}, robot.body.dimensions.torso_height));
+    tracker.take_room(room.confidences(), views);
+    tracker.take_field({.head = head});
+    tracker.judge_room(brain.core().room_status);
+    if (is_flip(brain.decide(tracker.world()))) {
+      result.flipped_after = tracker.world().time;
       return result;
     }
-    turn_head(world.head, brain.wanted().request, robot.body);
+    turn_head(head, brain.wanted().request, robot.body);
   }
   return result;
 }
