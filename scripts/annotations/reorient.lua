@@ -490,7 +490,7 @@ function load_behavior(behavior) end
 ---@param scenario reorient.ScenarioScript
 function load_scenario(scenario) end
 
----Changes what the robot senses in the fake world, from the next frame on. What follows from the rest (times since a disturbance, age and status of the confidences, whether training and evaluation go on) follows by the engine's own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in the engine: after a flip, the evidence has the other sign.
+---Changes what the robot senses in the fake world, from the next frame on. What follows from the rest (times since a disturbance, age and status of the confidences, whether training and evaluation go on) follows by the engine's own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in the engine: after a flip, the evidence has the other sign. The clock cannot be set: `advance` lets time pass.
 ---@param world reorient.World
 function set_world(world) end
 

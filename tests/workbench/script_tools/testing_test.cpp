@@ -586,6 +586,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WorldName", "set_world { robot = { posture = 'flying' } }", "robot.posture"},
         Mistake{"WorldRange", "set_world { confidence = { current = 7 } }", "confidence.current"},
         Mistake{"WorldNumber", "set_world { confidence = { current = 0/0 } }", "confidence.current"},
+        Mistake{"Clock", "set_world { clock = { time = 9 } }",
+                "clock.time cannot be set: advance(SECONDS) lets time pass"},
         Mistake{"WorldComputed", "set_world { confidence = { can_tell = true } }",
                 "confidence.can_tell cannot be set: it follows from confidence.status"},
         Mistake{"BehaviorTwice", "load_behavior 'lamp'  load_behavior 'lamp'", "'lamp' is loaded already"},

@@ -71,7 +71,7 @@ constexpr ScriptWord kTest[] = {
      "a "
      "disturbance, age and status of the confidences, whether training and evaluation go on) follows by the engine's "
      "own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in "
-     "the engine: after a flip, the evidence has the other sign.",
+     "the engine: after a flip, the evidence has the other sign. The clock cannot be set: `advance` lets time pass.",
      {}},
     {"set_param(name: reorient.ParameterName, value: string)",
      "set_param(\"decision.false_flips\", \"1\")",

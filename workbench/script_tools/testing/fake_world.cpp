@@ -1,6 +1,7 @@
 #include "workbench/script_tools/testing/fake_world.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "engine/world/external_belief.h"
 
@@ -30,6 +31,8 @@ FakeWorld::FakeWorld(ParameterRegistry& parameters, double stood_for)
 }
 
 void FakeWorld::set(std::string_view table, std::string_view name, const WorldValue& value) {
+  if (table == "clock")
+    throw std::runtime_error("clock." + std::string(name) + " cannot be set: advance(SECONDS) lets time pass");
   write_world(world_, table, name, value);
   set_.insert(std::string(table) + "." + std::string(name));
   if (table == "pose" && (name == "x" || name == "y" || name == "rotation")) is_pose_set_ = true;

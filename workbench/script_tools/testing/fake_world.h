@@ -31,7 +31,7 @@ class FakeWorld {
   FakeWorld& operator=(const FakeWorld&) = delete;
 
   /// As `set_world` of a test, from the next frame on. A value that would follow from others stays as it is set until a
-  /// granted command changes it. Throws as write_world().
+  /// granted command changes it. Throws as write_world(), and for the clock, which is the test bench's.
   void set(std::string_view table, std::string_view name, const WorldValue& value);
   /// The next frame, up to where behaviors see it, at this time (s). `last`: the arbitration of the frame before.
   const World& begin_frame(double time, const Arbitration& last, const FakeSenses& senses = {});
