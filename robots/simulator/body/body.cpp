@@ -65,6 +65,7 @@ void Body::advance(double time_step, const Request& request, std::span<const Bar
 
 void Body::pick_up() {
   if (posture_ == Posture::carried) return;
+  const bool is_upright = posture_ == Posture::upright;
   posture_ = Posture::carried;
   since_ = 0.0;
   velocity_ = {};
@@ -74,6 +75,9 @@ void Body::pick_up() {
   hands_.lower_time = parameters_.lower_time * random_.uniform(0.7, 1.5);
   hands_.sway = random_.uniform(0.5, 1.3);
   hands_.pace = random_.uniform(0.7, 1.3);
+  if (is_upright) return;  // hands end the sway of a walk at once
+  hands_.below = robot_.dimensions.torso_height - torso_height_;
+  hands_.tilt = torso_;
 }
 
 void Body::put_down(const Pose2& where) {
@@ -200,10 +204,11 @@ void Body::balance(double time_step, bool get_up) {
     case Posture::carried: {
       const double t = hands_.pace * since_;
       const double held = hands_.sway * ease(2.0 * since_);  // nobody tilts it at once
-      torso_ = {held * (0.12 * pinned::sin(1.9 * t) + 0.04 * pinned::sin(4.3 * t)),
-                held * 0.15 * pinned::sin(1.3 * t + 0.6)};
+      const double raised = ease(since_ / hands_.raise_time);
+      torso_ = {held * (0.12 * pinned::sin(1.9 * t) + 0.04 * pinned::sin(4.3 * t)) + (1.0 - raised) * hands_.tilt.roll,
+                held * 0.15 * pinned::sin(1.3 * t + 0.6) + (1.0 - raised) * hands_.tilt.pitch};
       if (hands_.lowered_since < 0.0) {
-        torso_height_ = stand + hands_.height * ease(since_ / hands_.raise_time);
+        torso_height_ = stand + hands_.height * raised - (1.0 - raised) * hands_.below;
         pose_.rotation = normalize_angle(pose_.rotation + 0.25 * pinned::sin(1.1 * t) * time_step);
         break;
       }

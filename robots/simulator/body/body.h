@@ -157,6 +157,8 @@ class Body {
     double pace = 1.0;            // of the frequencies
     double lowered_since = -1.0;  // s in this posture when it began to be put down; negative: not yet
     double held_at = 0.0;         // m, the height from which it is put down
+    double below = 0.0;           // m, how much lower than standing the torso was when it was picked up
+    TorsoAttitude tilt;           // of the torso then
   };
   Hands hands_;
   bool penalized_ = false;

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geometry/gravity.h"
+
 namespace reorient {
 namespace {
 
@@ -159,6 +161,24 @@ TEST(Body, HangsInTheAirUntilItIsPutDown) {
   EXPECT_GT(felt(body).foot_load, 4.0);
   EXPECT_EQ(body.pose().position, Eigen::Vector2d(-3.2, 3.5));
   EXPECT_EQ(body.odometry().position, odometry.position) << "nobody tells the odometry";
+}
+
+TEST(Body, IsLiftedFromTheGroundWithoutAJolt) {
+  constexpr double kSampled = 0.01;  // s
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Body body = body_at({}, seed);
+    body.push_over();
+    run(body, Request{}, seed % 3 == 0 ? 0.5 : 3.0);  // a third of them are still falling
+    body.pick_up();
+    for (double time = 0.0; time < 3.0; time += kSampled) {
+      body.advance(kSampled, Request{}, {}, kBounds);
+      const BodySample sample = felt(body);
+      ASSERT_LT(sample.acceleration.norm(), 4.0 * kGravity) << "seed " << seed << ", after " << time << " s";
+      ASSERT_LT(sample.angular_velocity.norm(), 6.0) << "seed " << seed << ", after " << time << " s";
+    }
+    EXPECT_GT(body.torso_height(), 0.248 + 0.3);
+    EXPECT_LT(std::hypot(body.torso().roll, body.torso().pitch), 0.5);
+  }
 }
 
 TEST(Body, FallsLiesAndGetsUpOnRequest) {
