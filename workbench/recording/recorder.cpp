@@ -69,12 +69,13 @@ struct Recorder::Shared {
   explicit Shared(const RecorderOptions& options)
       : first_file(options.file),
         about(options.about),
-        file(std::make_unique<RecordingFile>(options.file, options.about, view_topics())),
+        file(std::make_unique<RecordingFile>(options.file, options.about, topics)),
         viewer(options.jpeg_quality) {}
 
   // The thread's.
   const std::filesystem::path first_file;
   const mcap::Texts about;
+  const std::vector<ViewTopic> topics = view_topics();
   std::unique_ptr<RecordingFile> file;
   std::uint64_t earlier_bytes = 0, earlier_frames = 0;  // of the files before
   ViewerMessages viewer;
@@ -220,13 +221,13 @@ void Recorder::tell_trouble() {
 
 void Recorder::end() {
   if (!thread_.joinable()) return;
-  constexpr std::chrono::seconds kPatience{10};
   bool is_over = false;
   {
     std::unique_lock lock(shared_->mutex);
     shared_->ends = true;
     shared_->wake.notify_one();
-    is_over = shared_->over.wait_for(lock, kPatience, [this] { return shared_->is_over; });
+    is_over = shared_->over.wait_for(lock, std::chrono::duration<double>(options_.patience),
+                                     [this] { return shared_->is_over; });
     if (!is_over && shared_->trouble.empty())
       shared_->trouble = "the recording lacks its end: the disk does not take it";
   }
@@ -255,7 +256,7 @@ void Recorder::write_items(Shared& shared) {
       std::filesystem::path name = shared.first_file;
       name.replace_extension("." + std::to_string(files + 1) + shared.first_file.extension().string());
       shared.file->finish();
-      auto next = std::make_unique<RecordingFile>(name, shared.about, view_topics());
+      auto next = std::make_unique<RecordingFile>(name, shared.about, shared.topics);
       shared.earlier_bytes += shared.file->size();
       shared.earlier_frames += shared.file->frames();
       shared.file = std::move(next);

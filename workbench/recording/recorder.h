@@ -28,6 +28,7 @@ struct RecorderOptions {
   std::uint64_t rotate_bytes = 0;
   double rotate_seconds = 0.0;
   std::size_t most_waiting = std::size_t{96} << 20;  ///< bytes in the queue; beyond them the recording ends
+  double patience = 10.0;                            ///< s that end() waits for the disk
   mcap::Texts about;                                 ///< the run, for people: scenario, seed, version
 };
 
@@ -51,14 +52,16 @@ class Recorder : public Observer {
   Topics wanted() const override { return wanted_; }
   void observe(const FrameRecord& frame, const StageRecord& stage) override;
 
-  /// Ends the file. Nothing is recorded afterwards. A disk that does not take the rest within 10 s is left to itself.
+  /// Ends the file. Nothing is recorded afterwards. The thread of a disk that does not take the rest within
+  /// RecorderOptions::patience is left behind.
   void end();
 
   Counts counts() const;
 
  private:
   struct Item;
-  /// What both threads use. It outlives a recorder whose thread waits for a disk that never answers.
+  /// What both threads use. The thread owns it, too, and touches nothing else but constants that are never destroyed:
+  /// one that waits for a disk that does not answer may outlive the recorder, and even main().
   struct Shared;
 
   void choose_views(const Item& item);

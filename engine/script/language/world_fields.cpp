@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <variant>
 
 #include "engine/parameters/nearest_name.h"
@@ -224,17 +225,19 @@ WorldField described(const BoundField& field, const Computed&) {
   return described(field, static_cast<bool* (*)(World&)>(nullptr));
 }
 
-std::vector<WorldField> make_fields() {
-  std::vector<WorldField> fields;
-  for (const BoundField& field : kFields)
-    fields.push_back(std::visit([&](auto access) { return described(field, access); }, field.access));
+auto make_fields() {
+  std::array<WorldField, std::size(kFields)> fields;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    fields[i] = std::visit([&](auto access) { return described(kFields[i], access); }, kFields[i].access);
   return fields;
 }
 
 }  // namespace
 
 std::span<const WorldField> world_fields() {
-  static const std::vector<WorldField> fields = make_fields();
+  // Nothing destroys it: a thread that is still running when the program exits may read it.
+  static const auto fields = make_fields();
+  static_assert(std::is_trivially_destructible_v<decltype(fields)>);
   return fields;
 }
 

@@ -1,5 +1,6 @@
 // A run that is recorded is made again, bit by bit, from its file alone.
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -311,6 +312,36 @@ TEST_F(RecordedRun, OnADiskThatTakesNothingGoesOnWithoutARecording) {
   EXPECT_GT(recorder->counts().views_left_out, recorder->counts().images_left_out);
   close(reader);  // now it fails, and the thread ends
   recorder.reset();
+}
+
+TEST_F(RecordedRun, OnADiskThatHangsEndsTheFileThoughItsRecorderIsGone) {
+  std::signal(SIGPIPE, SIG_IGN);
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  const int reader = open(file().c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  {
+    RecorderOptions hasty = options();
+    hasty.patience = 0.05;
+    FrameLoop engine(eventful_setup());
+    Recorder recorder(hasty, [this](const std::string& line) { told_.push_back(line); });
+    for (const Bytes& bytes : run()) {
+      const StoredInputs stored(bytes);
+      recorder.before(stored.inputs(), engine);
+      recorder.observe(engine.step(stored.inputs()), {});
+    }
+  }
+  ASSERT_FALSE(told_.empty());
+  EXPECT_NE(told_.back().find("the recording lacks its end"), std::string::npos) << told_.back();
+  const std::size_t lines = told_.size();
+  // Now the disk answers.
+  std::string taken;
+  ASSERT_EQ(fcntl(reader, F_SETFL, 0), 0);
+  std::array<char, 1 << 16> piece{};
+  for (ssize_t got = 0; (got = read(reader, piece.data(), piece.size())) > 0;)
+    taken.append(piece.data(), static_cast<std::size_t>(got));
+  close(reader);
+  EXPECT_TRUE(taken.ends_with("MCAP0\r\n")) << taken.size() << " bytes";
+  EXPECT_EQ(told_.size(), lines);
 }
 
 TEST_F(RecordedRun, OnAFullDiskEndsWithOneLine) {

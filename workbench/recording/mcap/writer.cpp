@@ -128,12 +128,12 @@ void Writer::close_chunk() {
   if (ZSTD_isError(compressed) != 0)
     throw std::runtime_error(std::string("zstd does not compress: ") + ZSTD_getErrorName(compressed));
 
-  static const std::string kZstd = "zstd";
+  const std::string zstd = "zstd";
   out_.clear();
   ByteWriter out(out_);
-  const std::size_t before_records = 8 + 8 + 8 + 4 + 4 + kZstd.size() + 8;
+  const std::size_t before_records = 8 + 8 + 8 + 4 + 4 + zstd.size() + 8;
   out(Opcode::chunk, static_cast<std::uint64_t>(before_records + compressed), chunk_start_, chunk_end_,
-      static_cast<std::uint64_t>(chunk_.size()), crc_of(0, chunk_), kZstd, static_cast<std::uint64_t>(compressed));
+      static_cast<std::uint64_t>(chunk_.size()), crc_of(0, chunk_), zstd, static_cast<std::uint64_t>(compressed));
   out.raw(compressed_.data(), compressed);
   const std::uint64_t chunk_length = out_.size();
 
@@ -160,7 +160,7 @@ void Writer::close_chunk() {
   ByteWriter writer(closed.content);
   writer(chunk_start_, chunk_end_, offset_, chunk_length);
   append_sized(closed.content, places);
-  writer(static_cast<std::uint64_t>(out_.size() - chunk_length), kZstd, static_cast<std::uint64_t>(compressed),
+  writer(static_cast<std::uint64_t>(out_.size() - chunk_length), zstd, static_cast<std::uint64_t>(compressed),
          static_cast<std::uint64_t>(chunk_.size()));
   chunk_.clear();
   put(out_);
