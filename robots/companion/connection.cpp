@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -20,7 +21,8 @@
 namespace reorient {
 namespace {
 
-constexpr double kSilent = 2.0;  // s after which a newcomer takes the place of a client that says nothing
+constexpr double kSilent = 2.0;            // s after which a newcomer replaces a client that sends nothing
+constexpr std::size_t kPiece = 64 * 1024;  // bytes that are read at once
 
 sockaddr_un address_of(const std::filesystem::path& path) {
   sockaddr_un address{};
@@ -82,7 +84,10 @@ bool has_hung_up(int client) {
 }  // namespace
 
 Connection::Connection(std::filesystem::path path, std::function<double()> now)
-    : path_(std::move(path)), now_(std::move(now)), listener_(new_socket()) {
+    : path_(std::move(path)),
+      now_(std::move(now)),
+      listener_(new_socket()),
+      in_(sizeof(reorient_header) + REORIENT_LONGEST_BODY + kPiece) {
   const sockaddr_un address = address_of(path_);
   const OwnedDescriptor lock = lock_folder_of(path_);
   remove_left_socket(path_, address);
@@ -153,7 +158,7 @@ void Connection::refuse(OwnedDescriptor& client, const std::string& why, std::ui
 void Connection::drop(Receiver& receiver) {
   client_ = OwnedDescriptor();
   memory_ = OwnedDescriptor();
-  in_.clear();
+  received_ = 0;
   out_.clear();
   sent_ = 0;
   gone_ = false;
@@ -161,16 +166,13 @@ void Connection::drop(Receiver& receiver) {
 }
 
 void Connection::read_messages(Receiver& receiver) {
-  constexpr std::size_t kPiece = 64 * 1024;
   constexpr std::size_t kAtOnce = 64 * kPiece;  // whoever sends without end must not keep us from anything else
   for (std::size_t total = 0; total < kAtOnce;) {
-    const std::size_t before = in_.size();
-    in_.resize(before + kPiece);
     union {
       cmsghdr header;
       char bytes[CMSG_SPACE(4 * sizeof(int))];
     } control;
-    iovec part{in_.data() + before, kPiece};
+    iovec part{in_.data() + received_, kPiece};
     msghdr all{};
     all.msg_iov = &part;
     all.msg_iovlen = 1;
@@ -178,7 +180,6 @@ void Connection::read_messages(Receiver& receiver) {
     all.msg_controllen = sizeof(control);
     const ssize_t got = recvmsg(client_.get(), &all, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
     const int why = errno;
-    in_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     if (got >= 0) {
       for (cmsghdr* header = CMSG_FIRSTHDR(&all); header != nullptr; header = CMSG_NXTHDR(&all, header)) {
         if (header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_RIGHTS) continue;
@@ -196,6 +197,7 @@ void Connection::read_messages(Receiver& receiver) {
     if (got < 0 && (why == EAGAIN || why == EWOULDBLOCK || why == EINTR)) return;
     if (got <= 0) return drop(receiver);
     total += static_cast<std::size_t>(got);
+    received_ += static_cast<std::size_t>(got);
     last_heard_ = now_();
     if (!take_whole_messages(receiver)) return;
     if (static_cast<std::size_t>(got) < kPiece) return;
@@ -204,7 +206,7 @@ void Connection::read_messages(Receiver& receiver) {
 
 /// False: the client is gone.
 bool Connection::take_whole_messages(Receiver& receiver) {
-  std::span<const std::byte> rest = in_;
+  std::span<const std::byte> rest = std::span(in_).first(received_);
   std::uint16_t version = REORIENT_VERSION_2;
   try {
     while (rest.size() >= sizeof(reorient_header)) {
@@ -225,7 +227,8 @@ bool Connection::take_whole_messages(Receiver& receiver) {
     drop(receiver);
     return false;
   }
-  in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(in_.size() - rest.size()));
+  std::memmove(in_.data(), rest.data(), rest.size());
+  received_ = rest.size();
   return true;
 }
 

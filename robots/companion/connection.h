@@ -66,9 +66,11 @@ class Connection {
   std::function<double()> now_;
   OwnedDescriptor listener_;
   OwnedDescriptor client_;
-  bool gone_ = false;        // found out while sending; the receiver is told next time
-  double last_heard_ = 0.0;  // s
-  std::vector<std::byte> in_, out_;
+  bool gone_ = false;          // found out while sending; the receiver is told next time
+  double last_heard_ = 0.0;    // s
+  std::vector<std::byte> in_;  // of one size: room for the longest message and one more piece
+  std::size_t received_ = 0;   // bytes of in_ that no message has taken yet
+  std::vector<std::byte> out_;
   std::size_t sent_ = 0;    // of out_
   OwnedDescriptor memory_;  // came, and no message has taken it yet
 };

@@ -479,6 +479,12 @@ TEST_F(CompanionTest, TellsAClientThatIsNoneWhyItEndsTheConnection) {
   EXPECT_NE(refusal_of([&](RawClient& client) { client.send(9, reorient_memory{}); }).find("no message of kind 9"),
             std::string::npos);
   EXPECT_NE(refusal_of([&](RawClient& client) {
+              header(client, REORIENT_LONGEST_BODY, 9, REORIENT_VERSION_2);
+              client.send_bytes(std::vector<std::byte>(REORIENT_LONGEST_BODY));
+            }).find("no message of kind 9"),
+            std::string::npos)
+      << "the longest message fits";
+  EXPECT_NE(refusal_of([&](RawClient& client) {
               client.send(REORIENT_FRAME, reorient_memory{});
             }).find("a frame is cut short"),
             std::string::npos);
