@@ -7,9 +7,10 @@ namespace reorient {
 
 void add_areas(const FieldDimensions& field, double depth, double width, std::vector<FieldLine>& lines) {
   if (depth == 0.0 || width <= 0.0) return;
+  const double x = field_half_size(field).x();
   for (const double side : {1.0, -1.0}) {
-    const double goal_line = side * field.length / 2.0;
-    const double front = side * (field.length / 2.0 - depth);
+    const double goal_line = side * x;
+    const double front = side * (x - depth);
     lines.push_back({{front, width / 2.0}, {front, -width / 2.0}});
     lines.push_back({{goal_line, width / 2.0}, {front, width / 2.0}});
     lines.push_back({{goal_line, -width / 2.0}, {front, -width / 2.0}});
@@ -17,8 +18,8 @@ void add_areas(const FieldDimensions& field, double depth, double width, std::ve
 }
 
 std::vector<FieldLine> field_lines(const FieldDimensions& field) {
-  const double x = field.length / 2.0;
-  const double y = field.width / 2.0;
+  const Eigen::Vector2d half = field_half_size(field);
+  const double x = half.x(), y = half.y();
   std::vector<FieldLine> lines{
       {{-x, y}, {x, y}}, {{-x, -y}, {x, -y}}, {{x, -y}, {x, y}}, {{-x, -y}, {-x, y}}, {{0.0, -y}, {0.0, y}}};
   add_areas(field, field.penalty_area_depth, field.penalty_area_width, lines);
@@ -27,15 +28,27 @@ std::vector<FieldLine> field_lines(const FieldDimensions& field) {
 }
 
 std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field) {
-  const double x = field.length / 2.0;
-  const double y = field.goal_post_y;
+  const double x = field_half_size(field).x(), y = field.goal_post_y;
   return {{{x, y}, {x, -y}, {-x, -y}, {-x, y}}};
+}
+
+std::array<Eigen::Vector2d, 4> goal_outline(const FieldDimensions& field, double end) {
+  const double front = end * field_half_size(field).x(), y = field.goal_post_y;
+  const double back = front + end * field.goal_depth;
+  return {{{front, y}, {back, y}, {back, -y}, {front, -y}}};
+}
+
+std::vector<CornerArc> corner_arcs(const FieldDimensions& field) {
+  if (field.corner_arc_radius <= 0.0) return {};
+  const Eigen::Vector2d half = field_half_size(field);
+  const double x = half.x(), y = half.y();
+  return {{{x, y}, kPi}, {{-x, y}, 1.5 * kPi}, {{-x, -y}, 0.0}, {{x, -y}, 0.5 * kPi}};
 }
 
 std::vector<FieldIntersection> field_intersections(const FieldDimensions& field) {
   using Eigen::Vector2d;
-  const double x = field.length / 2.0;
-  const double y = field.width / 2.0;
+  const Vector2d half = field_half_size(field);
+  const double x = half.x(), y = half.y();
   std::vector<FieldIntersection> intersections;
   const auto add = [&](const Vector2d& position, IntersectionKind kind, const Vector2d& direction) {
     intersections.push_back({position, kind, direction_of(direction)});

@@ -11,6 +11,9 @@
 
 namespace reorient {
 
+/// From the center to the goal lines and to the touchlines.
+inline Eigen::Vector2d field_half_size(const FieldDimensions& field) { return {0.5 * field.length, 0.5 * field.width}; }
+
 /// A straight piece of line, m, between line centres.
 struct FieldLine {
   Eigen::Vector2d from;
@@ -27,6 +30,19 @@ void add_areas(const FieldDimensions& field, double depth, double width, std::ve
 /// Left and right post of the opponent goal as seen from the field, then left and right post of the own goal.
 /// Posts 0 and 2 are reflections of each other, and so are 1 and 3.
 std::array<Eigen::Vector2d, 4> goal_posts(const FieldDimensions& field);
+
+/// Of one goal, on the ground: its post at y > 0, the two corners of its net, its post at y < 0. `end`: 1 for the
+/// opponent goal, -1 for the own goal.
+std::array<Eigen::Vector2d, 4> goal_outline(const FieldDimensions& field, double end);
+
+/// The quarter circle inside a corner of the field.
+struct CornerArc {
+  Eigen::Vector2d corner;  ///< its center
+  double begin = 0.0;  ///< rad, the direction from the corner at which it begins; it ends a quarter turn to the left
+};
+
+/// One in each corner; none where their radius is 0.
+std::vector<CornerArc> corner_arcs(const FieldDimensions& field);
 
 /// How two lines meet: both end, one ends at the other, both go on.
 enum class IntersectionKind : std::uint8_t { l, t, x };

@@ -1,5 +1,6 @@
 #include "localization/measurement/field_map.h"
 
+#include <limits>
 #include <stdexcept>
 
 #include "geometry/angle.h"
@@ -30,17 +31,16 @@ NearLine look_at(const FieldLine& line, const Eigen::Vector2d& place) {
   return {(place - line.from - share * along).norm(), pinned::atan2(along.x(), -along.y())};
 }
 
-/// Distance to the nearest penalty mark, which is a mark from whatever side.
-double distance_to_marks(const FieldDimensions& field, const Eigen::Vector2d& place) {
-  if (field.penalty_mark_size <= 0.0) return FieldMap::kMaxDistance;
-  const Eigen::Vector2d mark(field.penalty_mark_x, 0.0);
-  const double distance = std::min((place - mark).norm(), (place + mark).norm());
-  return std::max(0.0, distance - field.penalty_mark_size / 2.0);
+/// Distance to the nearest of these marks, which are marks from whatever side.
+double distance_to_marks(const std::vector<Eigen::Vector2d>& marks, double size, const Eigen::Vector2d& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector2d& mark : marks) nearest = std::min(nearest, (place - mark).norm());
+  return std::max(0.0, nearest - size / 2.0);
 }
 
 /// The quarter circle around the corner of the quarter in which both coordinates are positive; it ends at the lines.
 NearLine look_at_corner(const FieldDimensions& field, const Eigen::Vector2d& place) {
-  const Eigen::Vector2d from_corner = place - 0.5 * Eigen::Vector2d(field.length, field.width);
+  const Eigen::Vector2d from_corner = place - field_half_size(field);
   if (field.corner_arc_radius <= 0.0 || from_corner.maxCoeff() > 0.0) return {FieldMap::kMaxDistance, 0.0};
   return {std::abs(from_corner.norm() - field.corner_arc_radius), direction_of(from_corner)};
 }
@@ -63,8 +63,8 @@ FieldMap::FieldMap(const FieldDimensions& field) {
   if (!is_size(field.length) || !is_size(field.width) || !(field.border >= 0.0 && field.border <= 50.0)) {
     throw std::invalid_argument("field map: length and width must be in (0, 200] m, border in [0, 50] m");
   }
-  const Eigen::Vector2d half_size(field.length / 2.0 + std::max(0.0, field.goal_depth) + kMaxDistance,
-                                  field.width / 2.0 + kMaxDistance);
+  const Eigen::Vector2d half_size = field_half_size(field) + Eigen::Vector2d(std::max(0.0, field.goal_depth), 0.0) +
+                                    Eigen::Vector2d::Constant(kMaxDistance);
   columns_ = static_cast<int>(std::ceil(half_size.x() / kCellSize)) + 1;
   rows_ = static_cast<int>(std::ceil(half_size.y() / kCellSize)) + 1;
   last_column_ = static_cast<float>(columns_ - 1);
@@ -75,6 +75,7 @@ FieldMap::FieldMap(const FieldDimensions& field) {
   std::vector<FieldLine> lines = field_lines(field);
   // The white tubes on the carpet that hold a goal's net look like lines, above all to a robot in front of them.
   add_areas(field, -field.goal_depth, 2.0 * field.goal_post_y, lines);
+  const std::vector<Eigen::Vector2d> marks = penalty_marks(field);
   std::vector<NearLine> near_lines(lines.size() + 2);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
@@ -82,7 +83,7 @@ FieldMap::FieldMap(const FieldDimensions& field) {
       for (std::size_t i = 0; i < lines.size(); ++i) near_lines[i] = look_at(lines[i], place);
       near_lines[lines.size()] = {std::abs(place.norm() - field.center_circle_radius), direction_of(place)};
       near_lines.back() = look_at_corner(field, place);
-      const double mark = distance_to_marks(field, place);
+      const double mark = distance_to_marks(marks, field.penalty_mark_size, place);
       for (int direction = 0; direction < kDirections; ++direction) {
         const double distance = std::min(mark, distance_to_lines(near_lines, direction * kPi / kDirections));
         const int cell = (direction * rows_ + row) * columns_ + column;

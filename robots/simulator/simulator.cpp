@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/pinned_math.h"
 
 namespace reorient {
@@ -46,7 +47,7 @@ RobotBody as_built(RobotBody body, const SimulatorParameters& parameters) {
 
 /// Throws where the carpet is larger than the floor.
 const Room& checked(const Room& room, const FieldDimensions& field) {
-  const Eigen::Vector2d carpet(field.length + 2.0 * field.border, field.width + 2.0 * field.border);
+  const Eigen::Vector2d carpet = 2.0 * carpet_half_size(field);
   const Eigen::Vector2d floor = floor_extent(room.shape);
   const bool holds =
       room.shape.form == RoomForm::box ? (carpet.array() <= floor.array()).all() : carpet.norm() <= floor.x();
@@ -71,14 +72,12 @@ std::vector<Barrier> barriers_of(const FieldDimensions& field) {
   constexpr double kNet = 0.02;  // m
   std::vector<Barrier> barriers;
   for (const double end : {1.0, -1.0}) {
-    const double front = 0.5 * end * field.length;
-    const double back = front + end * field.goal_depth;
-    const double half = field.goal_post_y;
-    for (const double side : {half, -half}) {
-      barriers.push_back({{front, side}, {front, side}, 0.5 * field.goal_post_diameter});
-      barriers.push_back({{front, side}, {back, side}, kNet});
-    }
-    barriers.push_back({{back, -half}, {back, half}, kNet});
+    const auto [left_post, left_back, right_back, right_post] = goal_outline(field, end);
+    barriers.push_back({left_post, left_post, 0.5 * field.goal_post_diameter});
+    barriers.push_back({left_post, left_back, kNet});
+    barriers.push_back({right_post, right_post, 0.5 * field.goal_post_diameter});
+    barriers.push_back({right_post, right_back, kNet});
+    barriers.push_back({right_back, left_back, kNet});
   }
   return barriers;
 }

@@ -80,12 +80,7 @@ std::vector<Vector2d> line_places(const FieldDimensions& field) {
     for (int i = 0; i <= steps; ++i) places.emplace_back(center + radius * unit_vector(from + turn * i / steps));
   };
   add_arc(Vector2d::Zero(), field.center_circle_radius, 0.0, 2.0 * kPi);
-  for (const double x : {1.0, -1.0}) {
-    for (const double y : {1.0, -1.0}) {
-      const Vector2d corner(0.5 * x * field.length, 0.5 * y * field.width);
-      add_arc(corner, field.corner_arc_radius, direction_of({-x, 0.0}), x * y * 0.5 * kPi);
-    }
-  }
+  for (const CornerArc& arc : corner_arcs(field)) add_arc(arc.corner, field.corner_arc_radius, arc.begin, 0.5 * kPi);
   return places;
 }
 
@@ -103,7 +98,8 @@ LineNearby nearest_line_of(const FieldDimensions& field, const Vector2d& place) 
   }
   if (field.center_circle_radius > 0.0)
     consider(std::abs(place.norm() - field.center_circle_radius), direction_of(place));
-  const Vector2d corner(std::copysign(0.5 * field.length, place.x()), std::copysign(0.5 * field.width, place.y()));
+  const Vector2d half = field_half_size(field);
+  const Vector2d corner(std::copysign(half.x(), place.x()), std::copysign(half.y(), place.y()));
   const Vector2d out = place - corner;
   const bool inside = std::abs(place.x()) <= std::abs(corner.x()) && std::abs(place.y()) <= std::abs(corner.y());
   if (field.corner_arc_radius > 0.0 && inside)

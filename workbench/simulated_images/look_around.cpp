@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/random.h"
 #include "geometry/transform.h"
 
@@ -26,8 +27,8 @@ PerceptScore look_around(Simulator& simulator, FieldFeatures& features, const Fi
                          const FieldFeatureParameters& parameters, const LookAround& look) {
   constexpr double kBallNear = 0.4, kBallFar = 4.0, kBallAside = 0.7;  // m, m, rad
   Random random(look.seed, 0x6C6F6F6B);                                // "look"
-  const Eigen::Vector2d inside(0.5 * field.length - 0.3, 0.5 * field.width - 0.2);
-  const Eigen::Vector2d lines(0.5 * field.length, 0.5 * field.width);
+  const Eigen::Vector2d lines = field_half_size(field);
+  const Eigen::Vector2d inside = lines - Eigen::Vector2d(0.3, 0.2);
   const std::array<double, kPerceptKinds.size()> farthest{
       parameters.line_range, parameters.post_range, parameters.line_range,    parameters.line_range,
       parameters.line_range, parameters.line_range, parameters.obstacle_range};

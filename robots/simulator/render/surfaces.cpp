@@ -55,7 +55,7 @@ Surfaces::Hits::Hits(int width)
 Surfaces::Surfaces(const FieldDimensions& field, Room room, int image_width, double worn_lines)
     : room_(std::move(room)),
       lines_(field, worn_lines),
-      carpet_(make_carpet(field.length + 2.0 * field.border, field.width + 2.0 * field.border, room_.light)),
+      carpet_(make_carpet(2.0 * carpet_half_size(field).x(), 2.0 * carpet_half_size(field).y(), room_.light)),
       carpet_half_length_(static_cast<float>(carpet_half_size(field).x())),
       carpet_half_width_(static_cast<float>(carpet_half_size(field).y())),
       hits_(image_width) {}

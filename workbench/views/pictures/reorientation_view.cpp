@@ -21,7 +21,8 @@ constexpr double kTitle = 58.0;
 constexpr double kPanelWidth = (kSheetWidth - 2.0 * kMargin - kPanelGap) / 2.0;
 
 double panel_height(const FieldDimensions& field) {
-  const double ratio = (field.width + 2.0 * field.border) / (field.length + 2.0 * field.border);
+  const Eigen::Vector2d carpet = carpet_half_size(field);
+  const double ratio = carpet.y() / carpet.x();
   return std::isfinite(ratio) ? std::clamp(kPanelWidth * ratio, 200.0, 900.0) : 480.0;
 }
 

@@ -206,7 +206,7 @@ Picture draw_world_view(const WorldView& world) {
   draw_view_particles(canvas, center, world);
   const std::vector<scene::PoseLayer> poses = scene::pose_layers(world.pose_particles, world.truth, world.belief);
   draw_poses(canvas, view, poses);
-  const double field_bottom = (world.field.width / 2.0 + world.field.border) * view.pixels_per_metre;
+  const double field_bottom = carpet_half_size(world.field).y() * view.pixels_per_metre;
   draw_scale_bar(canvas, view, center + Pixel(0.0, std::clamp(field_bottom + 44.0, 60.0, 236.0)), palette::ink);
 
   const TextStyle bold{.size = 28.0, .bold = true};

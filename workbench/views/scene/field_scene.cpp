@@ -25,13 +25,14 @@ SceneLayer goals(const FieldDimensions& field) {
   const Color color = field.yellow_goals ? palette::yellow_goal : palette::white_goal;
   SceneLayer layer{"goals"};
   for (const double side : {-1.0, 1.0}) {
-    const double front = side * field.length / 2.0, back = front + side * field.goal_depth, y = field.goal_post_y;
-    const double height = field.goal_height;
-    layer.shapes.push_back({{{front, y, 0.0}, {back, y, 0.0}, {back, -y, 0.0}, {front, -y, 0.0}},
-                            color.with_opacity(0.8),
-                            0.02,
-                            true,
-                            color.with_opacity(0.28)});
+    const auto outline = goal_outline(field, side);
+    const double front = outline[0].x(), y = outline[0].y(), height = field.goal_height;
+    layer.shapes.push_back(
+        {{on_ground(outline[0]), on_ground(outline[1]), on_ground(outline[2]), on_ground(outline[3])},
+         color.with_opacity(0.8),
+         0.02,
+         true,
+         color.with_opacity(0.28)});
     layer.shapes.push_back({{{front, -y, height}, {front, y, height}}, color, field.goal_post_diameter});
     const char* const name = side > 0.0 ? "opponent" : "own";
     layer.labels.push_back({{front + side * field.border, 0.0, height + 0.3}, name, 0.3, color});
@@ -57,26 +58,20 @@ SceneLayer field_line_layer(const FieldDimensions& field) {
       add({on_ground(mark - arm), on_ground(mark + arm)});
   }
   add(arc_on_ground({0.0, 0.0}, field.center_circle_radius, 0.0, 2.0 * kPi));
-  if (!(field.corner_arc_radius > 0.0)) return layer;
-  for (const double side : {-1.0, 1.0}) {
-    for (const double end : {-1.0, 1.0}) {
-      const double inward = direction_of({-side, -end});
-      add(arc_on_ground({side * field.length / 2.0, end * field.width / 2.0}, field.corner_arc_radius,
-                        inward - 0.25 * kPi, inward + 0.25 * kPi));
-    }
-  }
+  for (const auto& [corner, begin] : corner_arcs(field))
+    add(arc_on_ground(corner, field.corner_arc_radius, begin, begin + 0.5 * kPi));
   return layer;
 }
 
 Scene field_scene(const FieldDimensions& field) {
   SceneLayer carpet{"carpet"};
-  const auto add = [&](double border, double height, Color color) {  // below the lines, so that none is hidden
-    const double x = field.length / 2.0 + border, y = field.width / 2.0 + border;
+  const auto add = [&](const Eigen::Vector2d& half_size, double height, Color color) {  // below the lines
+    const double x = half_size.x(), y = half_size.y();
     carpet.shapes.push_back(
         {{{-x, -y, height}, {x, -y, height}, {x, y, height}, {-x, y, height}}, {}, 0.0, true, color});
   };
-  add(field.border, -0.02, palette::carpet_border);
-  add(0.0, -0.01, palette::carpet);
+  add(carpet_half_size(field), -0.02, palette::carpet_border);
+  add(field_half_size(field), -0.01, palette::carpet);
   return {std::move(carpet), field_line_layer(field), goals(field)};
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/random.h"
 #include "robots/simulator/render/coverage.h"
 #include "robots/simulator/render/wide.h"
@@ -25,32 +26,25 @@ float chance_of_patch(float x, float y) {
 }  // namespace
 
 FieldLines::FieldLines(const FieldDimensions& field, double worn) : worn_(static_cast<float>(worn)) {
-  const auto strip = [&](double low_x, double high_x, double low_y, double high_y) {
-    strips_.push_back(
-        {static_cast<float>(low_x), static_cast<float>(high_x), static_cast<float>(low_y), static_cast<float>(high_y)});
+  // Of what reaches into the quarter in which both coordinates are positive. `beside`: half of the size across.
+  const auto add = [&](const FieldLine& line, const Eigen::Vector2d& beside) {
+    constexpr double kAcross = -1e6;  // patches reach over the folds
+    const Eigen::Vector2d low = line.from.cwiseMin(line.to) - beside, high = line.from.cwiseMax(line.to) + beside;
+    if (high.minCoeff() <= 0.0) return;
+    strips_.push_back({static_cast<float>(low.x() < 0.0 ? kAcross : low.x()), static_cast<float>(high.x()),
+                       static_cast<float>(low.y() < 0.0 ? kAcross : low.y()), static_cast<float>(high.y())});
   };
-  constexpr double kAcross = -1e6;  // patches reach over the folds
-  const double half = 0.5 * field.line_width;
-  const double goal_line = 0.5 * field.length;
-  const double touchline = 0.5 * field.width;
-  strip(kAcross, half, kAcross, touchline + half);  // halfway line
-  strip(kAcross, goal_line + half, touchline - half, touchline + half);
-  strip(goal_line - half, goal_line + half, kAcross, touchline + half);
-  const auto area = [&](double depth, double width) {
-    if (depth <= 0.0) return;
-    const double front = goal_line - depth;
-    strip(front - half, front + half, kAcross, 0.5 * width + half);
-    strip(front - half, goal_line + half, 0.5 * width - half, 0.5 * width + half);
-  };
-  area(field.penalty_area_depth, field.penalty_area_width);
-  area(field.goal_area_depth, field.goal_area_width);
-  const double mark = 0.5 * field.penalty_mark_size;
-  strip(field.penalty_mark_x - mark, field.penalty_mark_x + mark, kAcross, half);
-  strip(field.penalty_mark_x - half, field.penalty_mark_x + half, kAcross, mark);
-  strip(kAcross, mark, kAcross, half);  // kick-off mark
+  const double half = 0.5 * field.line_width, mark = 0.5 * field.penalty_mark_size;
+  for (const FieldLine& line : field_lines(field)) add(line, {half, half});
+  for (const Eigen::Vector2d& place : penalty_marks(field)) {
+    add({place, place}, {mark, half});
+    add({place, place}, {half, mark});
+  }
+  add({{0.0, 0.0}, {0.0, 0.0}}, {mark, half});  // kick-off mark
+  const Eigen::Vector2d corner = field_half_size(field);
   circle_radius_ = static_cast<float>(field.center_circle_radius);
-  corner_x_ = static_cast<float>(goal_line);
-  corner_y_ = static_cast<float>(touchline);
+  corner_x_ = static_cast<float>(corner.x());
+  corner_y_ = static_cast<float>(corner.y());
   corner_radius_ = static_cast<float>(field.corner_arc_radius);
   half_line_ = static_cast<float>(half);
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/field_landmarks.h"
 #include "geometry/pinned_math.h"
 #include "geometry/transform.h"
 
@@ -36,9 +37,9 @@ void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& li
     scene.capsules.push_back({from, to, thickness, tint, Label::goal, flat_ends, false});
   };
   for (const double end : {1.0, -1.0}) {
-    const auto front = static_cast<float>(end * 0.5 * field.length);
-    const auto back = static_cast<float>(end * (0.5 * field.length + field.goal_depth));
-    const auto half = static_cast<float>(field.goal_post_y);
+    const auto outline = goal_outline(field, end);
+    const auto front = static_cast<float>(outline[0].x()), back = static_cast<float>(outline[1].x());
+    const auto half = static_cast<float>(outline[0].y());
     const auto top = static_cast<float>(field.goal_height);
     const float roof = 0.55f * top;  // the net falls to this height behind the goal
     for (const float side : {half, -half}) {

@@ -39,8 +39,8 @@ void draw_particle(Canvas& canvas, const Pixel& center, double heading, double r
 }  // namespace
 
 FieldView FieldView::fitted(const FieldDimensions& field, const Box& box) {
-  const double scale =
-      std::min(box.width / (field.length + 2.0 * field.border), box.height / (field.width + 2.0 * field.border));
+  const Eigen::Vector2d carpet = 2.0 * carpet_half_size(field);
+  const double scale = std::min(box.width / carpet.x(), box.height / carpet.y());
   return {box.center(), std::isfinite(scale) && scale > 0.0 ? scale : 1.0};
 }
 
