@@ -159,7 +159,7 @@ void FrameLoop::localize(const Observation& observation, const CameraPercepts& s
 SensedBelief FrameLoop::locate_ourselves(const Observation& observation, const CameraPercepts& seen,
                                          const Pose2& odometry_step) {
   if (std::exchange(carried_.external.in_use, false)) localizer_.continue_from(world().pose);
-  const SensedBelief sensed =
+  SensedBelief sensed =
       localizer_.update(localizer_inputs(observation, world(), odometry_step, seen, room_, parameters_));
   carried_.world.take_camera_bias(localizer_.bias());
   return sensed;

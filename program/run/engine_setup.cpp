@@ -41,11 +41,11 @@ FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts
           .parameters = std::move(parameters)};
 }
 
-FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts, RobotBody body, FieldDimensions field,
-                        const Abilities& abilities) {
+FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts, RobotBody body,
+                        const FieldDimensions& field, const Abilities& abilities) {
   FrameSetup setup = engine_setup(options, scripts, overrides_of(options.parameters));
   setup.body = std::move(body);
-  setup.field = std::move(field);
+  setup.field = field;
   for (const std::string& name : options.behaviors.empty() ? behaviors_for(abilities) : options.behaviors)
     setup.behaviors.push_back(behavior_file(options.scripts, scripts, name));
   return setup;

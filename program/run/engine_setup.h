@@ -35,7 +35,7 @@ std::vector<std::string> behaviors_for(const Abilities& abilities);
 FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts,
                         std::vector<ParameterChange> parameters);
 /// Without a model. Throws std::runtime_error with one line about the options' parameters or behaviors.
-FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts, RobotBody body, FieldDimensions field,
-                        const Abilities& abilities);
+FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts, RobotBody body,
+                        const FieldDimensions& field, const Abilities& abilities);
 
 }  // namespace reorient

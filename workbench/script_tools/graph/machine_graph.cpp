@@ -142,11 +142,13 @@ void add_states_of_digraph(std::string& out, const DrawnMachine& drawn, int oute
     const StateDefinition& inner = drawn.machine.states[child];
     const std::string label = "label=" + dot_text(inner.name);
     if (inner.children.empty()) {
-      out += indent + drawn.states[child] + " [" + label + "];\n";
+      out.append(indent).append(drawn.states[child]).append(" [").append(label).append("];\n");
       continue;
     }
-    out += indent + "subgraph cluster_" + drawn.states[child] + " {\n" + indent + "  " + label + ";\n";
-    add_states_of_digraph(out, drawn, child, indent + "  ");
+    const std::string inside = indent + "  ";
+    out.append(indent).append("subgraph cluster_").append(drawn.states[child]).append(" {\n");
+    out.append(inside).append(label).append(";\n");
+    add_states_of_digraph(out, drawn, child, inside);
     out += indent + "}\n";
   }
 }
