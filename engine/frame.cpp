@@ -51,8 +51,9 @@ const FrameRecord& FrameLoop::step(const FrameInputs& inputs, Topics wanted) {
   const Observation& observation = inputs.observation;
   record_.filled = Topics::always() | wanted;
   take_inputs(inputs);
-  follow_posture(sense_posture(observation, body_, carried_.asked_to_get_up, parameters_.posture, posture_),
-                 latest_sample(observation));
+  const BodySample felt = latest_sample(observation);
+  follow_posture(sense_posture(observation, felt, body_, carried_.asked_to_get_up, parameters_.posture, posture_),
+                 felt);
   const CameraPercepts seen = see_field(observation);
   localize(observation, seen);
   see_room(observation, seen);

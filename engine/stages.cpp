@@ -39,13 +39,13 @@ BodySample latest_sample(const Observation& observation) {
   return sample;
 }
 
-SensedPosture sense_posture(const Observation& observation, const RobotBody& body, bool asked_to_get_up,
-                            const PostureParameters& parameters, PostureEstimator& estimator) {
+SensedPosture sense_posture(const Observation& observation, const BodySample& latest, const RobotBody& body,
+                            bool asked_to_get_up, const PostureParameters& parameters, PostureEstimator& estimator) {
   const PostureEstimator::Hints hints{observation.reported_posture, asked_to_get_up};
   for (const BodySample& sample : observation.body_samples) {
     if (sample.time <= observation.time) estimator.update(sample, body.standing_load, hints, parameters);
   }
-  estimator.update(latest_sample(observation), body.standing_load, hints, parameters);
+  estimator.update(latest, body.standing_load, hints, parameters);
   return {estimator.posture(), estimator.before(), estimator.since()};
 }
 

@@ -31,9 +31,9 @@ using CameraPercepts = std::array<CameraPercept, 2>;
 /// The body sample of the observation; one without a time was taken with it.
 BodySample latest_sample(const Observation& observation);
 
-/// What the body's own senses say of its posture. `asked_to_get_up`: by the last answer.
-SensedPosture sense_posture(const Observation& observation, const RobotBody& body, bool asked_to_get_up,
-                            const PostureParameters& parameters, PostureEstimator& estimator);
+/// What the body's own senses say of its posture. `latest`: of the observation. `asked_to_get_up`: by the last answer.
+SensedPosture sense_posture(const Observation& observation, const BodySample& latest, const RobotBody& body,
+                            bool asked_to_get_up, const PostureParameters& parameters, PostureEstimator& estimator);
 
 /// Fills in the camera records and the percepts; what is returned refers to `percepts`. `bias`: of the camera's angles.
 CameraPercepts see_field(const Observation& observation, const World& world, const CameraBias& bias,

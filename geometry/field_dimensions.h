@@ -31,9 +31,12 @@ struct FieldDimensions {
   bool yellow_goals = false;  ///< 2013: both goals yellow; today: both white
 };
 
+/// From the center to the goal lines and to the touchlines, m.
+inline Eigen::Vector2d field_half_size(const FieldDimensions& field) { return {0.5 * field.length, 0.5 * field.width}; }
+
 /// Half of the carpet's length and width, m.
 inline Eigen::Vector2d carpet_half_size(const FieldDimensions& field) {
-  return {0.5 * field.length + field.border, 0.5 * field.width + field.border};
+  return field_half_size(field) + Eigen::Vector2d::Constant(field.border);
 }
 
 /// The robot may stand beside the carpet, but not far from it, m.

@@ -11,9 +11,6 @@
 
 namespace reorient {
 
-/// From the center to the goal lines and to the touchlines.
-inline Eigen::Vector2d field_half_size(const FieldDimensions& field) { return {0.5 * field.length, 0.5 * field.width}; }
-
 /// A straight piece of line, m, between line centres.
 struct FieldLine {
   Eigen::Vector2d from;

@@ -1,5 +1,5 @@
---- Says what this behaviour is for, in a sentence or two. As it stands: it looks around while the robot is not sure of
---- its pose.
+--- Replace this by one or two sentences that say what the behavior is for. This example looks around while the robot
+--- is not sure of its pose.
 
 local p = param {
   sure  = { 0.5, range = { 0, 1 },                doc = "how far the believed pose must be ahead for the robot to be sure" },

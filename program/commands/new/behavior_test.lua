@@ -1,4 +1,4 @@
---- Tests of the behaviour NAME, in a fake world with a fake clock: reorient test scripts/tests/NAME_test.lua
+--- Tests of the behavior NAME, in a fake world with a fake clock: reorient test scripts/tests/NAME_test.lua
 
 test("rests while the robot is sure of its pose", function()
   set_world { confidence = { current = 0.9, opposite = 0.0 } }

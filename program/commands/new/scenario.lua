@@ -1,5 +1,5 @@
---- Says which situation this scenario makes. As it stands: the robot is told where it is, looks about, and is judged by
---- how well it still knows its place after some time.
+--- Replace this by a description of the situation. In this example the operator sets the pose of the robot, and the
+--- scenario judges the error of the believed pose after some time.
 
 local p = param {
   time  = { 20.0, range = { 1, 600 }, unit = "s",  doc = "how long to wait" },

@@ -110,9 +110,10 @@ OverlayLayer view_belief(const RoomRecord& room, const CameraModel& camera, cons
   const Projection projection(camera, field_from_camera);
   const Vector3d eye = field_from_camera.translation(), axis = field_from_camera.linear().col(0);
   const double level = axis.head<2>().norm();
+  const double wall_radius = Wall(room.basis.wall).radius();
   OverlayLayer layer{room.cells.empty() ? "view particles" : "view cells"};
   const auto add = [&](double azimuth, double radius) {
-    const Vector2d foot = Wall(room.basis.wall).radius() * unit_vector(azimuth);
+    const Vector2d foot = wall_radius * unit_vector(azimuth);
     const double reach = level > 1e-6 ? (foot - eye.head<2>()).norm() / level : 0.0;
     if (const auto pixel = projection.pixel({foot.x(), foot.y(), eye.z() + reach * axis.z()}))
       layer.circles.push_back({*pixel, radius * mark, palette::view_particle});
