@@ -25,10 +25,15 @@ double direction_mismatch(double normal, double other) {
   return std::abs(std::remainder(normal - other, kPi));  // normals are known up to half a turn
 }
 
-NearLine look_at(const FieldLine& line, const Eigen::Vector2d& place) {
+double distance_to(const FieldLine& line, const Eigen::Vector2d& place) {
   const Eigen::Vector2d along = line.to - line.from;
   const double share = std::clamp((place - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return {(place - line.from - share * along).norm(), pinned::atan2(along.x(), -along.y())};
+  return (place - line.from - share * along).norm();
+}
+
+double normal_of(const FieldLine& line) {
+  const Eigen::Vector2d along = line.to - line.from;
+  return pinned::atan2(along.x(), -along.y());
 }
 
 /// Distance to the nearest of these marks, which are marks from whatever side.
@@ -76,13 +81,19 @@ FieldMap::FieldMap(const FieldDimensions& field) {
   // The white tubes on the carpet that hold a goal's net look like lines, above all to a robot in front of them.
   add_areas(field, -field.goal_depth, 2.0 * field.goal_post_y, lines);
   const std::vector<Eigen::Vector2d> marks = penalty_marks(field);
-  std::vector<NearLine> near_lines(lines.size() + 2);
+  std::vector<double> normals;
+  for (const FieldLine& line : lines) normals.push_back(normal_of(line));
+  std::vector<NearLine> near_lines;
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const Eigen::Vector2d place((column + 0.5) * kCellSize, (row + 0.5) * kCellSize);
-      for (std::size_t i = 0; i < lines.size(); ++i) near_lines[i] = look_at(lines[i], place);
-      near_lines[lines.size()] = {std::abs(place.norm() - field.center_circle_radius), direction_of(place)};
-      near_lines.back() = look_at_corner(field, place);
+      near_lines.clear();
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (const double distance = distance_to(lines[i], place); distance < kMaxDistance)
+          near_lines.push_back({distance, normals[i]});
+      }
+      near_lines.push_back({std::abs(place.norm() - field.center_circle_radius), direction_of(place)});
+      near_lines.push_back(look_at_corner(field, place));
       const double mark = distance_to_marks(marks, field.penalty_mark_size, place);
       for (int direction = 0; direction < kDirections; ++direction) {
         const double distance = std::min(mark, distance_to_lines(near_lines, direction * kPi / kDirections));
