@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // companion_latency PROGRAM [SECONDS]: how long it takes from an image at a client of the companion to the answer
 // there, in real time: 30 images a second of 640x480 pixels, rendered beforehand. PROGRAM is `reorient`.
 #include <algorithm>

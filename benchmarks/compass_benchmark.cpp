@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one frame costs room awareness and each of its peers, with what they learned of a room: compare ratios within
 // one run. One core.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the field features of one image cost, on a simulated image with lines, a goal, other robots and people.
 #include <benchmark/benchmark.h>
 

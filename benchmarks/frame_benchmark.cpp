@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one frame costs on one core, from the camera image to the answer, with the shipped scenario's behaviours and
 // without rendering. The bar is 5 ms at 640x480.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the 14-bin histogram costs for a whole 640x480 image in 64 tiles, beside the limit (reading the bytes) and what
 // OpenCV offers. One core. The last benchmark tells both ratios.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A short run on the simulator, recorded and played to and fro, so that frames can be timed without rendering any.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What self-localization costs: a particle's share of the classic filter step, and the real update of one frame.
 #include <cmath>
 

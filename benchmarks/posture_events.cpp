@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How well the posture is known: lifts and falls that were missed, mistaken for each other, or imagined, for a robot
 // whose feet feel their load and for one that has its inertial unit alone. Prints a table; the figures stand in
 // docs/evidence.md.

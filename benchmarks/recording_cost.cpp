@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // recording_cost FILE [SECONDS] [WIDTH]: what a recording costs a frame, in real time: 30 images a second of 640x480
 // pixels, by turns through an engine whose run is recorded into FILE and through one whose run is not.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How soon an edit runs, and what many edits cost. `reload_benchmark [SAVES [RELOADS]]`: saves of each kind while
 // frames run at 30 Hz in wall-clock time (default 250: about two minutes), then reloads in memory (default 10000).
 // Prints Markdown tables.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One simulated frame: moving the world, rendering it, reading the sensor out.
 #include <cmath>
 

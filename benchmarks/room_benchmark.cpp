@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one frame of room awareness costs, everything included, with a trained model; and what of it is not the counting
 // of colours, which alone depends on the size of the image. One core.
 #include <algorithm>

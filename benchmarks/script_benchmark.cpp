@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What scripts cost: a frame of all shipped behaviours, one call, a reload, the end of a runaway.
 #include <filesystem>
 #include <string>

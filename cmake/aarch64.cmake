@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Toolchain of the preset aarch64: Debian's cross compiler, and the arm64 packages of tools/packages-aarch64, which lie beside
 # the native ones. A program that was built this way runs here under qemu.
 set(CMAKE_SYSTEM_NAME Linux)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Objects that were compiled before, in this clone or another one of the same user, come from ccache where it is installed
 # (tools/packages). Its folder survives a clean clone: ${XDG_CACHE_HOME:-~/.cache}/reorient/ccache. It holds at most
 # REORIENT_CACHE_SIZE, several builds may use it at once, and the compiler's version is part of every key.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Every library that is not ours is found here or in libraries.cmake, nowhere else.
 include(libraries)
 reorient_find(missing

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Run by cmake --install: copies `headers` from `source` to `destination` in the prefix, below reorient/. In the tree an include
 # says where a file is ("geometry/angle.h"); among the headers of others it has to say whose it is as well.
 file(REMOVE_RECURSE "${stage}")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Installs all rooms that are declared so far: libraries, headers below include/reorient/, a CMake package with a component
 # for each room, and a pkg-config file for each. Nothing in it names a folder of this machine but those of other packages.
 include(CMakePackageConfigHelpers)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Where the libraries come from that are not ours: Debian 12 packages (tools/packages lists them). Read by the project and,
 # installed, by its CMake package, which looks for nothing but what the wanted components need.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Installs the project's license, the page on third-party software, and the license texts of the libraries whose code is
 # compiled into what is installed. Which these are follows from the rows of docs/third-party.md that say "headers" or "static";
 # tools/bundle reads the same rows.

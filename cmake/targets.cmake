@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # How a room, a test and a benchmark of this project are declared. A room's doors are shut: its sources see the headers of
 # the rooms that it links and no others, and whoever links it inherits none of its flags.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # How tests are declared. Every test belongs to a tier, which is a label that CTest knows:
 #   gate      what an ordinary change can break: ./test runs it
 #   extended  what is expensive and rarely breaks: ./test --all runs it. Its label is extended.GROUP.

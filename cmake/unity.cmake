@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # reorient_unity_sources(VARIABLE TARGET source...): where CMAKE_UNITY_BUILD is on, sources are compiled CMAKE_UNITY_BUILD_BATCH_SIZE
 # at a time: VARIABLE becomes the list of unity sources, which include them. A source with the property
 # SKIP_UNITY_BUILD_INCLUSION, set before this call, stays alone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one frame leaves for the next.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/core_parameters.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parameters of everything below the scripts, in one place, changed live through the registry.
 #pragma once
 

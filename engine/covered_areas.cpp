@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/covered_areas.h"
 
 #include <algorithm>

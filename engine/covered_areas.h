@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which parts of an image do not show the room.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One frame, from the inputs to the answer: the order in which everything happens.
 #pragma once
 

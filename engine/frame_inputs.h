@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that reaches a frame. Nothing else does.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame leaves behind for those who watch: its record, as far as the stages have not filled it already.
 #include "engine/frame.h"
 #include "engine/stage_timer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The state between two frames as bytes.
 #include "engine/frame.h"
 

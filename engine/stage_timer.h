@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How long each stage of a frame takes, where somebody wants to know.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/stages.h"
 
 #include "engine/covered_areas.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The stages of a frame. What each of them reads and writes stands in its signature; FrameLoop::step() calls them in
 // their order.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Angles in radians, normalised to (-pi, pi].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values as bytes and back, by one declaration for both directions: whatever decides the next frame can be saved, and a
 // record can be written and read again. Little-endian, without padding.
 //

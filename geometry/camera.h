@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera: a lens in front of an image. Camera frame: x along the optical axis, y left, z up, meters.
 #pragma once
 

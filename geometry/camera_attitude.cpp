@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/camera_attitude.h"
 
 #include "geometry/pinned_math.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far down a camera looks and how it is rolled, against the ground.
 #pragma once
 

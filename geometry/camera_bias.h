@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // By how much the angles that a robot measures of its torso and its camera mounts are wrong, as far as that stays the
 // same for long.
 #pragma once

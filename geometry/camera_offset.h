@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // By how much the mounting of one robot's camera differs from what is recorded or from the data sheet.
 #pragma once
 

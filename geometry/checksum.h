@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether bytes are still those that were written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // For functions that visit the members of a struct, whether it is const or not.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Included before everything else where we compile for 64-bit ARM (cmake/targets.cmake); elsewhere it is empty. Eigen
 // takes registers of two floats there, which x86-64 has not, and so adds three floats in another order: (a + b) + c
 // instead of a + (b + c). The last bit differs, then an image, then the digest. This leaves Eigen 3.4 the registers of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The field as drawn: metres, to line centres, origin at the centre, x towards the opponent goal, y left.
 #pragma once
 

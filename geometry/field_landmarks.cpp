@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/field_landmarks.h"
 
 #include "geometry/angle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the lines, posts, intersections and marks of a field are: m, field frame.
 #pragma once
 

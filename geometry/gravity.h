@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Gravity, as a robot's torso feels it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the ground to the camera: torso, neck and head of a humanoid whose neck has two joints. The defaults are the
 // NAO v6, by Aldebaran's data sheet.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera images as a NAO delivers them: YCbCr 4:2:2, in memory Y0 Cb Y1 Cr (V4L2's YUYV), full range, BT.601.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lens models: how the direction of a ray becomes a place in the image. Coefficients have OpenCV's order and meaning.
 #pragma once
 

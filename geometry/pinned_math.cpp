@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/pinned_math.h"
 
 #include <cstddef>

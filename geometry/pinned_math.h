@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Elementary functions that give the same bits on every processor. Those of the C library choose their code by what the
 // processor offers, and differ in the last bit with and without fused multiply-add. Everything that enters a record
 // comes from here; what IEEE 754 defines exactly (+ - * /, sqrt, fmod, remainder, floor, nearbyint) needs no pinning,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Poses on the ground: metres, radians; x forward, y left; the field's origin is its centre.
 #pragma once
 

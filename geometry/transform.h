@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rotations with pinned mathematics (Eigen's AngleAxis and Rotation2D take the C library's), and rigid motions of
 // space.
 #pragma once

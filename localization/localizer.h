@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The engine's own localization as one: the pose particle filter, the tracker that follows its best hypothesis, and the
 // search that finds the pose of a lost robot.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the pose filter believes.
 #pragma once
 

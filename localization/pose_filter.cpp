@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/pose_filter.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Self-localization: a particle filter (Monte Carlo localization) over poses on a field that looks the same from every
 // pose and its reflection. It cannot tell the two apart, and does not pretend to: behaviours correct it by commands.
 #pragma once

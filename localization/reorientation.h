@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The three commands with which behaviours rearrange the pose particles (the paper's Section 3.1).
 #pragma once
 

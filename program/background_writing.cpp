@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/background_writing.h"
 
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One write to a disk at a time, beside a run that does not wait for it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/former_names.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names of earlier versions that parameter files and scripts may still have: accepted, with a warning.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ctrl-C and its kin: the first asks the program to end what it does and to tell what there is, the second ends it at
 // once.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // light_pictures OUT.png [ROOM...]: what the upper camera sees of a room (a panorama; else the hall) under each of the
 // lights that assets/parameters/light has, and as ever. A row for each light; four ways to look, and one while the head
 // turns. Of several rooms a row for each: two ways to look, as ever and under both lights.

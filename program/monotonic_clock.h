@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The clock that is never set, as Linux calls it: of LoLA's packets, of V4L2's images, of whatever waits.
 #pragma once
 

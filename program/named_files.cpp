@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/named_files.h"
 
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The files that a command line names: none is written twice, and none that is read is written.
 #pragma once
 

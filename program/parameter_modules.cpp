@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/parameter_modules.h"
 
 #include <filesystem>

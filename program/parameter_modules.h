@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which module a parameter belongs to, and what becomes of values whose module is not there: one file of parameters
 // serves a robot in all its scenarios.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reorient program, as a function: tests call it as a person at the keyboard would.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/robots.h"
 
 #include <stdexcept>

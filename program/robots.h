@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every robot that the program knows, by name. Nothing else names one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/script_names.h"
 
 #include <stdexcept>

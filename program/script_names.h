@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scripts as a person names them on the command line, and what was meant where there is none of the name.
 #pragma once
 

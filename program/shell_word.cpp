@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/shell_word.h"
 
 namespace reorient {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A word of a command line, as a shell takes it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One word of the command line, `reorient WORD ...`: what it understands and what it does.
 #pragma once
 

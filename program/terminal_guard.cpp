@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/terminal_guard.h"
 
 #include <cerrno>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The terminal as it was found, given back whatever ends or stops the program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the engine answers to the robot, once a frame.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From two cameras that are not exposed at the same instant, and may miss frames, to the frames of the engine.
 #pragma once
 

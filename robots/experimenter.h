@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The person beside the field, who can do to a robot what it cannot do itself, and who sees where it really is.
 // Scenarios play that person; only a simulator, or a hall with tracking cameras, can serve them. All poses are in the
 // axes of the hall: those of the robot's team before sides are changed.

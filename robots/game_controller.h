@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the league's GameController says of the game: its datagrams, of versions 18 (2025), 19 (spring of 2026) and 20
 // (summer of 2026), as RoboCupGameControlData.h of its repositories lays them out.
 #pragma once

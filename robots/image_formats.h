@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pixel formats of other programs, converted to ours (geometry/image.h).
 #pragma once
 

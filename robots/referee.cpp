@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/referee.h"
 
 #include <array>

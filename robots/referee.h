@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the referee says.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a robot is: observations in, answers out. Behind it stand the simulator, a real robot, a recording, or a team's
 // own program that brings its own localization. Plain values of geometry only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/robot_body.h"
 
 #include <cstddef>

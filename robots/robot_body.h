@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which robot it is, as its data file says (assets/robots/): what of it the engine, behaviours and the simulator have
 // to know. The defaults are the NAO v6.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot as one value: itself, its clock, who may disturb it, and where it really is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the tests find the project and the programs that they start. The values are in a source of their own, written
 // by tests/CMakeLists.txt: no path of one machine stands in a command line, so that a compiler cache serves every
 // clone.

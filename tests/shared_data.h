@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Access to real data (camera images, rooms) that is too large for the repository.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a test calls its own program once more.
 #pragma once
 

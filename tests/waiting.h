@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Waits of tests: for an event, never for a fixed time in the hope that the event has happened by then.
 #pragma once
 

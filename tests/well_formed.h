@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a text is well-formed XML, as far as pages of ours go: elements, attributes in double quotes, entities.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/parameters/nearest_name.h"
 
 #include <algorithm>

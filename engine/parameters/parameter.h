@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A tunable number: its name, what it means, what it may be, and who set it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/parameters/parameter_registry.h"
 
 #include <algorithm>

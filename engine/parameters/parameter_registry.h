@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every tunable number of the program under one roof: listed, overridden by a file, the command line or live.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/parameters/utf8.h"
 
 #include <cstddef>

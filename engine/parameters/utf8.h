@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scripts, file names and people may hold any bytes; files that others read may not.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A fingerprint of a run: the same observations, beliefs and commands give the same 64 bits.
 #pragma once
 

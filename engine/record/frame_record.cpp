@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/record/frame_record.h"
 
 #include <algorithm>

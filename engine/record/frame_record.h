@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one frame saw, believed, decided, asked for, and what it took: plain data, that every observer reads and none
 // can change. Reused from frame to frame; what is expensive to copy is filled only where an observer wants it
 // (topics.h).

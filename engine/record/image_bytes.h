@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An image as bytes: its size and its pixels, row by row.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/record/input_bytes.h"
 
 #include <string_view>

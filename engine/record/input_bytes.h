@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame's inputs as bytes, and back: with them and the state before, anybody can make the same frame again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/record/record_bytes.h"
 
 #include "geometry/bytes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame's record as bytes, and back: for files, for other programs, and for a fingerprint.
 #pragma once
 

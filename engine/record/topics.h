@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame's record is made of, one row a topic: the one table that recordings, live views and docs name them by.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The behaviours of a robot in one frame: from the world to what they want.
 #pragma once
 

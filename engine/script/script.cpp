@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/script.h"
 
 #include <algorithm>

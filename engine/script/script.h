@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One version of one script: a behaviour or scenario and all that it requires, compiled, declared and validated.
 #pragma once
 

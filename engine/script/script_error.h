@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A script that failed, as an exception: thrown by the host's own code once Lua's stack is unwound, never through it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/script_host.h"
 
 #include <algorithm>

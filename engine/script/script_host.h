@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scripts of one kind: loaded, ticked once a frame, reloaded while they run. What survives a reload is kept here.
 #pragma once
 

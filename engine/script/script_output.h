@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What scripts of any kind said in one frame. The names stand in the host's table.
 #pragma once
 

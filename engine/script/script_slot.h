@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A script's place in the host.
 #pragma once
 

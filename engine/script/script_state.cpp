@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The state of the scripts as bytes. Lua's own memory is not in it: a script is compiled anew from the texts that it
 // was made of, and gets back what it keeps.
 #include "engine/script/script_error.h"

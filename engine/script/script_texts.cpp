@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/script_texts.h"
 
 #include <cctype>

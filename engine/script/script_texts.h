@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The texts of all scripts, as values: whoever runs the engine reads the files, and hands edits in with a frame's
 // inputs.
 #pragma once

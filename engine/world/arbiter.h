@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Who may rearrange the belief in this frame? Behaviours ask; the arbiter grants or refuses, each with a verdict.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Commands from behaviours to the core (the paper's Section 3.1), and what became of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/world/external_belief.h"
 
 #include <algorithm>

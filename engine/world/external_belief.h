@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The belief of somebody else's localization, read as ours is: where it is given as particles, their heaviest cluster.
 #pragma once
 

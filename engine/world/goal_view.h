@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which goal is in view, by the room behind it (the paper's goal views, end of Section 3.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names as small numbers: what a frame records about scripts costs no text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the robot stands, lies or hangs in somebody's hands: from its inertial unit, its feet where they can feel, and
 // what it says itself.
 #pragma once

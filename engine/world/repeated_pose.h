@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A pose that is set again because the robot has flipped it: a hint that the room was learned mirrored.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/world/room_status.h"
 
 namespace reorient {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // May the room speak? Whether the confidences can tell the believed pose from its reflection, and if not, why not: said
 // once, for every behaviour.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the camera looks, by the room alone: a heading for a pose filter that is lost.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The world as behaviours see it: one snapshot a frame, read-only for scripts. SI units, field frame unless said.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/world/world_tracker.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From what was sensed to the world that behaviors see. The engine and the fake world of scripted tests share these
 // rules, so that no scripted test passes for a world that the engine never produces.
 #pragma once

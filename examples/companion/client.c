@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* client SOCKET own|ours ROBOT [ARGUMENT...]: connects a robot with Reorient. "own": it has a localization of its own,
  * particle_filter.c, and carries out Reorient's commands on it; "ours": Reorient localizes. ROBOT stands in for a robot
  * (robot_pipe.h). Ends with the robot's exit code. */

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """client.py SOCKET own|ours ROBOT [ARGUMENT...]: what client.c does, with nothing but Python's standard library (3.9 or
 later): the connection is reorient_companion.py. "own": Reorient commands the robot's own localization, particle_filter.py. The
 robot is that of robot_pipe.py."""

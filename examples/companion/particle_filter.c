@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "particle_filter.h"
 
 #include <math.h>

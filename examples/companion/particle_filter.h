@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* A small localization of a team's own: odometry, and bearings and rough distances to goal posts that all look alike,
  * so that a pose and its reflection through the field's centre always fit equally well. Reorient's commands tell the
  * two apart. */

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A small localization of a team's own, as particle_filter.c: odometry, and bearings and rough distances to goal
 posts that all look alike."""
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A client of Reorient's companion in Python's standard library alone (3.9 or later): what reorient_companion.h is in C, for one
 camera. A file to copy; docs/companion.md says what the numbers mean."""
 import cmath

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* What stands in for a robot in this example: a program at the other end of two pipes. It writes what the robot sees
  * and feels, and reads what it shall do, as these structures say. A team has its own robot, and none of this. */
 #ifndef ROBOT_PIPE_H

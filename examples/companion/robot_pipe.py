@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What stands in for a robot in this example: a program at the other end of two pipes, as robot_pipe.h has it. A team has its
 own robot, and none of this."""
 import collections

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole engine with a robot of one's own. own_robot SCRIPTS: plays a minute with the behaviours in this folder, and
 // prints what they decide. After 40 s the robot is told that it stands on the other half of the field, which is wrong.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Room awareness alone, in a program that localizes itself: images and the believed pose go in, "is the belief the
 // reflection of the truth?" comes out. Here the camera is painted, and the belief is turned round on purpose.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // By how much a camera looks elsewhere than it is believed to, from field lines that it sees at a known place.
 #pragma once
 

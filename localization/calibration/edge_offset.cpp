@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/calibration/edge_offset.h"
 
 #include <algorithm>

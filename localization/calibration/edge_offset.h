@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A camera's offset from edges that are vertical in the room: poles, door frames, corners of walls, legs of tables. All
 // of them meet at the vertical vanishing point, which gives tilt and roll. Pan and height do not change their
 // directions.

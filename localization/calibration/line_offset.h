@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A camera's offset from field lines that many images show from known poses: tilt, pan, roll and height.
 #pragma once
 

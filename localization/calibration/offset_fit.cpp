@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/calibration/offset_fit.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Fits a constant camera offset to residuals of many images, where many residuals are outliers: a grid for a start,
 // then Gauss-Newton steps that alternate with the estimate of the noise (EM for a mixture of a normal distribution and
 // a uniform one). Standard errors come from a bootstrap over the images (Efron and Tibshirani, 1993).

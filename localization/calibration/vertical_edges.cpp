@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/calibration/vertical_edges.h"
 
 #include <algorithm>

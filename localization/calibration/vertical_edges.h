@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Straight edges of one image that are nearly vertical in the room: line segments as connected regions of pixels with
 // about the same direction of the gradient (von Gioi et al., LSD: a line segment detector, 2012).
 #pragma once

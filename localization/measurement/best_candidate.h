@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Of some poses that are drawn at random, the one that fits the observations best.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What two cameras saw of the field, as if it were one.
 #pragma once
 

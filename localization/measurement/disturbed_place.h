@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A measured place as it might really be, for poses that are drawn from it.
 #pragma once
 

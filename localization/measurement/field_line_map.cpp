@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/field_line_map.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The field lines by their equations: which of them is near to a place, and on which side the place is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a place on the field is from the nearest line of a given direction.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // New pose particles where a goal was seen (the paper's Section 4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/landmark_injection.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draws poses where intersections of lines and the center circle say that the robot stands.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a robot stands that sees an intersection or the center circle, if it is this one of the field.
 #pragma once
 

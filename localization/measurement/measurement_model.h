@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How well poses explain what was seen of the field: line points through the field map, goal posts as landmarks of
 // which nobody knows which of the four they are.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/recovery_estimator.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Notices that the pose particles have lost the robot.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A part of many points that stands for all of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // New pose particles where the room is known and the pose is not: each place on the field with the heading that the
 // view gives it.
 #pragma once

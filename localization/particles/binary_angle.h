@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Angles as whole numbers: 2^32 steps a turn, so that they wrap by themselves and half a turn is exact. A particle and
 // its reflection are therefore weighed bit for bit alike, and a flip done twice is the identity.
 #pragma once

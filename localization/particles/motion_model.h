@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How pose particles follow the odometry, and how much they spread on the way.
 #pragma once
 

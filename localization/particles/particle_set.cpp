@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/particles/particle_set.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pose particles, a structure of arrays, and what every particle filter does with them.
 #pragma once
 

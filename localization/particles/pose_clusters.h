@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From pose particles to one believed pose: the mean of the heaviest cluster.
 #pragma once
 

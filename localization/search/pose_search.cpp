@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/search/pose_search.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the pose of a robot that does not know it, and the errors of its camera's angles: matches all that was seen
 // within the last seconds with the field, from many poses and tilts.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/search/sightings.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What was seen of the field within the last seconds, each image with where the robot was by its odometry.
 #pragma once
 

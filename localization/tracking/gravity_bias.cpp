@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/tracking/gravity_bias.h"
 
 #include <cmath>

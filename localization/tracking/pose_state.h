@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A pose, the biases of the camera's angles and the torso's sway, with their covariance: the state of an extended
 // Kalman filter (Thrun, Burgard, Fox: Probabilistic Robotics, chapter 3.3).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/tracking/pose_tracker.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Follows one hypothesis of the pose filter exactly, together with the errors of the camera's angles: a camera that
 // looks too low and a robot that stands farther back look the same from one view. Localization with an extended Kalman
 // filter (Thrun, Burgard, Fox: Probabilistic Robotics, chapter 7.4).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a point on the ground is seen if the camera's attitude is a little other than it was taken for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What can be tuned about the field features.
 #pragma once
 

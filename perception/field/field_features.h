@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one image shows of the field: its border, its lines and marks, goal posts, obstacles, the ball.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One image with all that tells where its pixels lie and what they show, in one value.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/ground_projection.h"
 
 #include <algorithm>

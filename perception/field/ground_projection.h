@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the pixels of one image lie on the ground, and where the ground's points lie in the image.
 #pragma once
 

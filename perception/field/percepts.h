@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What was seen of the field in one image. Positions are on the ground in the robot frame: m, x forward, y left.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The background model (the paper's Section 3.3): for each tile of the wall a histogram with its variance.
 #pragma once
 

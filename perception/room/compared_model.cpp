@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/compared_model.h"
 
 #include <algorithm>

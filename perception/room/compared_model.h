@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The background model, made ready to be compared with.
 #pragma once
 

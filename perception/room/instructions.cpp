@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/instructions.h"
 
 #include <initializer_list>

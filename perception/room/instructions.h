@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the widest loops of room awareness ask of the processor: they exist in several versions with the same results,
 // and the fastest that the processor offers is taken when the program runs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/model_comparison.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two models of one room: where they differ, whether they count the wall from the same end of the field, and one that
 // is made of both.
 #pragma once

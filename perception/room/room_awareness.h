@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Room awareness (the paper's Section 3): from images and the believed pose to confidences in that pose and in its
 // reflection. Pure: time and seed are arguments.
 #pragma once

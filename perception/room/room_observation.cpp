@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/room_observation.h"
 
 #include <cmath>

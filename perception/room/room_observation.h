@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one frame tells room awareness.
 #pragma once
 

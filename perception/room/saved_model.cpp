@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/saved_model.h"
 
 #include <charconv>

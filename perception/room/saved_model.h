@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What has been learned of a room, as it outlasts the day: as a value, and as the bytes of a file.
 #pragma once
 

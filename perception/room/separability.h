@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Does the room look the same after half a turn? Then nothing in it can tell a pose from its reflection.
 #pragma once
 

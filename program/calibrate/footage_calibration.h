@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient calibrate --footage`: the offset of a camera's mounting from recorded images, by field lines or by vertical
 // edges.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/calibrate/footage_images.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The images of a footage from which a camera is calibrated, and what they show.
 #pragma once
 

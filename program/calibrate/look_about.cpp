@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/calibrate/look_about.h"
 
 #include <algorithm>

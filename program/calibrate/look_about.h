@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot at a known place looks about: what its cameras show of lines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient calibrate`: how one robot's cameras are mounted, from the lines that they see at a known place, or from
 // footage.
 #include <array>

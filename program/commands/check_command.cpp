@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient check`: what is wrong with the scripts, without a robot.
 #include <memory>
 #include <ostream>

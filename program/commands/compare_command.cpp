@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/commands/compare_command.h"
 
 #include <filesystem>

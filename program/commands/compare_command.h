@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment compare`: what changed between two runs of an experiment, or from one choice to another.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment`: many trials of an experiment file, in as many processes as are wanted, and what they showed.
 #include <array>
 #include <cstring>

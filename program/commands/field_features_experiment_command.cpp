@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/commands/field_features_experiment_command.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment field_features`: what the field vision finds in images of the simulator, by its labels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/commands/field_images_experiment_command.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment field_images`: the field vision on labeled images of real fields.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/commands/footage_experiment_command.h"
 
 #include <algorithm>

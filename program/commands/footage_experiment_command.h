@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment footage`: would room awareness have helped this robot? Many trials on what somebody recorded.
 #pragma once
 

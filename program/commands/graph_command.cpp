@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient graph`: state machines as pictures for Mermaid or Graphviz.
 #include <algorithm>
 #include <initializer_list>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient look`: what the field vision and the virtual wall see in any picture.
 #include <filesystem>
 #include <memory>

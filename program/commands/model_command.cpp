@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient model`: what has been learned of a room and saved: shown, compared, merged.
 #include <chrono>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient new behavior NAME`: a small script that works, with a test that passes, to start from.
 #include <memory>
 #include <ostream>

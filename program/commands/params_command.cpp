@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient params`: every tunable number with its value and who set it.
 #include <memory>
 #include <ostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient record-test`: a part of a recording becomes a scripted test.
 #include <filesystem>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient recording`: what is in a recording, as a table, in pictures; a part of it; one that is damaged, made whole.
 #include <algorithm>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient reference`: what scripts can see and say, with the libraries below the scripts' root.
 #include <memory>
 #include <ostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient replay`: the frames of a recording, made again and compared.
 #include <algorithm>
 #include <chrono>

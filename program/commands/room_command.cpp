@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient room rate`: will room awareness work in this hall, and what would help?
 #include <filesystem>
 #include <functional>

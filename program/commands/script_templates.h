@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scripts in new/, which `reorient new` starts a script from.
 #pragma once
 

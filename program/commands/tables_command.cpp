@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/commands/tables_command.h"
 
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment tables`: the tables of a page, made anew from the results that it names.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient test`: scripted behaviour tests, in a fake world and on the simulator.
 #include <functional>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient version`.
 #include <ostream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/compass_parameters.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the compared compasses are made of: room awareness and its peers have parameters as everything has.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far many trials are, for a person.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An experiment as it is run: its cells, its tasks, and where their results lie.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The results of an experiment's tasks on a disk, a file for each: whoever ran it, it is never run twice.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/trial_runner.h"
 
 #include <optional>

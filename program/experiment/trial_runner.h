@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One trial: a condition and a seed become a result, on the same run loop as any run.
 #pragma once
 

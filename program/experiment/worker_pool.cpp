@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/worker_pool.h"
 
 #include <algorithm>

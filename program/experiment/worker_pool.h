@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tasks in processes of their own: what crashes takes one task with it, and the others go on.
 #pragma once
 

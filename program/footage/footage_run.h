@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The engine behind footage, made ready to run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What an experiment on footage prints below its table of rows.
 #pragma once
 

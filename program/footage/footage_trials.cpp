@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/footage/footage_trials.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which virtual wall suits a footage: as --wall says, or found in the images.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/footage/run_footage.h"
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient run --robot footage SOURCE`: the engine sees what somebody else recorded.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/look/line_stripes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bright stripes on the carpet as they are in the image, without an assumption about the camera's pitch.
 #pragma once
 

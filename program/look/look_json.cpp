@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/look/look_json.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What was seen in one image, as JSON (docs/vision.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/look/look_pictures.h"
 
 #include <algorithm>

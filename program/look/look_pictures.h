@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pictures that `reorient look` writes: one for each of a few images, or sheets of small ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The images that `reorient look` looks at, and what is known of each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/look/pitch_search.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far down a camera looked, and how it was rolled, from the field lines in one of its images: the height above the
 // ground is known.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/look/seen_image.h"
 
 #include <algorithm>

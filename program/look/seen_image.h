@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the field vision and the virtual wall see in one image.
 #pragma once
 

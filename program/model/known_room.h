@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the engine knows of the room, at the end of a run.
 #pragma once
 

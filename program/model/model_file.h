@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A saved model of a room as a file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Keeps what a run learns of the room in a file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/model/model_text.h"
 
 #include <algorithm>

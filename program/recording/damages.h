@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What of a recording was left out, said to whoever reads it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/recording/recorded_times.h"
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Moments of a recording as a person names them, in s of the robot.
 #pragma once
 

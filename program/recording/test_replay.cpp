@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/recording/test_replay.h"
 
 #include <memory>

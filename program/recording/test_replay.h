@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Recordings for scripted tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/room/learned_room.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The model of a room, from whatever the user has of it: a panorama, a saved model, a recording.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/room/rating_text.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person reads of a rated room, and what programs read of it.
 #pragma once
 

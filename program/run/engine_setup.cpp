@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/engine_setup.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The engine's setup as options give it, whichever robot it is for.
 #pragma once
 

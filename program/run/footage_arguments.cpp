@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/footage_arguments.h"
 
 #include <algorithm>

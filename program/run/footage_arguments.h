@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The options of all commands that take footage.
 #pragma once
 

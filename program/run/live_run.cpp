@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/live_run.h"
 
 #include <utility>

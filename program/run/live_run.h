@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the runs of all robots have in common: the operator follows and steers them, and what they learn is saved.
 #pragma once
 

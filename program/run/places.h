@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A place on the field, as a person writes it on the command line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/recorded_footage.h"
 
 #include <algorithm>

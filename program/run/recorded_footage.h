@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A recording of ours as footage: what a robot, or the simulator, saw before.
 #pragma once
 

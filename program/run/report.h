@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run in words for a person, and in JSON for a program.
 #pragma once
 

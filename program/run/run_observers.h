@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person sees of a run while it goes on: the progress line, and the log.
 #pragma once
 

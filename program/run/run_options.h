@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What `reorient run` was asked to do.
 #pragma once
 

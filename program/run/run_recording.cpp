@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/run_recording.h"
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The recording of a run, where one is wanted: `--record FILE`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/run_scenario.h"
 
 #include <chrono>

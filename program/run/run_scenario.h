@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run, from its options to its outputs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/script_edits.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edits of scripts on the disk, as inputs of a run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/simulation.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scenario with the robot that it is played with, made ready to run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/timeline_printer.h"
 
 #include <ostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The timeline for a person, line by line as it happens.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a run takes place, and with which body: what the command line says, else the scenario, else the shipped hall
 // and the body's field.
 #pragma once

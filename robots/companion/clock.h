@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A client's time and odometry as the engine sees them: both go on, whatever becomes of the client. A client's clock
 // begins anyhow, its odometry begins at zero whenever its process does.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reorientations that somebody else has to carry out, at most once each: numbered, and repeated until they are done.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot that another program drives, and that program's client beside it: what comes through the socket becomes
 // observations, what the engine answers goes back (docs/companion.md). One thread: nothing here waits for the client
 // but observe(), and nothing in the client ever waits for us.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/companion/connection.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A UNIX socket at which one client of the same user is served: whole messages come out of it, and what is sent never
 // waits. What a client does ends its own connection at most.
 #pragma once

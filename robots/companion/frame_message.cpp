@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/companion/frame_message.h"
 
 #include <algorithm>

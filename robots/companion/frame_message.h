@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame as a client sends it, checked: whatever is in it afterwards can be used.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a client says of itself, once: whose localization counts, which robot it is, its cameras, its field.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Messages as they lie in memory: the structures of reorient_companion.h, in and out of bytes.
 #pragma once
 

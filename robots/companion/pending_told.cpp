@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/companion/pending_told.h"
 
 #include <utility>

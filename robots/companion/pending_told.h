@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a client has told with frames, until one of them is looked at.
 #pragma once
 

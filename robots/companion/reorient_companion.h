@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Reorient's companion protocol, and a client for it in C99: the one file that a team copies. No dependency but a POSIX
  * system that is Linux. docs/companion.md says what is sent when, byte for byte.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/companion/shared_images.h"
 
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The images of one camera in memory that a client shares. It can neither be taken from under us, which its seal sees
 // to, nor change while we look: an image is copied once, and what was written over meanwhile does not count.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/camera_info.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The calibration in a log, as our camera model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Footage: images that somebody else took, with what is known of each. Whoever reads a folder, a video or a log
 // implements FootageSource (workbench/footage/); the robot that is driven by it is robots/footage/footage_robot.h.
 #pragma once

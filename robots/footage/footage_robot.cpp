@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/footage_robot.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot that is driven by footage: each image becomes an observation, and its belief is the recorded pose, put right
 // or wrong on purpose. It carries out what the engine decides about the belief, as a localization with its own pose
 // would.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/frames_table.h"
 
 #include <algorithm>

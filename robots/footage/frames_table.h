@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A table with one row for each image of a footage: which image, when, where the robot and its camera were. Text only;
 // the images are somebody else's.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Builds frames of footage from the messages of a robot log: images, calibration, transforms, poses, odometry and
 // attitude that were recorded independently of each other. Transforms and poses are interpolated at each image's time.
 #pragma once

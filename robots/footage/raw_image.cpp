@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/raw_image.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Uncompressed images of logs, converted to ours.
 #pragma once
 

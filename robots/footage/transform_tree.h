@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Coordinate frames of a robot log and the rigid motions between them over time, as ROS's tf and Foxglove define them:
 // each frame has at most one parent.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a NAO's body felt lately, as the engine takes it: between two measurements it is interpolated.
 #pragma once
 

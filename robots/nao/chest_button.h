@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The button on the chest: a short press says one thing, a long one another.
 #pragma once
 

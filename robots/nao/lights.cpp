@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/nao/lights.h"
 
 #include <algorithm>

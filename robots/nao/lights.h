@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a NAO shows of what the engine knows, for whoever stands beside it.
 #pragma once
 

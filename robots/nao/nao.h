@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A NAO v6 with nobody else on board: its cameras, its body behind the guard, the referee. It looks about, stands up
 // and sits down; it has no walk and does not get up (a walk is a part of its own: see docs/on-a-robot.md).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/nao/udp_referee.h"
 
 #include <cerrno>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The GameController's datagrams from the network.
 #pragma once
 

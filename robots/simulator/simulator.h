@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A humanoid on a field in a room, simulated a frame at a time: the same seed and the same requests give the same
 // bytes.
 #pragma once

@@ -8,6 +8,8 @@
 --- the robot, it is learned further all the same: more of it may show what half of it did not. While the robot is
 --- disturbed its camera is not where the pose says: both rest.
 
+-- SPDX-License-Identifier: MIT
+
 local p = param {
   undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long to stand before the eyes count" },
   min_time      = { 10.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },

@@ -1,5 +1,7 @@
 --- Gets up after a fall, once the robot has come to rest. A robot that somebody lifts is left alone.
 
+-- SPDX-License-Identifier: MIT
+
 param {
   rest_time = { 1.0, range = { 0, 10 }, unit = "s", doc = "how long to lie still before getting up" },
 }

@@ -3,6 +3,8 @@
 --- It decides nothing; it only brings the evidence before the eyes of those who do. Where no goal post is in view at
 --- either place, the belief is worth nothing, and neither is looking where it says.
 
+-- SPDX-License-Identifier: MIT
+
 local decision = require "lib.decision"
 local gaze = require "lib.gaze"
 

@@ -2,6 +2,8 @@
 --- room awareness and self-localization both see enough. A robot that looks for its place looks at the lines only, but not
 --- for ever: where no line is found, the room must be learned all the same.
 
+-- SPDX-License-Identifier: MIT
+
 local p = param {
   width       = { 1.1,  range = { 0, 2.0 },      unit = "rad",   doc = "how far to turn the head to each side" },
   speed       = { 1.0,  range = { 0.1, 5.0 },    unit = "rad/s", doc = "how fast to turn the head" },

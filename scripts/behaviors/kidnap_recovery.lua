@@ -3,6 +3,8 @@
 --- the room has supported the believed pose long enough. If neither pose wins, the orientation is forgotten, once.
 --- Flips and purges are the business of orientation: a reflected pose wins or loses there.
 
+-- SPDX-License-Identifier: MIT
+
 local decision = require "lib.decision"
 local walking = require "lib.walk"
 

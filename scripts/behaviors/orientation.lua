@@ -5,6 +5,8 @@
 --- was put down is soon right, and more in peace, where it would have to be wrong again and again for hours. What the room
 --- says first, and then takes back, is not acted upon.
 
+-- SPDX-License-Identifier: MIT
+
 local decision = require "lib.decision"
 
 local p = param {

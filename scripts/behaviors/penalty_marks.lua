@@ -4,6 +4,8 @@
 --- first. Whether the belief is worth walking by, others judge: while they search for the pose it waits, and while the lines
 --- of the field do not fit the pose it turns on the spot, since a walk to a place that is not there ends anywhere.
 
+-- SPDX-License-Identifier: MIT
+
 local walking = require "lib.walk"
 
 local p = param {

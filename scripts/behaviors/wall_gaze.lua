@@ -3,6 +3,8 @@
 --- where most of it is still unknown. The core says where that is; here it is said when. Otherwise the head is left to
 --- others.
 
+-- SPDX-License-Identifier: MIT
+
 local decision = require "lib.decision"
 
 local p = param {

@@ -2,6 +2,8 @@
 --- Evidence is told in log-odds: where it says 99 in 100, it is wrong once in a hundred times that it has a chance to be.
 --- So what is asked for follows from how often that is. One place decides it for all behaviours.
 
+-- SPDX-License-Identifier: MIT
+
 local p = param {
   false_flips  = { 0.02,  range = { 0.0001, 1000 }, unit = "1/h", doc = "how many flips of a pose that was right are allowed in an hour" },
   looks        = { 240.0, range = { 1, 100000 },    unit = "1/h", doc = "how often in an hour of peace all of the evidence is replaced" },

@@ -1,5 +1,7 @@
 --- Looking at a place on the field: with the head where the neck reaches, else by turning the body as well.
 
+-- SPDX-License-Identifier: MIT
+
 local walking = require "lib.walk"
 
 local p = param {

@@ -1,5 +1,7 @@
 --- How right the belief is, for scenarios: they alone may know the truth.
 
+-- SPDX-License-Identifier: MIT
+
 local walking = require "lib.walk"
 
 local p = param {

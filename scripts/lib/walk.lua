@@ -1,5 +1,7 @@
 --- Walking to a place on the field, by the pose that the robot believes in.
 
+-- SPDX-License-Identifier: MIT
+
 local p = param {
   speed    = { 1.0, range = { 0, 2 },                   doc = "how fast to walk forward: share of the speed at which the robot goes far" },
   turn     = { 0.6, range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn" },

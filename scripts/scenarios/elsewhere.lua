@@ -2,6 +2,8 @@
 --- walls nearer or farther than it, appear there beside the tiles where the robot learned them (parallax). The scenario sets
 --- either the true pose or the mirrored pose as initial pose, and observes the belief from then on.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 local p = param {

@@ -1,6 +1,8 @@
 --- A robot that has learned the room is pushed over. It should get up, forget its orientation (nobody knows how far the
 --- feet slipped round), and find its pose again with the help of the room.
 
+-- SPDX-License-Identifier: MIT
+
 local decision = require "lib.decision"
 local ground_truth = require "lib.ground_truth"
 

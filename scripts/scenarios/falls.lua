@@ -1,6 +1,8 @@
 --- The robot walks between the penalty marks and is pushed over from time to time. How exactly does it know its pose?
 --- Either the experimenter sets the initial pose, or the robot is put down anywhere and no initial pose is set.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 local p = param {

@@ -2,6 +2,8 @@
 --- turn; from one frame to the next its belief and all that it knows of the room must turn with them, and nothing that
 --- it sees later may make it doubt.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 param {

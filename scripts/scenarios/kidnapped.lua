@@ -2,6 +2,8 @@
 --- from the reflection of its belief: neither of its two look-alike poses is right, and the wrong one of the two new
 --- poses is the nearer one. It should distrust its pose, search, and walk to its own penalty mark.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 local p = param {

@@ -2,6 +2,8 @@
 --- turn, and so agrees with its wrong belief. Then the true pose is set once, or set again after the robot has flipped it, or
 --- nothing happens.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 local function set_true_pose() experimenter.set_initial_pose(truth.x, truth.y, truth.rotation) end

@@ -1,6 +1,8 @@
 --- Endurance: the robot walks between the penalty marks for a long time, and nobody does anything to it. It should
 --- neither flip a right belief nor spoil what it has learned.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 local p = param {

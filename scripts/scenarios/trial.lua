@@ -3,6 +3,8 @@
 --- so. What happens, where and when is for parameters to say, too; the rest is left to chance, which is to say to the
 --- seed. assets/experiments uses it throughout; `reorient run trial --set trial.event=fallen` shows one.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 local p = param {

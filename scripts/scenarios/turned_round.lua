@@ -3,6 +3,8 @@
 --- belief, and walk to the right penalty mark. A robot that cannot walk has done its job as soon as its belief is right and
 --- stays so.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 local p = param {

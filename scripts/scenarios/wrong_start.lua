@@ -2,6 +2,8 @@
 --- room; then somebody tells it the reflection of its pose. It should notice and flip within 200 s, or it has failed.
 --- Meant to be run with `--params paper`.
 
+-- SPDX-License-Identifier: MIT
+
 local ground_truth = require "lib.ground_truth"
 
 param {

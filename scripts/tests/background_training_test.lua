@@ -1,5 +1,7 @@
 --- Tests of behaviors/background_training.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function start()
   load_behavior "background_training"
   set_world { pose = { known = true } }

@@ -1,5 +1,7 @@
 --- Tests of scenarios/elsewhere.lua.
 
+-- SPDX-License-Identifier: MIT
+
 test("learns at each place with each heading, then continues elsewhere", function()
   set_param("elsewhere.places", "2")
   set_param("elsewhere.headings", "2")

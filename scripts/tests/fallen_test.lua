@@ -1,5 +1,7 @@
 --- Tests of scenarios/fallen.lua and lib/ground_truth.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function set_pose(x, y, rotation)
   set_world { truth = { x = x, y = y, rotation = rotation }, pose = { x = x, y = y, rotation = rotation } }
 end

@@ -1,5 +1,7 @@
 --- Tests of behaviors/get_up.lua.
 
+-- SPDX-License-Identifier: MIT
+
 test("gets up after a moment of rest", function()
   load_behavior "get_up"
   advance(0.1)

@@ -1,5 +1,7 @@
 --- Tests of behaviors/goal_search.lua and lib/gaze.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local FRESH = 0.4   -- s, more than the confidences are fresh after a disturbance (room_status.age)
 
 local function stand_at(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end

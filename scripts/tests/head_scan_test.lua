@@ -1,5 +1,7 @@
 --- Tests of behaviors/head_scan.lua.
 
+-- SPDX-License-Identifier: MIT
+
 test("sweeps over the walls and then over the field", function()
   load_behavior "head_scan"
   advance(0.1)

@@ -1,5 +1,7 @@
 --- Tests of behaviors/kidnap_recovery.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function put_down()
   load_behavior "kidnap_recovery"
   set_world { confidence = { coverage = 0.9, distinctiveness = 0.3 } }

@@ -1,5 +1,7 @@
 --- Tests of scenarios/kidnapped.lua and lib/ground_truth.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
 local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 

@@ -1,5 +1,7 @@
 --- Tests of scenarios/learned_mirrored.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function learn(remedy)
   set_param("learned_mirrored.learn", "5")
   set_param("learned_mirrored.timeout", "10")

@@ -1,5 +1,7 @@
 --- Whole scenarios on the simulator, from the camera image to the verdict: reorient test --simulator runs them.
 
+-- SPDX-License-Identifier: MIT
+
 test("a robot that was turned round notices, flips and ends right", function()
   local is_right = simulate { scenario = "turned_round", seed = 1 }
   expect.verdict(true, "walked to the right mark")

@@ -1,5 +1,7 @@
 --- Tests of behaviors/orientation.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function learned_room()
   load_behavior "orientation"
   set_world { confidence = { coverage = 0.9, distinctiveness = 0.3 } }

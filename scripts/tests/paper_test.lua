@@ -1,5 +1,7 @@
 --- Tests of behaviors/paper/paper_orientation.lua, behaviors/paper/paper_training.lua and scenarios/wrong_start.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function start(behavior)
   load_behavior("paper/" .. behavior)
   advance(0.1)

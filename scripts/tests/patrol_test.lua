@@ -1,5 +1,7 @@
 --- Tests of scenarios/patrol.lua and lib/ground_truth.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
 
 local function start()

@@ -1,5 +1,7 @@
 --- Tests of behaviors/penalty_marks.lua and lib/walk.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function stand_at(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
 local DISTURBANCES = {

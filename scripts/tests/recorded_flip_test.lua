@@ -1,6 +1,8 @@
 --- On what a robot really saw: turned round in the scenario of that name (seed 1, 160 pixels wide), put down at 42.5 s.
 --- Made by reorient record-test from its recording, 42.90 to 43.90 s.
 
+-- SPDX-License-Identifier: MIT
+
 test("flips its belief half a second after its feet touched the ground", function()
   replay "recordings/recorded_flip.mcap"
   expect.state("orientation", "watching/in doubt")

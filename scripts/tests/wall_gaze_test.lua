@@ -1,5 +1,7 @@
 --- Tests of behaviors/wall_gaze.lua.
 
+-- SPDX-License-Identifier: MIT
+
 local function in_doubt()
   load_behavior "wall_gaze"
   load_behavior "head_scan"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The companion as teams meet it: the program in a process of its own, the examples' clients in others, and a robot
 // that is the simulator behind a pipe.
 #include <algorithm>

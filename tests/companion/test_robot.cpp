@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot for clients of the companion: the simulator behind two pipes (examples/companion/robot_pipe.h). It stands
 // beside the field and is told where; after it has had time to learn the room it is carried to the reflection of where
 // it is; in the end it judges what the client believes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Three short runs on the simulator, and for each the digest of its records and of the model of the room that it
 // learned. Small, so that it is quickly built for another processor and quickly run by an emulator: what it prints
 // there must be what it prints here. same_as_native compares the whole program, with models and recordings as files.

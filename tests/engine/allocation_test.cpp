@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Counts what one frame of the whole core takes from the heap, by replacing operator new: hence a program of its own.
 // What Lua takes for the scripts goes through the sandbox's own allocator, within its limits.
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The inputs of a run on the simulator with the shipped behaviours in which much happens: carried away, fallen,
 // penalized, tuned, edited, told, with half-times. Stored as bytes, so that many loops can be fed the same.
 #pragma once

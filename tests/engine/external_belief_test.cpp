@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot that brings its own localization: ours rests, and reorientations go out as answers.
 #include "engine/world/external_belief.h"
 

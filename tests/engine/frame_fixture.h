@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame loop around one behaviour's text, fed by hand.
 #pragma once
 

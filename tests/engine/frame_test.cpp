@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One frame from the inputs to the answer, fed by hand.
 #include "engine/frame.h"
 

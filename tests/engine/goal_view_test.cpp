@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/world/goal_view.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The teams change sides: one frame turns belief, model and view particles with the axes.
 #include <cmath>
 #include <string>

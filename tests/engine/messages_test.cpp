@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Words between team mates: what a behaviour hears, and what it says.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Records as bytes, and the fingerprint of a run.
 #include "engine/record/record_bytes.h"
 

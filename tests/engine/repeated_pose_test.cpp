@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A pose that is set again after the robot has flipped it turns the learned room by half a turn.
 #include "engine/world/repeated_pose.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/world/seen_view.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame is a function: the same state and the same inputs give the same record, whoever watches, in any process.
 #include <array>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as a robot's file: refused in one line that names the file, or a body that can look about.
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes from a client of the companion: before it has said hello, or after. Whatever they are, the companion
 // goes on, and what comes out of it can be used.
 #include <cmath>

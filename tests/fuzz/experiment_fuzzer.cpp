@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as an experiment file or a condition file: refused in one line that names the file, or an experiment
 // whose cells and tasks can be counted, and whose conditions are within their limits.
 #include <algorithm>

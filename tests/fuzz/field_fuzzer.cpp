@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as a field file: refused in one line that names the file, or a field that can be drawn and believed
 // in.
 #include <cmath>

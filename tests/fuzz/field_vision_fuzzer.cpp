@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as a camera, where it is, and images that follow each other: what is seen of a field can be there.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as the log of a robot: frames whose times increase, or one line.
 #include <algorithm>
 #include <cstddef>

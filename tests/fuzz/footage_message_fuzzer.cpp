@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as messages of the types that footage is read from, and what is made of them: a message, or one line,
 // and no more memory than the bytes justify.
 #include <cstddef>

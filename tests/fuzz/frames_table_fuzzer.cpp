@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as a table of footage: refused in one line that names the file, or rows with finite numbers whose
 // times increase.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // For inputs that are texts of lines: half of the time whole lines are taken out, doubled or exchanged. What is still
 // well-formed reaches further than what the parser refuses.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes from whoever listens at LoLA's socket, in pieces: the guard hangs up, or tells joints only what they
 // can do. The same bytes as a command, for whoever stands in for a robot.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as a saved model of a room: refused in one line, or a model that is written as it was read, can be
 // turned, compared and merged, and with which a robot looks at the room.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as a parameter file: refused in one line that names the file, or read into changes that a registry
 // takes or refuses; and what is saved of them is read back as it was.
 #include <cstddef>

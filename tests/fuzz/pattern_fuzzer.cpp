@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary string patterns against arbitrary subjects: the price is paid, captures lie within the subject, and what
 // matches is what Lua's own matcher finds. The input is the pattern, a byte 0xFF, the subject.
 #include <cstdint>

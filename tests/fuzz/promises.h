@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a fuzzer asks of the code that it tries: a broken promise ends it, and the input is kept.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes at the prompt of a run: as a pipe sends them, command by command, and as the keys of a terminal. What
 // is told can be read, and the robot goes on.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary datagrams at the port of the GameController, one after the other: what is believed of them makes sense.
 #include <algorithm>
 #include <cstddef>

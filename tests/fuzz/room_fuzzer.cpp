@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as the panorama of a room, be it a Radiance picture, a PNG or a JPEG: refused in one line that names
 // the file, or a picture of a sane size in finite light; some of them become rooms.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary texts as a behaviour and as an edit of it: loaded, ticked, reloaded, ticked. Whatever the texts say, the
 // engine keeps its promises; a broken one aborts. The input is the behaviour, a byte 0xFF, the edit; without that byte
 // the edit is the behaviour with its first digit changed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/angle.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lens models: projection and ray agree over the whole image, and with OpenCV's numbers.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same bits everywhere: how near they are to the truth, and that many at once are the same as one by one.
 #include "geometry/pinned_math.h"
 

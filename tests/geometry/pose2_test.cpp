@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/pose2.h"
 
 #include <gtest/gtest.h>

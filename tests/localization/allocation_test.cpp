@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame's localization asks for no heap memory once it runs.
 #include <cstdlib>
 #include <new>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Poses and particle sets for property tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/localization/biased_camera.h"
 
 #include <cmath>

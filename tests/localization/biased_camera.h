@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot on the field whose measured angles are wrong: what its camera sees of lines, landmarks and posts, placed on
 // the ground as the robot takes its camera to look.
 #pragma once

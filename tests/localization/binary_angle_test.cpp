@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/particles/binary_angle.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/both_cameras.h"
 
 #include <gtest/gtest.h>

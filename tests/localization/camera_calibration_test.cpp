@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/calibration/camera_calibration.h"
 
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whole runs of the pose filter with synthetic percepts and odometry: what the robot can rely on.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/field_map.h"
 
 #include <limits>

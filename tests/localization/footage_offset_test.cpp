@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera offset from many images: vertical edges, field lines, and what neither determines.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/goal_injection.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the accelerometer says of the torso's attitude.
 #include "localization/tracking/gravity_bias.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/measurement_model.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/particles/motion_model.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/particles/pose_clusters.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot that does not know its pose, and whose camera looks elsewhere than it believes.
 #include "localization/search/pose_search.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One hypothesis and the camera's wrong angles, followed together.
 #include "localization/tracking/pose_tracker.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/localization/synthetic_field.h"
 
 #include <algorithm>

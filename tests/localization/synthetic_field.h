@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A stand-in for camera and legs in the tests of the localization: percepts as a robot on the field would have them,
 // with their typical errors, and odometry that is wrong in a typical way.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "localization/measurement/view_injection.h"
 
 #include <gtest/gtest.h>

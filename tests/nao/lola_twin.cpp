@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // LoLA in real time, in front of a body that falls where it is told wrong things: a packet every 12 ms, an answer
 // wanted before the next one.
 //   lola_twin SOCKET STATUS [SECONDS]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The main job of a robot that only turns its head: it learns the room, is carried to the reflection of its belief,
 // notices, and flips.
 #pragma once

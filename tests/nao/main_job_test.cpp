@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The main job by a robot that only turns its head, in simulated time: once through the twins of LoLA and V4L2 with the
 // guard in between, once on the plain simulator.
 #include "tests/nao/main_job.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The guard and the program as processes, in real time: what they say when something is missing, and that they end.
 #include <algorithm>
 #include <csignal>

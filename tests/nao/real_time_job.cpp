@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The main job in real time: the real guard as a process of its own between LoLA's socket and the memory that it shares
 // with us, images through the fake of V4L2, the simulator behind both. Takes as long as it would take a robot.
 //   nao_real_time_job GUARD [SEED] [WIDTH] [SECONDS]

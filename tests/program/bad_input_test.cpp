@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bad input: exit code 2, one line that names the culprit, and nothing written.
 #include <algorithm>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program as a process of its own, to be interrupted, starved and killed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // reorient check, graph, new, params and test, as a person calls them.
 #include <algorithm>
 #include <fstream>

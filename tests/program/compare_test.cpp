@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment compare`: tables as the program writes them, and tables that it never would.
 #include <algorithm>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An experiment that compares room awareness with its peers, from the command to the page.
 #include <algorithm>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the prompt is made of: keys, names, and the lines of earlier runs.
 #include <string>
 #include <vector>

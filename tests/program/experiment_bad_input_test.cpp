@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Experiments that cannot be meant: refused in one line before anything is run or written.
 #include <algorithm>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment --report`: a page, and all trials beside it.
 #include <algorithm>
 #include <filesystem>

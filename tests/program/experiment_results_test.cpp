@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Results that lie on a disk: spoiled ones, those of something else, and what happens to them while others run.
 #include <cstdint>
 #include <fstream>

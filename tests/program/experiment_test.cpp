@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment`, as a person, a shell and a cluster call it.
 #include <algorithm>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment field_features` as its user meets it.
 #include <fstream>
 #include <string>

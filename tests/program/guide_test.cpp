@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The guides are run as they stand: their files are written, their edits made, their commands called, and what they
 // show is what must come.
 #include <algorithm>

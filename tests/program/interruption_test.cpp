@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is left of a run that somebody or something ends.
 #include <array>
 #include <csignal>

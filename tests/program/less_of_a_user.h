@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a child program may be denied before it begins: to write everywhere, a disk with room on it.
 #pragma once
 

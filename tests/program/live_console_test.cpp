@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person types while the robot runs.
 #include "program/run/console/live_console.h"
 

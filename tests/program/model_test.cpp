@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient run --model` and `reorient model`: a room that is known from one run to the next.
 #include <algorithm>
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tables of a page that are made from stored results; the page of evidence among them.
 #include "program/experiment/outputs/page_tables.h"
 

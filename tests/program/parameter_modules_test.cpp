@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values for modules that are not there.
 #include "program/parameter_modules.h"
 

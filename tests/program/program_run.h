@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program as a person at the keyboard calls it, with what it printed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program from the command line to its files.
 #include <fstream>
 #include <set>

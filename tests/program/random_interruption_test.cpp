@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run that is interrupted at any moment from the one in which it began: each output is there, and readable. What is
 // killed leaves the old file or the new one. A few here; REORIENT_INTERRUPTIONS=50 for as many of each kind.
 #include <algorithm>

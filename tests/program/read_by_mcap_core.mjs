@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // read_by_mcap_core.mjs FILE FRAMES: reads a recording by its index and as a stream, and compares the results. Checks that every
 // JSON message fits its schema, and that schemas with Foxglove's names are those that Foxglove publishes.
 import published from "@foxglove/schemas/jsonschema.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `run --record`, `replay` and `recording` as their user meets them. REORIENT_INTERRUPTIONS=200 kills as many runs.
 #include <algorithm>
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scripted tests that replay a recording, and how they are made of one.
 #include <algorithm>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient room rate` as its user meets it.
 #include <algorithm>
 #include <filesystem>

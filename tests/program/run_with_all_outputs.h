@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run that writes all that there is to be written, to be interrupted, starved and killed.
 #pragma once
 

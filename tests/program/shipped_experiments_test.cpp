@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The shipped experiments in a few seconds each: every cell is what a scenario, its behaviours and the robot can carry
 // out, and comes to the moment from which it is measured.
 #include <algorithm>

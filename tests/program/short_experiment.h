@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An experiment of seconds, for the command's tests.
 #pragma once
 

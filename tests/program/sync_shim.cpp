@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Put before the C library (LD_PRELOAD): notes in the file that REORIENT_SYNC_REPORT names how often a recording was
 // flushed to the disk, for how long at most, s, bytes of it had been written and not flushed, and how many are so now.
 #include <algorithm>

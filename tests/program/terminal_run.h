@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program at a terminal of its own, as a person sits before it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The prompt at a terminal: keys, completion, history, and the terminal that is left behind.
 #include <csignal>
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A simulated robot whose camera looks elsewhere than it believes.
 #include <fstream>
 

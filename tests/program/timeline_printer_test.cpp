@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person sees of a run's events while it goes on.
 #include "program/run/timeline_printer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What cannot be written does not take the rest with it.
 #include <csignal>
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The main job through wide lenses: the robot is put down on the reflection of its pose, and finds out.
 #include <filesystem>
 #include <string>

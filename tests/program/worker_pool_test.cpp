@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tasks in processes of their own.
 #include "program/experiment/worker_pool.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/camera_pairing.h"
 
 #include <gtest/gtest.h>

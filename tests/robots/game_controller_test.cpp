@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/game_controller.h"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/image_formats.h"
 
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The check of the arrows, on small houses of its own.
 #include <array>
 #include <cstdio>

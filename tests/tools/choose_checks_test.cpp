@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which checks a change needs, in a small project of its own with a history.
 #include <array>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The check of the links, on small trees of its own.
 #include <array>
 #include <cstdio>

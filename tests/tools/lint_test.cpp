@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // tools/lint on small trees of its own.
 #include <array>
 #include <cstdio>
@@ -26,7 +27,7 @@ std::string output_of(const std::string& command) {
   return text + "exit " + std::to_string(WEXITSTATUS(pclose(pipe)));
 }
 
-/// A tree with two sources that share a header. Its scripts, includes, links and words are always clean.
+/// A tree with two sources that share a header. Its scripts, includes, links, licenses and words are always clean.
 class LintedTree {
  public:
   explicit LintedTree(const TemporaryFolder& cache) : cache_(cache) {
@@ -42,6 +43,7 @@ class LintedTree {
     write("scripts/a.lua", "");
     write_program("tools/arrows", "");
     write_program("tools/links", "");
+    write_program("tools/spdx", "");
     write_program("tools/words", "");
     write_program("bin/luacheck", "");
     std::filesystem::copy(std::filesystem::path(kSourceFolder) / "tools" / "lint", folder_.path() / "tools" / "lint");

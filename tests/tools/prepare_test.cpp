@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What ./reorient and ./test do before they build, with programs that only say how they were called.
 #include <filesystem>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // tools/spdx on a small tree of its own.
 #include <string>
 

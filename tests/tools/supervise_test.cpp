@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nothing outlives tools/supervise, however it ends.
 #include <csignal>
 #include <cstdlib>

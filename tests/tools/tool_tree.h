@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A folder with tools of this project and programs that stand in for those of the system.
 #pragma once
 

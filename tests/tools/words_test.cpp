@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // tools/words on small trees of its own.
 #include <algorithm>
 #include <string>

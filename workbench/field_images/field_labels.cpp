@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/field_images/field_labels.h"
 
 #include <algorithm>

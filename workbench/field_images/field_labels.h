@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What people labeled in images of a field: lines, posts, balls, and where no line point may be.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the field vision found in an image against what people labeled there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same image as another camera, another white balance or another turf would have shown it.
 #pragma once
 

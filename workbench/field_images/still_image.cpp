@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/field_images/still_image.h"
 
 namespace reorient {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the field vision sees in an image that has none before it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/files/atomic_file.h"
 
 #include <atomic>

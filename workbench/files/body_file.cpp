@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/files/body_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot's body from a TOML file; the keys are documented in assets/robots/README.md.
 #pragma once
 

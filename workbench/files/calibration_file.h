@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How one robot's cameras are mounted, from a TOML file with a table for each: `[upper]`, `[lower]` with `tilt_degrees`
 // (downwards), `pan_degrees` (to the left), `roll_degrees` (left side up) and `height_m` (upwards). Footage has the
 // upper camera. `[footage]` with `recorded_pitch` or `recorded_roll` = false: what was recorded of single images does

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tables as text (RFC 4180).
 #pragma once
 

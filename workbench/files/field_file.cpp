@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/files/field_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Field dimensions from a TOML file; the keys are documented in assets/fields/README.md.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/files/file_watcher.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Notices that files below a folder were changed, in place or by renaming, one or many at once.
 #pragma once
 

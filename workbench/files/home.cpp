@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/files/home.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the project's scripts and data files are.
 #pragma once
 

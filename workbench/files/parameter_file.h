@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Overrides of parameters as a TOML file. Tables are prefixes: [orientation] lead = 0.4.
 #pragma once
 

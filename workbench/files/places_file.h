@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where each player stands before a game begins, from a TOML file: `player_2 = [-3.2, -3.0, 90.0]`, in m, m and
 // degrees, in the team's axes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scripts on a disk: read as texts, and watched for edits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A TOML table whose keys are all known. What is wrong with it is thrown as std::runtime_error with one line: file,
 // line, why.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/files/toml_text.h"
 
 #include <algorithm>

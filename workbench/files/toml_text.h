@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The text of a TOML file as somebody can have meant it. The parser goes as deep and takes as much as the text says, so
 // it must not be given just anything.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Who decodes images and videos. The library that can (decoder_library.h) is optional, so it is handed in.
 #pragma once
 

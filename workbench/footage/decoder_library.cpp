@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/footage/decoder_library.h"
 
 #include <algorithm>

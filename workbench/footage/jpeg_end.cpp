@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/footage/jpeg_end.h"
 
 namespace reorient {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Decoders fill what is missing of a JPEG with gray, without an error.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/footage/log_topics.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which topics of a log footage is made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/footage/mcap_log.h"
 
 #include <algorithm>

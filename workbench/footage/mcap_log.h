@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Logs of other robots in MCAP files, ROS 2 or Foxglove, as footage.
 #pragma once
 

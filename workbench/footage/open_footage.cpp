@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/footage/open_footage.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Footage from a disk, whatever it is: a folder of images, a video, a log.
 #pragma once
 

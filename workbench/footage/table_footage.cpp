@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/footage/table_footage.h"
 
 #include <utility>

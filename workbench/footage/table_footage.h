@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Footage of a table (robots/footage/frames_table.h) and of the images that belong to its rows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/footage/wall_fit.h"
 
 #include <algorithm>

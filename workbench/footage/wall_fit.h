@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The virtual wall that suits a room which is no hall: as far away as what the images show, as high as they reach.
 #pragma once
 

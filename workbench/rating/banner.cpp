@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/rating/banner.h"
 
 #include <algorithm>

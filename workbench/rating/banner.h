@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A colored banner that is hung on the wall of a room, as its model would be if it were learned again.
 #pragma once
 

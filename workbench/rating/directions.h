@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The directions of a room: in words, and how much a look in each of them shows of the pose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/rating/put_down.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot that is placed on the field, with a right or a mirrored belief, and sees a room of which only the model is
 // known: how long until it flips its belief? Scripts, arbiter, evidence and choice of views are the real ones. Only the
 // images are left out: the histograms of the tiles are drawn from the model.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/rating/room_rating.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a model of a room promises: will a robot that is placed with a mirrored belief be corrected, how soon, by looks
 // in which directions, and what would help?
 #pragma once

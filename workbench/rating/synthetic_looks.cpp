@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/rating/synthetic_looks.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a camera would see of a room of which only the model is known.
 #pragma once
 

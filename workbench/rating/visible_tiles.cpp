@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/rating/visible_tiles.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which tiles of the wall a robot sees that stands at one place and turns its head.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/comparison.h"
 
 #include <algorithm>

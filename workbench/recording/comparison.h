@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame that is made again does otherwise than the recording says, in words.
 #pragma once
 

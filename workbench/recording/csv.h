@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A recording as tables, for spreadsheets and plots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/frame_entry.h"
 
 #include <algorithm>

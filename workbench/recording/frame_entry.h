@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a recording holds of one frame so that it can be made again exactly, and what came of it to compare with.
 #pragma once
 

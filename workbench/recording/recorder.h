@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Records a run: whatever decides its frames, so that they can be made again, and what came of them. The frame waits
 // for nothing: it fills a place in a bounded queue, and a thread of the recorder's own packs, writes and flushes.
 #pragma once

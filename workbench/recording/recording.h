@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A recording, to be read: its frames in order, from any time on. What is damaged is left out, and told.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/recording_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The file that a recorder writes: on the disk within half a second, and readable up to there whatever happens.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The frames of a recording, made again: each stretch of them by an engine of its own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Recordings made of recordings.
 #pragma once
 

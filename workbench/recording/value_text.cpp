@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/value_text.h"
 
 #include "engine/parameters/parameter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers and values of the world in words.
 #pragma once
 

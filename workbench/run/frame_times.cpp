@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/run/frame_times.h"
 
 #include <algorithm>

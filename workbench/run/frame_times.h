@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How long frames take in wall-clock time. Nothing of it enters a decision or the digest.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/run/log_lines.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame logs, in words: lines and notes of scripts and people, faults, edits, words to the team.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Who watches a run. Observers read records; none can change a frame.
 #pragma once
 

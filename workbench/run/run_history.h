@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What happened in a run, for the pictures: curves, the intervals in which something held, the first reorientations. It
 // takes a bounded memory: curves are thinned as they grow old, intervals that are near each other become one.
 #pragma once

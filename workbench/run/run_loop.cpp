@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/run/run_loop.h"
 
 #include <thread>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one loop around the engine: robot, inputs, step, scenario, observers, pace, stop.
 #pragma once
 

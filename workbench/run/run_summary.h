@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a run ended, against the truth: an observer that remembers a few numbers, however long the run is.
 #pragma once
 

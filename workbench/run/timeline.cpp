@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/run/timeline.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The events of a run in words: commands, pauses, changes of state and notes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/scenario/scenario_host.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scenario, run between frames: it reads what the last frame recorded and where the robot really is, and what it does
 // goes to the person beside the field or into the next frame's inputs. Behaviours never meet it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/scenario/scenario_language.h"
 
 #include <array>

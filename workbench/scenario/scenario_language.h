@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What scenarios can see and do: everything that behaviours see, the truth, and what a person beside the field can do.
 #pragma once
 

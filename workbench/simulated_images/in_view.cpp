@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/simulated_images/in_view.h"
 
 #include <algorithm>

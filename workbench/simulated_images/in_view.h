@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What of the field is in view of the simulated camera, by the simulator's own labels: what the field vision is
 // measured against.
 #pragma once

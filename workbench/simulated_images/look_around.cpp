@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/simulated_images/look_around.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A simulated robot looks about from many places of the field: the images on which the field vision is measured.
 #pragma once
 

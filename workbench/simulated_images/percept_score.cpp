@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/simulated_images/percept_score.h"
 
 #include <algorithm>

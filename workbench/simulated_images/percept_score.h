@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How well the field vision finds what is in view: counts and errors of each kind of percept, by distance.
 #pragma once
 

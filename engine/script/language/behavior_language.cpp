@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/language/behavior_language.h"
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What behaviours can do: the functions behind command, head, walk, motion and team. What they can see: world_fields.h.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/language/behavior_view.h"
 
 #include "engine/parameters/nearest_name.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `behaviors.orientation.state` and `published.pose_is_searched`: how scripts see each other's machines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The words with which a script declares itself: param, keep, state, behavior, scenario.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/language/kept_value.h"
 
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A script's `keep` memory outside of Lua: plain values, so that it survives a reload.
 #pragma once
 

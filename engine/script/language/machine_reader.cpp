@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/language/machine_reader.h"
 
 #include <algorithm>

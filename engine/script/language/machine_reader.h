@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the tables of a `behavior` or `scenario` to a MachineDefinition.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every script can do, whatever its kind: write into the log, ask how long its state has lasted. Behaviours and
 // scenarios add their own (behavior_language.h; the workbench's scenario_language.h).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/language/script_language.h"
 
 #include <map>

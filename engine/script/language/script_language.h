@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one kind of script can see, say and do, declared once: the bindings, the reference page, the checks and the
 // editor annotations are all made from it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/language/world_fields.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/language/world_tables.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The world in one script's Lua: read-only tables that are refreshed each frame and refuse names that do not exist.
 #pragma once
 

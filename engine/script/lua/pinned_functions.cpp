@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mathematics of Lua's `math` and `^`: CMakeLists.txt beside this file renames what the Lua library asks of the C
 // library.
 #include "geometry/pinned_math.h"

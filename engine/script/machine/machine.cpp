@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/machine/machine.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A running state machine. What is here survives a reload of the script that declared it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/machine/machine_definition.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A state machine as data: what a script declared, before anything runs.
 #pragma once
 

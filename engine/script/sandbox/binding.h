@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The thin typed layer between C++ and Lua: a member function becomes a Lua function that checks its arguments.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/sandbox/metatables.h"
 
 #include <algorithm>

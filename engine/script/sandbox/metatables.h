@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How many metatables a script may hold. Lua follows __index, __newindex and __call from table to table within one
 // instruction, where nothing counts; each link of such a chain has a metatable of its own, so few of them make short
 // chains. (Lua itself ends a circle of __index, and the sandbox one of __call: it fills the stack.)

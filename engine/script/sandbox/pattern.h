@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lua's string patterns with a price: every step of a search is paid for, so that no pattern can run away.
 // (Lua's own matcher is a C function, which an instruction hook cannot interrupt.)
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/sandbox/safe_library.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parts of Lua's standard library that a script may have, with what could run away or escape replaced.
 #pragma once
 

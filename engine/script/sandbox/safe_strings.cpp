@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // string.find, match, gmatch, gsub, rep and format for scripts: with the price of pattern.h, and with a longest result.
 #include <algorithm>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/sandbox/sandbox.h"
 
 #include <algorithm>

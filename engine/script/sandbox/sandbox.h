@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One script's own Lua: no way out, a budget of instructions, a memory cap, and string functions that cannot run away.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one script may use. Nothing here depends on the clock: a script behaves the same on a slow machine.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/source/lua_tokens.h"
 
 #include <algorithm>

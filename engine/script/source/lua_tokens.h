@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The text of a Lua script as tokens, for whoever must know where something stands: Lua itself reports lines, no
 // columns.
 #pragma once

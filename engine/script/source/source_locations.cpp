@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "engine/script/source/source_locations.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the declarations of a script stand in its text. Lua does not say where a table was written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The upper border of the carpet in the image.
 #pragma once
 

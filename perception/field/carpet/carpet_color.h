@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The color of the carpet, learned from the images themselves, whatever it is: its chroma in each part of the image,
 // since a lens makes the corners darker and of another tint.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/carpet/carpet_map.h"
 
 #include <algorithm>

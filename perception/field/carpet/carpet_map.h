@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A coarse grid over the image that tells carpet from everything else.
 #pragma once
 

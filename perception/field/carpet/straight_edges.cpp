@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/carpet/straight_edges.h"
 
 #include <algorithm>

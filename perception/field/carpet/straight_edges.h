@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The straight edges of the carpet, on which most columns of the image agree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/landmarks/center_circle.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The center circle, from line points that lie on it, and the halfway line through its middle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where two lines meet, and how: the image itself says which of the four arms are there.
 #pragma once
 

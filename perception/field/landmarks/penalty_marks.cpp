@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/landmarks/penalty_marks.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Penalty marks: white spots as large as a mark, with carpet all around.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/lines/hiding.h"
 
 #include <cmath>

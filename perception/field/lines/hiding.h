@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What of the ground is hidden by what stands on it.
 #pragma once
 

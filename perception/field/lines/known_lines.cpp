@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/lines/known_lines.h"
 
 #include <cmath>

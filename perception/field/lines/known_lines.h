@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the lines of an image lie on the ground, in one value: what stands on a line or before it must not be mixed up
 // with it.
 #pragma once

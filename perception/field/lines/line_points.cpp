@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/lines/line_points.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points on the field's lines: where a scan line crosses a white stripe on the carpet that is as wide as a line is.
 #pragma once
 

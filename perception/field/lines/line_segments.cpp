@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/lines/line_segments.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Straight pieces of line, from the line points that lie on them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/lines/scan_line.h"
 
 #include <algorithm>

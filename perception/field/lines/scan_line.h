@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bright stretches along a line of luma values: the common ground of field lines and goal posts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ball: something round and as large as a ball at its distance, with carpet around.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/upright/goal_posts.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Goal posts: upright, bright (or yellow) and as thick and tall as a post must be where its foot stands on the carpet.
 #pragma once
 

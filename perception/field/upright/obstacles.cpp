@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/upright/obstacles.h"
 
 #include <algorithm>

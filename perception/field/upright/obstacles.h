@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What stands on the carpet and is neither line nor post: robots, people.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Counting the colours of a block of pixels: the one loop of room awareness that goes through the image. It exists in
 // three versions with the same results (perception/room/instructions.h).
 #pragma once

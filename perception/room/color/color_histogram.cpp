@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/color/color_histogram.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The paper's colour histogram (Section 3.2, Fig. 3): black, white, and 3 slices of luma x 4 quadrants of chroma.
 #pragma once
 

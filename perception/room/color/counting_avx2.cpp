@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compiled for AVX2, whatever the rest is compiled for (../CMakeLists.txt).
 #include "perception/room/color/counting_kernels.h"
 

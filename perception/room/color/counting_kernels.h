@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The versions of color_counting.h that need more than every processor has. Each is a source that is compiled for its
 // instructions. To keep code of a newer processor out of everything else, such a source calls no inline function that
 // another source may call, too: the linker keeps just one copy of it.

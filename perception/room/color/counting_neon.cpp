@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every 64-bit ARM processor has NEON.
 #include "perception/room/color/counting_kernels.h"
 

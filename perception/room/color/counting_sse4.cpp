@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compiled for SSE4.2, whatever the rest is compiled for (../CMakeLists.txt).
 #include "perception/room/color/counting_kernels.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How different two colour histograms are (the paper's Section 3.4). Hellinger, Jensen-Shannon and chi-square tell
 // poses apart best under changed light; the sum of squares over three bins is the paper's own.
 #pragma once

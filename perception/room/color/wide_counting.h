@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The counting of colours many pixels at a time, for registers of any width. Included by the sources of
 // counting_kernels.h alone, each of which brings its Lanes: a register and what can be done with it. Nothing here has a
 // name outside of the source that includes it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How strongly the room speaks for the reflection of the believed pose against that pose itself, as log-odds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which way to turn the camera: where the wall tells most about which pose is right, and where least is known of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/evidence/pose_lights.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The light of the room as it would have to be if the believed pose were right, and if its reflection were: each of the
 // two is judged in the light that suits it best, so that a change of the light speaks for neither.
 #pragma once

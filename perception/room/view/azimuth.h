@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Azimuths of the wall: multiples of 2^-51 rad, the spacing of numbers near pi, so that half a turn is exact and done
 // twice is the identity.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/view/confidences.h"
 
 #include <algorithm>

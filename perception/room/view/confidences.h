@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Confidences (the paper's Section 3.4): how far the belief of the view supports the believed pose and its reflection.
 #pragma once
 

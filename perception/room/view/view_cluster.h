@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where on the wall the belief of the view filter gathers.
 #pragma once
 

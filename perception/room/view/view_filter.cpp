@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/view/view_filter.h"
 
 #include <algorithm>

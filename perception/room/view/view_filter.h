@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The view filter (the paper's Section 3.4): a belief of where on the wall the camera looks, by particles as in the
 // paper or on a grid.
 #pragma once

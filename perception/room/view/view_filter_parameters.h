@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the view filter is, and how it is tuned.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The view filter on a grid (Markov localization over the azimuth; Fox, Burgard and Thrun, 1999): cells all around the
 // wall, each with its share of the belief.
 #pragma once

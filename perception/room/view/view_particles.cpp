@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/view/view_particles.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The view filter as in the paper (Section 3.4): particles that are hypotheses of where on the wall the camera looks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/view/viewpoint_scores.h"
 
 #include <algorithm>

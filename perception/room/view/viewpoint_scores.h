@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How well each viewpoint on the wall would explain what is perceived (the paper's Section 3.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The room's light as the camera shows it, so that thresholds can follow exposure and white balance instead of
 // losing the model with them.
 #pragma once

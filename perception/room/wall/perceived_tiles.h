@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tiles of the wall that one frame shows, and their colour histograms (the paper's Section 3.2).
 #pragma once
 

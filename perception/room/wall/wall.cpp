@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/wall/wall.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The virtual wall around the field: a cylinder of tiles (the paper's Section 3.2). Field frame.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where rays meet the wall, in single precision and with bounds of the error: a floating-point filter. What it is sure
 // of is what exact computation finds, at a tenth of the time; for the rest there is Wall::meet. It exists in versions
 // for several processors, and for any other one nothing is sure.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sketch of a band's rays many at a time, for registers of any width. Included by the sources of
 // sketching_kernels.h alone, each of which brings its Lanes: a register of numbers and what can be done with it.
 // Nothing here has a name outside of the source that includes it.

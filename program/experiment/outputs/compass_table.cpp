@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/outputs/compass_table.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How well room awareness and its peers tell a pose from its reflection: a row for each, for a person and for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tables of a Markdown page that are made from stored results, so that no figure on it can drift.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/outputs/pose_table.h"
 
 #include <algorithm>

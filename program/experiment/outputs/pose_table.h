@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How exact the belief was: a row for each cell, for a person and for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // --report: a page for people, and all trials as files beside it.
 #pragma once
 

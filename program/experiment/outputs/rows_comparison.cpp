@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/outputs/rows_comparison.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What changed between two tables of experiments, in pairs of equal seeds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What --json of an experiment wrote, read back.
 #pragma once
 

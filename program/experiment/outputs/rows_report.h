@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What an experiment showed: a row for each cell, for a person and for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/outputs/text_table.h"
 
 #include <algorithm>

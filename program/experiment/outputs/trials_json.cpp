@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/experiment/outputs/trials_json.h"
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All that was measured of each trial, for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/companion/run_companion.h"
 
 #include <memory>

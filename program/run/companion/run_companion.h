@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient run --robot companion`: the engine beside a team's own program, for as long as nobody ends it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/companion/state_file.h"
 
 #include <chrono>

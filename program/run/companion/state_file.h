@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a companion knew, in a file: the next process goes on from it, as if it had only been slow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person can ask for at the prompt of a run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All commands of the prompt in one table, which dispatch, help and completion read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/history_file.h"
 
 #include <algorithm>

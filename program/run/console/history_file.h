@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What was typed in earlier runs.
 #pragma once
 

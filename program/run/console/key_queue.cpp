@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/key_queue.h"
 
 #include "engine/parameters/utf8.h"

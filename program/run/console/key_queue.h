@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a terminal sends, key by key.
 #pragma once
 

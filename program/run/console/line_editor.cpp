@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/line_editor.h"
 
 #include <algorithm>

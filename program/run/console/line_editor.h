@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A line that is edited at a terminal while the run goes on: libedit, fed key by key.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/line_reader.h"
 
 #include <array>

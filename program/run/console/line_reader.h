@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines from a pipe, a file, or a terminal that edits them itself.
 #pragma once
 

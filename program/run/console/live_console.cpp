@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/live_console.h"
 
 #include <ostream>

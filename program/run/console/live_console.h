@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The prompt of a run: commands that a person types, or a program writes, while the robot goes on.
 #pragma once
 

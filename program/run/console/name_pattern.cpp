@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/name_pattern.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names as a person picks them out of many.
 #pragma once
 

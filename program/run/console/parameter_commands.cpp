@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/parameter_commands.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parameters at the prompt: set, taken back, listed, compared with their defaults, saved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/script_commands.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Behaviours and the scenario at the prompt: how they stand, why they stand there, and a reload.
 #pragma once
 

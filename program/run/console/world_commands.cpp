@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/console/world_commands.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The world as behaviours see it, at the prompt: looked at once, or watched.
 #pragma once
 

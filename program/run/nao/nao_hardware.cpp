@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/nao/nao_hardware.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a NAO is in this process: the guard's memory, two cameras, the referee's port, the clock that they share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "program/run/nao/run_nao.h"
 
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient run --robot nao`: the engine alone on a NAO, for as long as nobody ends it.
 #pragma once
 

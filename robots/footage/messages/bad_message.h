@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The errors of the decoders: one line with the byte, the value, what was expected and what was found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/messages/base64.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text as bytes (RFC 4648).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/messages/cdr.h"
 
 #include <algorithm>

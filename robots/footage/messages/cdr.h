@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads the Common Data Representation (OMG DDS-RTPS 10, CDR version 1) in which ROS 2 serializes messages: values are
 // aligned to their size, counted from the end of the 4-byte encapsulation header, which names the byte order.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/messages/foxglove_json.h"
 
 #include <limits>

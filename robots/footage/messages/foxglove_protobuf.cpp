@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/messages/foxglove_protobuf.h"
 
 #include "robots/footage/messages/bad_message.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/messages/message_types.h"
 
 #include <algorithm>

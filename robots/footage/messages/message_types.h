@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The message types that footage can be read from, and what each is good for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The messages of robot logs that footage is made of, as plain values. ROS 2 and Foxglove name them differently and
 // write them differently; the decoders beside this file map both to these structs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/messages/protobuf_reader.h"
 
 #include <bit>

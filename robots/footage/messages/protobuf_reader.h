@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads the wire format of Protocol Buffers field by field, within the bytes of one message.
 #pragma once
 

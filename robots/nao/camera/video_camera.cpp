@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/nao/camera/video_camera.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One of a NAO's cameras through V4L2: opened, set up, read and, where it fails, begun anew, without ever waiting for
 // it: what may take long is an errand that somebody else runs. Numbers and their order: what RoboCup teams published of
 // this camera (OV5640 behind a USB bridge), B-Human and HULKs above all.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The doors to a video device of Linux, so that a test can stand behind them.
 #pragma once
 

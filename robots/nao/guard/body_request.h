@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the engine and a walk ask of the guard, and what the guard tells them. Plain values in shared memory: each side
 // takes from the others only what makes sense.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/nao/guard/guard.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Holds the body of a NAO, cycle by cycle: does what the engine asks as far as it is safe, and sits down where nobody
 // asks any more. No clock, no socket: measurements, requests and the time come in, commands go out.
 #pragma once

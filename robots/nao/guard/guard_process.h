@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The guard as a process: connects to LoLA again and again, and answers each of its packets at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // reorient-nao-guard: alone holds the body of a NAO, and goes on where the engine ends.
 #include <charconv>
 #include <cstdio>

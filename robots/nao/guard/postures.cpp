@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/nao/guard/postures.h"
 
 #include <algorithm>

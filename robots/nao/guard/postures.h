@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The postures that a NAO is safe in, and smooth ways from one to the other. Angles of sitting and of the arms on the
 // way: Nao Devils 2024; standing is ours: knees hardly bent, the torso upright over the soles.
 #pragma once

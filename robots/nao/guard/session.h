@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One connection with LoLA as bytes: what it sent goes in, what it is to be sent comes out. Neither clock nor socket.
 #pragma once
 

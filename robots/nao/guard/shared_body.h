@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The memory that guard, engine and perhaps a walk share: the last 64 measurements on the one hand, the newest request
 // and the walk's joints on the other. Each value has one writer.
 #pragma once

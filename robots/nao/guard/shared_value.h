@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A value in memory that two processes share: one writes, the other reads the newest whole one, and neither ever waits
 // for the other, nor trusts it to be alive.
 #pragma once

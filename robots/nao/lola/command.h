@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a NAO is told in one cycle of LoLA.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/nao/lola/command_packet.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A command as LoLA's packet of eleven keys.
 #pragma once
 

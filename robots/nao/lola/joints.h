@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The 25 joints of a NAO in LoLA's order, and what its motors and its shell allow. Numbers: data sheet of the NAO v6
 // (joints, motors), B-Human 2024 and nao_lola for the order.
 #pragma once

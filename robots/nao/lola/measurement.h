@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a NAO's body says in one cycle of LoLA.
 #pragma once
 

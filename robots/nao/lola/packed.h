@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // MessagePack, as much of it as LoLA speaks, without a heap: read in place, written into a buffer. What is read may be
 // anything; nothing here looks beyond the bytes that it was given, and no number is believed before it was compared
 // with them.

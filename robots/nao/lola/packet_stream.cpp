@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/nao/lola/packet_stream.h"
 
 #include <algorithm>

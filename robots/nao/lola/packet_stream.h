@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whole packets out of a stream of bytes: a packet may come in pieces, and several may come at once.
 #pragma once
 

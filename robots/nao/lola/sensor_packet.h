@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One packet of LoLA's as a measurement. Keys come in any order; unknown ones are left out; numbers may be of any kind.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/agents/players.h"
 
 #include <algorithm>

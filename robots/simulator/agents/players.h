@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The other robots on the field: they stroll from place to place, go round nobody, and wait where the way is barred.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The people around the field. They shift their weight, a few stroll up and down, and all of them are in the way of the
 // walls behind them, as at a tournament. In a room that looks the same after half a turn they do, too.
 #pragma once

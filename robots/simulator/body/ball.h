@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ball: pushed by feet, slowed down by the carpet.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a robot cannot walk through.
 #pragma once
 

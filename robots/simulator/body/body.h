@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The simulated robot's body: a kinematic walk with limits, a head with limits, a torso that sways, and what its
 // sensors make of all that. It can fall, get up, and be carried about.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much of a pixel something covers, along one axis.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/render/framebuffer.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the renderer fills in, pixel by pixel, before the sensor sees it.
 #pragma once
 

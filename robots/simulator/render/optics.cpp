@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/render/optics.h"
 
 #include <algorithm>

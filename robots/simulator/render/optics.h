@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the lens and the time of exposure do to the light before the sensor's pixels see it: both blur it. Angles count,
 // so that images of all sizes are as sharp as each other.
 #pragma once

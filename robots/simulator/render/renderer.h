@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From a camera pose and a scene to linear light, depth and labels: no GL, one ray a pixel from a table.
 #pragma once
 

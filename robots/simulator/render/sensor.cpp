@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/render/sensor.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera's sensor: from light to the bytes that a NAO delivers. Blur, vignetting, exposure, white balance, a tone
 // curve, noise, and an automatic exposure that follows the picture slowly.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The surfaces that fill the picture: carpet with its lines, floor, walls and ceiling of the room.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loops over pixels, compiled twice: for every processor, and for those that take eight numbers at a time. Each number
 // has the same bits from both, since products and sums are never fused and nothing is summed up across lanes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What stands between the field and the walls: cabinets, pillars and partitions. It hides what is behind it, and from
 // another place it hides something else (occlusion and parallax).
 #pragma once

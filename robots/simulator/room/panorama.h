@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Equirectangular panoramas from files: azimuth across, elevation down, twice as wide as high.
 #pragma once
 

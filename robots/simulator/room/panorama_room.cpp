@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A room from a panorama: every point of wall, ceiling and floor takes the light that the panorama shows in its
 // direction from the viewpoint. The projection is exact for walls where the panorama was taken in such a room, and
 // believable elsewhere.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The default room: a sports hall on a tournament day. Each of its four walls has a theme of its own (a stand full of
 // people, windows, a stage, a wooden sports wall); the seed deals the themes, the colours and everything in detail.
 #include <array>

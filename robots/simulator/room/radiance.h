@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Radiance's picture format (.hdr, .pic): red, green and blue with a common exponent, run-length coded or flat.
 // Source: Greg Ward, "Real Pixels", Graphics Gems II (1991), and the format description of the Radiance package.
 #pragma once

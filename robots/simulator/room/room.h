@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The room around the field: a box or a cylinder of finite size with a picture on its walls, ceiling and floor.
 // Finite, because a robot that walks sees near walls shift against far ones.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is painted on a room's surfaces before it becomes textures. Here a room is made symmetric and its colors fade.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/room/texture.h"
 
 #include <algorithm>

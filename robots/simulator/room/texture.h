@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Surfaces as the renderer reads them: linear light, measured in metres, with ever coarser copies for the distance.
 #pragma once
 

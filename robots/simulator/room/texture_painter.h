@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture that is painted in metres, with soft edges, bottom left first. Linear light.
 #pragma once
 

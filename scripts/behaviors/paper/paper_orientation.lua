@@ -2,6 +2,8 @@
 --- orientation is reset after a fall. There is no question whether the room can tell its two ends apart, nor whether
 --- enough of it is known. Goes with `--params paper`, where every command starts the confidences from zero.
 
+-- SPDX-License-Identifier: MIT
+
 local p = param {
   lead     = { 0.3, range = { 0, 1 },              doc = "how far a confidence must be ahead of the other to win" },
   min_time = { 3.0, range = { 0, 30 }, unit = "s", doc = "how long to wait after a command, until its effect shows" },

@@ -2,6 +2,8 @@
 --- stops the evaluation and turns round once to learn it; from then on the room is trained online in every frame. Only a
 --- fall, a lift or a penalty interrupts it. A wrong belief is learned as well: that is the paper's 15 % of failures.
 
+-- SPDX-License-Identifier: MIT
+
 local walking = require "lib.walk"
 
 local p = param {

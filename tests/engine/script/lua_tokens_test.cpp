@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the words of a script stand.
 #include "engine/script/source/lua_tokens.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The string functions of scripts against Lua's own.
 #include "engine/script/sandbox/pattern.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What takes time is paid for in instructions, also where no instruction is executed: a budget of instructions is only
 // worth as much as the most expensive thing that it does not count.
 #include <sys/resource.h>

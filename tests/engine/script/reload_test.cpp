@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What survives a reload, and what becomes of a broken one.
 #include "tests/engine/script/script_fixture.h"
 

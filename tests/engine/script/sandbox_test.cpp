@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hostile scripts: each stops itself alone, within its budget.
 #include <array>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Behaviours that run frame by frame, from texts in memory, with what they did in words.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Transitions, dwell and nesting, frame by frame.
 #include <array>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which color the carpet has, and where it ends.
 #include <array>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/field/field_features.h"
 
 #include <cmath>

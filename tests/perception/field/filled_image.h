@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Images and parts of images of one color.
 #pragma once
 

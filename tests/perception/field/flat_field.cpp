@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/perception/field/flat_field.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small renderer for tests: the flat field with its lines and upright posts, seen by a camera without noise or blur.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one image shows, as a value.
 #pragma once
 

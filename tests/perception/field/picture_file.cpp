@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/perception/field/picture_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Picture files for tests: PNG in and out, and a raw YUYV dump. For tests alone: they throw on any trouble.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Images of real NAOs on real fields (SOURCES.md beside them). Where the cameras were was not recorded: the pitch of
 // each was estimated from what is in the image (the centre circle's size, a goal's height, a robot's height).
 #include <cmath>

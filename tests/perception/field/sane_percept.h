@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What holds for every percept, whatever the image shows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How good the field features are in the simulator's images, with its blur, noise, vignetting, people and other robots.
 // The camera's place is the true one, so that what is measured is the vision and not the inertial unit.
 #include <string>

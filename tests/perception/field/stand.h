@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A robot that stands on the flat field of the tests, and what the field vision sees from there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How many line points a wide lens gives for each meter of line that it sees, compared with a pinhole of the usual
 // field of view on the same body. The camera's place is the true one, so that what is measured is the vision and the
 // lens.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/background_model.h"
 
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/evidence/evidence.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Half-time: the axes turn, and what is known of the room turns with them.
 #include <cmath>
 #include <cstddef>

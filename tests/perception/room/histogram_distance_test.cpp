@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/color/histogram_distance.h"
 
 #include <cmath>

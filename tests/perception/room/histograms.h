@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Histograms for tests.
 #pragma once
 

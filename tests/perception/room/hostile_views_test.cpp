@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Views that no healthy robot delivers, in any order: nothing may crash, no confidence may leave its range.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/evidence/informative_views.h"
 
 #include <cmath>

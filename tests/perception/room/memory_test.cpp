@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Counts allocations: a frame of room awareness makes none once it has seen a few.
 #include <cmath>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two models: of one room on two days, of two halves of it, of two rooms, and one of them turned by half a turn.
 #include "perception/room/model_comparison.h"
 

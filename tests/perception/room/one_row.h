@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small wall that is known.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/perception/room/painted_room.h"
 
 #include <algorithm>

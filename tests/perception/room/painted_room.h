@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A round hall with painted panels, and a robot in it that scans with its head: the closed loop for tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/wall/perceived_tiles.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "perception/room/room_awareness.h"
 
 #include <cmath>

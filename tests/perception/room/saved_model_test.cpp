@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What was learned of a room yesterday: bytes and back, bytes that are none, and a robot that wakes up with it.
 #include "perception/room/saved_model.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Models of rooms that nobody has seen, and their bytes as a bad disk, a bad cable or a bad person leaves them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether the room looks the same after half a turn.
 #include "perception/room/separability.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests in which the program decodes images of others.
 #pragma once
 

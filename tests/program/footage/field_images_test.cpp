@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient experiment field_images` as its user meets it.
 #include <filesystem>
 #include <fstream>

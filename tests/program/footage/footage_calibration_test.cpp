@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient calibrate --footage` as its user meets it: on images of the simulator whose recorded camera poses are wrong
 // by a known offset, and on real footage.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient run --robot footage` and `experiment footage` as their user meets them, on images of the simulator that lie
 // in a folder as somebody else's would.
 #include <algorithm>

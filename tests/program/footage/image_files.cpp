@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/program/footage/image_files.h"
 
 #ifdef REORIENT_FOOTAGE_IMAGES

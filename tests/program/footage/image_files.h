@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Images as files of other kinds, for tests. Built only where OpenCV's imgcodecs and videoio are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `reorient look` as its user meets it, on images of the simulator that lie in a folder as somebody else's would.
 #include <cmath>
 #include <cstdlib>

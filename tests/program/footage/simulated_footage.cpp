@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/program/footage/simulated_footage.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Footage as somebody else would have recorded it, made with the simulator: PNG images and a table.
 #pragma once
 

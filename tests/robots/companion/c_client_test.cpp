@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The client of the header that teams copy, beside a companion in the same process.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/companion/companion.h"
 
 #include <algorithm>

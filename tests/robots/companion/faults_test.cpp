@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Clients that break, in simulated time: whatever one does, nobody hangs, nothing crashes, and the next one is served.
 #include <cmath>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The page says byte for byte what the header says: its tables are made from the header's text.
 #include <cstdlib>
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/robots/companion/raw_client.h"
 
 #include <cstring>

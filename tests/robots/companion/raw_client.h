@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A client of the companion that can say anything, and two kinds of nonsense in one breath.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The robot behind a footage: what it observes, what it believes, and what becomes of that when the engine decides.
 #include "robots/footage/footage_robot.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A table of a footage: what is read, and that everything else is refused in one line which says where.
 #include "robots/footage/frames_table.h"
 

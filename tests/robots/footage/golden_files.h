@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The messages in tests/robots/footage/golden.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Messages as the libraries of others write them (write_golden_messages.mjs), decoded.
 #include <string>
 

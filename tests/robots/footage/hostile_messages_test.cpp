@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Damaged and invented messages: BadFootage with one line, or a message that is not larger than its bytes.
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/log_frames.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/robots/footage/ros_messages.h"
 
 #include <algorithm>

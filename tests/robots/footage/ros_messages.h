@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes messages as ROS 2 does, in CDR, little- or big-endian. What the structs do not store is written as 0 or
 // identity.
 #pragma once

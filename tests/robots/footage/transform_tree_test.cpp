@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/footage/transform_tree.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // write_golden_messages.mjs FOLDER: writes one message of each type that robots/footage/messages/ decodes, as the libraries of
 // others serialize it: NAME.cdr (ROS 2), NAME.pb (Foxglove, Protocol Buffers) and NAME.json (Foxglove, JSON). The values are
 // those that golden_messages_test.cpp expects. Also logs of ROS 2 by the MCAP project's own writer: NAME.mcap, for

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that can go wrong between robot, guard and engine, in simulated time: no joint is ever told to go faster
 // than it can, each whole packet is answered, and in the end the robot is in a safe posture.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the guard does with the body, in simulated time.
 #include "robots/nao/guard/guard.h"
 

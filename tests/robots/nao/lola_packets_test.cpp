@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // LoLA's packets: the sizes are those of a robot.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A NAO of which everything is a twin, in simulated time.
 #include "robots/nao/nao.h"
 

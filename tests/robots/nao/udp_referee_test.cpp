@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Datagrams of several GameControllers in one network, over the loopback's addresses.
 #include "robots/nao/udp_referee.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame of the simulator allocates nothing once all its people, robots and pictures have their memory, whatever the
 // light and the lens do.
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What goes wrong on a real robot between the field and the program: images that never arrive, answers that come late,
 // a camera that was bent, lines that were worn away.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/render/scene/field_lines.h"
 
 #include <cmath>

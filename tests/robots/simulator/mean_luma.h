@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How bright an image is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The hall that tests share, since painting one takes longer than most of them.
 #pragma once
 

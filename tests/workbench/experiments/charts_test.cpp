@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parts of which pictures and pages are made.
 #include <cmath>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the peers are built from: the horizon in an image, colour classes, features of a row of brightness, a dome of
 // triangles.
 #include <algorithm>

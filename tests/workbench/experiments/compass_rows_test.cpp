@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What many trials say of each compass: pooled rows, areas, equal errors.
 #include "workbench/experiments/tables/compass_rows.h"
 

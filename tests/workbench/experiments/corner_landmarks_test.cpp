@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Corner landmarks: corners of drawn images, their descriptors, the map of them, and when the pose is flipped.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Experiments as files: what is read, what is refused and how.
 #include "workbench/experiments/condition/experiment_file.h"
 

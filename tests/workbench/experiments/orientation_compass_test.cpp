@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every compass, asked the same: in a painted hall, by a robot that scans with its head.
 #include <cmath>
 #include <limits>

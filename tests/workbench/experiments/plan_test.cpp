@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An experiment as a list of trials.
 #include "workbench/experiments/plan/plan.h"
 

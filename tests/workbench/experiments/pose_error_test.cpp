@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How exactly the belief of a trial is compared with the truth, and what a row makes of it.
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The page and the table of trials, from results made up.
 #include <algorithm>
 #include <set>

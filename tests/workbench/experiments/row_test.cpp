@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A cell's trials in numbers.
 #include "workbench/experiments/tables/row.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Against what was published.
 #include <cmath>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is measured of a trial.
 #include "workbench/experiments/trial/trial_observer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Labels of images of real fields, the images recolored, and the score of the field vision on them.
 #include <stdexcept>
 #include <string>

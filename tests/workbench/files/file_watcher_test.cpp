@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Changed files are noticed, in place or by renaming, without sleeping.
 #include "workbench/files/file_watcher.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a name on the command line stands for.
 #include "workbench/files/home.h"
 

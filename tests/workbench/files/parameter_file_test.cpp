@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/files/parameter_file.h"
 
 #include <cmath>

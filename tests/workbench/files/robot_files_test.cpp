@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What belongs to one robot: where its players stand, how its cameras are mounted.
 #include <string>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From files on a disk to texts and edits.
 #include "workbench/files/script_files.h"
 

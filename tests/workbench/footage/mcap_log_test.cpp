@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Logs in MCAP files, written for the test and read back as footage.
 #include "workbench/footage/mcap_log.h"
 

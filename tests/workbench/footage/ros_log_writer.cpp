@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/workbench/footage/ros_log_writer.h"
 
 #include <cmath>

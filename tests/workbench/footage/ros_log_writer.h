@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes frames of footage as a log of ROS 2 in MCAP, as rosbag2 would record it: for tests that feed what they know,
 // for example frames of the simulator, through the reader of logs.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The wall that is found in images of a round room of a known size.
 #include "workbench/footage/wall_fit.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/pictures/parts/histogram_bars.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures need records and nothing else: another process draws the same ones from a file.
 #include <cstdint>
 #include <cstdlib>

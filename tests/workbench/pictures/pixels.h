@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What tests ask of a picture's pixels.
 #pragma once
 

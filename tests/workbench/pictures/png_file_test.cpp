@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/pictures/canvas/png_file.h"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/pictures/rating_view.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ratings of models of rooms, which are drawn at random.
 #include <cmath>
 #include <numeric>

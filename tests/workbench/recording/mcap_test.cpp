@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files of MCAP: what is written is read, and what is damaged is told with its place.
 #include <algorithm>
 #include <cstring>

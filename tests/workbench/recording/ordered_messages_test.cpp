@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // MCAP files as other programs write them: the container.
 #include "workbench/recording/mcap/ordered_messages.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes MCAP files record by record, also those that our own writer does not write.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run that is recorded is made again, bit by bit, from its file alone.
 #include <algorithm>
 #include <array>

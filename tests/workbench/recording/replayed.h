@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A recording, made again from its file alone.
 #pragma once
 

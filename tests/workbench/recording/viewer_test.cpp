@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What viewers get: each message fits its schema, and says what the frame's record says.
 #include <cmath>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How long frames took, in three numbers.
 #include "workbench/run/frame_times.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Poses at half-time: the experimenter's axes are the hall's, everybody else's are the team's.
 #include <optional>
 #include <vector>

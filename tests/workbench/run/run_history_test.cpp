@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is kept of a run, however long it is.
 #include "workbench/run/run_history.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The events of a run in words, of which a bounded number of commands is kept.
 #include "workbench/run/timeline.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What `reorient check` finds without running a script, and where.
 #include <algorithm>
 #include <string>

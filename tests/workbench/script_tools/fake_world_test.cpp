@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scripted test's fake world beside the engine, fed with the same inputs: the worlds that behaviors see are the same.
 #include "workbench/script_tools/testing/fake_world.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // State machines as text for Mermaid and Graphviz.
 #include <map>
 #include <set>

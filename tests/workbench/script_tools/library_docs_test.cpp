@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What libraries' doc comments say, as data, for the reference and for editors.
 #include "workbench/script_tools/reference/library_docs.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/workbench/script_tools/script_generator.h"
 
 #include <span>

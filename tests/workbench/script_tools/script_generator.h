@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Valid behaviours, drawn by dice.
 #pragma once
 

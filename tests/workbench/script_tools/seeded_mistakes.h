@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mistakes that people make in scripts, put into a text by dice.
 #pragma once
 

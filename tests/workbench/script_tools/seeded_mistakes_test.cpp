@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which share of the mistakes that people make in scripts the check finds. docs/evidence.md has the table of a
 // thousand.
 #include "tests/workbench/script_tools/seeded_mistakes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scripted tests of the shipped behaviours, and what the shipped files must look like.
 #include <algorithm>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signatures as the vocabulary writes them.
 #include "workbench/script_tools/reference/signature.h"
 

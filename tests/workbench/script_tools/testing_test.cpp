@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The runner of scripted tests: what it tells, what it counts, what it hands to CI.
 #include <algorithm>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the check finds in the text of a script, and where; and what it must not find.
 #include "workbench/script_tools/check/text_check.h"
 

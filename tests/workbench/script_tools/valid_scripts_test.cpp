@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The check is silent about scripts that are right: generated ones, the shipped ones, and the guide's.
 #include <algorithm>
 #include <cstdlib>

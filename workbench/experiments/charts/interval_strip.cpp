@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/charts/interval_strip.h"
 
 #include <algorithm>

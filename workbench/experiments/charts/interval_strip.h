@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A dot with its interval, as a strip that fits the row of a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/charts/markup.h"
 
 #include "engine/parameters/utf8.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // HTML and SVG that are well-formed XML, whatever names and titles people give.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers as people read them: the same text everywhere, whatever the locale.
 #pragma once
 

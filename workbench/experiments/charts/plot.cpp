@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/charts/plot.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/charts/scale.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From numbers to places on paper.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a trial is, all but its seed: plain data, so that an experiment is a file.
 #pragma once
 

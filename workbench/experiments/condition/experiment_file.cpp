@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/condition/experiment_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Experiments as TOML files; docs/experiments.md has the keys.
 #pragma once
 

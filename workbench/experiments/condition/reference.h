@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What others measured, to stand beside one's own rows.
 #pragma once
 

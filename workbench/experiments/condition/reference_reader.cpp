@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/condition/reference_reader.h"
 
 namespace reorient {

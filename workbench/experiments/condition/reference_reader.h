@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The [[reference]] tables of an experiment file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/peers/color_classes.h"
 
 #include <algorithm>

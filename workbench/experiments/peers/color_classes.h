@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A handful of colours that are typical of a room, found by k-means, and which of them a pixel is nearest to.
 #pragma once
 

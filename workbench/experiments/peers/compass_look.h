@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the compared methods said in one stretch of looking about: plain data.
 #pragma once
 

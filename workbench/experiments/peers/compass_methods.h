@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every method that is compared, made from its parameters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // When corner landmarks flip the believed pose. The constants are those that a team of RoboCup's humanoid league
 // published in 2026 (docs/peers.md).
 #pragma once

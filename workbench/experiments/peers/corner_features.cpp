@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/peers/corner_features.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Corners of a gray image: FAST-9 (Rosten and Drummond, "Machine learning for high-speed corner detection", ECCV 2006)
 // with non-maximum suppression, and a steered binary descriptor of 256 comparisons (BRIEF: Calonder et al., ECCV 2010;
 // steered by the intensity centroid: Rublee et al., "ORB", ICCV 2011). One scale, and integers only, so that one image

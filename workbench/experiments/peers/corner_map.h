@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Landmarks beyond the carpet: corners, each with a place that is assumed to lie at a fixed distance from where it was
 // first seen, because a single camera gives its bearing only.
 #pragma once

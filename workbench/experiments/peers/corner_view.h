@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one frame shows to corner landmarks: the corners above the horizon, and where a place of the room would appear.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tiles on a half icosahedron that covers the ceiling: the wall that the paper considered and left aside.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the image shows the horizon, and which part of the room stands there: what methods have in common that describe
 // the room by its azimuth alone. Field frame.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/peers/horizon_compass.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A compass on features of the horizon, after Anderson and Hengst, "Fast monocular visual compass for a computationally
 // limited robot" (RoboCup 2013), and their landmarks of 2012. docs/peers.md says what was known of them.
 #pragma once

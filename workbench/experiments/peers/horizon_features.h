@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Interest points of a row of brightness, and what is around each of them: SURF (Bay et al. 2006) in one dimension, as
 // Anderson, Yusmanthia, Hengst and Sowmya have it, "Robot localisation using natural landmarks" (RoboCup 2012).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What any method is asked that tells a pose from its reflection by the room: so that room awareness and what others
 // have proposed can be measured by the same images and the same question.
 #pragma once

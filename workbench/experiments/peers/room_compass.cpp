@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/peers/room_compass.h"
 
 namespace reorient {

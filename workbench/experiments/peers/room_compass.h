@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Room awareness, asked as its peers are.
 #pragma once
 

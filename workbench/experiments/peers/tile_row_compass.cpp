@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/peers/tile_row_compass.h"
 
 namespace reorient {

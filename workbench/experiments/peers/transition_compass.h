@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A static visual compass on transitions between colour classes, after Sturm and Visser, "An appearance-based visual
 // compass for mobile robots" (Robotics and Autonomous Systems 57, 2009). docs/peers.md says what was known of it.
 #pragma once

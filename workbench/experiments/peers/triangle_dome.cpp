@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/peers/triangle_dome.h"
 
 #include <algorithm>

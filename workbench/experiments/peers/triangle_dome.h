@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The other wall that the paper names (Section 3.3): a subdivided half icosahedron of triangles around the field, which
 // covers the ceiling. Field frame.
 #pragma once

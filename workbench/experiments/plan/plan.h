@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An experiment as a numbered list of trials, so that any part of it can be run anywhere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What figures have in common.
 #include "workbench/experiments/report/figures.h"
 

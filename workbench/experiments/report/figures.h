@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The figures of a report, each with what it shows, how it is read, and where it comes from.
 #pragma once
 

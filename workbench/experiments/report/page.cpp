@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/report/page.h"
 
 #include "workbench/experiments/report/figures.h"

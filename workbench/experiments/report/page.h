@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The report as one page for a browser: it needs no network, no script and no other file.
 #pragma once
 

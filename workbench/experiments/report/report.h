@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All that a report tells, as plain data: the page, its figures and its files are made from this and nothing else.
 #pragma once
 

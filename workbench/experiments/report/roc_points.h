@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An ROC curve as it is drawn.
 #pragma once
 

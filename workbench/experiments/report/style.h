@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a report looks: on a screen, light or dark, wide or narrow, and on paper.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tables of a report.
 #pragma once
 

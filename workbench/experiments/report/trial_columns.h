@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is told of each trial, in trials.csv and trials.json alike.
 #pragma once
 

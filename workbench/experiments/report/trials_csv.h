@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All trials as a table for spreadsheets.
 #pragma once
 

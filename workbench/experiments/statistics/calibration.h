@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Is somebody right as often as they say that they are?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Between which bounds a quantity lies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/statistics/paired_tests.h"
 
 #include <algorithm>

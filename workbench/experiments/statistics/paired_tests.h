@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether two ways differ that were tried on the same seeds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/statistics/rates.h"
 
 #include <algorithm>

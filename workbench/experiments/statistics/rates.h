@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How often something happens: of a number of trials, or in a span of time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How well a number tells one case from the other.
 #pragma once
 

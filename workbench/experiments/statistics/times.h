@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How long something takes, where some trials end before it has happened.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/tables/cell_results.h"
 
 #include <algorithm>

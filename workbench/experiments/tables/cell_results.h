@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A cell of an experiment once its trials are over.
 #pragma once
 

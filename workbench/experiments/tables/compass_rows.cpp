@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/tables/compass_rows.h"
 
 #include <algorithm>

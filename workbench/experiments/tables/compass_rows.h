@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How well each method tells a pose from its reflection, over many trials.
 #pragma once
 

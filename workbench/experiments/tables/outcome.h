@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What became of one trial, as far as it is compared with others.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/tables/paired_comparison.h"
 
 #include <map>

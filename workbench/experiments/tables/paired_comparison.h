@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two ways that were tried on the same seeds, pair by pair.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How exact the belief was in the trials of one cell.
 #pragma once
 

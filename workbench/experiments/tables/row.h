@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The trials of one cell in numbers.
 #pragma once
 

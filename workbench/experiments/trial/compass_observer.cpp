@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/trial/compass_observer.h"
 
 #include "engine/covered_areas.h"

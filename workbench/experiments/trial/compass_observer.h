@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Asks every compass of a trial the same: it has learned the room from right poses, now the light is another one, and
 // the robot looks about; is the believed pose right, or its reflection?
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/trial/pose_error_observer.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compares the belief of each frame with the truth.
 #pragma once
 

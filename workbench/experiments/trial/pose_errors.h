@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far the belief of one trial was from the truth: plain data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/experiments/trial/trial_observer.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Judges a trial while it runs, from the records alone.
 #pragma once
 

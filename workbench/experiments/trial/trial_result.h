@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one trial showed: plain data.
 #pragma once
 

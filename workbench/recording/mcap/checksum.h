@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The checksum of MCAP's records: CRC-32, as zlib has it.
 #pragma once
 

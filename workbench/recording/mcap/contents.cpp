@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/mcap/contents.h"
 
 #include <algorithm>

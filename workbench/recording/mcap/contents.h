@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is in an MCAP file, a whole one or a damaged one, but for the bytes of its messages: found with no more memory
 // than its size justifies. It goes through the records from the first on and needs no summary, which files that ended
 // early lack; where there is one, it finds what lies behind a damage.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bytes that an MCAP file's contents point to: messages of chunks, and attachments.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The container format MCAP (mcap.dev/spec, version 0), as far as our recordings use it: records of an opcode, a length
 // and a content, integers little-endian, strings behind their length, times in ns.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The messages of some topics of a file, in the order of their log times, however the file stores them.
 #pragma once
 

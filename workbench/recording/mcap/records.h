@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contents of single records of an MCAP file.
 #pragma once
 

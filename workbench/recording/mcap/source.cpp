@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/mcap/source.h"
 
 #include <cerrno>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What MCAP files are read from, and what is said where a file is damaged.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/mcap/topics.h"
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Topics of MCAP files that other programs wrote.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes an MCAP file from its first byte to its last, never looking back: chunks with zstd, an index of each, and at
 // the end a summary. A file that ends early lacks the summary alone.
 #pragma once

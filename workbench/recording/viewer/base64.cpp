@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/viewer/base64.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes as text (RFC 4648).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The messages of Foxglove that its viewer, Lichtblick and others draw without being told how, of the schemas in
 // foxglove_schemas.h. Frames: x forward, y left, z up, m, rad.
 #pragma once

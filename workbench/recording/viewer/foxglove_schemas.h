@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // JSON schemas of Foxglove's messages and of our own: the files in schemas/.
 #pragma once
 

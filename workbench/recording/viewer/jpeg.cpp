@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/recording/viewer/jpeg.h"
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera images as JPEG, for people to look at.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame in messages that viewers draw and plot.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a recording holds for people to look at, one row a topic: messages in JSON, which Foxglove, Lichtblick and
 // PlotJuggler open without being told how. The one table that recordings, live views and docs name them by.
 #pragma once

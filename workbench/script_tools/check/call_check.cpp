@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Calls: what is called, with which arguments, and what comes of it.
 #include <algorithm>
 #include <string_view>

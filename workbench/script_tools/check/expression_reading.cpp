@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What expressions stand for: literals, tables, names and their fields.
 #include <algorithm>
 

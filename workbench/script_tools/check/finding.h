@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Something in a script that is wrong, or worth a look.
 #pragma once
 

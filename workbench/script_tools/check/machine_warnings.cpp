@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/check/machine_warnings.h"
 
 #include <algorithm>

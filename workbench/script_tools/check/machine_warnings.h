@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What in a machine is no error but worth a look.
 #pragma once
 

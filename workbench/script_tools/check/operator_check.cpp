@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Operators: what they take, and comparisons that can never hold.
 #include <string_view>
 

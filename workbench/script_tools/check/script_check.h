@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that can be found wrong with scripts without a robot: what `reorient check` tells.
 #pragma once
 

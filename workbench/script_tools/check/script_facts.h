@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a script's own tables, functions and variables are, learned from its text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Statements, and what is declared by them.
 #include "workbench/script_tools/check/script_reading.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One reading of a script from top to bottom: what its values are, and what cannot be meant.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a script may name, and what is known of it, for whoever checks scripts without running them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/check/text_check.h"
 
 #include "workbench/script_tools/check/script_reading.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds slips in the text of a script without running it: names that do not exist, values of a wrong type, calls with
 // wrong arguments, commands in conditions, writing to what is read-only.
 #pragma once

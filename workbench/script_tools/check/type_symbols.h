@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the types in signatures to what the check knows of values.
 #pragma once
 

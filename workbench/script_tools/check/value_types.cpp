@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/check/value_types.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which types a value of a script may have, as far as that is known.
 #pragma once
 

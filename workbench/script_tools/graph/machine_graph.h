@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Machines as a picture: text for Mermaid (which README files show) and for Graphviz.
 #pragma once
 

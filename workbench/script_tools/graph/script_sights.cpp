@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/graph/script_sights.h"
 
 #include <algorithm>

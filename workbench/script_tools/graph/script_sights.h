@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a machine looks at other machines, as far as that is plain from its script's text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/reference/behavior_page.h"
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parts of a behaviour's page that follow from its script: the states as a diagram, the parameters as a table.
 #pragma once
 

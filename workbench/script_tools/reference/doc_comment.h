@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Comments in the form of the Lua language server: lines that begin with `---`, tags with `@`.
 #pragma once
 

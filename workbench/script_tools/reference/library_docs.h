@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a library offers to those who require it, from its text alone: functions and values with their doc comments.
 #pragma once
 

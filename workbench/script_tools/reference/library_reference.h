@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What libraries offer, for people and for editors: parts of the script reference and of the annotations.
 #pragma once
 

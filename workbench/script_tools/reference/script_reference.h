@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What scripts can see and say, for people, editors and linters: made from the declarations that also make the
 // bindings, and from the doc comments of libraries. The committed files are docs/script-reference.md,
 // scripts/annotations/reorient.lua and scripts/.luacheckrc.

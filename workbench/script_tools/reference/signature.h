@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a function takes and gives, read from one line as the reference shows it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/reference/vocabulary.h"
 
 #include "engine/world/arbiter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The words of scripts and of their tests that are more than a plain function, and Lua's library, as documentation: the
 // reference, the annotations and the check are made from it.
 #pragma once

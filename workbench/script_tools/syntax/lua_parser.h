@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lua's own parser once more, by recursive descent, into a tree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <utility>
 
 #include "workbench/script_tools/syntax/lua_parser.h"

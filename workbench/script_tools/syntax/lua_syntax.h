@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A Lua script as a tree of statements and expressions, as far as a check needs it. Runs of operators of one rank and
 // runs of suffixes (.name, [key], calls) are flat lists, so the tree is no deeper than the text nests.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which states and transitions of the scripts the tests took, and which they left out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The world of a scripted test, with a clock of its own. What the test sets is what the robot senses; all else follows
 // by the engine's own rules (engine/world/world_tracker.h).
 #pragma once

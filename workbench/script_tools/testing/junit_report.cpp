@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/testing/junit_report.h"
 
 #include <string_view>

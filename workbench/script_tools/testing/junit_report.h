@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The results of scripted tests as a JUnit report, which CI systems show.
 #pragma once
 

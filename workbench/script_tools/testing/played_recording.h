@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a scripted test plays a recording of a run. The script tools know no recordings: who runs the tests hands them
 // in.
 #pragma once

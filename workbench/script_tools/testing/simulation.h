@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a scripted test asks for a whole scenario on a robot. The script tools know no robot: who runs the tests hands
 // one in.
 #pragma once

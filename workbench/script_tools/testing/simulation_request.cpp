@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/testing/simulation_request.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the table that a test gives to simulate { ... }.
 #pragma once
 

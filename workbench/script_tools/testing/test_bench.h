@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A fake world with a fake clock in which scripted tests run behaviours.
 #pragma once
 

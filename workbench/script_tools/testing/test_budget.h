@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a scripted test may use: what it makes C++ do costs its script no instruction, but time.
 #pragma once
 

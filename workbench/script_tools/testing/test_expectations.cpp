@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What tests expect of the frames of the last advance() or of a simulation.
 #include <algorithm>
 #include <cmath>

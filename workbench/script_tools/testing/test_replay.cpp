@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What tests do with a recording: the frames that were recorded, with the behaviours that there are now.
 #include <algorithm>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/testing/test_runner.h"
 
 #include <algorithm>

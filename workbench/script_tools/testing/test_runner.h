@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scripted behaviour tests: scripts/tests/*_test.lua, in a fake world with a fake clock.
 #pragma once
 

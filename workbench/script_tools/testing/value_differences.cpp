@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/script_tools/testing/value_differences.h"
 
 #include <cstdint>

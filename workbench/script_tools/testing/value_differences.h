@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How two Lua values differ, for people.
 #pragma once
 

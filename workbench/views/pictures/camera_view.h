@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera image with what the robot found in it and what it expected (the paper's Fig. 4b).
 #pragma once
 

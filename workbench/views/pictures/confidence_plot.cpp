@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/pictures/confidence_plot.h"
 
 #include <algorithm>

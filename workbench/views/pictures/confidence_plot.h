@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The confidences in the current and in the opposite pose over time (the paper's Fig. 4c).
 #pragma once
 

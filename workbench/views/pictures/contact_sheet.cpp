@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/pictures/contact_sheet.h"
 
 #include <algorithm>

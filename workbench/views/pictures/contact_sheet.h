@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Many small pictures in one, with a line of text below each.
 #pragma once
 

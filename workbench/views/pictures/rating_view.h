@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much each direction of a room shows of the pose, as a ring around the field.
 #pragma once
 

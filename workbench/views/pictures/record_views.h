@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From a frame's record to what is drawn of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pose particles just before and just after commands (the paper's Fig. 6).
 #pragma once
 

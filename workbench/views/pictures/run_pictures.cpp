@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/pictures/run_pictures.h"
 
 #include "workbench/files/atomic_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pictures of a run, as the paper's Figures 4 and 6, drawn from its records alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The robot's inner view of the world, from above (the paper's Fig. 4a).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/scene/camera_overlay.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What was found in a camera's image and what the believed pose predicts there, as overlays (the paper's Fig. 4b).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The colors of all views. One thing has one color everywhere: blue is what the robot believes, red is the mirrored
 // pose, amber is the truth, magenta is the belief of the view filter.
 #pragma once

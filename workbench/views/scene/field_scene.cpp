@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/scene/field_scene.h"
 
 #include <algorithm>

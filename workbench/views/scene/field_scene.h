@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Field, wall, percepts and poses of a frame as scenes.
 #pragma once
 

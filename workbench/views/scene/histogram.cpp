@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/scene/histogram.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A color histogram as a bar chart (the paper's Fig. 3): the fraction of each color upward, its deviation downward.
 #pragma once
 

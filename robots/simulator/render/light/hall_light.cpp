@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/render/light/hall_light.h"
 
 #include <cmath>

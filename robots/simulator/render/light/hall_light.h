@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The light of the hall when somebody has changed it: another exposure and white balance, daylight from one side, half
 // of the lamps off, other things on the walls. Until then nothing here touches a picture.
 #pragma once

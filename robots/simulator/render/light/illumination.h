@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much more or less light than usual falls on each place of the room.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "robots/simulator/render/light/wall_patches.h"
 
 #include <algorithm>

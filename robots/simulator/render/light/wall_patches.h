@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is new on the walls: banners, doors, curtains, a projector's picture. Rectangles in front of the wall's texture,
 // so that no room has to be painted again; their edges are as soft as the pixels are large.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What capsules, nets and shadows are drawn with: the box of pixels that they can touch, and the pixels in it.
 #pragma once
 

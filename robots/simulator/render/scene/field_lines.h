@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much of a small patch of ground is line: exact for straight lines under a box of any size, so that lines neither
 // flicker in the distance nor blur nearby. The field is symmetric, so one quarter of it is enough.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What stands on the field and around it, and how it is put together from shapes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The things in front of the background: capsules (limbs, posts, people, the ball), panels (furniture), nets
 // and shadows on the ground. Each is drawn into the box of pixels that it can touch, with soft edges and against the
 // depth of what is there.

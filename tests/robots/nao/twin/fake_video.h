@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A camera of V4L2 that is a few buffers: takes the calls in the order in which a driver wants them, and shows what it
 // is given.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/robots/nao/twin/lola_server.h"
 
 #include <algorithm>

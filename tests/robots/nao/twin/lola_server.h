@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // LoLA's socket in real time: one client, a packet to it each cycle, its commands in between.
 #pragma once
 

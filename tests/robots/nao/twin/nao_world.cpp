@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/robots/nao/twin/nao_world.h"
 
 #include <utility>

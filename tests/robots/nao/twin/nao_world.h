@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A NAO that is the simulator behind LoLA and V4L2, with its guard, in simulated time: what the engine's robot sees are
 // packets and buffers, and all that it can do is to wait and to ask.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The body of a NAO as LoLA shows it: joints go where they are told as fast as their motors can; a robot whose legs go
 // soft while it stands falls. Notes what no robot should be told.
 #pragma once

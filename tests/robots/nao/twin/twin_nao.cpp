@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/robots/nao/twin/twin_nao.h"
 
 #include "robots/nao/guard/postures.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A NAO that is the simulator, as its service LoLA and its camera show it, cycle by cycle of 12 ms: head, attitude and
 // feet are the simulator's, all other joints the twin body's.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A surface to draw on: twice as large as the picture that comes out of it, so that all edges are smooth. Coordinates
 // are pixels of the finished picture, x right, y down, (0, 0) its top left corner. Whatever is not finite is left out.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A finished picture: plain bytes.
 #pragma once
 

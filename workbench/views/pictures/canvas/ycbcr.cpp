@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "workbench/views/pictures/canvas/ycbcr.h"
 
 namespace reorient::pictures {

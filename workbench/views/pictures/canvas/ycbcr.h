@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the camera's colors to a screen's.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The field from above, and robots on it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Color histograms as bar charts on a canvas, and what their colors stand for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the colors and marks of a picture mean.
 #pragma once
 

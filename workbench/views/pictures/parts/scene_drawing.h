@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers of scenes and overlays on a canvas.
 #pragma once
 
