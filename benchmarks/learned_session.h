@@ -23,7 +23,7 @@ inline FrameSetup shipped(const FieldDimensions& field) {
   setup.field = field;
   setup.scripts = read_scripts(kProject / "scripts");
   RecordedBehaviors none;
-  setup.behaviors = ScenarioHost(setup.scripts, "turned_round", {}, none).wanted_behaviors();
+  setup.behaviors = ScenarioHost(setup.scripts, "mirrored_placement", {}, none).wanted_behaviors();
   return setup;
 }
 
@@ -37,11 +37,11 @@ class ToAndFro {
     Simulator simulator(parameters, RobotBody(), field, procedural_hall(1, RoomShape{}), kStart, 1);
     FrameLoop engine(shipped(field));
     FrameInputs inputs;
-    inputs.told.initial_pose = InitialPose{kStart};
+    inputs.external.initial_pose = InitialPose{kStart};
     for (bool kept = true; engine.record().world.time < seconds; kept = !kept) {
       simulator.observe(inputs.observation);
       simulator.answer(engine.step(inputs).answer);
-      inputs.told = {};
+      inputs.external = {};
       if (kept) keep(inputs.observation);
     }
   }
@@ -75,14 +75,14 @@ struct LearnedSession {
         seen(width, field, 4.0),
         engine(shipped(field)) {
     constexpr double kLearned = 40.0;  // s, beyond which background_training evaluates whatever it has seen
-    inputs.told.initial_pose = InitialPose{kStart};
+    inputs.external.initial_pose = InitialPose{kStart};
     while (engine.record().world.time < kLearned) step();
   }
 
   const FrameRecord& step() {
     seen.observe(inputs.observation);
     const FrameRecord& record = engine.step(inputs);
-    inputs.told = {};
+    inputs.external = {};
     return record;
   }
 

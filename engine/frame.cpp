@@ -78,9 +78,10 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   record_.reloads.clear();
   if (!inputs.script_edits.empty()) record_.reloads = behaviors_.apply(inputs.script_edits, arbiter_);
   carried_.world.begin_frame(observation.time);
-  record_.inputs.half_time = observation.told.half_time || inputs.told.half_time;
+  record_.inputs.half_time = observation.external.half_time || inputs.external.half_time;
   if (record_.inputs.half_time) change_sides();
-  for (const Told* const told : {&observation.told, &inputs.told}) take_told(*told, observation.belief.has_value());
+  for (const ExternalInputs* const external : {&observation.external, &inputs.external})
+    take_external_inputs(*external, observation.belief.has_value());
 }
 
 void FrameLoop::take_parameters(const std::vector<ParameterChange>& changes) {
@@ -94,16 +95,16 @@ void FrameLoop::take_parameters(const std::vector<ParameterChange>& changes) {
   arbiter_.set_parameters(parameters_.arbiter);
 }
 
-void FrameLoop::take_told(const Told& told, bool has_external_belief) {
-  if (told.referee) carried_.world.take_referee(*told.referee);
+void FrameLoop::take_external_inputs(const ExternalInputs& external, bool has_external_belief) {
+  if (external.referee) carried_.world.take_referee(*external.referee);
   std::vector<Message>& messages = record_.inputs.messages;
-  for (const Message& message : told.messages) {
+  for (const Message& message : external.messages) {
     if (messages.size() < kMostMessages) messages.push_back({message.sender, message.text.substr(0, kLongestMessage)});
   }
-  for (const std::string& note : told.notes) {
+  for (const std::string& note : external.notes) {
     if (record_.logs.size() < kMostNotes) record_.logs.push_back({0, 0, note.substr(0, kLongestNote), 0, true});
   }
-  if (told.initial_pose) set_pose(*told.initial_pose, has_external_belief);
+  if (external.initial_pose) set_pose(*external.initial_pose, has_external_belief);
 }
 
 void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {
@@ -117,7 +118,7 @@ void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {
   if (!has_external_belief) carried_.external.in_use = false;
   localizer_.set_initial_pose(initial.pose, initial.position_deviation, initial.rotation_deviation);
   carried_.world.take_initial_pose();
-  if (room_) room_->begin_anew();
+  if (room_) room_->restart();
 }
 
 /// Half-time: the axes are the team's, so whatever is believed and known gets the coordinates of the reflected place.
@@ -137,7 +138,7 @@ void FrameLoop::follow_posture(const SensedPosture& posture, const BodySample& b
   const bool has_changed = carried_.world.take_posture(posture);
   if (world().disturbed()) repeated_pose_.forget();
   if (has_changed && !world().disturbed()) localizer_.doubt(world().time);
-  if (room_ && has_changed) room_->begin_anew();
+  if (room_ && has_changed) room_->restart();
 }
 
 CameraPercepts FrameLoop::see_field(const Observation& observation) {

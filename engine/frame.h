@@ -68,7 +68,7 @@ class FrameLoop {
   std::uint64_t declare_parameters(const std::vector<ParameterChange>& overrides);
   void take_inputs(const FrameInputs& inputs);
   void take_parameters(const std::vector<ParameterChange>& changes);
-  void take_told(const Told& told, bool has_external_belief);
+  void take_external_inputs(const ExternalInputs& external, bool has_external_belief);
   void set_pose(const InitialPose& initial, bool has_external_belief);
   void change_sides();
   void follow_posture(const SensedPosture& posture, const BodySample& body);

@@ -14,7 +14,7 @@ struct FrameInputs {
   Observation observation;
   std::vector<ParameterChange> parameter_changes;
   std::vector<ScriptEdit> script_edits;  ///< texts, not files
-  Told told;                             ///< by others than the robot's own software: a person, a scenario
+  ExternalInputs external;               ///< by others than the robot's own software: a person, a scenario
 };
 
 }  // namespace reorient

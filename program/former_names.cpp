@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 
 #include "engine/script/language/world_fields.h"
 #include "engine/script/source/lua_tokens.h"
+#include "workbench/scenario/scenario_language.h"
 
 namespace reorient {
 namespace {
@@ -20,6 +22,9 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> kFormerParameters[] = {
     {"background_training.asymmetry", "background_training.separability"},
     {"room_status.asymmetry", "room_status.separability"}};
+
+/// Scenarios, and the experiments of the same name.
+constexpr std::pair<std::string_view, std::string_view> kFormerScenarios[] = {{"turned_round", "mirrored_placement"}};
 
 bool names_field(std::span<const LuaToken> tokens, const WorldField& field) {
   for (std::size_t i = 2; i < tokens.size(); ++i) {
@@ -30,7 +35,38 @@ bool names_field(std::span<const LuaToken> tokens, const WorldField& field) {
   return false;
 }
 
+bool names_table(std::span<const LuaToken> tokens, const FormerTable& table) {
+  for (std::size_t i = 1; i < tokens.size(); ++i) {
+    if (tokens[i - 1].is(LuaToken::Kind::name, table.name) && tokens[i].is_symbol(".")) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::string present_name(const std::string& name) {
+  for (const auto& [former, present] : kFormerScenarios) {
+    if (name != former) continue;
+    spdlog::warn("{} is a former name: use {}", former, present);
+    return std::string(present);
+  }
+  return name;
+}
+
+std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> changes, const ScriptTexts& scripts) {
+  for (ParameterChange& change : changes) {
+    for (const auto& [former, present] : kFormerScenarios) {
+      if (!change.name.starts_with(std::string(former) + ".")) continue;
+      if (scripts.find("scenarios/" + std::string(former) + ".lua") != nullptr) continue;
+      const std::string name = std::string(present) + change.name.substr(former.size());
+      spdlog::warn("{}{} is a former name: use {}", change.source.empty() ? "" : change.source + ": ", change.name,
+                   name);
+      change.name = name;
+    }
+    if (change.name == "trial.event") change.value = present_name(change.value);
+  }
+  return changes;
+}
 
 bool warn_of_former_name(const ParameterChange& change) {
   const auto* const former = std::find_if(std::begin(kFormerParameters), std::end(kFormerParameters),
@@ -55,6 +91,10 @@ void warn_of_former_fields(const ScriptTexts& scripts, const std::set<std::strin
     for (const WorldField& field : world_fields()) {
       if (!field.replacement.empty() && names_field(tokens, field))
         spdlog::warn("{}/{}: {} is a former name: use {}", scripts.root(), file, field.full_name(), field.replacement);
+    }
+    for (const FormerTable& table : ScenarioLanguage().former_tables()) {
+      if (names_table(tokens, table))
+        spdlog::warn("{}/{}: {} is a former name: use {}", scripts.root(), file, table.name, table.replacement);
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "engine/frame.h"
 #include "engine/parameters/parameter.h"
@@ -11,10 +12,17 @@
 
 namespace reorient {
 
+/// The present name of a scenario or an experiment of earlier versions: with one warning where it is another.
+std::string present_name(const std::string& name);
+
+/// With the present names of parameters of scenarios; those of a scenario that `scripts` still has under its former
+/// name stay.
+std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> changes, const ScriptTexts& scripts);
+
 /// False: it is not a former name.
 bool warn_of_former_name(const ParameterChange& change);
 
-/// One warning for each former field of the world in each of these files.
+/// One warning for each former field of the world, and for each former table, in each of these files.
 void warn_of_former_fields(const ScriptTexts& scripts, const std::set<std::string>& files);
 
 /// The files of all behaviors that are loaded.

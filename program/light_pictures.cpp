@@ -41,7 +41,7 @@ RobotInstance robot_in(const std::string& room, const std::string& light, std::u
 Observation look_at_side(RobotInstance& robot, int look) {
   constexpr int kSettle = 75;  // frames, until the exposure has adapted
   Observation observation;
-  robot.experimenter->put_down(Pose2(-0.5, 0.3, 0.5 * kPi * look));
+  robot.the_operator->put_down(Pose2(-0.5, 0.3, 0.5 * kPi * look));
   for (int frame = 0; frame < kSettle; ++frame) {
     Answer answer;
     const bool turns = look == kLooks - 1 && frame > kSettle - 10;
@@ -80,7 +80,7 @@ void draw_overview(const std::string& file, const std::vector<std::string>& room
     double left = 0.0;
     for (const char* light : kLights) {
       RobotInstance robot = robot_in(room, light, 1, cache);
-      robot.experimenter->change_light();
+      robot.the_operator->change_light();
       for (const int side : kSides) {
         const Observation observation = look_at_side(robot, side);
         canvas.image(pictures::to_picture(observation.upper->image), {left, top + kLabel, kStep, kSmall * kHeight});
@@ -105,7 +105,7 @@ void draw_sheet(const std::string& file, const std::string& room) {
   double top = 0.0;
   for (const Row& row : kRows) {
     RobotInstance robot = robot_in(room, row.light, row.seed, rooms);
-    robot.experimenter->change_light();
+    robot.the_operator->change_light();
     draw_label(canvas, top, std::string(row.light) + ", seed " + std::to_string(row.seed));
     draw_row(robot, top + kLabel, canvas);
     top += kHeight + kLabel;

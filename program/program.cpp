@@ -25,7 +25,7 @@ namespace reorient {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
-  reorient run                              a robot is turned round and notices; pictures go into out/
+  reorient run                              the demonstration: a robot notices that its belief is mirrored
   reorient run --seed 7 --room hall.hdr     the same in another room, with other noise
   reorient run --realtime                   at the robot's own pace: edit scripts/behaviors/*.lua meanwhile
   reorient run --no-room-awareness     the same robot without it stays wrong (exit code 1)
@@ -100,7 +100,7 @@ std::string help_of(const CLI::App& app) {
 }
 
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
-  CLI::App app{"Reorient: a robot that notices that it is turned round."};
+  CLI::App app{"Reorient: a robot that notices when its belief is mirrored."};
   app.name("reorient");
   app.footer(kExamples);
   app.require_subcommand(0, 1);  // none is told below, so that an unknown one is told by its name

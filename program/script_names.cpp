@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/former_names.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -54,7 +55,8 @@ void require_no_other_file(const std::filesystem::path& root, const std::string&
 }
 
 std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
-  return named(kScenarios, kBehaviors, root, texts, name);
+  const bool is_there = texts.find(script_file(kScenarios.folder, script_named(root, name))) != nullptr;
+  return named(kScenarios, kBehaviors, root, texts, is_there ? name : present_name(name));
 }
 
 std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {

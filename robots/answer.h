@@ -53,13 +53,13 @@ enum class Reorientation { flip_pose, purge_reflection, reset_orientation };
 constexpr int enum_count(Reorientation) { return 3; }
 
 /// How the room supports the believed pose and its reflection, for whoever holds the belief.
-struct RoomOpinion {
+struct RoomConfidence {
   double current = 0.0;   ///< confidence in the believed pose, 0 to 1
   double opposite = 0.0;  ///< confidence in its reflection
   double evidence = 0.0;  ///< log-odds of the reflection against the pose: log(99) where 99 in 100 are reflected
   bool usable = false;    ///< the room can tell at all: it is learned, seen, and not the same after half a turn
 };
-template <typename Visit, ConstOr<RoomOpinion> T>
+template <typename Visit, ConstOr<RoomConfidence> T>
 void fields(Visit&& visit, T& room) {
   visit(room.current, room.opposite, room.evidence, room.usable);
 }
@@ -83,7 +83,7 @@ struct Answer {
   BelievedPose belief;
   /// Granted in this frame. Where the robot brings its own belief, it is to be carried out there; otherwise it is done.
   std::optional<Reorientation> reorientation;
-  RoomOpinion room;
+  RoomConfidence room;
   bool training_paused = false;
   bool evaluation_paused = false;
   std::vector<std::string> messages;  ///< of this frame, to the team mates; each of at most kLongestMessage bytes

@@ -37,7 +37,7 @@ std::optional<GameState> state_of(std::uint8_t number) {
 
 }  // namespace
 
-bool GameController::hear(std::span<const std::byte> datagram, Told& told) {
+bool GameController::hear(std::span<const std::byte> datagram, ExternalInputs& external) {
   constexpr std::string_view kHeader = "RGme";
   if (datagram.size() <= kTeams) return false;
   const auto at = [&datagram](std::size_t offset) { return std::to_integer<std::uint8_t>(datagram[offset]); };
@@ -60,14 +60,14 @@ bool GameController::hear(std::span<const std::byte> datagram, Told& told) {
   constexpr int kNobody = 255;
   const int kicking = at(kKickingTeam);
   referee.kick_off = kicking == kNobody ? KickOff::nobody : kicking == team_ ? KickOff::ours : KickOff::theirs;
-  if (last_ != referee) told.referee = last_ = referee;
+  if (last_ != referee) external.referee = last_ = referee;
 
   // The second half begins, or somebody pressed the wrong button, before the ball is in the game.
   const bool first_half = at(kFirstHalf) == 1;
   if (!first_half_) first_half_ = first_half;
   if (first_half != *first_half_ && *state != GameState::playing) {
     first_half_ = first_half;
-    told.half_time = !told.half_time;
+    external.half_time = !external.half_time;
   }
   return true;
 }

@@ -28,7 +28,7 @@ class GameController {
 
   /// Adds what is new to `told`; nothing where nothing changed. The teams change sides where a half ends. False: the
   /// datagram is none of the GameController's, or of a game of others.
-  bool hear(std::span<const std::byte> datagram, Told& told);
+  bool hear(std::span<const std::byte> datagram, ExternalInputs& external);
 
   /// A half may end while nobody listens.
   template <typename Archive>

@@ -88,7 +88,7 @@ void fields(Visit&& visit, T& initial) {
 }
 
 /// What was told, by whoever.
-struct Told {
+struct ExternalInputs {
   std::optional<InitialPose> initial_pose;
   std::optional<RefereeState> referee;  ///< holds until something else is told
   std::vector<Message> messages;
@@ -97,9 +97,9 @@ struct Told {
 };
 inline constexpr std::size_t kLongestNote = 1000;  // the rest is cut off
 inline constexpr std::size_t kMostNotes = 32;      // taken in one frame
-template <typename Visit, ConstOr<Told> T>
-void fields(Visit&& visit, T& told) {
-  visit(told.initial_pose, told.referee, told.messages, told.half_time, told.notes);
+template <typename Visit, ConstOr<ExternalInputs> T>
+void fields(Visit&& visit, T& external) {
+  visit(external.initial_pose, external.referee, external.messages, external.half_time, external.notes);
 }
 
 /// What goes into one frame of the engine: an image of the upper camera with the newest of the lower one since the
@@ -114,7 +114,7 @@ struct Observation {
   Pose2 odometry;    ///< dead reckoning since the start: m, rad; only its change from frame to frame counts
   ReportedPosture reported_posture = ReportedPosture::unknown;
   std::optional<ExternalBelief> belief;
-  Told told;  ///< what the robot's own software heard
+  ExternalInputs external;  ///< what the robot's own software heard
 };
 
 class Robot {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "robots/experimenter.h"
+#include "robots/operator.h"
 #include "robots/robot.h"
 #include "robots/robot_body.h"
 
@@ -19,7 +19,7 @@ struct RobotInstance {
   std::unique_ptr<Robot> robot;
   RobotBody body;
   Clock clock = Clock::simulated;
-  Experimenter* experimenter = nullptr;      ///< part of the robot; nullptr: nobody can disturb it
+  Operator* the_operator = nullptr;          ///< part of the robot; nullptr: nobody can disturb it
   const GroundTruthSource* truth = nullptr;  ///< part of the robot; nullptr: nobody knows
 };
 

@@ -55,7 +55,7 @@ void archive_inputs(Archive& archive, auto& inputs, InputMemory& memory, bool pi
     archive(seen.belief->pose, seen.belief->covariance);
     archive_view(archive, seen.belief->particles, memory.particles);
   }
-  archive(seen.told, inputs.parameter_changes, inputs.script_edits, inputs.told);
+  archive(seen.external, inputs.parameter_changes, inputs.script_edits, inputs.external);
 }
 
 void write(const FrameInputs& inputs, bool pixels, std::vector<std::byte>& bytes) {

@@ -43,9 +43,10 @@ struct World {
   Posture posture_before = Posture::upright;  ///< the one before the present one
   double posture_for = 0.0;                   ///< s, how long it has been so
   RefereeState referee;
-  bool may_walk = true;          ///< as far as the referee says
-  bool sides_changed = false;    ///< the team plays towards the end that was its own at first
-  double undisturbed_for = 0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
+  bool may_walk = true;        ///< as far as the referee says
+  bool sides_changed = false;  ///< the team plays towards the end that was its own at first
+  double time_since_disturbance =
+      0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
   HeadAngles head;
   double head_reach = 0.0;  ///< rad that the neck turns to either side
   bool can_walk = true;     ///< this body
@@ -82,7 +83,7 @@ struct World {
 template <typename Visit, ConstOr<World> T>
 void fields(Visit&& visit, T& world) {
   visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, world.referee,
-        world.may_walk, world.sides_changed, world.undisturbed_for, world.head, world.head_reach, world.can_walk,
+        world.may_walk, world.sides_changed, world.time_since_disturbance, world.head, world.head_reach, world.can_walk,
         world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_tracked, world.body,
         world.camera_bias, world.pose_known, world.room_awareness, world.confidence, world.views, world.room_status,
         world.trained_seconds, world.training, world.evaluating, world.goal_posts, world.line_points,

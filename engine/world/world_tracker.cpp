@@ -25,11 +25,11 @@ void WorldTracker::take_referee(const RefereeState& referee) {
 }
 
 bool WorldTracker::take_posture(const SensedPosture& posture) {
-  const bool was_disturbed = world_.undisturbed_for <= 0.0;
+  const bool was_disturbed = world_.time_since_disturbance <= 0.0;
   world_.posture = posture.now;
   world_.posture_before = posture.before;
   world_.posture_for = std::max(0.0, world_.time - posture.since);
-  world_.undisturbed_for = world_.disturbed() ? 0.0 : world_.undisturbed_for + world_.time_step;
+  world_.time_since_disturbance = world_.disturbed() ? 0.0 : world_.time_since_disturbance + world_.time_step;
   return was_disturbed != world_.disturbed();
 }
 

@@ -29,8 +29,8 @@ class OwnRobot : public Robot {
     upper.image = image_.view();
     upper.camera = camera_;
     upper.robot_from_camera = robot_from_camera(RobotDimensions(), head_, {}, RobotDimensions().torso_height);
-    if (frame_ == 1) observation.told.initial_pose = InitialPose{truth_};
-    if (frame_ == 40 * 30) observation.told.initial_pose = InitialPose{reflect(truth_)};
+    if (frame_ == 1) observation.external.initial_pose = InitialPose{truth_};
+    if (frame_ == 40 * 30) observation.external.initial_pose = InitialPose{reflect(truth_)};
     return true;
   }
 

@@ -57,7 +57,7 @@ class Localization {
   /// For whoever gives the pose filter another belief: what the room said spoke of the one before.
   void start_at(const Pose2& pose) {
     belief = pose;
-    room_.begin_anew();
+    room_.restart();
   }
 
   const Confidences& confidences() const { return room_.confidences(); }

@@ -158,7 +158,7 @@ void RoomAwareness::restart_evidence() {
 }
 
 void RoomAwareness::on_purge() {
-  if (parameters_.confidence.restart_on_purge) restart(confidences_);
+  if (parameters_.confidence.restart_on_purge) reorient::restart(confidences_);
 }
 
 void RoomAwareness::on_reset() {
@@ -166,7 +166,7 @@ void RoomAwareness::on_reset() {
   restart_evidence();
 }
 
-void RoomAwareness::begin_anew() {
+void RoomAwareness::restart() {
   clear_views(confidences_);
   restart_evidence();
   filter_.spread(parameters_.view_filter);

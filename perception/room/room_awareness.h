@@ -84,11 +84,11 @@ class RoomAwareness {
 
   /// The robot may stand elsewhere now, or was told where it stands: what was seen before says nothing any more. The
   /// confidences begin anew, the belief of the view is all around.
-  void begin_anew();
+  void restart();
 
   /// The teams change sides: the axes turn by half a turn, and with them the belief. Everything is known of the same
   /// places as before, under their new coordinates; the confidences stay. Done twice, it is the identity. Also for a
-  /// room that was learned mirrored; begin_anew() follows then, since the belief does not turn with it.
+  /// room that was learned mirrored; restart() follows then, since the belief does not turn with it.
   void turn_half();
 
   /// Forgets the model, the belief of the view, the confidences and the light; the random numbers go on.

@@ -59,7 +59,7 @@ std::array<CalibrationShots, 2> look(const CalibrateOptions& options, const Robo
         body,   field, "", 1, options.seed, options.width, options.cameras == "both", overrides_of(options.parameters),
         nullptr};
     const RobotInstance robot = make_robot(options.robot, robot_options);
-    robot.experimenter->put_down(place);
+    robot.the_operator->put_down(place);
     return look_about(*robot.robot, robot.body, field);
   }
   NaoHardware hardware({options.guard, options.cameras == "both", false});

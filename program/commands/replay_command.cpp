@@ -52,7 +52,7 @@ FrameInputs other_than_recorded(const FrameLoop& engine, const ReplayOptions& op
 class RequireTaken : public Observer {
  public:
   /// Throws std::runtime_error with one line: something of it is not to be had.
-  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     if (std::exchange(is_taken_, true)) return;
     for (const ParameterOutcome& change : frame.parameter_changes) {
       if (!change.refusal.empty()) throw std::runtime_error(change.refusal);
@@ -126,13 +126,13 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
     throw std::runtime_error(options.file.string() +
                              ": no frame of it can be made again from there on; see 'reorient recording info'");
 
-  const std::uint64_t passed_over = again.playback().passed_over();
+  const std::uint64_t skipped = again.playback().skipped();
   // What is damaged behind the part that was asked for takes nothing from it.
   const bool is_reached = recording.damages().empty() || last_time >= options.times.to;
-  const bool is_whole = is_reached && passed_over == 0 && again.stretches() == 1;
+  const bool is_whole = is_reached && skipped == 0 && again.stretches() == 1;
   out << fmt::format("{}{} frames, up to {:.2f} s, replayed in {:.2f} s{}\n", comparison.frames(),
-                     passed_over == 0 ? "" : fmt::format(" of {}", comparison.frames() + passed_over), last_time,
-                     took.count(), is_whole ? "" : "; the rest cannot be made again");
+                     skipped == 0 ? "" : fmt::format(" of {}", comparison.frames() + skipped), last_time, took.count(),
+                     is_whole ? "" : "; the rest cannot be made again");
   if (again.stretches() > 1) out << fmt::format("in {} stretches\n", again.stretches());
   out << "digest: " << digest.hex() << '\n';
   if (comparison.different() == 0) {

@@ -37,9 +37,9 @@ class CoverageObserver : public Observer {
  public:
   CoverageObserver(Simulation& simulation, CoverageTrace& trace) : simulation_(simulation), trace_(trace) {}
 
-  void observe(const FrameRecord& frame, const StageRecord& stage) override {
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override {
     if (!frame.transitions.empty()) trace_.note(simulation_.engine().machines(), *frame.names, frame.transitions);
-    const ScenarioRecord& scenario = stage.scenario;
+    const ScenarioRecord& scenario = scene.scenario;
     if (!scenario.transitions.empty())
       trace_.note(simulation_.scenario().machines(), *scenario.names, scenario.transitions);
   }

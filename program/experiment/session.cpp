@@ -15,6 +15,7 @@
 #include "engine/script/script_texts.h"
 #include "program/experiment/outputs/rows_report.h"
 #include "program/experiment/trial_runner.h"
+#include "program/former_names.h"
 #include "program/run/venue.h"
 #include "workbench/experiments/condition/experiment_file.h"
 #include "workbench/files/atomic_file.h"
@@ -70,7 +71,9 @@ void choose_as_told(const SessionOptions& options, Experiment& experiment) {
 
 /// With what the command line says otherwise.
 Experiment wanted_experiment(const SessionOptions& options) {
-  Experiment experiment = read_experiment(named_file("experiment", options.experiment), named_condition);
+  const bool is_file = found_file("experiments", options.experiment).has_value();
+  const std::string named = is_file ? options.experiment : present_name(options.experiment);
+  Experiment experiment = read_experiment(named_file("experiment", named), named_condition);
   if (options.trials) experiment.trials = *options.trials;
   choose_as_told(options, experiment);
   if (options.rooms.empty()) return experiment;

@@ -39,7 +39,7 @@ class StartStates : public Observer {
     starts_[next_].time = inputs.observation.time;
     engine.save(starts_[next_++].state);
   }
-  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     const RoomStatus status = frame.world.room_status;
     if (!room_learned_at_ && (status == RoomStatus::usable || status == RoomStatus::symmetric))
       room_learned_at_ = frame.world.time;
@@ -148,7 +148,7 @@ TrialResult FootageTrials::run(std::size_t start, const FootageCase& one) const 
   const Start& from = starts_[start];
   FrameLoop engine(std::span<const std::byte>(from.state));
   FootageOptions options = robot_options_of(setup_);
-  options.passed_over = from.frame;
+  options.skipped = from.frame;
   options.change = one.change;
   options.change->at = from.time;
   auto robot = std::make_unique<FootageRobot>(footage_.source(), options);

@@ -13,7 +13,7 @@ namespace reorient {
 class KnownRoom : public Observer {
  public:
   Topics wanted() const override { return Topics{Topic::room}; }
-  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     basis_ = frame.room.basis;
     tiles_ = frame.room.model;
     learned_ = frame.world.trained_seconds;

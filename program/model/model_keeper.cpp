@@ -45,7 +45,7 @@ std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
   return model;
 }
 
-void ModelKeeper::observe(const FrameRecord& frame, const StageRecord& /*stage*/) {
+void ModelKeeper::observe(const FrameRecord& frame, const SceneTruth& /*scene*/) {
   if (frame.world.time < next_) return;
   if (writing_.is_busy()) return;  // asked again in the next frame
   next_ = frame.world.time + kSavingPeriod;
@@ -55,7 +55,7 @@ void ModelKeeper::observe(const FrameRecord& frame, const StageRecord& /*stage*/
   writing_.start([model = std::move(*model), file = file_] { write_model_file(model, file); });
 }
 
-void ModelKeeper::finish(const FrameRecord& last, const StageRecord& /*stage*/) {
+void ModelKeeper::finish(const FrameRecord& last, const SceneTruth& /*scene*/) {
   writing_.end();
   if (any_news_) learned_before_ = 0.0;  // the last time may have failed
   end_ = news(last);

@@ -28,8 +28,8 @@ class ModelKeeper : public Observer {
               std::uint64_t mounting = 0);
 
   Topics wanted() const override { return {Topic::room}; }
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
-  void finish(const FrameRecord& last, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
+  void finish(const FrameRecord& last, const SceneTruth& scene) override;
 
   /// When the run is over. Throws std::runtime_error with one line where what was learned could not be saved.
   void save();

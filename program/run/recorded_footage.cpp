@@ -48,8 +48,8 @@ class RecordedFootage : public FootageSource {
     frame.robot_from_camera = upper.robot_from_camera;
     frame.torso = observation_.body.torso;
     frame.odometry = observation_.odometry;
-    const StageRecord& stage = playback_.frame().entry.stage;
-    if (stage.truth && !stage.truth->carried) frame.pose = stage.truth->pose;
+    const SceneTruth& scene = playback_.frame().entry.scene;
+    if (scene.truth && !scene.truth->carried) frame.pose = scene.truth->pose;
   }
 
   std::string name_;

@@ -60,7 +60,7 @@ Progress::Progress(std::ostream& err, std::function<bool()> is_hidden)
       is_hidden_(std::move(is_hidden)),
       start_(std::chrono::steady_clock::now()) {}
 
-void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
+void Progress::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const double time = frame.world.time;
   if (!first_time_) first_time_ = time;  // not zero where a companion goes on from before
   if (time < next_ || (is_hidden_ && is_hidden_())) return;
@@ -69,8 +69,8 @@ void Progress::observe(const FrameRecord& frame, const StageRecord& stage) {
   for (const MachineStatus& machine : frame.machines) {
     if (frame.name(machine.machine) == "orientation") states += "  orientation: " + frame.name(machine.state);
   }
-  for (const MachineStatus& machine : stage.scenario.machines)
-    states += "  " + stage.scenario.name(machine.machine) + ": " + stage.scenario.name(machine.state);
+  for (const MachineStatus& machine : scene.scenario.machines)
+    states += "  " + scene.scenario.name(machine.machine) + ": " + scene.scenario.name(machine.state);
   const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const Confidences& confidence = frame.world.confidence;
   err_ << fmt::format("{}{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}",
@@ -96,12 +96,12 @@ RoomForLog::RoomForLog(std::function<void()> make_room) : sink_(std::make_shared
 
 RoomForLog::~RoomForLog() { std::erase(spdlog::default_logger()->sinks(), sink_); }
 
-void RunLog::observe(const FrameRecord& frame, const StageRecord& stage) {
-  for (const std::vector<ReloadRecord>* const reloads : {&frame.reloads, &stage.scenario.reloads})
+void RunLog::observe(const FrameRecord& frame, const SceneTruth& scene) {
+  for (const std::vector<ReloadRecord>* const reloads : {&frame.reloads, &scene.scenario.reloads})
     for (const ReloadRecord& reload : *reloads) ++(reload.accepted ? accepted_ : rejected_);
-  for (const LogLine& line : log_lines(frame, stage))
+  for (const LogLine& line : log_lines(frame, scene))
     spdlog::log(level_of(line.level), "{}{}{}", line.source, line.source.empty() ? "" : ": ", line.text);
-  log_pose(frame.world, stage.truth);
+  log_pose(frame.world, scene.truth);
 }
 
 }  // namespace reorient

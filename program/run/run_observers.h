@@ -20,7 +20,7 @@ class Progress : public Observer {
   /// `is_hidden`: while it is, the terminal belongs to somebody else.
   explicit Progress(std::ostream& err, std::function<bool()> is_hidden = {});
 
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
   /// For a line of somebody else; the progress line is drawn again below it.
   void make_room();
   void end();
@@ -49,7 +49,7 @@ class RoomForLog {
 /// Log lines and errors of scripts, what became of edits, and once a second, for debugging, belief and truth.
 class RunLog : public Observer {
  public:
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   int reloads_accepted() const { return accepted_; }
   int reloads_rejected() const { return rejected_; }

@@ -113,8 +113,8 @@ Venue Simulation::check(const SimulationOptions& options,
 Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool makes_robot)
     : model_(options.learned ? options.learned : model_to_begin_with(options)),
       longest_(options.seconds.value_or(kUsualSeconds)) {
-  const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
   const ScriptTexts scripts = read_scripts(options.scripts);
+  const std::vector<ParameterChange> overrides = with_present_names(overrides_of(options.parameters), scripts);
   const std::string scenario =
       with_its_line(options, "scenario", [&] { return scenario_file(options.scripts, scripts, options.scenario); });
   scenario_ = std::make_unique<ScenarioHost>(scripts, scenario, overrides, behaviors_, options.seed);

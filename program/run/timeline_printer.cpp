@@ -30,9 +30,9 @@ bool TimelinePrinter::is_news(const TimelineEvent& event) {
   return !is_recent;
 }
 
-void TimelinePrinter::observe(const FrameRecord& frame, const StageRecord& stage) {
+void TimelinePrinter::observe(const FrameRecord& frame, const SceneTruth& scene) {
   bool printed = false;
-  for (const TimelineEvent& event : timeline_events(frame, stage)) {
+  for (const TimelineEvent& event : timeline_events(frame, scene)) {
     if (!is_news(event) && !event.reorients) {
       const bool has_room = repeated_.contains(event.machine) || repeated_.size() < CommandHistory::kMostMachines;
       ++repeated_[has_room ? event.machine : "(others)"];
@@ -45,7 +45,7 @@ void TimelinePrinter::observe(const FrameRecord& frame, const StageRecord& stage
   if (printed) out_.flush();
 }
 
-void TimelinePrinter::finish(const FrameRecord& /*last*/, const StageRecord& /*stage*/) {
+void TimelinePrinter::finish(const FrameRecord& /*last*/, const SceneTruth& /*scene*/) {
   if (repeated_.empty()) return;
   if (make_room_) make_room_();
   for (const auto& [machine, count] : repeated_) {

@@ -20,8 +20,8 @@ class TimelinePrinter : public Observer {
   /// empty.
   TimelinePrinter(std::ostream& out, bool every_event, std::function<void()> make_room = {});
 
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
-  void finish(const FrameRecord& last, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
+  void finish(const FrameRecord& last, const SceneTruth& scene) override;
 
   static constexpr double kRepeats = 10.0;  ///< s after which the same event is news again
   static constexpr std::size_t kMostRemembered =

@@ -19,8 +19,8 @@ void ClientClock::go_on_at(double time, double gap) {
 std::optional<ClientClock::Moment> ClientClock::advance(std::uint64_t client, double time, const Pose2& odometry,
                                                         double silence) {
   constexpr double kPatience = 1.0;  // s
-  began_anew_ = !known_ || client != client_;
-  if (began_anew_) {
+  restarted_ = !known_ || client != client_;
+  if (restarted_) {
     go_on_at(time, silence);
     before_ = last_odometry_ * odometry.inverse();
     client_ = client;

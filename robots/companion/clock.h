@@ -26,7 +26,7 @@ class ClientClock {
   /// The engine's, of the last frame.
   const Pose2& odometry() const { return last_odometry_; }
   /// Whether the last frame was the first one of a client that has begun anew.
-  bool began_anew() const { return began_anew_; }
+  bool restarted() const { return restarted_; }
 
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
@@ -43,7 +43,7 @@ class ClientClock {
   Pose2 before_;            // the engine's odometry is this times the client's
   Pose2 last_odometry_;     // the engine's
   double backwards_ = 0.0;  // s of our clock for which the client's has been behind
-  bool began_anew_ = false;
+  bool restarted_ = false;
 };
 
 }  // namespace reorient

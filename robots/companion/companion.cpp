@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostSamples = 100;      // of the body, from frame to frame
 constexpr std::size_t kMostWaitingNotes = 64;  // that wait
 
-ReportedPosture posture_of(std::uint32_t told) { return static_cast<ReportedPosture>(told); }
+ReportedPosture posture_of(std::uint32_t reported) { return static_cast<ReportedPosture>(reported); }
 static_assert(static_cast<int>(ReportedPosture::unknown) == REORIENT_UNKNOWN &&
               static_cast<int>(ReportedPosture::upright) == REORIENT_UPRIGHT &&
               static_cast<int>(ReportedPosture::falling) == REORIENT_FALLING &&
@@ -73,28 +73,28 @@ Companion::Companion(CompanionOptions options)
   }
 }
 
-const Greeting* Companion::wait_for_greeting() {
-  while (!greeting_) {
+const Handshake* Companion::wait_for_handshake() {
+  while (!handshake_) {
     if (options_.is_over && options_.is_over()) return nullptr;
     connection_.listen(options_.patience, *this);
   }
-  return &*greeting_;
+  return &*handshake_;
 }
 
-void Companion::begin(const Greeting& greeting, bool goes_on, int behaviors) {
-  engine_for_ = greeting;
+void Companion::begin(const Handshake& handshake, bool goes_on, int behaviors) {
+  engine_for_ = handshake;
   goes_on_ = goes_on;
   behaviors_ = behaviors;
   states_.clear();
   command_.withdraw();  // another engine asked for it
-  if (!goes_on) told_.begin_axes();
+  if (!goes_on) pending_.begin_axes();
   meet();
 }
 
 /// Welcomes a client that the engine was made for.
 void Companion::meet() {
-  if (!greeting_ || !engine_for_) return;
-  has_other_robot_ = identity_of(*greeting_) != identity_of(*engine_for_);
+  if (!handshake_ || !engine_for_) return;
+  has_other_robot_ = identity_of(*handshake_) != identity_of(*engine_for_);
   if (has_other_robot_ || welcomed_) return;
   welcomed_ = connection_.send(
       REORIENT_WELCOME, reorient_welcome{options_.server, goes_on_ ? 1u : 0u, static_cast<std::uint32_t>(behaviors_)});
@@ -115,13 +115,13 @@ bool Companion::observe(Observation& observation) {
 
 void Companion::connected() {
   ++counts_.clients;
-  greeting_.reset();
+  handshake_.reset();
   has_other_robot_ = false;
   welcomed_ = false;
 }
 
 void Companion::disconnected() {
-  greeting_.reset();
+  handshake_.reset();
   has_other_robot_ = false;
   welcomed_ = false;
   has_newest_ = false;
@@ -133,7 +133,7 @@ void Companion::disconnected() {
 
 void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, OwnedDescriptor& memory) {
   if (kind == REORIENT_HELLO) return take_hello(body);
-  if (!greeting_) throw BadMessage("the first message of a client is its hello");
+  if (!handshake_) throw BadMessage("the first message of a client is its hello");
   switch (kind) {
     case REORIENT_MEMORY:
       return take_memory(body, memory);
@@ -149,11 +149,11 @@ void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, Own
 }
 
 void Companion::take_hello(std::span<const std::byte> body) {
-  if (greeting_) throw BadMessage("a client says hello once; connect again to say something else");
-  greeting_ = read_greeting(body, options_.known);
-  told_.begin_client(greeting_->client);
+  if (handshake_) throw BadMessage("a client says hello once; connect again to say something else");
+  handshake_ = read_handshake(body, options_.known);
+  pending_.begin_client(handshake_->client);
   for (std::size_t i = 0; i < images_.size(); ++i) {
-    const std::optional<reorient_camera>& camera = greeting_->cameras[i];
+    const std::optional<reorient_camera>& camera = handshake_->cameras[i];
     images_[i] = camera ? Image(camera->width, camera->height) : Image();
   }
   meet();
@@ -163,10 +163,10 @@ void Companion::take_memory(std::span<const std::byte> body, OwnedDescriptor& me
   const auto layout = take_message<reorient_memory>(body, "a message about memory");
   if (!body.empty()) throw BadMessage("a message about memory is longer than it should be");
   if (!memory) throw BadMessage("a message about memory came without a file descriptor");
-  if (layout.camera >= shared_.size() || !greeting_->cameras[layout.camera])
+  if (layout.camera >= shared_.size() || !handshake_->cameras[layout.camera])
     throw BadMessage("memory for a camera that the hello does not have");
   shared_[layout.camera].reset();
-  shared_[layout.camera].emplace(memory, layout, *greeting_->cameras[layout.camera]);
+  shared_[layout.camera].emplace(memory, layout, *handshake_->cameras[layout.camera]);
   memory = OwnedDescriptor();
 }
 
@@ -180,7 +180,7 @@ void Companion::take_frame(std::span<const std::byte> body) {
   }
   ++counts_.frames;
   command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
-  if (told_.hear(arrived_.message)) command_.withdraw();
+  if (pending_.hear(arrived_.message)) command_.withdraw();
   if (const std::string nonsense = nonsense_in(arrived_.message); !nonsense.empty())
     return leave_out(arrived_.message.frame.number, nonsense);
   arrived_.at = options_.now();
@@ -214,9 +214,9 @@ void Companion::take_game(std::span<const std::byte> body) {
   if (game.team > kMost || game.player > kMost) return;
   const int team = static_cast<int>(game.team), player = static_cast<int>(game.player);
   if (game_.team() != team || game_.player() != player) game_ = GameController(team, player);
-  Told heard;
+  ExternalInputs heard;
   game_.hear(std::as_bytes(std::span(game.datagram).first(game.size)), heard);
-  told_.hear(heard);
+  pending_.hear(heard);
 }
 
 /// False: there is none, or it is of no use.
@@ -226,13 +226,13 @@ bool Companion::use_newest(Observation& observation) {
   const FrameMessage& message = newest_.message;
   const reorient_frame& frame = message.frame;
   const bool has_time = message.has(REORIENT_HAS_TIME);
-  const double time = has_time ? frame.time : newest_.at - greeting_->delay;
+  const double time = has_time ? frame.time : newest_.at - handshake_->delay;
   const std::optional<ClientClock::Moment> moment =
-      clock_.advance(greeting_->client, time, pose_of(frame.odometry), newest_.at - last_arrival_);
+      clock_.advance(handshake_->client, time, pose_of(frame.odometry), newest_.at - last_arrival_);
   last_arrival_ = newest_.at;
-  if (clock_.began_anew()) {  // with another belief, and in the axes of this moment
+  if (clock_.restarted()) {  // with another belief, and in the axes of this moment
     command_.withdraw();
-    told_.begin_axes();
+    pending_.begin_axes();
   }
   observation = {};
   if (!moment) return leave_out(frame.number, "its time is not after that of the frame before"), false;
@@ -244,14 +244,14 @@ bool Companion::use_newest(Observation& observation) {
   take_samples(moment->time, has_time);
   observation.body_samples = body_samples_;
   observation.reported_posture = posture_of(frame.posture);
-  if (greeting_->own_localization && (message.has(REORIENT_HAS_BELIEF) || !message.particles.empty())) {
+  if (handshake_->own_localization && (message.has(REORIENT_HAS_BELIEF) || !message.particles.empty())) {
     particles_ = message.particles;
     ExternalBelief& belief = observation.belief.emplace();
     belief.pose = pose_of(frame.belief);
     belief.covariance = covariance_of(frame.covariance);
     belief.particles = particles_;
   }
-  observation.told = told_.take(message);
+  observation.external = pending_.take(message);
   answered_ = frame.number;
   answered_time_ = time;
   answered_at_ = newest_.at;
@@ -260,8 +260,8 @@ bool Companion::use_newest(Observation& observation) {
 
 /// Where the robot has no feet that feel, or does not say what they do, as it stands.
 BodySample Companion::with_load(BodySample sample, std::uint32_t has) const {
-  if ((has & REORIENT_HAS_FOOT_LOAD) == 0 && greeting_->body.standing_load)
-    sample.foot_load = *greeting_->body.standing_load;
+  if ((has & REORIENT_HAS_FOOT_LOAD) == 0 && handshake_->body.standing_load)
+    sample.foot_load = *handshake_->body.standing_load;
   return sample;
 }
 
@@ -295,7 +295,7 @@ bool Companion::take_images(const FrameMessage& message, double time, Observatio
     CameraFrame& camera = (i == 0 ? observation.upper : observation.lower).emplace();
     camera.time = time - which.age;
     camera.image = images_[i].view();
-    camera.camera = camera_model(*greeting_->cameras[i], greeting_->lenses[i]);
+    camera.camera = camera_model(*handshake_->cameras[i], handshake_->lenses[i]);
     camera.odometry = clock_.odometry();
     if (which.present == 2) {
       camera.robot_from_camera = camera_pose_of(which.pose);
@@ -304,7 +304,7 @@ bool Companion::take_images(const FrameMessage& message, double time, Observatio
     const reorient_frame& frame = message.frame;
     const HeadAngles head = told_head ? HeadAngles{frame.head[0], frame.head[1]} : HeadAngles{};
     const TorsoAttitude torso = told_attitude ? TorsoAttitude{frame.attitude[0], frame.attitude[1]} : TorsoAttitude{};
-    const RobotDimensions& dimensions = greeting_->body.dimensions;
+    const RobotDimensions& dimensions = handshake_->body.dimensions;
     camera.robot_from_camera = robot_from_camera(dimensions, head, torso, dimensions.torso_height,
                                                  i == 0 ? HeadCamera::upper : HeadCamera::lower);
   }
@@ -331,9 +331,9 @@ void Companion::answer(const Answer& answer) {
   message.pose[2] = pose.rotation;
   set_covariance(answer.belief.covariance, message.covariance);
   const Request& request = answer.request;
-  const bool head = request.head && greeting_ && greeting_->carries_out_head;
-  const bool walk = greeting_ && greeting_->carries_out_walk;
-  const bool get_up = request.get_up && greeting_ && greeting_->carries_out_get_up;
+  const bool head = request.head && handshake_ && handshake_->carries_out_head;
+  const bool walk = handshake_ && handshake_->carries_out_walk;
+  const bool get_up = request.get_up && handshake_ && handshake_->carries_out_get_up;
   if (head) {
     message.head[0] = request.head->angles.yaw;
     message.head[1] = request.head->angles.pitch;
@@ -352,7 +352,7 @@ void Companion::answer(const Answer& answer) {
   message.frames = counts_.frames;
   message.superseded = counts_.superseded;
   message.unusable = counts_.unusable;
-  if (greeting_ && !connection_.send(REORIENT_ANSWER, message)) ++counts_.unanswered;
+  if (handshake_ && !connection_.send(REORIENT_ANSWER, message)) ++counts_.unanswered;
   if (welcomed_) {
     for (const std::string& word : answer.messages) keep_note(words_, REORIENT_NOTE_MESSAGE, word);
   }

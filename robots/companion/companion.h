@@ -18,8 +18,8 @@
 #include "robots/companion/commands.h"
 #include "robots/companion/connection.h"
 #include "robots/companion/frame_message.h"
-#include "robots/companion/greeting.h"
-#include "robots/companion/pending_told.h"
+#include "robots/companion/handshake.h"
+#include "robots/companion/pending_external_inputs.h"
 #include "robots/companion/shared_images.h"
 #include "robots/game_controller.h"
 #include "robots/robot.h"
@@ -44,10 +44,10 @@ class Companion : public Robot, private Receiver {
   explicit Companion(CompanionOptions options);
 
   /// Waits until a client has said who it is. Nothing: it is over.
-  const Greeting* wait_for_greeting();
-  /// An engine that was made for `greeting` stands behind this from now on. `goes_on`: it knows what one before it
+  const Handshake* wait_for_handshake();
+  /// An engine that was made for `handshake` stands behind this from now on. `goes_on`: it knows what one before it
   /// knew.
-  void begin(const Greeting& greeting, bool goes_on, int behaviors);
+  void begin(const Handshake& handshake, bool goes_on, int behaviors);
   /// There can be no engine for this client: it is told why, and gone.
   void refuse(const std::string& why) { connection_.refuse(why, *this); }
 
@@ -73,7 +73,7 @@ class Companion : public Robot, private Receiver {
   /// What a process that takes this one's place has to know, but for the engine.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    archive(self.clock_, self.last_time_, self.told_, self.game_);
+    archive(self.clock_, self.last_time_, self.pending_, self.game_);
     if constexpr (Archive::kReads) self.last_arrival_ = self.options_.now();
   }
 
@@ -107,11 +107,11 @@ class Companion : public Robot, private Receiver {
   ClientClock clock_;
 
   GameController game_;
-  PendingTold told_;
+  PendingExternalInputs pending_;
 
-  std::optional<Greeting> greeting_;    ///< of the client that is connected
-  std::optional<Greeting> engine_for_;  ///< nothing: there is no engine yet
-  bool has_other_robot_ = false;        ///< they differ in their identity
+  std::optional<Handshake> handshake_;   ///< of the client that is connected
+  std::optional<Handshake> engine_for_;  ///< nothing: there is no engine yet
+  bool has_other_robot_ = false;         ///< they differ in their identity
   bool goes_on_ = false;
   int behaviors_ = 0;
   bool welcomed_ = false;

@@ -65,10 +65,10 @@ FootageRobot::FootageRobot(std::unique_ptr<FootageSource> source, const FootageO
   body_samples_.reserve(kMostBodySamples);
   do {
     if (next_frame()) continue;
-    throw BadFootage(failure_.empty() ? "expected more than " + std::to_string(options.passed_over) +
+    throw BadFootage(failure_.empty() ? "expected more than " + std::to_string(options.skipped) +
                                             " images in the footage, found " + std::to_string(frames_)
                                       : failure_);
-  } while (frames_ <= options.passed_over);
+  } while (frames_ <= options.skipped);
   is_next_read_ = true;
 }
 
@@ -113,15 +113,15 @@ bool FootageRobot::observe(Observation& observation) {
   const auto is_reached = [this](double moment) { return time_ > moment - 1e-6; };
   const bool is_due = change != nullptr && is_reached(change->at);
   is_carried_ = is_due && change->kind == BeliefChange::Kind::lifted && !is_reached(change->at + change->lifted_for);
-  feel_body(observation);
+  update_posture(observation);
   // Who is lifted believes what it believed until it stands elsewhere.
   if (is_due && !is_carried_ && !std::exchange(is_changed_, true)) {
     belief_.apply(*change);
     if (change->kind == BeliefChange::Kind::told && truth_)
-      observation.told.initial_pose = InitialPose{belief_.of(*truth_)};
+      observation.external.initial_pose = InitialPose{belief_.of(*truth_)};
   }
   if (!std::exchange(is_started_, true) && !truth_ && options_.start)
-    observation.told.initial_pose = InitialPose{*options_.start};
+    observation.external.initial_pose = InitialPose{*options_.start};
   tell_belief(observation);
   if (is_carried_) return true;
   observation.upper = CameraFrame{.time = time_,
@@ -133,7 +133,7 @@ bool FootageRobot::observe(Observation& observation) {
 }
 
 /// Nobody recorded what the feet felt: they carry the robot, unless somebody else does.
-void FootageRobot::feel_body(Observation& observation) {
+void FootageRobot::update_posture(Observation& observation) {
   BodySample sample;
   sample.torso = frame_.torso;
   if (is_carried_) sample.foot_load = 0.0;

@@ -43,7 +43,7 @@ struct FootageOptions {
   std::optional<Pose2> start;
   std::optional<BeliefChange> change;
   /// So many frames are passed over first; the clock counts them.
-  std::uint64_t passed_over = 0;
+  std::uint64_t skipped = 0;
 };
 
 /// What a localization with one pose makes of the recorded pose and of what the engine granted.
@@ -85,7 +85,7 @@ class FootageRobot : public Robot, public GroundTruthSource {
 
  private:
   bool next_frame();
-  void feel_body(Observation& observation);
+  void update_posture(Observation& observation);
   void tell_belief(Observation& observation);
 
   std::unique_ptr<FootageSource> source_;

@@ -98,7 +98,7 @@ bool Nao::observe(Observation& observation) {
   observation.body = given_.empty() ? moment.body : given_.back();
   observation.odometry = observation.upper ? observation.upper->odometry : observation.lower->odometry;
   observation.reported_posture = reported(guard_.state);
-  observation.told = std::exchange(told_, {});
+  observation.external = std::exchange(external_, {});
   return true;
 }
 
@@ -159,7 +159,7 @@ void Nao::hear_referee(double now) {
   for (int i = 0; i < kAtOnce; ++i) {
     const std::span<const std::byte> datagram = around_.referee->receive();
     if (datagram.empty()) return;
-    if (!game_.hear(datagram, told_)) continue;
+    if (!game_.hear(datagram, external_)) continue;
     around_.referee->heed();
     if (now < next_return_) continue;
     next_return_ = now + kReturnPeriod;
@@ -242,9 +242,9 @@ Nao::Counts Nao::counts() const {
   for (const std::optional<Eye>* const eye : {&upper_, &lower_}) {
     if (!*eye) continue;
     const VideoCamera::Counts camera = (*eye)->camera.counts();
-    all.passed_over += camera.passed_over;
+    all.superseded += camera.superseded;
     all.damaged += camera.damaged;
-    all.begun_anew += camera.begun_anew;
+    all.restarts += camera.restarts;
   }
   return all;
 }

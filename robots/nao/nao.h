@@ -82,10 +82,10 @@ class Nao : public Robot {
 
   struct Counts {
     std::uint64_t frames = 0;
-    std::uint64_t passed_over = 0;  ///< images, since a newer one had come
-    std::uint64_t unplaced = 0;     ///< images of which it is not known how the head was turned
-    std::uint64_t damaged = 0;      ///< images
-    std::uint64_t begun_anew = 0;   ///< cameras
+    std::uint64_t superseded = 0;  ///< images, since a newer one had come
+    std::uint64_t unplaced = 0;    ///< images of which it is not known how the head was turned
+    std::uint64_t damaged = 0;     ///< images
+    std::uint64_t restarts = 0;    ///< cameras
   };
   Counts counts() const;
 
@@ -117,7 +117,7 @@ class Nao : public Robot {
   GuardReport guard_;
   GameController game_;
   double next_return_ = 0.0;  // s
-  Told told_;
+  ExternalInputs external_;
 
   WantedPosture posture_ = WantedPosture::sit;
   bool paused_ = false;

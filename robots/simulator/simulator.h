@@ -12,7 +12,7 @@
 #include "geometry/random.h"
 #include "geometry/transform.h"
 #include "robots/camera_pairing.h"
-#include "robots/experimenter.h"
+#include "robots/operator.h"
 #include "robots/robot.h"
 #include "robots/simulator/agents/players.h"
 #include "robots/simulator/agents/spectators.h"
@@ -80,7 +80,7 @@ void describe(SimulatorParameters& p, Visit&& visit) {
 /// What a body's file says of them; the rest as it is.
 SimulatorParameters simulator_parameters_of(const RobotBody& body);
 
-class Simulator : public Robot, public Experimenter, public GroundTruthSource {
+class Simulator : public Robot, public Operator, public GroundTruthSource {
  public:
   /// Throws std::runtime_error with one line where both cameras are asked for and the robot has one, where the field's
   /// carpet is larger than the room, and where no camera can have these numbers (mistake_in()).

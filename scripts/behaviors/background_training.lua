@@ -27,7 +27,7 @@ local p = param {
 -- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
 local memory = keep { has_begun = false, was_lifted = false }
 
-local function stands_on_the_field() return robot.undisturbed_for > p.undisturbed_time end
+local function stands_on_the_field() return robot.time_since_disturbance > p.undisturbed_time end
 
 local function knows_the_room()
   if training.seconds >= p.max_time then return true end

@@ -32,7 +32,7 @@ end
 
 local function is_sure() return not is_unsure() end
 
-local function is_disturbed() return robot.undisturbed_for == 0.0 end
+local function is_disturbed() return robot.time_since_disturbance == 0.0 end
 
 local function is_opponent_goal_nearer() return gaze.angle_to(opponent_goal()) <= gaze.angle_to(own_goal()) end
 

@@ -31,7 +31,7 @@ local function room_supports_the_pose()
   return is_right_way_round and confidence.current > p.share and is_pose_found()
 end
 
-local function can_search() return robot.undisturbed_for > 0.0 and robot.may_walk end
+local function can_search() return robot.time_since_disturbance > 0.0 and robot.may_walk end
 
 -- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
 local function is_stuck() return confidence.can_tell and not decision.for_either() and seen.goal_posts == 0 end
@@ -51,7 +51,7 @@ behavior "kidnap_recovery" {
   state "lifted" {
     enter = function() command.pause_training() end,
     exit = function() memory.put_down_at = clock.time end,
-    { "searching", when = function() return robot.undisturbed_for > 0.0 end, because = "the robot stands, who knows where" },
+    { "searching", when = function() return robot.time_since_disturbance > 0.0 end, because = "the robot stands, who knows where" },
   },
 
   state "searching" {

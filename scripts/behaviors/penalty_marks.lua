@@ -30,7 +30,7 @@ local function is_there() return walking.is_near(mark(), 0.0, p.arrived) end
 
 local function does_not_know_the_room() return p.turn_round and training.active and confidence.coverage < p.coverage end
 
-local function is_disturbed() return robot.undisturbed_for == 0.0 end
+local function is_disturbed() return robot.time_since_disturbance == 0.0 end
 
 local function one_turn() return 2 * math.pi / p.turn_speed end   -- s
 
@@ -67,8 +67,8 @@ behavior "penalty_marks" {
   state "turning round" {
     enter = function() memory.has_turned = true end,
     update = function() walking.turn(p.turn_speed) end,
-    { "on the mark", when = is_there, after = one_turn, because = "it has turned round" },
-    { "walking", after = one_turn, because = "it has turned round" },
+    { "on the mark", when = is_there, after = one_turn, because = "it has turned by 180 degrees" },
+    { "walking", after = one_turn, because = "it has turned by 180 degrees" },
   },
 
   state "looking round" {
@@ -86,7 +86,7 @@ behavior "penalty_marks" {
   state "disturbed" {
     update = function() walk.stand() end,
     exit = function() memory.side = -1 end,
-    { "walking", when = function() return robot.undisturbed_for > p.undisturbed_time end, because = "the robot stands again" },
+    { "walking", when = function() return robot.time_since_disturbance > p.undisturbed_time end, because = "the robot stands again" },
   },
 
   state "waiting" {

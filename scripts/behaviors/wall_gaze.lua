@@ -23,10 +23,10 @@ local memory = keep { yaw = 0.0 }   -- where it looks
 
 -- Where the pose filter is lost, the walls are not where the belief says, and neither is the most telling view.
 local function is_in_doubt()
-  return confidence.can_tell and confidence.status ~= "lost" and not decision.for_either() and views.telling_worth > p.least
+  return confidence.can_tell and confidence.status ~= "lost" and not decision.for_either() and views.best_score > p.least
 end
 
-local function is_learning() return training.active and views.unknown_worth > p.unknown end
+local function is_learning() return training.active and views.unknown_score > p.unknown end
 
 local function is_there() return math.abs(robot.head_yaw - memory.yaw) < NEAR end
 
@@ -43,7 +43,7 @@ behavior "wall_gaze" {
   },
 
   state "looking" {
-    enter = function() memory.yaw = views.telling end,
+    enter = function() memory.yaw = views.best_yaw end,
     update = function() head.look(memory.yaw, p.pitch, p.speed) end,
     { "resting", when = function() return not is_in_doubt() end, because = "the walls have told enough, or cannot tell" },
     { "looking", when = is_there, lasting = "dwell", because = "the place was looked at" },
@@ -51,7 +51,7 @@ behavior "wall_gaze" {
   },
 
   state "studying" {
-    enter = function() memory.yaw = views.unknown end,
+    enter = function() memory.yaw = views.unknown_yaw end,
     update = function() head.look(memory.yaw, p.pitch, p.speed) end,
     { "resting", when = function() return not training.active end, because = "the walls are not learned any more" },
     { "resting", when = is_known_there, lasting = "study", because = "what can be seen of the walls is known" },

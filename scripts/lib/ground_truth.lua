@@ -19,8 +19,8 @@ function ground_truth.start_pose() return -field.penalty_mark_x, -field.width / 
 
 --- Puts the robot down at the start and tells it so.
 function ground_truth.start()
-  experimenter.put_down(ground_truth.start_pose())
-  experimenter.set_initial_pose(ground_truth.start_pose())
+  operator.put_down(ground_truth.start_pose())
+  operator.set_initial_pose(ground_truth.start_pose())
 end
 
 --- How far the believed pose is from the true one.

@@ -31,8 +31,8 @@ local function is_heading_learned() return time_in_state() >= p.learn / (p.place
 local function is_place_learned() return memory.heading >= p.headings and is_heading_learned() end
 
 local function put_down(x, y, rotation)
-  experimenter.put_down(x, y, rotation)
-  experimenter.set_initial_pose(x, y, rotation)
+  operator.put_down(x, y, rotation)
+  operator.set_initial_pose(x, y, rotation)
 end
 
 scenario "elsewhere" {
@@ -67,23 +67,23 @@ scenario "elsewhere" {
 
   state "carrying" {
     enter = function()
-      experimenter.change_light()
-      experimenter.pick_up()
+      operator.change_light()
+      operator.pick_up()
     end,
     { "standing", after = "carry", because = "the robot is placed elsewhere" },
   },
 
   state "standing" {
-    enter = function() experimenter.put_down(somewhere(1.2)) end,
+    enter = function() operator.put_down(somewhere(1.2)) end,
     { "told", after = STAND, because = "the initial pose is set" },
   },
 
   state "told" {
     enter = function()
       if p.told == "truth" then
-        experimenter.set_initial_pose(truth.x, truth.y, truth.rotation)
+        operator.set_initial_pose(truth.x, truth.y, truth.rotation)
       else
-        experimenter.set_initial_pose(-truth.x, -truth.y, truth.rotation + math.pi)
+        operator.set_initial_pose(-truth.x, -truth.y, truth.rotation + math.pi)
       end
       ground_truth.note("told the " .. p.told)
     end,

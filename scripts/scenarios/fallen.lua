@@ -32,7 +32,7 @@ scenario "fallen" {
     initial = "down",
     enter = function()
       ground_truth.note("pushed over")
-      experimenter.push_over()
+      operator.push_over()
     end,
     { "failed", after = "timeout", because = "the time is up" },
 

@@ -1,5 +1,5 @@
 --- The robot walks between the penalty marks and is pushed over from time to time. How exactly does it know its pose?
---- Either the experimenter sets the initial pose, or the robot is put down anywhere and no initial pose is set.
+--- Either the operator sets the initial pose, or the robot is put down anywhere and no initial pose is set.
 
 -- SPDX-License-Identifier: MIT
 
@@ -16,7 +16,7 @@ local memory = keep { falls = 0, next_fall = 0.0 }
 
 local function put_down_anywhere()
   local x, y = field.length / 2 - p.margin, field.width / 2 - p.margin
-  experimenter.put_down(chance.between(-x, x), chance.between(-y, y), chance.between(-math.pi, math.pi))
+  operator.put_down(chance.between(-x, x), chance.between(-y, y), chance.between(-math.pi, math.pi))
 end
 
 local function plan_next_fall()
@@ -29,7 +29,7 @@ local function is_fall_due() return memory.falls < p.falls and clock.time >= mem
 local function push_over()
   memory.falls = memory.falls + 1
   ground_truth.note("pushed over")
-  experimenter.push_over()
+  operator.push_over()
 end
 
 local function is_over() return clock.time >= p.duration end

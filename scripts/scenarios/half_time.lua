@@ -27,7 +27,7 @@ scenario "half_time" {
   state "first half" {
     exit = function()
       ground_truth.note("before half-time")
-      experimenter.half_time()
+      operator.half_time()
     end,
     { "second half", after = "learn", because = "the teams change sides" },
   },

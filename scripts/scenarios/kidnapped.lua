@@ -22,7 +22,7 @@ local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it
 local function put_down_elsewhere()
   local rotation = memory.rotation + math.pi   -- of the reflection
   local cosine, sine = math.cos(rotation), math.sin(rotation)
-  experimenter.put_down(
+  operator.put_down(
     -memory.x + p.ahead * cosine - p.left * sine,
     -memory.y + p.ahead * sine + p.left * cosine,
     rotation + p.turn)
@@ -50,7 +50,7 @@ scenario "kidnapped" {
     enter = function()
       memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
       ground_truth.note("picked up")
-      experimenter.pick_up()
+      operator.pick_up()
     end,
     { "elsewhere", after = "carry", because = "put down at another place" },
   },

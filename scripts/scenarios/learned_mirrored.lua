@@ -6,7 +6,7 @@
 
 local ground_truth = require "lib.ground_truth"
 
-local function set_true_pose() experimenter.set_initial_pose(truth.x, truth.y, truth.rotation) end
+local function set_true_pose() operator.set_initial_pose(truth.x, truth.y, truth.rotation) end
 
 local p = param {
   learn    = { 60.0, range = { 0, 600 }, unit = "s", doc = "how long the robot learns with the mirrored pose as its belief" },
@@ -26,8 +26,8 @@ scenario "learned_mirrored" {
   state "placing" {
     enter = function()
       local x, y, rotation = ground_truth.start_pose()
-      experimenter.put_down(x, y, rotation)
-      experimenter.set_initial_pose(-x, -y, rotation + math.pi)
+      operator.put_down(x, y, rotation)
+      operator.set_initial_pose(-x, -y, rotation + math.pi)
     end,
     { "learning", after = 0.1, because = "the mirrored pose is set" },
   },

@@ -8,9 +8,9 @@
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
-  event = { "turned_round", doc = "what happens to the robot", choices = {
+  event = { "mirrored_placement", doc = "what happens to the robot", choices = {
     "none",           -- it is left in peace
-    "turned_round",   -- it is carried, and put down on the reflection of its belief
+    "mirrored_placement",   -- it is carried, and put down on the reflection of its belief
     "put_back",       -- it is carried, and put down where it was
     "kidnapped",      -- it is carried, and put down anywhere on the field
     "fallen",         -- it is pushed over
@@ -42,29 +42,29 @@ end
 
 local function put_down_anywhere()
   local x, y = field.length / 2 - p.margin, field.width / 2 - p.margin
-  experimenter.put_down(chance.between(-x, x), chance.between(-y, y), chance.between(-math.pi, math.pi))
+  operator.put_down(chance.between(-x, x), chance.between(-y, y), chance.between(-math.pi, math.pi))
 end
 
 -- What is done at the moment from which on the belief is watched.
 local DEEDS = {
   none = function() end,
-  turned_round = function() experimenter.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,
-  put_back = function() experimenter.put_down(truth.x, truth.y, truth.rotation) end,
+  mirrored_placement = function() operator.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,
+  put_back = function() operator.put_down(truth.x, truth.y, truth.rotation) end,
   kidnapped = put_down_anywhere,
-  fallen = function() experimenter.push_over() end,
+  fallen = function() operator.push_over() end,
   penalized = function()
-    experimenter.put_down(start_pose())
-    experimenter.penalize(false)
+    operator.put_down(start_pose())
+    operator.penalize(false)
   end,
-  half_time = function() experimenter.half_time() end,
+  half_time = function() operator.half_time() end,
   misled = function()
     local x, y, rotation = start_pose()
-    experimenter.put_down(x, y, rotation)
-    experimenter.set_initial_pose(-x, -y, rotation + math.pi)
+    operator.put_down(x, y, rotation)
+    operator.set_initial_pose(-x, -y, rotation + math.pi)
   end,
 }
 
-local CARRIED = { turned_round = true, put_back = true, kidnapped = true }
+local CARRIED = { mirrored_placement = true, put_back = true, kidnapped = true }
 
 scenario "trial" {
   behaviors = {
@@ -76,8 +76,8 @@ scenario "trial" {
   state "placing" {
     enter = function()
       local x, y, rotation = start_pose()
-      experimenter.put_down(x, y, rotation)
-      experimenter.set_initial_pose(x, y, rotation)
+      operator.put_down(x, y, rotation)
+      operator.set_initial_pose(x, y, rotation)
     end,
     { "learning", after = 0.1, because = "the robot was told where it stands" },
   },
@@ -89,7 +89,7 @@ scenario "trial" {
   state "waiting" {
     enter = function()
       memory.wait = chance.between(p.wait_least, math.max(p.wait_least, p.wait_most))
-      experimenter.change_light()
+      operator.change_light()
     end,
     { "carried", when = function() return CARRIED[p.event] and time_in_state() >= memory.wait end,
       because = "somebody takes the robot" },
@@ -101,15 +101,15 @@ scenario "trial" {
   state "carried" {
     enter = function()
       remember_belief()
-      experimenter.pick_up()
+      operator.pick_up()
     end,
     { "measured", after = "carry", because = "the robot is put down" },
   },
 
   state "out of the game" {
     enter = function()
-      experimenter.penalize(true)
-      experimenter.pick_up()
+      operator.penalize(true)
+      operator.pick_up()
     end,
     { "measured", after = "penalty", because = "the penalty is over" },
   },

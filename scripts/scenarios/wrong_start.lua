@@ -30,7 +30,7 @@ scenario "wrong_start" {
     initial = "wrong",
     enter = function()
       ground_truth.note("told the reflection")
-      experimenter.set_initial_pose(-truth.x, -truth.y, truth.rotation + math.pi)
+      operator.set_initial_pose(-truth.x, -truth.y, truth.rotation + math.pi)
     end,
     { "failed", after = "timeout", because = "the time is up" },
 

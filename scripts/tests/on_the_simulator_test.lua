@@ -3,7 +3,7 @@
 -- SPDX-License-Identifier: MIT
 
 test("a robot that was turned round notices, flips and ends right", function()
-  local is_right = simulate { scenario = "turned_round", seed = 1 }
+  local is_right = simulate { scenario = "mirrored_placement", seed = 1 }
   expect.verdict(true, "walked to the right mark")
   expect.command("flip_pose", "granted")
   expect.command("purge_reflection", "granted")
@@ -11,7 +11,7 @@ test("a robot that was turned round notices, flips and ends right", function()
 end)
 
 test("the same robot, blind to the room, never notices", function()
-  local is_right = simulate { scenario = "turned_round", seed = 1, room_awareness = false }
+  local is_right = simulate { scenario = "mirrored_placement", seed = 1, room_awareness = false }
   expect.verdict(false, "believes its reflected pose")
   expect.no_command("flip_pose")
   expect.equal(is_right, false)

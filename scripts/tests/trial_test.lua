@@ -27,7 +27,7 @@ local function stand_at(x, y, rotation)
 end
 
 test("carries the robot to the reflection of its belief", function()
-  learn("turned_round")
+  learn("mirrored_placement")
   advance(0.5)
   expect.state("trial", "carried")
   expect.action("pick_up")
@@ -41,7 +41,7 @@ test("carries the robot to the reflection of its belief", function()
 end)
 
 test("a belief that stays reflected is wrong in the end", function()
-  learn("turned_round")
+  learn("mirrored_placement")
   advance(2.1)
   stand_at(3.2, 3.5, math.rad(-90))
   advance(60)

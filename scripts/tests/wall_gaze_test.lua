@@ -5,7 +5,7 @@
 local function in_doubt()
   load_behavior "wall_gaze"
   load_behavior "head_scan"
-  set_world { confidence = { status = "usable", evidence = 1 }, views = { telling = -0.7, telling_worth = 3 } }
+  set_world { confidence = { status = "usable", evidence = 1 }, views = { best_yaw = -0.7, best_score = 3 } }
   advance(0.1)
 end
 
@@ -30,7 +30,7 @@ end)
 
 test("leaves it where there is nothing to see", function()
   in_doubt()
-  set_world { views = { telling_worth = 0 } }
+  set_world { views = { best_score = 0 } }
   advance(0.5)
   expect.state("wall_gaze", "resting")
   expect.reason("wall_gaze", "the walls have told enough, or cannot tell")
@@ -41,7 +41,7 @@ test("looks where the walls tell most, and then at the next such place", functio
   expect.state("wall_gaze", "looking")
   expect.reason("wall_gaze", "the walls have to tell which way the robot looks")
   expect.head(-0.7, -0.1)
-  set_world { views = { telling = 0.5 } }
+  set_world { views = { best_yaw = 0.5 } }
   advance(0.3)
   expect.head(-0.7, -0.1)   -- first things first
   set_world { robot = { head_yaw = -0.68 } }
@@ -52,7 +52,7 @@ end)
 
 test("looks elsewhere when a place cannot be looked at", function()
   in_doubt()
-  set_world { views = { telling = 0.5 } }
+  set_world { views = { best_yaw = 0.5 } }
   advance(2.1)
   expect.reason("wall_gaze", "the place cannot be looked at")
   expect.head(0.5, -0.1)
@@ -61,7 +61,7 @@ end)
 local function learning()
   load_behavior "wall_gaze"
   load_behavior "head_scan"
-  set_world { confidence = { status = "resting" }, training = { active = true }, views = { unknown = 0.9, unknown_worth = 8 } }
+  set_world { confidence = { status = "resting" }, training = { active = true }, views = { unknown_yaw = 0.9, unknown_score = 8 } }
   advance(0.1)
 end
 
@@ -69,7 +69,7 @@ test("looks where most is unknown while the room is learned", function()
   learning()
   expect.state("wall_gaze", "studying")
   expect.head(0.9, -0.1)
-  set_world { robot = { head_yaw = 0.9 }, views = { unknown = -0.4 } }
+  set_world { robot = { head_yaw = 0.9 }, views = { unknown_yaw = -0.4 } }
   advance(0.3)
   expect.head(0.9, -0.1)   -- a tile is trusted after a while only
   advance(0.2)
@@ -79,7 +79,7 @@ end)
 
 test("leaves the head to the scan when what can be seen is known, once the place was looked at", function()
   learning()
-  set_world { views = { unknown_worth = 1 } }
+  set_world { views = { unknown_score = 1 } }
   advance(1)
   expect.state("wall_gaze", "studying")   -- or it would hover between two places
   set_world { robot = { head_yaw = 0.9 } }

@@ -261,7 +261,7 @@ TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
   const std::filesystem::path link = folder_.path() / "link";
   std::filesystem::create_symlink(folder_.path() / "precious", link);
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
-      {{"run", "turned_round", "--robot", "companion"}, "--robot companion plays no scenario"},
+      {{"run", "mirrored_placement", "--robot", "companion"}, "--robot companion plays no scenario"},
       {{"run", "--robot", "companion", "--room", "hall.hdr"}, "--room: the companion would not heed it"},
       {{"run", "--robot", "companion", "--body", "nao-v6"}, "--body: the companion would not heed it"},
       {{"run", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
@@ -287,7 +287,7 @@ TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
 TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServed) {
   const std::string model = (folder_.path() / "hall.model").string();
   {
-    ChildProgram other(folder_.path(), {"run", "turned_round", "--width", "160", "--seconds", "20", "--body",
+    ChildProgram other(folder_.path(), {"run", "mirrored_placement", "--width", "160", "--seconds", "20", "--body",
                                         "booster-k1", "--model", model});
     other.wait();
     ASSERT_TRUE(std::filesystem::exists(model)) << other.err();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Three short runs on the simulator, and for each the digest of its records and of the model of the room that it
-// learned. Small, so that it is quickly built for another processor and quickly run by an emulator: what it prints
-// there must be what it prints here. same_as_native compares the whole program, with models and recordings as files.
+// Three short runs on the simulator. For each: the digest of its records, of their numbers without names and texts, and
+// of the model of the room that it learned. Small, so that it is quickly built for another processor and quickly run by
+// an emulator: what it prints there must be what it prints here. same_as_native compares the whole program, with models
+// and recordings as files.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,6 +17,7 @@
 #include "engine/record/digest.h"
 #include "perception/room/saved_model.h"
 #include "robots/simulator/simulator.h"
+#include "tests/determinism/number_digest.h"
 #include "tests/paths.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
@@ -39,7 +41,7 @@ struct ProbedRun {
 /// The model of the room in the last frame.
 struct ModelDigest : Observer {
   Topics wanted() const override { return {Topic::room}; }
-  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     learned = frame.world.trained_seconds;
     basis = frame.room.basis;
     tiles.assign(frame.room.model.begin(), frame.room.model.end());
@@ -90,9 +92,11 @@ void probe(const ProbedRun& run) {
   for (const std::string& name : scenario.wanted_behaviors()) setup.behaviors.push_back("behaviors/" + name + ".lua");
   FrameLoop engine(std::move(setup));
   DigestObserver digest;
+  NumberDigest numbers;
   ModelDigest model;
-  RunLoop({robot, engine, &scenario, &behaviors, {}, {&digest, &model}, {}, run.seconds, false}).run();
-  std::printf("%s: records %s, model %s\n", run.scenario, digest.hex().c_str(), model.hex().c_str());
+  RunLoop({robot, engine, &scenario, &behaviors, {}, {&digest, &numbers, &model}, {}, run.seconds, false}).run();
+  std::printf("%s: records %s, numbers %s, model %s\n", run.scenario, digest.hex().c_str(), numbers.hex().c_str(),
+              model.hex().c_str());
 }
 
 }  // namespace
@@ -101,7 +105,7 @@ void probe(const ProbedRun& run) {
 int main() {
   using namespace reorient;
   try {
-    probe({"turned_round", 8.0});
+    probe({"mirrored_placement", 8.0});
     probe({"fallen", 3.0, Cameras::both});
     // Every loop over pixels of the simulator.
     std::vector<ParameterChange> hard =

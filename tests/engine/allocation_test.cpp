@@ -52,7 +52,7 @@ class SteadyState : public testing::TestWithParam<Cameras> {
     const Pose2 start(-2.0, 1.0, 0.5);
     simulator.emplace(parameters, setup.body, setup.field, procedural_hall(1, {}), start, 1);
     engine.emplace(std::move(setup));
-    inputs.told.initial_pose = InitialPose{start};
+    inputs.external.initial_pose = InitialPose{start};
     if (const char* number = std::getenv("REORIENT_STOP_AT_ALLOCATION")) stop_at = std::atol(number);
   }
 
@@ -73,7 +73,7 @@ class SteadyState : public testing::TestWithParam<Cameras> {
       const FrameRecord& record = engine->step(inputs, wanted);
       counting = false;
       simulator->answer(record.answer);
-      inputs.told = {};
+      inputs.external = {};
     }
   }
 

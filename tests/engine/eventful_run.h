@@ -69,7 +69,7 @@ inline std::vector<Bytes> eventful_run(int frames, FrameSetup setup = eventful_s
   for (int i = 0; i < frames; ++i) {
     FrameInputs inputs;
     const int event = i % 240;
-    if (i == 0) inputs.told.initial_pose = InitialPose{start};
+    if (i == 0) inputs.external.initial_pose = InitialPose{start};
     if (event == 60) simulator.pick_up();
     if (event == 80) simulator.put_down(reflect(simulator.ground_truth().pose));
     if (event == 100) inputs.parameter_changes.push_back({"pose_filter.particles", "150", ParameterOrigin::live, ""});
@@ -78,11 +78,11 @@ inline std::vector<Bytes> eventful_run(int frames, FrameSetup setup = eventful_s
       inputs.script_edits.push_back({"behaviors/orientation.lua", ScriptText{orientation.text + "\n-- edited", ""}});
     if (event == 115) inputs.script_edits.push_back({"behaviors/head_scan.lua", ScriptText{"broken(", ""}});
     if (event == 125) simulator.push_over();
-    if (event == 150) inputs.told.messages.push_back({3, "I see the ball"});
+    if (event == 150) inputs.external.messages.push_back({3, "I see the ball"});
     if (event == 155) simulator.penalize(true);
     if (event == 170) simulator.penalize(false);
-    if (event == 160 || event == 195) inputs.told.half_time = true;
-    if (event == 200) inputs.told.initial_pose = InitialPose{simulator.ground_truth().pose};
+    if (event == 160 || event == 195) inputs.external.half_time = true;
+    if (event == 200) inputs.external.initial_pose = InitialPose{simulator.ground_truth().pose};
     simulator.observe(inputs.observation);
     const std::vector<ExternalBelief::Particle> particles = scattered_around(simulator.ground_truth().pose);
     if ((event >= 20 && event < 40) || (event >= 175 && event < 197)) {  // another localization comes, and goes again

@@ -63,13 +63,13 @@ class HandFedLoop {
       observation.time += kStep;
       inputs.parameter_changes.clear();
       inputs.script_edits.clear();
-      inputs.told = {};
+      inputs.external = {};
     }
     return engine->record();
   }
   const FrameRecord& record() const { return engine->record(); }
   const World& world() const { return record().world; }
-  void tell(const Pose2& pose) { inputs.told.initial_pose = InitialPose{pose}; }
+  void tell(const Pose2& pose) { inputs.external.initial_pose = InitialPose{pose}; }
 
   /// Somebody takes it up by both shoulders: within ten frames the engine knows.
   void lift() {

@@ -79,12 +79,12 @@ TEST(Frame, BelievesWhatItIsToldInTheSameFrame) {
 
 TEST(Frame, BelievesTheRobotsOwnSoftwareAsWell) {
   HandFedLoop loop(kIdle);
-  loop.inputs.observation.told.initial_pose = InitialPose{kPlace};
-  loop.inputs.observation.told.referee = RefereeState{true};
+  loop.inputs.observation.external.initial_pose = InitialPose{kPlace};
+  loop.inputs.observation.external.referee = RefereeState{true};
   loop.step();
   EXPECT_TRUE(loop.world().pose_known);
   EXPECT_TRUE(loop.world().referee.penalized);
-  loop.inputs.observation.told = {};
+  loop.inputs.observation.external = {};
   loop.step();
   EXPECT_TRUE(loop.world().referee.penalized) << "until the referee says otherwise";
 }
@@ -106,7 +106,7 @@ TEST(Frame, NobodyWalksUnlessTheRefereeLetsHim) {
       {{false, GameState::playing, true}, false},
   };
   for (const auto& [referee, walks] : cases) {
-    loop.inputs.told.referee = referee;
+    loop.inputs.external.referee = referee;
     loop.step();
     EXPECT_EQ(loop.world().may_walk, walks);
     EXPECT_EQ(loop.record().answer.request.walk.forward > 0.0, walks) << to_string(referee.state);
@@ -173,12 +173,12 @@ TEST(Frame, SeesTheFieldWithBothCamerasEachWithItsOwnPose) {
   setup.behaviors = {"tested"};
   FrameLoop engine(std::move(setup));
   FrameInputs inputs;
-  inputs.told.initial_pose = InitialPose{Pose2(-0.8, 0.0, 0.0)};
+  inputs.external.initial_pose = InitialPose{Pose2(-0.8, 0.0, 0.0)};
   std::size_t lower_points = 0;
   for (int i = 0; i < 60; ++i) {
     simulator.observe(inputs.observation);
     const FrameRecord& record = engine.step(inputs);
-    inputs.told = {};
+    inputs.external = {};
     ASSERT_TRUE(record.inputs.lower);
     EXPECT_LT(record.inputs.lower->time, record.inputs.upper->time);
     EXPECT_EQ(record.inputs.room_camera, HeadCamera::upper);
@@ -298,10 +298,10 @@ TEST(Frame, NeitherTrainsNorEvaluatesWhileItIsCarried) {
   EXPECT_EQ(loop.world().posture, Posture::lifted);
   EXPECT_FALSE(loop.world().training);
   EXPECT_FALSE(loop.world().evaluating);
-  EXPECT_EQ(loop.world().undisturbed_for, 0.0);
+  EXPECT_EQ(loop.world().time_since_disturbance, 0.0);
   loop.put_down();
   EXPECT_TRUE(loop.world().training);
-  EXPECT_GT(loop.world().undisturbed_for, 0.0);
+  EXPECT_GT(loop.world().time_since_disturbance, 0.0);
 }
 
 TEST(Frame, RestsWhatAScriptPausesFromTheNextFrameOn) {

@@ -21,7 +21,7 @@ TEST(HalfTimeFrame, TurnsTheBeliefInTheSameFrame) {
   loop.tell(kStandsAt);
   loop.step(10);
   const PoseBelief before = loop.world().pose;
-  loop.inputs.told.half_time = true;
+  loop.inputs.external.half_time = true;
   loop.step();
   expect_near(loop.world().pose.pose, reflect(before.pose), 0.02);
   EXPECT_TRUE(loop.world().sides_changed);
@@ -31,7 +31,7 @@ TEST(HalfTimeFrame, TurnsTheBeliefInTheSameFrame) {
   loop.step();
   EXPECT_FALSE(loop.record().inputs.half_time) << "it is of one frame";
   EXPECT_TRUE(loop.world().sides_changed) << "until they change again";
-  loop.inputs.told.half_time = true;
+  loop.inputs.external.half_time = true;
   loop.step();
   EXPECT_FALSE(loop.world().sides_changed);
   expect_near(loop.world().pose.pose, before.pose, 0.02);
@@ -41,17 +41,17 @@ TEST(HalfTimeFrame, IsBelievedOnceWhoeverTellsIt) {
   HandFedLoop loop(kIdle);
   loop.tell(kStandsAt);
   loop.step(2);
-  loop.inputs.told.half_time = loop.inputs.observation.told.half_time = true;
+  loop.inputs.external.half_time = loop.inputs.observation.external.half_time = true;
   loop.step();
-  loop.inputs.observation.told = {};
+  loop.inputs.observation.external = {};
   EXPECT_TRUE(loop.world().sides_changed);
   expect_near(loop.world().pose.pose, reflect(kStandsAt));
 }
 
 TEST(HalfTimeFrame, ComesBeforeThePoseThatIsToldWithIt) {
   HandFedLoop loop(kIdle);
-  loop.inputs.observation.told.initial_pose = InitialPose{kStandsAt};
-  loop.inputs.told.half_time = true;
+  loop.inputs.observation.external.initial_pose = InitialPose{kStandsAt};
+  loop.inputs.external.half_time = true;
   loop.step();
   expect_near(loop.world().pose.pose, kStandsAt);
 }
@@ -62,7 +62,7 @@ TEST(HalfTimeFrame, IsSeenByScriptsFromThenOn) {
     state "second" {} })");
   loop.step(3);
   EXPECT_EQ(loop.record().name(loop.record().machines.front().state), "first");
-  loop.inputs.told.half_time = true;
+  loop.inputs.external.half_time = true;
   loop.step();
   EXPECT_EQ(loop.record().name(loop.record().machines.front().state), "second");
 }
@@ -71,7 +71,7 @@ TEST(HalfTimeFrame, IsInTheRecordAndInTheDigest) {
   std::vector<std::uint64_t> digests;
   for (const bool is_told : {false, true, false}) {
     HandFedLoop loop(kIdle);
-    loop.inputs.told.half_time = is_told;
+    loop.inputs.external.half_time = is_told;
     RecordDigest digest;
     digest.add(loop.step());
     digests.push_back(digest.digest().value());
@@ -105,11 +105,11 @@ class HalfTimeOnTheSimulator : public ::testing::Test {
 
   void learn(double seconds) {
     FrameInputs inputs;
-    inputs.told.initial_pose = InitialPose{kStandsAt};
+    inputs.external.initial_pose = InitialPose{kStandsAt};
     for (int i = 0; i < static_cast<int>(30.0 * seconds); ++i) {
       simulator_.observe(inputs.observation);
       simulator_.answer(engine_->step(inputs, Topics::all()).answer);
-      inputs.told = {};
+      inputs.external = {};
     }
   }
   FrameLoop another() const {
@@ -128,7 +128,7 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   FrameInputs inputs;
   simulator_.observe(inputs.observation);
   const FrameRecord& before = engine_->step(inputs, Topics::all());
-  inputs.told.half_time = true;
+  inputs.external.half_time = true;
   const FrameRecord& after = turned.step(inputs, Topics::all());
   const Confidences& was = before.world.confidence;
   const Confidences& is = after.world.confidence;
@@ -148,7 +148,7 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   }
   EXPECT_EQ(after.world.room_status, before.world.room_status);
   expect_near(after.world.pose.pose, reflect(before.world.pose.pose), 0.01);
-  EXPECT_EQ(after.world.undisturbed_for, before.world.undisturbed_for);
+  EXPECT_EQ(after.world.time_since_disturbance, before.world.time_since_disturbance);
 
   const Wall wall(before.room.basis.wall);
   for (int tile = 0; tile < wall.tiles(); ++tile) {
@@ -164,7 +164,7 @@ TEST_F(HalfTimeOnTheSimulator, OfAnotherLocalizationTurnsTheModelAlone) {
   FrameInputs inputs;
   const auto step = [&](bool half_time) -> FrameRecord {
     simulator_.observe(inputs.observation);
-    inputs.observation.told.half_time = half_time;
+    inputs.observation.external.half_time = half_time;
     const Pose2 truth = simulator_.ground_truth().pose;
     inputs.observation.belief.emplace().pose = half_time ? reflect(truth) : truth;
     return engine_->step(inputs, Topics::all());

@@ -15,11 +15,11 @@ end })";
 
 TEST(Messages, AreHeardInTheirOrderInTheFrameThatTheyComeWith) {
   HandFedLoop loop(kEcho);
-  loop.inputs.observation.told.messages = {{2, "hello"}};
-  loop.inputs.told.messages = {{3, "and I"}};
+  loop.inputs.observation.external.messages = {{2, "hello"}};
+  loop.inputs.external.messages = {{3, "and I"}};
   EXPECT_EQ(loop.step().answer.messages, (std::vector<std::string>{"2 said hello", "3 said and I"}));
   EXPECT_EQ(loop.record().inputs.messages.size(), 2u);
-  loop.inputs.observation.told = {};
+  loop.inputs.observation.external = {};
   EXPECT_TRUE(loop.step().answer.messages.empty());
   EXPECT_TRUE(loop.record().inputs.messages.empty());
 }
@@ -28,7 +28,7 @@ TEST(Messages, AreTakenAsFarAsTheyFit) {
   HandFedLoop loop(R"(behavior "tested" { update = function()
     if team.heard() > 0 then log.info(team.heard() .. " " .. #team.text(1)) end
   end })");
-  loop.inputs.told.messages.assign(1000, {1, std::string(5000, 'x')});
+  loop.inputs.external.messages.assign(1000, {1, std::string(5000, 'x')});
   ASSERT_EQ(loop.step().logs.size(), 1u);
   EXPECT_EQ(loop.record().logs[0].text, "32 240");
 }
@@ -37,7 +37,7 @@ TEST(Messages, MayHoldAnyBytesThatAreHeard) {
   HandFedLoop loop(R"(behavior "tested" { update = function()
     if team.heard() > 0 then log.info(tostring(#team.text(1))) end
   end })");
-  loop.inputs.told.messages = {{1, std::string("\0\xff\n", 3)}};
+  loop.inputs.external.messages = {{1, std::string("\0\xff\n", 3)}};
   ASSERT_EQ(loop.step().logs.size(), 1u);
   EXPECT_EQ(loop.record().logs[0].text, "3");
 }

@@ -141,7 +141,7 @@ TEST(RecordDigest, ChangesWithEachMeasurement) {
       {"odometry y", [](Observation& o) { o.odometry.position.y() += 1e-9; }},
       {"odometry rotation", [](Observation& o) { o.odometry.rotation += 1e-9; }},
       {"foot load", [](Observation& o) { o.body.foot_load += 1e-9; }},
-      {"penalized", [](Observation& o) { o.told.referee = RefereeState{true}; }},
+      {"penalized", [](Observation& o) { o.external.referee = RefereeState{true}; }},
       {"focal length", [](Observation& o) { o.upper->camera.focal.x() += 1e-9; }},
       {"distortion", [](Observation& o) { o.upper->camera.k1 += 1e-9; }},
       {"camera pose", [](Observation& o) { o.upper->robot_from_camera.translation().x() += 1e-9; }},

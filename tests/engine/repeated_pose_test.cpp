@@ -108,7 +108,7 @@ class LearnedMirrored : public ::testing::Test {
     return parameters;
   }
 
-  void set(const Pose2& pose) { inputs_.told.initial_pose = InitialPose{pose}; }
+  void set(const Pose2& pose) { inputs_.external.initial_pose = InitialPose{pose}; }
   void set_truth() { set(simulator_.ground_truth().pose); }
   void change(const std::string& name, const std::string& value) {
     inputs_.parameter_changes.emplace_back().name = name;
@@ -126,7 +126,7 @@ class LearnedMirrored : public ::testing::Test {
       const FrameRecord& record = engine_->step(inputs_);
       for (const LogRecord& log : record.logs) notes_.push_back(log.text);
       simulator_.answer(record.answer);
-      inputs_.told = {};
+      inputs_.external = {};
       inputs_.parameter_changes.clear();
     }
   }

@@ -19,7 +19,7 @@ test::ScanningRobot carried_robot(const test::PaintedRoom& room) {
   robot.train = false;
   robot.truth = {1.0, 1.0, 2.0};
   robot.belief = {-1.0, -0.5, -0.5};
-  robot.awareness.begin_anew();
+  robot.awareness.restart();
   robot.run(2.0);
   return robot;
 }

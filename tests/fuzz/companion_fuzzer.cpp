@@ -31,8 +31,8 @@ class Served {
     if ((how & 1) != 0) client.introduce(small_hello(1 + (how >> 1 & 3), 1 + (how >> 3 & 1)));
     if ((how & 17) == 17) client.paint(7);
     client.send_bytes(bytes.subspan(1), (how & 32) != 0 ? client.memory() : -1);
-    if (const Greeting* const greeting = companion_.wait_for_greeting(); greeting != nullptr)
-      companion_.begin(*greeting, false, 1);
+    if (const Handshake* const handshake = companion_.wait_for_handshake(); handshake != nullptr)
+      companion_.begin(*handshake, false, 1);
     for (int i = 0; i < 3; ++i) look();
     for (const RawClient::Heard& heard : client.hear())
       require(heard.kind >= REORIENT_WELCOME && heard.kind <= REORIENT_NOTE, "what is said is said by the protocol");
@@ -57,8 +57,9 @@ class Served {
     require(seen.odometry.position.allFinite() && std::isfinite(seen.odometry.rotation), "the odometry is somewhere");
     require(seen.body.acceleration.allFinite() && std::isfinite(seen.body.foot_load), "the body feels something");
     require(seen.body_samples.size() <= 100, "samples are bounded");
-    require(!seen.told.initial_pose || seen.told.initial_pose->pose.position.allFinite(), "a told pose is somewhere");
-    require(seen.told.messages.size() <= kMostMessages, "messages are bounded");
+    require(!seen.external.initial_pose || seen.external.initial_pose->pose.position.allFinite(),
+            "a told pose is somewhere");
+    require(seen.external.messages.size() <= kMostMessages, "messages are bounded");
     require(!seen.upper || seen.upper->robot_from_camera.matrix().allFinite(), "the camera is somewhere");
     companion_.answer({});
   }

@@ -156,9 +156,9 @@ class Trial {
     inputs_.script_edits.clear();
     inputs_.observation.time += kStep;
     inputs_.observation.body.time = inputs_.observation.time;
-    stage_.scenario = scenario_->tick({engine_->record().world, std::nullopt});
-    console_->observe(engine_->record(), stage_);
-    require(engine_->record().faults.empty() && stage_.scenario.faults.empty(), "no behaviour fails by what is typed");
+    scene_.scenario = scenario_->tick({engine_->record().world, std::nullopt});
+    console_->observe(engine_->record(), scene_);
+    require(engine_->record().faults.empty() && scene_.scenario.faults.empty(), "no behaviour fails by what is typed");
     require(engine_->record().machines.size() == 1, "the behaviour goes on");
     require_readable(out_.str());
     return !out_.str().empty();
@@ -169,7 +169,7 @@ class Trial {
   std::optional<ScenarioHost> scenario_;
   std::optional<FrameLoop> engine_;
   FrameInputs inputs_;
-  StageRecord stage_;
+  SceneTruth scene_;
   std::ostringstream out_;
   std::optional<LiveConsole> console_;
   int ends_[2] = {-1, -1};

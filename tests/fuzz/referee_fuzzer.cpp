@@ -16,12 +16,12 @@ void hear(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     // A length, then so many bytes.
     const std::size_t size = std::min(bytes.size() - 1, std::to_integer<std::size_t>(bytes[0]));
-    Told told;
-    const bool heard = game.hear(bytes.subspan(1, size), told);
-    require(heard || (!told.referee && !told.half_time), "what was not understood says nothing");
-    if (told.referee) {
-      require(static_cast<int>(told.referee->state) < enum_count(GameState{}), "there is such a state");
-      require(!to_string(told.referee->state).empty(), "and it has a name");
+    ExternalInputs external;
+    const bool heard = game.hear(bytes.subspan(1, size), external);
+    require(heard || (!external.referee && !external.half_time), "what was not understood says nothing");
+    if (external.referee) {
+      require(static_cast<int>(external.referee->state) < enum_count(GameState{}), "there is such a state");
+      require(!to_string(external.referee->state).empty(), "and it has a name");
     }
     bytes = bytes.subspan(1 + size);
   }

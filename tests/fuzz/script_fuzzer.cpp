@@ -271,7 +271,7 @@ class ScenarioTrial : private ScenarioLanguageFirst, public Trial {
     const ScenarioActions& actions = language_of_scenarios.actions();
     require(actions.actions().size() <= ScriptActions::kMostPerFrame * host().definitions().size(),
             "actions are bounded");
-    for (const ExperimenterAction& action : actions.actions()) {
+    for (const OperatorAction& action : actions.actions()) {
       require(action.pose.position.allFinite() && std::isfinite(action.pose.rotation) && std::isfinite(action.stops),
               "an action is finite");
     }

@@ -40,7 +40,7 @@ inline Pose2 beside_the_field() { return Pose2(-FieldDimensions{}.penalty_mark_x
 
 /// What was granted on the way.
 struct Flips : Observer {
-  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     if (frame.reorientation && frame.reorientation->reorientation == Reorientation::flip_pose) ++count;
   }
   int count = 0;
@@ -51,7 +51,7 @@ inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t s
                                            Observer* another = nullptr) {
   const ScriptTexts scripts = read_scripts(std::filesystem::path(kSourceFolder) / "scripts");
   RecordedBehaviors behaviors;
-  ScenarioHost scenario(scripts, "scenarios/turned_round.lua", {}, behaviors, seed);
+  ScenarioHost scenario(scripts, "scenarios/mirrored_placement.lua", {}, behaviors, seed);
   FrameSetup setup;
   setup.body = robot.body;
   setup.seed = seed;

@@ -29,7 +29,7 @@ class NaoProcesses : public ::testing::Test {
 
 TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
-      {{"run", "turned_round", "--robot", "nao"}, "--robot nao plays no scenario"},
+      {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao plays no scenario"},
       {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: only the simulator heeds it"},
       {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
       {{"run", "--robot", "nao", "--width", "160"}, "a NAO's cameras give 320 or 640 pixels"},

@@ -59,7 +59,7 @@ TEST_F(CommandsTest, CheckRefusesAPathThatIsNotThere) {
 TEST_F(CommandsTest, GraphDrawsABehaviorAndAScenario) {
   EXPECT_TRUE(run({"graph", "orientation"}).out.starts_with("stateDiagram-v2\n"));
   EXPECT_TRUE(run({"graph", "orientation", "--format", "dot"}).out.starts_with("digraph \"orientation\" {\n"));
-  const ProgramRun scenario = run({"graph", "turned_round"});
+  const ProgramRun scenario = run({"graph", "mirrored_placement"});
   EXPECT_NE(scenario.out.find("state \"carrying\" as carrying"), std::string::npos);
   EXPECT_EQ(scenario.out.find("watching"), std::string::npos) << "the behaviours of the scenario are not asked for";
   EXPECT_EQ(run({"graph", (scripts_ / "behaviors/orientation.lua").string()}).code, kSuccess);
@@ -164,7 +164,7 @@ TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
 TEST_F(CommandsTest, ParamsListsThoseOfTheCoreTheSimulatorAndTheScenarios) {
   const ProgramRun listed = run({"params"});
   for (const char* name : {"pose_filter.", "room_status.", "posture.", "arbiter.flip_cooldown", "body.",
-                           "script.max_memory", "turned_round.learn", "walk.speed"})
+                           "script.max_memory", "mirrored_placement.learn", "walk.speed"})
     EXPECT_NE(("\n" + listed.out).find(std::string("\n") + name), std::string::npos) << name;
 }
 
@@ -216,12 +216,12 @@ TEST_F(CommandsTest, ARunSavesWhatWasTuned) {
 
 TEST_F(CommandsTest, OneFileOfParametersServesARobotInAllItsScenarios) {
   const std::string team = path("team.toml"), saved = path("saved.toml");
-  folder_.write("team.toml", "[turned_round]\nlearn = 30\n[kidnapped]\nlearn = 20\n[careful]\nname = \"0\"\n");
+  folder_.write("team.toml", "[mirrored_placement]\nlearn = 30\n[kidnapped]\nlearn = 20\n[careful]\nname = \"0\"\n");
   std::ofstream(scripts_ / "behaviors/careful.lua") << "behavior \"careful\" {}\n";
   const ProgramRun ran = run_shortly({"--scripts", scripts_.string(), "--params", team, "--save-params", saved});
   EXPECT_EQ(ran.code, kWrong) << ran.err;  // after three seconds
   const std::string text = read_whole_file(saved).value_or("");
-  EXPECT_NE(text.find("turned_round.learn = 30 "), std::string::npos) << text;
+  EXPECT_NE(text.find("mirrored_placement.learn = 30 "), std::string::npos) << text;
   EXPECT_NE(text.find("kidnapped.learn = 20  # not used in the run that saved this\n"), std::string::npos) << text;
   EXPECT_NE(text.find("careful.name = 0 "), std::string::npos) << text;
   // What is saved serves the other scenario, and what is misspelt there is a mistake as ever.
@@ -292,7 +292,7 @@ TEST_F(CommandsTest, AScenarioChoosesWhereItTakesPlaceUnlessTheCommandLineDoes) 
 TEST_F(CommandsTest, ASimulatedTestChoosesWhereItTakesPlace) {
   const auto result = [&](const std::string& where) {
     folder_.write("scripts/tests/place_test.lua",
-                  "test(\"a\", function() simulate { scenario = \"turned_round\", seconds = 0.1, " + where + " } end)");
+                  "test(\"a\", function() simulate { scenario = \"mirrored_placement\", seconds = 0.1, " + where + " } end)");
     return run({"test", "--simulator", (scripts_ / "tests/place_test.lua").string()});
   };
   EXPECT_EQ(result("hall_seed = 2, field = \"spl\"").code, kSuccess);

@@ -106,7 +106,7 @@ TEST_F(CompassExperiment, AsksARobotThatWasCarriedToItsMirroredPose) {
   const auto replace = [&text](const std::string& old, const std::string& with) {
     text.replace(text.find(old), old.size(), with);
   };
-  replace("event = \"none\"", "event = \"turned_round\"");
+  replace("event = \"none\"", "event = \"mirrored_placement\"");
   replace("wait_least = 100.0", "wait_least = 0.0");
   replace("wait_most = 100.0", "wait_most = 0.0");
   replace("measured_from = \"waiting\"", "measured_from = \"measured\"");

@@ -22,7 +22,7 @@ std::string with_line(const std::string& line) { return std::string(kShort) + li
 
 /// `axes` axes of ten choices each.
 std::string many_cells(int axes) {
-  std::string text = "title = \"x\"\n[condition]\nscenario = \"turned_round\"\n";
+  std::string text = "title = \"x\"\n[condition]\nscenario = \"mirrored_placement\"\n";
   for (int axis = 0; axis < axes; ++axis) {
     text += "[[axis]]\nname = \"" + std::to_string(axis) + "\"\n";
     for (int choice = 0; choice < 10; ++choice) text += "[[axis.choice]]\nname = \"" + std::to_string(choice) + "\"\n";
@@ -79,17 +79,17 @@ INSTANTIATE_TEST_SUITE_P(
         UnmeantExperiment{"NoSuchBehaviorToLeaveOut",
                           with_line("without = [\"look_back\"]"),
                           {},
-                          "short.toml:17: without look_back: scenario turned_round has no such behavior"},
+                          "short.toml:17: without look_back: scenario mirrored_placement has no such behavior"},
         UnmeantExperiment{"NoSuchParameter",
-                          with_line("parameters.turned_round.lern = 40.0"),
+                          with_line("parameters.mirrored_placement.lern = 40.0"),
                           {"--plan"},
-                          "short.toml:17: there is no parameter 'turned_round.lern'"},
+                          "short.toml:17: there is no parameter 'mirrored_placement.lern'"},
         UnmeantExperiment{
             "AParameterOutOfItsRange", with_line("parameters.orientation.lingering = 7"), {}, "short.toml:17: "},
         UnmeantExperiment{"NoSuchState",
                           with_line("measured_from = \"laerning\""),
                           {"--plan"},
-                          "short.toml:17: scenario turned_round has no state 'laerning' (did you mean 'learning'?)"},
+                          "short.toml:17: scenario mirrored_placement has no state 'laerning' (did you mean 'learning'?)"},
         UnmeantExperiment{"NoSuchScenario", with_line("scenario = \"../x\""), {}, "../x"}),
     [](const auto& each) { return std::string(each.param.name); });
 

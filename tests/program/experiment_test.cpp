@@ -85,7 +85,7 @@ TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   folder.write("short.toml", std::string(kShort) + "room = \"gone.hdr\"\n");
   expect_refused({"--out", out}, "gone.hdr");
   folder.write("short.toml", std::string(kShort) + "scenario = \"turned_rond\"\n");
-  expect_refused({"--out", out}, "did you mean 'turned_round'?");
+  expect_refused({"--out", out}, "did you mean 'mirrored_placement'?");
   folder.write("short.toml", kShort);
   expect_refused({"--out", out, "--room", "gone.hdr"}, "gone.hdr");
   expect_refused({"--out", out, "--trials", "0"}, "--trials");
@@ -93,7 +93,7 @@ TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   EXPECT_FALSE(std::filesystem::exists(out));
   const ProgramRun unknown = run_reorient({"experiment", "turned_ruond"});
   EXPECT_EQ(unknown.code, kBadInput);
-  EXPECT_NE(unknown.err.find("did you mean 'turned_round'?"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("did you mean 'mirrored_placement'?"), std::string::npos) << unknown.err;
 }
 
 TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
@@ -120,7 +120,7 @@ TEST_F(ExperimentTest, TakesRoomsInsteadOfTheFilesOwn) {
 TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
   const ProgramRun shown = run({"--trial", "3", "--pictures", path("pictures")});
   EXPECT_EQ(shown.code, kSuccess) << shown.err;
-  for (const char* text : {"mode none, trial 1 (seed 1)\n", "right: the belief was right at first", "turned_round"})
+  for (const char* text : {"mode none, trial 1 (seed 1)\n", "right: the belief was right at first", "mirrored_placement"})
     EXPECT_NE(shown.out.find(text), std::string::npos) << shown.out;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures/confidences.png"));
   expect_refused({"--trial", "5"}, "there is no trial 5; there are 1 to 4");
@@ -149,7 +149,7 @@ hold = 3.0
 TEST_F(ExperimentTest, TellsWhichTrialsWereNeverMeasured) {
   std::string text = kShort;
   const std::string from = "measured_from = \"learning\"";
-  folder.write("short.toml", text.replace(text.find(from), from.size(), "measured_from = \"turned round\""));
+  folder.write("short.toml", text.replace(text.find(from), from.size(), "measured_from = \"mirrored\""));
   const ProgramRun done = run({"--out", path("out"), "--trials", "1", "--mode", "none"});
   EXPECT_EQ(done.code, kSuccess) << done.err;
   EXPECT_NE(done.out.find("\nnone: 1 of 1 trials never came to the state from which they are measured, and count as "

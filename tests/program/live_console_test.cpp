@@ -67,8 +67,8 @@ class LiveConsoleTest : public ::testing::Test {
     console->add_to(loop.inputs);
     loop.wanted = console->wanted();
     if (!loop.inputs.script_edits.empty()) scenario->apply(loop.inputs.script_edits);
-    stage_.scenario = scenario->tick({loop.step().world, std::nullopt});
-    console->observe(loop.record(), stage_);
+    scene_.scenario = scenario->tick({loop.step().world, std::nullopt});
+    console->observe(loop.record(), scene_);
     return out_.str();
   }
   std::string answer(const std::string& line) {
@@ -97,7 +97,7 @@ class LiveConsoleTest : public ::testing::Test {
 
  private:
   RecordedBehaviors nobody_;
-  StageRecord stage_;
+  SceneTruth scene_;
   std::ostringstream out_;
   int ends_[2] = {-1, -1};
 };
@@ -289,7 +289,7 @@ TEST_F(LiveConsoleTest, TellsWhyABehaviorIsWhereItIs) {
 }
 
 TEST_F(LiveConsoleTest, TellsWhyAConditionHasNotHeldForLongEnough) {
-  loop.inputs.told.referee = RefereeState{.penalized = true};
+  loop.inputs.external.referee = RefereeState{.penalized = true};
   polls(7);
   EXPECT_NE(answer("why tested").find("-> on  yes, 0.2 of 0.5 s "), std::string::npos);
   polls(30);
@@ -354,7 +354,7 @@ TEST_F(LiveConsoleTest, CompletesWhatACommandTakes) {
   CommandTable table(
       {.scenario = &*scenario, .parameters = [this] { return loop.engine->parameters(); }, .scripts = folder.path()});
   loop.step();
-  table.observe(loop.record(), StageRecord());
+  table.observe(loop.record(), SceneTruth());
   const auto offers = [&](const Words& before, const std::string& name) {
     const Words all = table.candidates(before);
     return std::find(all.begin(), all.end(), name) != all.end();

@@ -193,7 +193,7 @@ TEST_F(ModelKeeperTest, LosesLittleWhereTheRobotIsSwitchedOff) {
   ModelKeeper keeper(file, std::nullopt, false);
   double time = 0.0;
   const auto is_saved_after_a_frame = [&] {
-    keeper.observe(frame_of(longer_learned(model, time), time), StageRecord());
+    keeper.observe(frame_of(longer_learned(model, time), time), SceneTruth());
     time += 0.5;
     return saved() >= model.learned + 30.0;
   };
@@ -209,7 +209,7 @@ TEST_F(ModelKeeperTest, KeepsTheAxesOfTheFileWhateverTheTeamsDo) {
       ModelKeeper keeper(file, turned_at_first ? turned : in_the_file, turned_at_first);
       FrameRecord last = frame_of(longer_learned(turned_at_first != half_time ? turned : in_the_file, 1.0), 9.0);
       last.world.sides_changed = half_time;
-      keeper.finish(last, StageRecord());
+      keeper.finish(last, SceneTruth());
       keeper.save();
       EXPECT_EQ(keeper.outcome(), "saved");
       EXPECT_EQ(test::bytes_of(read_model_file(file)), test::bytes_of(longer_learned(in_the_file, 1.0)));
@@ -224,7 +224,7 @@ TEST_F(ModelKeeperTest, KeepsABiasForTheCalibrationThatItWasLearnedWith) {
   last.world.body = kBody;
   last.world.camera_bias.deviation = 0.001;
   ModelKeeper keeper(file, std::nullopt, false, kCalibrated);
-  keeper.finish(last, StageRecord());
+  keeper.finish(last, SceneTruth());
   keeper.save();
   const auto body_for = [&](std::uint64_t mounting) {
     return as_mounted(read_model_file(file), mounting)->camera_bias.value().body;
@@ -239,13 +239,13 @@ TEST_F(ModelKeeperTest, DoesNotForgetWhatTheRunForgot) {
   const SavedModel good = some_model(1);
   write_model_file(good, file);
   const std::string before = read_text(file);
-  const SavedModel begun_anew = longer_learned(some_model(1, 0, 0.1, 0, 5), 3.0);
+  const SavedModel restarts = longer_learned(some_model(1, 0, 0.1, 0, 5), 3.0);
   SavedModel of_another_wall = longer_learned(good, 3.0);
   of_another_wall.basis.wall.radius = 9.0;
-  for (const SavedModel& end : {begun_anew, of_another_wall}) {
+  for (const SavedModel& end : {restarts, of_another_wall}) {
     ModelKeeper keeper(file, good, false);
-    keeper.observe(frame_of(end, 1.0), StageRecord());
-    keeper.finish(frame_of(end, 2.0), StageRecord());
+    keeper.observe(frame_of(end, 1.0), SceneTruth());
+    keeper.finish(frame_of(end, 2.0), SceneTruth());
     EXPECT_THROW(keeper.save(), std::runtime_error);
     EXPECT_EQ(keeper.outcome(), "not saved");
     EXPECT_EQ(read_text(file), before);

@@ -86,7 +86,7 @@ TEST(Program, LeavesTheVerdictToTheScenario) {
   folder.write("scripts/scenarios/easy.lua", R"(scenario "easy" { initial = "a", state "a" {
   update = function()
     if clock.time > 1.05 then verdict.succeed("that is all")
-    elseif clock.time > 1.0 then experimenter.put_down(-3, 2, 1) end end } })");
+    elseif clock.time > 1.0 then operator.put_down(-3, 2, 1) end end } })");
   const ProgramRun run =
       run_reorient({"run", "easy", "--scripts", scripts.string(), "--width", "160", "--no-pictures", "--log", "off"});
   EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // though it was put down elsewhere in the last moment
@@ -166,7 +166,7 @@ TEST(Program, WritesTheSummaryForPrograms) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["seed"], 9);
-  EXPECT_EQ(json["scenario"], "turned_round");
+  EXPECT_EQ(json["scenario"], "mirrored_placement");
   EXPECT_TRUE(json["correct"].get<bool>());  // nobody has turned it round yet
   EXPECT_FALSE(json["succeeded"].get<bool>());
   EXPECT_NEAR(json["seconds"].get<double>(), 3.0, 0.05);

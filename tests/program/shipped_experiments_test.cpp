@@ -29,7 +29,7 @@ Condition shortened(Condition condition) {
   condition.seconds = 20.0;
   condition.measurement.limit = 1.0;
   condition.measurement.hold = 0.5;
-  for (const char* name : {"trial.learn", "turned_round.learn", "kidnapped.learn", "fallen.learn", "elsewhere.learn",
+  for (const char* name : {"trial.learn", "mirrored_placement.learn", "kidnapped.learn", "fallen.learn", "elsewhere.learn",
                            "learned_mirrored.learn"})
     condition.parameters.push_back({name, "2", ParameterOrigin::file, "this test"});
   for (const char* name : {"trial.wait_least", "trial.wait_most"})
@@ -71,9 +71,9 @@ TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
     const std::string event = event_of(condition);
     // A penalized robot comes back beside the field, where it hardly ever was taken away.
     const bool is_carried =
-        event == "turned_round" || event == "kidnapped" || event == "penalized" || event == "elsewhere";
+        event == "mirrored_placement" || event == "kidnapped" || event == "penalized" || event == "elsewhere";
     EXPECT_EQ(result.kidnapped, is_carried) << event;
-    if (event == "none" || event == "turned_round" || event == "misled") {
+    if (event == "none" || event == "mirrored_placement" || event == "misled") {
       EXPECT_EQ(result.correct_at_start, event == "none");
     }
   }
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                                            "symmetry_mark", "another_day", "bodies", "disturbances", "elsewhere",
                                            "companions", "stress", "ablation", "filters", "gaze", "learned_mirrored",
                                            "localization", "paper_thresholds", "peers", "peers_failures",
-                                           "turned_round", "walls"),
+                                           "mirrored_placement", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
@@ -135,7 +135,7 @@ void expect_rungs(const Experiment& experiment, std::size_t axis, const std::str
     int mirrored = 0, others = 0;
     for (int trial = 0; trial < experiment.trials; ++trial) {
       const std::string event = event_of(condition_of(experiment, cell, {0, 0, trial, 1}));
-      ++(event == "turned_round" ? mirrored : others);
+      ++(event == "mirrored_placement" ? mirrored : others);
     }
     EXPECT_EQ(mirrored, others);
   }
@@ -180,7 +180,7 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
                        "elsewhere",    "false_flips", "filters",          "gaze",          "learned_mirrored",
                        "localization", "orientation", "paper_thresholds", "peers",         "peers_failures",
                        "stress",       "symmetric",   "symmetry_ladder",  "symmetry_mark", "table1",
-                       "turned_round", "walls"}));
+                       "mirrored_placement", "walls"}));
 }
 
 }  // namespace

@@ -29,13 +29,13 @@ class TimelinePrinterTest : public ::testing::Test {
   std::string printed(TimelinePrinter& printer, double time) {
     out.str("");
     frame.world.time = time;
-    printer.observe(frame, stage);
+    printer.observe(frame, scene);
     return out.str();
   }
 
   Names names;
   FrameRecord frame;
-  StageRecord stage;
+  SceneTruth scene;
   std::ostringstream out;
 };
 
@@ -57,7 +57,7 @@ TEST_F(TimelinePrinterTest, CountsWhatRepeatsItselfAndTellsItAtTheEnd) {
   EXPECT_EQ(printed(printer, 5.0), "");
   EXPECT_EQ(printed(printer, 14.0), "") << "ten seconds since it came last, not since it was printed";
   EXPECT_NE(printed(printer, 24.0), "");
-  printer.finish(frame, stage);
+  printer.finish(frame, scene);
   EXPECT_NE(out.str().find("busy                  2 events that came again"), std::string::npos) << out.str();
 }
 

@@ -31,7 +31,7 @@ class EachVersion : public testing::TestWithParam<int> {
 
   std::vector<std::byte> bytes_ = datagram(GetParam());
   GameController game_{5, 3};
-  Told told_;
+  ExternalInputs external_;
 };
 
 TEST_P(EachVersion, HasTheSizeThatTheLeagueSays) {
@@ -43,71 +43,71 @@ TEST_P(EachVersion, SaysWhatTheGameIsIn) {
                               GameState::playing, GameState::finished, GameState::standby};
   for (std::size_t i = 0; i < std::size(states); ++i) {
     bytes_[10] = static_cast<std::byte>(i);
-    ASSERT_TRUE(game_.hear(bytes_, told_));
-    EXPECT_EQ(told_.referee->state, states[i]);
+    ASSERT_TRUE(game_.hear(bytes_, external_));
+    EXPECT_EQ(external_.referee->state, states[i]);
   }
   bytes_[10] = std::byte{6};
-  EXPECT_FALSE(game_.hear(bytes_, told_));
+  EXPECT_FALSE(game_.hear(bytes_, external_));
 }
 
 TEST_P(EachVersion, SaysWhetherThisPlayerIsPenalized) {
   for (std::size_t player = 0; player < 20; ++player) {
     std::vector<std::byte> one = bytes_;
     one[our_players() + player * size_of_player()] = std::byte{4};
-    Told told;
+    ExternalInputs external;
     GameController game(5, 3);
-    ASSERT_TRUE(game.hear(one, told));
-    EXPECT_EQ(told.referee->penalized, player == 2);
+    ASSERT_TRUE(game.hear(one, external));
+    EXPECT_EQ(external.referee->penalized, player == 2);
   }
 }
 
 TEST_P(EachVersion, SaysThatAllMotionStopsAndWhoKicksOff) {
   bytes_[8] = std::byte{1};
   bytes_[13] = std::byte{5};
-  ASSERT_TRUE(game_.hear(bytes_, told_));
-  EXPECT_TRUE(told_.referee->stopped);
-  EXPECT_EQ(told_.referee->kick_off, KickOff::ours);
+  ASSERT_TRUE(game_.hear(bytes_, external_));
+  EXPECT_TRUE(external_.referee->stopped);
+  EXPECT_EQ(external_.referee->kick_off, KickOff::ours);
   bytes_[13] = std::byte{7};
-  ASSERT_TRUE(game_.hear(bytes_, told_));
-  EXPECT_EQ(told_.referee->kick_off, KickOff::theirs);
+  ASSERT_TRUE(game_.hear(bytes_, external_));
+  EXPECT_EQ(external_.referee->kick_off, KickOff::theirs);
 }
 
 TEST_P(EachVersion, IsNewsOnce) {
-  ASSERT_TRUE(game_.hear(bytes_, told_));
-  EXPECT_TRUE(told_.referee);
-  told_ = {};
+  ASSERT_TRUE(game_.hear(bytes_, external_));
+  EXPECT_TRUE(external_.referee);
+  external_ = {};
   bytes_[5] = std::byte{9};  // its number
-  ASSERT_TRUE(game_.hear(bytes_, told_));
-  EXPECT_FALSE(told_.referee);
+  ASSERT_TRUE(game_.hear(bytes_, external_));
+  EXPECT_FALSE(external_.referee);
 }
 
 TEST_P(EachVersion, ChangesSidesWithTheHalfButNotWhileTheBallIsInTheGame) {
   bytes_[10] = std::byte{3};
-  ASSERT_TRUE(game_.hear(bytes_, told_));
+  ASSERT_TRUE(game_.hear(bytes_, external_));
   bytes_[12] = std::byte{0};
-  ASSERT_TRUE(game_.hear(bytes_, told_));
-  EXPECT_FALSE(told_.half_time) << "a datagram that was changed on its way";
+  ASSERT_TRUE(game_.hear(bytes_, external_));
+  EXPECT_FALSE(external_.half_time) << "a datagram that was changed on its way";
   bytes_[10] = std::byte{0};
-  ASSERT_TRUE(game_.hear(bytes_, told_));
-  EXPECT_TRUE(told_.half_time);
-  told_ = {};
-  ASSERT_TRUE(game_.hear(bytes_, told_));
-  EXPECT_FALSE(told_.half_time);
+  ASSERT_TRUE(game_.hear(bytes_, external_));
+  EXPECT_TRUE(external_.half_time);
+  external_ = {};
+  ASSERT_TRUE(game_.hear(bytes_, external_));
+  EXPECT_FALSE(external_.half_time);
 }
 
 TEST_P(EachVersion, OfOthersSaysNothing) {
-  EXPECT_FALSE(GameController(6, 3).hear(bytes_, told_));
-  EXPECT_FALSE(GameController(5, 21).hear(bytes_, told_));
-  EXPECT_FALSE(GameController().hear(bytes_, told_));
-  EXPECT_FALSE(told_.referee);
+  EXPECT_FALSE(GameController(6, 3).hear(bytes_, external_));
+  EXPECT_FALSE(GameController(5, 21).hear(bytes_, external_));
+  EXPECT_FALSE(GameController().hear(bytes_, external_));
+  EXPECT_FALSE(external_.referee);
 }
 
 TEST_P(EachVersion, OfAnotherSizeSaysNothing) {
   for (std::size_t size = 0; size < bytes_.size(); ++size)
-    EXPECT_FALSE(game_.hear(std::span(bytes_).first(size), told_));
+    EXPECT_FALSE(game_.hear(std::span(bytes_).first(size), external_));
   bytes_.push_back(std::byte{0});
-  EXPECT_FALSE(game_.hear(bytes_, told_));
-  EXPECT_FALSE(told_.referee);
+  EXPECT_FALSE(game_.hear(bytes_, external_));
+  EXPECT_FALSE(external_.referee);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheGameController, EachVersion, testing::Values(18, 19, 20));
@@ -116,18 +116,18 @@ TEST(GameController, OfAVersionThatIsNotKnownSaysNothing) {
   std::vector<std::byte> bytes = datagram(20);
   for (const int version : {0, 12, 17, 21, 255}) {
     bytes[4] = static_cast<std::byte>(version);
-    Told told;
-    EXPECT_FALSE(GameController(5, 1).hear(bytes, told));
+    ExternalInputs external;
+    EXPECT_FALSE(GameController(5, 1).hear(bytes, external));
   }
 }
 
 RC_GTEST_PROP(GameController, NoiseSaysNothing, (const std::vector<std::uint8_t>& noise)) {
   std::vector<std::byte> bytes = datagram(20);
   for (std::size_t i = 0; i < noise.size() && i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(noise[i]);
-  Told told;
+  ExternalInputs external;
   GameController game(5, 3);
-  const bool heard = game.hear(bytes, told);
-  RC_ASSERT(heard == told.referee.has_value());
+  const bool heard = game.hear(bytes, external);
+  RC_ASSERT(heard == external.referee.has_value());
 }
 
 TEST(ReturnDatagram, IsOfThirtyTwoBytesAndTellsThePoseInMillimetres) {

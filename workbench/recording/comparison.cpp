@@ -167,7 +167,7 @@ std::optional<Difference> first_difference_in_action(const FrameRecord& recorded
   return placed(first_of(actions_of(recorded), actions_of(replayed)), replayed);
 }
 
-void ReplayComparison::observe(const FrameRecord& frame, const StageRecord& /*stage*/) {
+void ReplayComparison::observe(const FrameRecord& frame, const SceneTruth& /*scene*/) {
   ++frames_;
   const FrameEntry& entry = playback_.frame().entry;
   bytes_.clear();

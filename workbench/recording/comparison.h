@@ -33,7 +33,7 @@ class ReplayComparison : public Observer {
   /// `playback` must outlive it.
   explicit ReplayComparison(const Playback& playback) : playback_(playback) {}
 
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   std::uint64_t frames() const { return frames_; }        ///< compared
   std::uint64_t different() const { return different_; }  ///< how many of them

@@ -24,7 +24,7 @@ void write_world(Recording& recording, std::ostream& out) {
     append_world(record.world, values);
     out << record.world.frame;
     for (std::size_t i = 0; i < values.size(); ++i) out << ',' << exact_text(world_fields()[i], values[i]);
-    if (const std::optional<GroundTruth>& truth = frame.entry.stage.truth) {
+    if (const std::optional<GroundTruth>& truth = frame.entry.scene.truth) {
       out << ',' << exact_text(truth->pose.position.x()) << ',' << exact_text(truth->pose.position.y()) << ','
           << exact_text(truth->pose.rotation) << '\n';
     } else {
@@ -37,7 +37,7 @@ void write_events(Recording& recording, std::ostream& out) {
   out << "time,machine,state,command,verdict,reason\n";
   RecordedFrame frame;
   while (recording.next(frame)) {
-    for (const TimelineEvent& event : timeline_events(read_record(frame.entry.record), frame.entry.stage)) {
+    for (const TimelineEvent& event : timeline_events(read_record(frame.entry.record), frame.entry.scene)) {
       out << exact_text(event.time) << ',' << csv_cell(event.machine) << ',' << csv_cell(event.state) << ','
           << csv_cell(event.command) << ',' << csv_cell(event.verdict) << ',' << csv_cell(event.reason) << '\n';
     }

@@ -19,7 +19,7 @@ constexpr std::uint32_t kFrameMagic = 0x314D4652;  // "RFM1": another layout get
 template <typename Archive>
 void archive_message(Archive& archive, auto& message) {
   archive(message.frame, message.time, message.sides_changed, message.has_image, message.image_is_exact, message.inputs,
-          message.digests, message.record, message.stage);
+          message.digests, message.record, message.scene);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ struct FrameEntry {
   std::vector<std::byte> inputs;         ///< write_inputs_without_pixels()
   TopicDigests digests;
   std::vector<std::byte> record;  ///< write_record() of the digested topics
-  StageRecord stage;
+  SceneTruth scene;
 
   /// It can be made again, if the frame before it can.
   bool is_exact() const { return (!has_image[0] || image_is_exact[0]) && (!has_image[1] || image_is_exact[1]); }

@@ -19,7 +19,7 @@ bool Playback::next_stretch() {
       begins_ = true;
       return true;
     }
-    ++passed_over_;
+    ++skipped_;
   }
   return false;
 }
@@ -51,11 +51,11 @@ bool Playback::observe(Observation& observation) {
 void Playback::add_to(FrameInputs& inputs) {
   inputs.parameter_changes = inputs_->inputs().parameter_changes;
   inputs.script_edits = inputs_->inputs().script_edits;
-  inputs.told = inputs_->inputs().told;
+  inputs.external = inputs_->inputs().external;
 }
 
 std::optional<GroundTruth> Playback::truth() const {
-  std::optional<GroundTruth> truth = frame_.entry.stage.truth;
+  std::optional<GroundTruth> truth = frame_.entry.scene.truth;
   if (truth) truth->pose = in_axes_of_team(truth->pose, frame_.entry.sides_changed);
   return truth;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/record/input_bytes.h"
-#include "robots/experimenter.h"
+#include "robots/operator.h"
 #include "robots/robot.h"
 #include "workbench/recording/recording.h"
 #include "workbench/run/run_loop.h"
@@ -26,7 +26,7 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
 
   /// The frame that was observed last.
   const RecordedFrame& frame() const { return frame_; }
-  std::uint64_t passed_over() const { return passed_over_; }  ///< frames, up to `to`
+  std::uint64_t skipped() const { return skipped_; }  ///< frames, up to `to`
 
   // Robot
   bool observe(Observation& observation) override;
@@ -44,7 +44,7 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
   bool begins_ = false;  // the stretch, with the frame that is there already
   bool is_over_ = false;
   bool is_waiting_ = false;  // a frame was read that belongs to no stretch yet
-  std::uint64_t passed_over_ = 0;
+  std::uint64_t skipped_ = 0;
 };
 
 }  // namespace reorient

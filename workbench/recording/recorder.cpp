@@ -174,7 +174,7 @@ void Recorder::choose_views(const Item& item) {
   ++frames_;
 }
 
-void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
+void Recorder::observe(const FrameRecord& frame, const SceneTruth& scene) {
   if (!item_) return;
   FrameEntry& entry = item_->entry;
   entry.frame = frame.world.frame;
@@ -184,7 +184,7 @@ void Recorder::observe(const FrameRecord& frame, const StageRecord& stage) {
   write_record(frame, entry.record, digested_topics(), &item_->places);
   item_->extra.clear();
   write_record(frame, item_->extra, wanted_);  // of another observer's there may be more
-  entry.stage = stage;
+  entry.scene = scene;
   const std::size_t bytes = item_->bytes();
   bool is_slow = false, lacks_views = false;
   {
@@ -265,7 +265,7 @@ void Recorder::write_items(Shared& shared) {
     }
     digest_topics(item.entry.record, item.places, item.entry.digests);
     const FrameRecord frame = read_record(item.entry.record), extra = read_record(item.extra);
-    ViewedFrame viewed{frame, extra, item.entry.stage, {}, !item.state.empty()};
+    ViewedFrame viewed{frame, extra, item.entry.scene, {}, !item.state.empty()};
     for (std::size_t camera = 0; camera < item.images.size(); ++camera)
       if (item.is_viewed[camera]) viewed.images[camera] = item.images[camera].view();
     shared.views.clear();

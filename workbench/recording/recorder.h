@@ -51,7 +51,7 @@ class Recorder : public Observer {
 
   void before(const FrameInputs& inputs, const FrameLoop& engine) override;
   Topics wanted() const override { return wanted_; }
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   /// Ends the file. Nothing is recorded afterwards. The thread of a disk that does not take the rest within
   /// RecorderOptions::patience is left behind.

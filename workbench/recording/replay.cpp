@@ -10,7 +10,7 @@ void append_all(const FrameInputs& from, FrameInputs& to) {
   const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
   append(to.script_edits, from.script_edits);
   append(to.parameter_changes, from.parameter_changes);
-  append(to.told.messages, from.told.messages);
+  append(to.external.messages, from.external.messages);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ struct Beginning : Observer {
       frame->views.push_back(std::move(view));
     }
   }
-  void observe(const FrameRecord& /*frame*/, const StageRecord& /*stage*/) override {}
+  void observe(const FrameRecord& /*frame*/, const SceneTruth& /*scene*/) override {}
 
   const Playback& playback;
   const std::vector<ViewTopic>& topics;

@@ -13,7 +13,7 @@ namespace reorient {
 class DigestObserver : public Observer {
  public:
   Topics wanted() const override { return {Topic::images}; }
-  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override { digest_.add(frame); }
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override { digest_.add(frame); }
 
   std::string hex() const { return digest_.digest().hex(); }
 

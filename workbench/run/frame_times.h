@@ -38,9 +38,9 @@ class TimeHistogram {
 /// What a run's frames took: with the robot's part of it (a simulated one renders), and without.
 class FrameTimes : public Observer {
  public:
-  void observe(const FrameRecord& /*frame*/, const StageRecord& stage) override {
-    whole_.add(stage.observing + stage.stepping);
-    own_.add(stage.stepping);
+  void observe(const FrameRecord& /*frame*/, const SceneTruth& scene) override {
+    whole_.add(scene.observing + scene.stepping);
+    own_.add(scene.stepping);
   }
 
   TimeQuantiles whole() const { return whole_.quantiles(); }

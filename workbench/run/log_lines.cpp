@@ -47,14 +47,14 @@ void append_scripts(const NameTable& names, const std::vector<LogRecord>& logs, 
 
 }  // namespace
 
-std::vector<LogLine> log_lines(const FrameRecord& frame, const StageRecord& stage) {
+std::vector<LogLine> log_lines(const FrameRecord& frame, const SceneTruth& scene) {
   std::vector<LogLine> lines;
   append_reloads(frame.reloads, lines);
-  append_reloads(stage.scenario.reloads, lines);
+  append_reloads(scene.scenario.reloads, lines);
   append_scripts(*frame.names, frame.logs, frame.faults, lines);
   for (const std::string& message : frame.answer.messages)
     lines.push_back({Level::info, "", "to the team: " + message});
-  append_scripts(*stage.scenario.names, stage.scenario.logs, stage.scenario.faults, lines);
+  append_scripts(*scene.scenario.names, scene.scenario.logs, scene.scenario.faults, lines);
   return lines;
 }
 

@@ -20,6 +20,6 @@ struct LogLine {
 };
 
 /// In their order: the behaviours' edits and the scenario's, then what both said.
-std::vector<LogLine> log_lines(const FrameRecord& frame, const StageRecord& stage);
+std::vector<LogLine> log_lines(const FrameRecord& frame, const SceneTruth& scene);
 
 }  // namespace reorient

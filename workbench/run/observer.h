@@ -7,22 +7,22 @@
 #include "engine/frame.h"
 #include "engine/record/frame_record.h"
 #include "geometry/const_or.h"
-#include "robots/experimenter.h"
+#include "robots/operator.h"
 #include "workbench/scenario/scenario_host.h"
 
 namespace reorient {
 
 /// What only those around the robot know of a frame: plain data, too.
-struct StageRecord {
+struct SceneTruth {
   std::optional<GroundTruth> truth;  ///< where it is known, in the axes of the frame
   ScenarioRecord scenario;           ///< empty where there is none
   double observing = 0.0;  ///< s in wall-clock time that the robot took to observe: a simulated one, to render
   double stepping = 0.0;   ///< s in wall-clock time that the engine took
 };
 
-template <typename Visit, ConstOr<StageRecord> T>
-void fields(Visit&& visit, T& stage) {
-  visit(stage.truth, stage.scenario, stage.observing, stage.stepping);
+template <typename Visit, ConstOr<SceneTruth> T>
+void fields(Visit&& visit, T& scene) {
+  visit(scene.truth, scene.scenario, scene.observing, scene.stepping);
 }
 
 class Observer {
@@ -36,10 +36,10 @@ class Observer {
   virtual Topics wanted() const { return {}; }
 
   /// Once a frame. Both are valid during the call only.
-  virtual void observe(const FrameRecord& frame, const StageRecord& stage) = 0;
+  virtual void observe(const FrameRecord& frame, const SceneTruth& scene) = 0;
 
   /// Once, when the run is over, with its last frame; not called where there was none.
-  virtual void finish(const FrameRecord& /*last*/, const StageRecord& /*stage*/) {}
+  virtual void finish(const FrameRecord& /*last*/, const SceneTruth& /*scene*/) {}
 };
 
 }  // namespace reorient

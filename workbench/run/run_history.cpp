@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-void RunHistory::observe(const FrameRecord& frame, const StageRecord& stage) {
+void RunHistory::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const World& world = frame.world;
   if (frames_++ % stride_ == 0) {
     const Confidences& c = world.confidence;
@@ -20,7 +20,7 @@ void RunHistory::observe(const FrameRecord& frame, const StageRecord& stage) {
   }
   note_condition(RunCondition::training, world.training, world.time);
   note_condition(RunCondition::evaluation_paused, !world.evaluating, world.time);
-  note_condition(RunCondition::belief_reflected, stage.truth && is_correct(reflect(world.pose.pose), stage.truth->pose),
+  note_condition(RunCondition::belief_reflected, scene.truth && is_correct(reflect(world.pose.pose), scene.truth->pose),
                  world.time);
   note_condition(RunCondition::lifted, world.posture == Posture::lifted, world.time);
   note_condition(RunCondition::down, is_down(world.posture), world.time);
@@ -31,7 +31,7 @@ void RunHistory::observe(const FrameRecord& frame, const StageRecord& stage) {
     }
     commands_.push_back({world.time, command.request.reorientation, command.verdict == Verdict::granted});
   }
-  if (frame.reorientation) keep_snapshot(frame, stage);
+  if (frame.reorientation) keep_snapshot(frame, scene);
 }
 
 void RunHistory::note_condition(RunCondition condition, bool holds, double time) {
@@ -71,14 +71,14 @@ void RunHistory::join_intervals() {
   }
 }
 
-void RunHistory::keep_snapshot(const FrameRecord& frame, const StageRecord& stage) {
+void RunHistory::keep_snapshot(const FrameRecord& frame, const SceneTruth& scene) {
   if (reorientations_.size() >= kMostReorientations) {
     ++reorientations_left_out_;
     return;
   }
   const ReorientationRecord& record = *frame.reorientation;
   reorientations_.push_back({frame.world.time, record.reorientation,
-                             stage.truth ? std::optional<Pose2>(stage.truth->pose) : std::nullopt,
+                             scene.truth ? std::optional<Pose2>(scene.truth->pose) : std::nullopt,
                              record.belief_before.pose, record.belief_after.pose, frame.pose_particles.before,
                              frame.pose_particles.particles});
 }

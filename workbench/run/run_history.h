@@ -51,7 +51,7 @@ struct ReorientationSnapshot {
 class RunHistory : public Observer {
  public:
   Topics wanted() const override { return {Topic::pose_particles}; }
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   const std::vector<ConfidencePoint>& points() const { return points_; }
   const std::vector<ConditionInterval>& intervals() const { return intervals_; }
@@ -71,7 +71,7 @@ class RunHistory : public Observer {
  private:
   void note_condition(RunCondition condition, bool holds, double time);
   void join_intervals();
-  void keep_snapshot(const FrameRecord& frame, const StageRecord& stage);
+  void keep_snapshot(const FrameRecord& frame, const SceneTruth& scene);
 
   std::vector<ConfidencePoint> points_;
   std::uint64_t frames_ = 0;

@@ -26,7 +26,7 @@ class InputSource {
 struct RunParts {
   RobotInstance& robot;
   FrameLoop& engine;
-  ScenarioHost* scenario = nullptr;        ///< needs an experimenter
+  ScenarioHost* scenario = nullptr;        ///< needs an operator of the robot
   RecordedBehaviors* behaviors = nullptr;  ///< what the scenario sees of them
   std::vector<InputSource*> sources;
   std::vector<Observer*> observers;
@@ -44,7 +44,7 @@ class RunLoop {
   /// Until its end; then the observers are told.
   RunEnd run();
 
-  const StageRecord& stage() const { return stage_; }
+  const SceneTruth& scene() const { return scene_; }
 
  private:
   std::optional<RunEnd> is_over() const;
@@ -53,7 +53,7 @@ class RunLoop {
 
   RunParts parts_;
   FrameInputs inputs_;
-  StageRecord stage_;
+  SceneTruth scene_;
   bool any_frame_ = false;
   double first_time_ = 0.0;  // s, of the robot's first frame
   std::chrono::steady_clock::time_point start_;

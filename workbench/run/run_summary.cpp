@@ -37,20 +37,20 @@ bool is_correct(const Pose2& belief, const Pose2& truth) {
   return error.position < kNear && error.rotation < kTurned;
 }
 
-void SummaryObserver::observe(const FrameRecord& frame, const StageRecord& stage) {
+void SummaryObserver::observe(const FrameRecord& frame, const SceneTruth& scene) {
   ++summary_.frames;
   summary_.seconds = frame.world.time;
   summary_.belief = frame.world.pose;
   summary_.camera_bias = frame.world.camera_bias;
-  summary_.truth = stage.truth;
-  if (stage.scenario.verdict) {
-    summary_.succeeded = stage.scenario.verdict->succeeded;
-    summary_.verdict = stage.scenario.verdict->text;
+  summary_.truth = scene.truth;
+  if (scene.scenario.verdict) {
+    summary_.succeeded = scene.scenario.verdict->succeeded;
+    summary_.verdict = scene.scenario.verdict->text;
   }
   note_faults(frame.faults, frame.reloads);
-  note_faults(stage.scenario.faults, stage.scenario.reloads);
-  if (frame.reorientation) judge_reorientation(frame, stage);
-  if (stage.truth) judge_belief(frame, stage);
+  note_faults(scene.scenario.faults, scene.scenario.reloads);
+  if (frame.reorientation) judge_reorientation(frame, scene);
+  if (scene.truth) judge_belief(frame, scene);
 }
 
 void SummaryObserver::note_faults(const std::vector<FaultRecord>& faults, const std::vector<ReloadRecord>& reloads) {
@@ -65,25 +65,25 @@ void SummaryObserver::note_faults(const std::vector<FaultRecord>& faults, const 
   }
 }
 
-void SummaryObserver::judge_reorientation(const FrameRecord& frame, const StageRecord& stage) {
+void SummaryObserver::judge_reorientation(const FrameRecord& frame, const SceneTruth& scene) {
   const ReorientationRecord& record = *frame.reorientation;
   summary_.flips += record.reorientation == Reorientation::flip_pose;
   summary_.purges += record.reorientation == Reorientation::purge_reflection;
   summary_.resets += record.reorientation == Reorientation::reset_orientation;
   if (summary_.reorientations.size() >= RunSummary::kMostJudged) return;
   JudgedReorientation judged{frame.world.time, record.reorientation, {}, {}};
-  if (stage.truth) {
-    judged.correct_before = is_correct(record.belief_before.pose, stage.truth->pose);
-    judged.correct_after = is_correct(record.belief_after.pose, stage.truth->pose);
+  if (scene.truth) {
+    judged.correct_before = is_correct(record.belief_before.pose, scene.truth->pose);
+    judged.correct_after = is_correct(record.belief_after.pose, scene.truth->pose);
   }
   summary_.reorientations.push_back(judged);
 }
 
 /// A stretch of wrong belief may be interrupted by moments in which the belief was correct for a short while.
-void SummaryObserver::judge_belief(const FrameRecord& frame, const StageRecord& stage) {
+void SummaryObserver::judge_belief(const FrameRecord& frame, const SceneTruth& scene) {
   constexpr double kStaysCorrect = 5.0;  // s
   const World& world = frame.world;
-  const GroundTruth& truth = *stage.truth;
+  const GroundTruth& truth = *scene.truth;
   summary_.error = pose_error(world.pose.pose, truth.pose);
   summary_.correct = is_correct(world.pose.pose, truth.pose);
   if (summary_.correct && world.upright()) {

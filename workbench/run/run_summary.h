@@ -66,15 +66,15 @@ struct RunSummary {
 
 class SummaryObserver : public Observer {
  public:
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   /// `end`: how the run ended, if not by the scenario's verdict.
   RunSummary summary(RunEnd end = RunEnd::time_up) const;
 
  private:
-  void judge_belief(const FrameRecord& frame, const StageRecord& stage);
+  void judge_belief(const FrameRecord& frame, const SceneTruth& scene);
   void note_faults(const std::vector<FaultRecord>& faults, const std::vector<ReloadRecord>& reloads);
-  void judge_reorientation(const FrameRecord& frame, const StageRecord& stage);
+  void judge_reorientation(const FrameRecord& frame, const SceneTruth& scene);
 
   RunSummary summary_;
   struct Faults {

@@ -35,7 +35,7 @@ void append_notes(const NameTable& names, const std::vector<LogRecord>& logs, do
 
 }  // namespace
 
-std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const StageRecord& stage) {
+std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const SceneTruth& scene) {
   const double time = frame.world.time;
   std::vector<TimelineEvent> events;
   if (frame.inputs.half_time) events.push_back({time, "game", "half-time", "", "the teams change sides", "", false});
@@ -48,13 +48,13 @@ std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const Stage
                                    command.verdict, time));
     events.back().reorients = command.verdict == Verdict::granted;
   }
-  append_notes(*stage.scenario.names, stage.scenario.logs, time, events);
-  append_transitions(*stage.scenario.names, stage.scenario.transitions, time, events);
+  append_notes(*scene.scenario.names, scene.scenario.logs, time, events);
+  append_transitions(*scene.scenario.names, scene.scenario.transitions, time, events);
   return events;
 }
 
-void CommandHistory::observe(const FrameRecord& frame, const StageRecord& stage) {
-  for (TimelineEvent& event : timeline_events(frame, stage)) {
+void CommandHistory::observe(const FrameRecord& frame, const SceneTruth& scene) {
+  for (TimelineEvent& event : timeline_events(frame, scene)) {
     if (event.command.empty()) continue;
     Commands& commands = commands_of(event.machine);
     commands.kept.emplace_back(count_++, std::move(event));

@@ -23,13 +23,13 @@ struct TimelineEvent {
 };
 
 /// Of one frame, in their order: a change of state comes before the commands that it led to.
-std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const StageRecord& stage);
+std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const SceneTruth& scene);
 
 /// The commands and pauses of a run. It takes a bounded memory: of each machine the latest are kept, the older ones
 /// only counted.
 class CommandHistory : public Observer {
  public:
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   /// All that are kept, in the order of time.
   std::vector<TimelineEvent> commands() const;

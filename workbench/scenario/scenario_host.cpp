@@ -72,29 +72,31 @@ std::optional<ParameterOutcome> ScenarioHost::change(const ParameterChange& chan
   return parameters_.change(change);
 }
 
-void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told, bool& sides_changed,
+void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInputs& external, bool& sides_changed,
                const RefereeState& referee) {
-  const auto said = [&]() -> RefereeState& { return told.referee ? *told.referee : told.referee.emplace(referee); };
-  using Kind = ExperimenterAction::Kind;
+  const auto said = [&]() -> RefereeState& {
+    return external.referee ? *external.referee : external.referee.emplace(referee);
+  };
+  using Kind = OperatorAction::Kind;
   switch (action.kind) {
     case Kind::pick_up:
-      return experimenter.pick_up();
+      return the_operator.pick_up();
     case Kind::put_down:
-      return experimenter.put_down(in_axes_of_team(action.pose, sides_changed));
+      return the_operator.put_down(in_axes_of_team(action.pose, sides_changed));
     case Kind::push_over:
-      return experimenter.push_over();
+      return the_operator.push_over();
     case Kind::penalize:
       said().penalized = action.penalized;
-      return experimenter.penalize(action.penalized);
+      return the_operator.penalize(action.penalized);
     case Kind::set_exposure_compensation:
-      return experimenter.set_exposure_compensation(action.stops);
+      return the_operator.set_exposure_compensation(action.stops);
     case Kind::change_light:
-      return experimenter.change_light();
+      return the_operator.change_light();
     case Kind::set_initial_pose:
-      told.initial_pose = InitialPose{action.pose};
+      external.initial_pose = InitialPose{action.pose};
       return;
     case Kind::tell_message:
-      told.messages.push_back(action.message);
+      external.messages.push_back(action.message);
       return;
     case Kind::set_game_state:
       said().state = action.referee.state;
@@ -107,8 +109,9 @@ void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Tol
       return;
     case Kind::half_time:
       sides_changed = !sides_changed;
-      told.half_time = !told.half_time;
-      if (told.initial_pose) told.initial_pose->pose = reflect(told.initial_pose->pose);  // told just before
+      external.half_time = !external.half_time;
+      if (external.initial_pose)
+        external.initial_pose->pose = reflect(external.initial_pose->pose);  // told just before
   }
 }
 

@@ -20,7 +20,7 @@ struct ScenarioRecord {
   std::shared_ptr<const NameTable> names = std::make_shared<NameTable>();
   std::vector<MachineStatus> machines;
   std::vector<TransitionRecord> transitions;
-  std::vector<ExperimenterAction> actions;
+  std::vector<OperatorAction> actions;
   std::vector<LogRecord> logs;
   std::vector<FaultRecord> faults;
   std::vector<ReloadRecord> reloads;
@@ -66,7 +66,7 @@ class RecordedBehaviors : public MachineDirectory {
 
 class ScenarioHost {
  public:
-  /// `name`: "turned_round", or a file below the scripts' root. `behaviors`: what the scenario sees of those; must
+  /// `name`: "mirrored_placement", or a file below the scripts' root. `behaviors`: what the scenario sees of those; must
   /// outlive the host. `seed`: of what the scenario leaves to chance. Throws std::runtime_error (of a script:
   /// ScriptError) with one line.
   ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
@@ -101,8 +101,8 @@ class ScenarioHost {
 };
 
 /// Does to the robot what was asked for, and adds to `told` what it is to be told. `sides_changed`: whether the axes of
-/// the action's pose are those of the experimenter turned by half; half-time changes it. `referee`: what was said last.
-void carry_out(const ExperimenterAction& action, Experimenter& experimenter, Told& told, bool& sides_changed,
+/// the action's pose are those of the operator turned by half; half-time changes it. `referee`: what was said last.
+void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInputs& external, bool& sides_changed,
                const RefereeState& referee);
 
 /// A pose in the axes of the hall, which are the team's of the first half, in those of the team; and back.

@@ -46,31 +46,31 @@ Message message_of(std::int64_t sender, std::string_view text) {
   return {static_cast<int>(sender), std::string(text)};
 }
 
-std::string_view to_string(ExperimenterAction::Kind kind) {
+std::string_view to_string(OperatorAction::Kind kind) {
   switch (kind) {
-    case ExperimenterAction::Kind::pick_up:
+    case OperatorAction::Kind::pick_up:
       return "pick_up";
-    case ExperimenterAction::Kind::put_down:
+    case OperatorAction::Kind::put_down:
       return "put_down";
-    case ExperimenterAction::Kind::push_over:
+    case OperatorAction::Kind::push_over:
       return "push_over";
-    case ExperimenterAction::Kind::penalize:
+    case OperatorAction::Kind::penalize:
       return "penalize";
-    case ExperimenterAction::Kind::set_exposure_compensation:
+    case OperatorAction::Kind::set_exposure_compensation:
       return "set_exposure_compensation";
-    case ExperimenterAction::Kind::change_light:
+    case OperatorAction::Kind::change_light:
       return "change_light";
-    case ExperimenterAction::Kind::set_initial_pose:
+    case OperatorAction::Kind::set_initial_pose:
       return "set_initial_pose";
-    case ExperimenterAction::Kind::half_time:
+    case OperatorAction::Kind::half_time:
       return "half_time";
-    case ExperimenterAction::Kind::tell_message:
+    case OperatorAction::Kind::tell_message:
       return "tell_message";
-    case ExperimenterAction::Kind::set_game_state:
+    case OperatorAction::Kind::set_game_state:
       return "set_game_state";
-    case ExperimenterAction::Kind::stop_game:
+    case OperatorAction::Kind::stop_game:
       return "stop_game";
-    case ExperimenterAction::Kind::set_kick_off:
+    case OperatorAction::Kind::set_kick_off:
       return "set_kick_off";
   }
   return "";
@@ -97,30 +97,30 @@ std::span<const WorldField> ScenarioLanguage::world() const {
 std::span<const ScriptFunction> ScenarioLanguage::functions() const {
   using A = ScenarioActions;
   static const std::vector<ScriptFunction> functions{
-      script_function<&A::pick_up>("experimenter.pick_up", {}, "Takes the robot off the ground."),
-      script_function<&A::put_down>("experimenter.put_down", {"x", "y", "rotation"},
+      script_function<&A::pick_up>("operator.pick_up", {}, "Takes the robot off the ground."),
+      script_function<&A::put_down>("operator.put_down", {"x", "y", "rotation"},
                                     "Puts the robot down at this pose (m, m, rad), upright and standing."),
-      script_function<&A::push_over>("experimenter.push_over", {}, "Makes the robot fall."),
-      script_function<&A::penalize>("experimenter.penalize", {"penalized"},
+      script_function<&A::push_over>("operator.push_over", {}, "Makes the robot fall."),
+      script_function<&A::penalize>("operator.penalize", {"penalized"},
                                     "Takes the robot out of the game, or lets it in again."),
       script_function<&A::set_game_state>(
-          "experimenter.set_game_state", {"state"},
+          "operator.set_game_state", {"state"},
           "The referee says: initial, ready, set, playing, finished, standby or unknown."),
-      script_function<&A::stop_game>("experimenter.stop_game", {"stopped"},
+      script_function<&A::stop_game>("operator.stop_game", {"stopped"},
                                      "Nobody may move any more, or everybody again."),
-      script_function<&A::set_kick_off>("experimenter.set_kick_off", {"side"},
+      script_function<&A::set_kick_off>("operator.set_kick_off", {"side"},
                                         "Who kicks off next: ours, theirs or nobody."),
       script_function<&A::set_exposure_compensation>(
-          "experimenter.set_exposure_compensation", {"stops"},
+          "operator.set_exposure_compensation", {"stops"},
           "Changes the hall's light against the camera's exposure, in powers of two."),
-      script_function<&A::change_light>("experimenter.change_light", {},
+      script_function<&A::change_light>("operator.change_light", {},
                                         "Another light begins, as the parameters `light` say."),
-      script_function<&A::set_initial_pose>("experimenter.set_initial_pose", {"x", "y", "rotation"},
+      script_function<&A::set_initial_pose>("operator.set_initial_pose", {"x", "y", "rotation"},
                                             "Tells the robot where it stands (m, m, rad)."),
-      script_function<&A::tell_message>("experimenter.tell_message", {"sender", "text"},
+      script_function<&A::tell_message>("operator.tell_message", {"sender", "text"},
                                         "Tells the robot what a team mate says, at most 240 bytes."),
       script_function<&A::half_time>(
-          "experimenter.half_time", {},
+          "operator.half_time", {},
           "Tells the robot that the teams change sides; it stays where it is, and from here on "
           "all poses are in the axes of the new half."),
       script_function<&A::draw>("chance.between", {"low", "high"},
@@ -137,45 +137,50 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
   return functions;
 }
 
+std::span<const FormerTable> ScenarioLanguage::former_tables() const {
+  static constexpr FormerTable kFormer[] = {{"experimenter", "operator"}};
+  return kFormer;
+}
+
 void ScenarioActions::begin_frame(ScriptOutput& output, double time) {
   ScriptActions::begin_frame(output, time);
   actions_.clear();
 }
 
-void ScenarioActions::act(const ExperimenterAction& action) {
+void ScenarioActions::act(const OperatorAction& action) {
   require_acting();
   count_action();
   actions_.push_back(action);
 }
 
 void ScenarioActions::put_down(double x, double y, double rotation) {
-  act({ExperimenterAction::Kind::put_down, Pose2(x, y, rotation), 0.0, false});
+  act({OperatorAction::Kind::put_down, Pose2(x, y, rotation), 0.0, false});
 }
 
 void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
-  act({ExperimenterAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
+  act({OperatorAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
 }
 
 void ScenarioActions::set_game_state(std::string_view state) {
-  ExperimenterAction action{ExperimenterAction::Kind::set_game_state, {}, 0.0, false};
+  OperatorAction action{OperatorAction::Kind::set_game_state, {}, 0.0, false};
   action.referee.state = named<GameState>(state, "a game's state");
   act(action);
 }
 
 void ScenarioActions::stop_game(bool stopped) {
-  ExperimenterAction action{ExperimenterAction::Kind::stop_game, {}, 0.0, false};
+  OperatorAction action{OperatorAction::Kind::stop_game, {}, 0.0, false};
   action.referee.stopped = stopped;
   act(action);
 }
 
 void ScenarioActions::set_kick_off(std::string_view side) {
-  ExperimenterAction action{ExperimenterAction::Kind::set_kick_off, {}, 0.0, false};
+  OperatorAction action{OperatorAction::Kind::set_kick_off, {}, 0.0, false};
   action.referee.kick_off = named<KickOff>(side, "who kicks off");
   act(action);
 }
 
 void ScenarioActions::tell_message(std::int64_t sender, std::string_view text) {
-  ExperimenterAction action{ExperimenterAction::Kind::tell_message, {}, 0.0, false};
+  OperatorAction action{OperatorAction::Kind::tell_message, {}, 0.0, false};
   action.message = message_of(sender, text);
   act(action);
 }

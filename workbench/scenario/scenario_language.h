@@ -13,13 +13,13 @@
 #include "engine/world/world.h"
 #include "geometry/const_or.h"
 #include "geometry/random.h"
-#include "robots/experimenter.h"
+#include "robots/operator.h"
 #include "robots/robot.h"
 
 namespace reorient {
 
 /// What a scenario wants done: to the robot, from outside, or told to it.
-struct ExperimenterAction {
+struct OperatorAction {
   enum class Kind {
     pick_up,
     put_down,
@@ -43,7 +43,7 @@ struct ExperimenterAction {
   Message message{};       ///< of tell_message
   RefereeState referee{};  ///< what of it the kind is about
 };
-template <typename Visit, ConstOr<ExperimenterAction> T>
+template <typename Visit, ConstOr<OperatorAction> T>
 void fields(Visit&& visit, T& action) {
   visit(action.kind, action.pose, action.stops, action.penalized, action.message, action.referee);
 }
@@ -52,7 +52,7 @@ void fields(Visit&& visit, T& action) {
 Message message_of(std::int64_t sender, std::string_view text);
 
 /// As scripts call it.
-std::string_view to_string(ExperimenterAction::Kind kind);
+std::string_view to_string(OperatorAction::Kind kind);
 
 struct ScenarioVerdict {
   bool succeeded = false;
@@ -70,36 +70,36 @@ class ScenarioActions : public ScriptActions {
 
   void begin_frame(ScriptOutput& output, double time) override;
 
-  const std::vector<ExperimenterAction>& actions() const { return actions_; }  ///< of this frame
-  const std::optional<ScenarioVerdict>& verdict() const { return verdict_; }   ///< stays once it was given
+  const std::vector<OperatorAction>& actions() const { return actions_; }     ///< of this frame
+  const std::optional<ScenarioVerdict>& verdict() const { return verdict_; }  ///< stays once it was given
 
-  void pick_up() { act({ExperimenterAction::Kind::pick_up, {}, 0.0, false}); }
+  void pick_up() { act({OperatorAction::Kind::pick_up, {}, 0.0, false}); }
   void put_down(double x, double y, double rotation);
-  void push_over() { act({ExperimenterAction::Kind::push_over, {}, 0.0, false}); }
-  void penalize(bool penalized) { act({ExperimenterAction::Kind::penalize, {}, 0.0, penalized}); }
+  void push_over() { act({OperatorAction::Kind::push_over, {}, 0.0, false}); }
+  void penalize(bool penalized) { act({OperatorAction::Kind::penalize, {}, 0.0, penalized}); }
   void set_game_state(std::string_view state);
   void stop_game(bool stopped);
   void set_kick_off(std::string_view side);
   void set_exposure_compensation(double stops) {
-    act({ExperimenterAction::Kind::set_exposure_compensation, {}, stops, false});
+    act({OperatorAction::Kind::set_exposure_compensation, {}, stops, false});
   }
-  void change_light() { act({ExperimenterAction::Kind::change_light, {}, 0.0, false}); }
+  void change_light() { act({OperatorAction::Kind::change_light, {}, 0.0, false}); }
   void set_initial_pose(double x, double y, double rotation);
   void tell_message(std::int64_t sender, std::string_view text);
-  void half_time() { act({ExperimenterAction::Kind::half_time, {}, 0.0, false}); }
+  void half_time() { act({OperatorAction::Kind::half_time, {}, 0.0, false}); }
   /// In [low, high): the same ones for the same seed, as long as the scenario asks for the same.
   double draw(double low, double high);
   void succeed(std::string_view text) { judge(true, text); }
   void fail(std::string_view text) { judge(false, text); }
 
  private:
-  void act(const ExperimenterAction& action);
+  void act(const OperatorAction& action);
   void judge(bool succeeded, std::string_view text);
 
   static constexpr std::uint64_t kStream = 0xc4a9ce;
 
   Random random_;
-  std::vector<ExperimenterAction> actions_;
+  std::vector<OperatorAction> actions_;
   std::optional<ScenarioVerdict> verdict_;
 };
 
@@ -113,6 +113,7 @@ class ScenarioLanguage : public ScriptLanguage {
   std::span<const WorldTable> tables() const override;
   std::span<const WorldField> world() const override;
   std::span<const ScriptFunction> functions() const override;
+  std::span<const FormerTable> former_tables() const override;
   ScenarioActions& actions() override { return actions_; }
   const ScenarioActions& actions() const { return actions_; }
 

@@ -30,6 +30,10 @@ void add_script_functions(lua_State* L, ScriptLanguage& language) {
       lua_setglobal(L, table.c_str());
     }
   }
+  for (const FormerTable& former : language.former_tables()) {
+    lua_getglobal(L, former.replacement.data());
+    lua_setglobal(L, former.name.data());
+  }
 }
 
 }  // namespace reorient

@@ -63,6 +63,12 @@ struct ScriptFunction {
   std::string full_name() const { return table.empty() ? name : table + "." + name; }
 };
 
+/// A table of functions that earlier versions called otherwise: scripts may use both names.
+struct FormerTable {
+  std::string_view name;
+  std::string_view replacement;
+};
+
 /// Two stand behind it: behaviours', and the workbench's for scenarios.
 class ScriptLanguage {
  public:
@@ -74,6 +80,7 @@ class ScriptLanguage {
   virtual std::span<const WorldTable> tables() const = 0;
   virtual std::span<const WorldField> world() const = 0;
   virtual std::span<const ScriptFunction> functions() const = 0;
+  virtual std::span<const FormerTable> former_tables() const { return {}; }
   virtual ScriptActions& actions() = 0;
 };
 

@@ -49,8 +49,8 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
   worths_.clear();
   for (const int column : columns_) worths_.push_back(column < 0 ? Worth{} : worth_of(column, wall, model, parameters));
 
-  double best_telling = 0.0;
-  double best_unknown = 0.0;
+  double best_rate = 0.0;
+  double best_unknown_rate = 0.0;
   const int directions = static_cast<int>(columns_.size());
   const int width = static_cast<int>(2.0 * parameters.half_width / kStep);
   for (int first = 0; first + width < directions; ++first) {
@@ -62,19 +62,19 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
       if (column < 0 || column == last) continue;  // it counts once in a view, however wide it is
       last = column;
       const Worth& worth = worths_[static_cast<std::size_t>(i)];
-      sum.telling += worth.telling;
+      sum.difference += worth.difference;
       sum.unknown += worth.unknown;
     }
     const double seconds = std::abs(view - yaw) / parameters.speed + parameters.dwell;
-    if (sum.telling > best_telling * seconds) {
-      best_telling = sum.telling / seconds;
-      views_.telling = view;
-      views_.telling_worth = sum.telling;
+    if (sum.difference > best_rate * seconds) {
+      best_rate = sum.difference / seconds;
+      views_.best_yaw = view;
+      views_.best_score = sum.difference;
     }
-    if (sum.unknown > best_unknown * seconds) {
-      best_unknown = sum.unknown / seconds;
-      views_.unknown = view;
-      views_.unknown_worth = sum.unknown;
+    if (sum.unknown > best_unknown_rate * seconds) {
+      best_unknown_rate = sum.unknown / seconds;
+      views_.unknown_yaw = view;
+      views_.unknown_score = sum.unknown;
     }
   }
   return views_;
@@ -119,11 +119,11 @@ ViewChooser::Worth ViewChooser::worth_of(int column, const Wall& wall, const Com
     const int tile = wall.tile(row, column);
     if (!model.trusted(tile)) worth.unknown += 1.0;
     if (!model.trusted(tile) && !model.trusted(wall.reflected(tile))) continue;
-    worth.telling += model.difference_to_reflection(tile).value_or(parameters.half_known);
+    worth.difference += model.difference_to_reflection(tile).value_or(parameters.half_known);
   }
   // What was looked at lately and is still unknown cannot be learned from here.
   const double fresh = parameters.look / (parameters.look + looked_at_[static_cast<std::size_t>(column)]);
-  worth.telling *= fresh;
+  worth.difference *= fresh;
   worth.unknown *= fresh;
   return worth;
 }

@@ -34,14 +34,14 @@ void describe(ViewParameters& p, Visit&& visit) {
 
 /// Directions of the camera in the robot's frame, rad; worth in tiles that count fully, 0: nowhere is anything to see.
 struct InformativeViews {
-  double telling = 0.0;  ///< the room tells most about the pose and its reflection there
-  double telling_worth = 0.0;
-  double unknown = 0.0;  ///< most tiles are not trusted yet there
-  double unknown_worth = 0.0;
+  double best_yaw = 0.0;  ///< where the room differs most from its reflection
+  double best_score = 0.0;
+  double unknown_yaw = 0.0;  ///< where most tiles are not trusted yet
+  double unknown_score = 0.0;
 };
 template <typename Visit, ConstOr<InformativeViews> T>
 void fields(Visit&& visit, T& views) {
-  visit(views.telling, views.telling_worth, views.unknown, views.unknown_worth);
+  visit(views.best_yaw, views.best_score, views.unknown_yaw, views.unknown_score);
 }
 
 class ViewChooser {
@@ -70,8 +70,8 @@ class ViewChooser {
 
  private:
   struct Worth {
-    double telling = 0.0;
-    double unknown = 0.0;
+    double difference = 0.0;  // between the tiles and their reflections
+    double unknown = 0.0;     // tiles
   };
 
   void check(std::size_t columns) const;

@@ -17,8 +17,8 @@ scenario "NAME" {
 
   state "placing" {
     enter = function()
-      experimenter.put_down(-1.0, 0.5, 0)
-      experimenter.set_initial_pose(-1.0, 0.5, 0)
+      operator.put_down(-1.0, 0.5, 0)
+      operator.set_initial_pose(-1.0, 0.5, 0)
     end,
     { "waiting", after = 0.1, because = "the robot was told where it stands" },
   },

@@ -56,10 +56,10 @@ KnownRobots known_robots() {
 
 /// What a process that goes on from another one's state must have in common with it. In the axes of which half the
 /// state is, --sides-changed says, and so the model's file would be saved in others.
-std::string circumstances_of(const Greeting& greeting, const FrameSetup& setup, const RunOptions& options) {
+std::string circumstances_of(const Handshake& handshake, const FrameSetup& setup, const RunOptions& options) {
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
-  out(std::string(REORIENT_VERSION), identity_of(greeting), setup.room_awareness, setup.behaviors, setup.parameters,
+  out(std::string(REORIENT_VERSION), identity_of(handshake), setup.room_awareness, setup.behaviors, setup.parameters,
       options.model.string(), options.sides_changed);
   Digest digest;
   digest.add(bytes);
@@ -76,7 +76,7 @@ class KeptCompanion : public Robot {
     if (any_frame_) keeper_.keep(*engine_, companion_, monotonic_clock(), was_told_pose_);
     const bool is_there = companion_.observe(observation);
     any_frame_ = any_frame_ || is_there;
-    was_told_pose_ = is_there && observation.told.initial_pose;
+    was_told_pose_ = is_there && observation.external.initial_pose;
     return is_there;
   }
   bool any_frame() const { return any_frame_; }
@@ -95,7 +95,7 @@ class CompanionReport : public Observer {
  public:
   explicit CompanionReport(Companion& companion) : companion_(companion) {}
 
-  void observe(const FrameRecord& frame, const StageRecord& /*stage*/) override {
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     for (const MachineStatus& machine : frame.machines)
       companion_.tell_state(frame.name(machine.machine), machine.stopped ? "stopped" : frame.name(machine.state));
     for (const FaultRecord& fault : frame.faults)
@@ -108,15 +108,15 @@ class CompanionReport : public Observer {
 };
 
 /// What is known before anybody comes. Throws std::runtime_error with one line.
-FrameSetup setup_for(const Greeting& greeting, const RunOptions& options, const ScriptTexts& scripts) {
+FrameSetup setup_for(const Handshake& handshake, const RunOptions& options, const ScriptTexts& scripts) {
   return engine_setup(
-      options, scripts, greeting.body, greeting.field,
-      {.head = greeting.carries_out_head, .walk = greeting.carries_out_walk, .get_up = greeting.carries_out_get_up});
+      options, scripts, handshake.body, handshake.field,
+      {.head = handshake.carries_out_head, .walk = handshake.carries_out_walk, .get_up = handshake.carries_out_get_up});
 }
 
 /// What is wrong with options and scripts is told now, not to the first client.
 void try_out(const RunOptions& options, const ScriptTexts& scripts) {
-  Greeting somebody;
+  Handshake somebody;
   somebody.carries_out_head = somebody.carries_out_walk = somebody.carries_out_get_up = true;
   const FrameLoop engine(setup_for(somebody, options, scripts));
 }
@@ -149,17 +149,17 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   bool fresh = options.fresh;
   std::vector<std::string> failures;
   std::string told_mistake;
-  while (const Greeting* const greeting_now = companion.wait_for_greeting()) {
-    const Greeting greeting = *greeting_now;
+  while (const Handshake* const connected = companion.wait_for_handshake()) {
+    const Handshake handshake = *connected;
     std::optional<StateKeeper> kept;
     std::unique_ptr<FrameLoop> engine;
     std::size_t behaviors = 0;
     bool goes_on = false;
     try {
-      FrameSetup setup = setup_for(greeting, options, edits.texts());
+      FrameSetup setup = setup_for(handshake, options, edits.texts());
       setup.model = model;
       behaviors = setup.behaviors.size();
-      kept.emplace(state, circumstances_of(greeting, setup, options));
+      kept.emplace(state, circumstances_of(handshake, setup, options));
       std::string why_not;
       if (!fresh) engine = kept->restore(companion, why_not);
       goes_on = engine != nullptr;
@@ -178,11 +178,11 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     StateKeeper& keeper = *kept;
     fresh = false;
     engine_now = engine.get();
-    companion.begin(greeting, goes_on, static_cast<int>(behaviors));
+    companion.begin(handshake, goes_on, static_cast<int>(behaviors));
     err << fmt::format(
                "reorient: a client has come: {}, field of {:.1f} x {:.1f} m, {} localization, {} behaviours, {}\n",
-               greeting.body.name, greeting.field.length, greeting.field.width,
-               greeting.own_localization ? "its own" : "our", behaviors,
+               handshake.body.name, handshake.field.length, handshake.field.width,
+               handshake.own_localization ? "its own" : "our", behaviors,
                goes_on ? "going on from before" : "beginning anew")
         << std::flush;
 
@@ -191,7 +191,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     auto owned = std::make_unique<KeptCompanion>(companion, keeper);
     KeptCompanion* const robot = owned.get();
     robot->set_engine(*engine);
-    RobotInstance instance{std::move(owned), greeting.body, RobotInstance::Clock::real, nullptr, nullptr};
+    RobotInstance instance{std::move(owned), handshake.body, RobotInstance::Clock::real, nullptr, nullptr};
     live.run({.parts = {.robot = instance, .engine = *engine, .sources = {}, .observers = {&report}, .stop = {}},
               .edits = &edits,
               .model = model,

@@ -17,11 +17,11 @@ using Words = std::vector<std::string>;
 
 /// What a command says, as whole lines, to be asked after each frame from its own on; nothing: it waits for a later
 /// one. A std::runtime_error that it throws is told instead.
-using Reply = std::function<std::optional<std::string>(const FrameRecord& frame, const StageRecord& stage)>;
+using Reply = std::function<std::optional<std::string>(const FrameRecord& frame, const SceneTruth& scene)>;
 
 /// An answer that no frame changes.
 inline Reply at_once(std::string text) {
-  return [text = std::move(text)](const FrameRecord&, const StageRecord&) { return text; };
+  return [text = std::move(text)](const FrameRecord&, const SceneTruth&) { return text; };
 }
 
 /// One row of the table that dispatch, help and completion read.

@@ -42,15 +42,15 @@ Reply note(const Words& words, FrameInputs& inputs) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
   if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-  inputs.told.notes.push_back(text);
-  return [](const FrameRecord& frame, const StageRecord&) {
+  inputs.external.notes.push_back(text);
+  return [](const FrameRecord& frame, const SceneTruth&) {
     return fmt::format("  noted at {:.2f} s\n", frame.world.time);
   };
 }
 
 Reply wait(double seconds) {
   return [seconds, until = std::optional<double>()](const FrameRecord& frame,
-                                                    const StageRecord&) mutable -> std::optional<std::string> {
+                                                    const SceneTruth&) mutable -> std::optional<std::string> {
     if (!until) until = frame.world.time + seconds;
     constexpr double kTolerance = 1e-6;  // frame times are sums of rounded steps
     if (frame.world.time + kTolerance < *until) return std::nullopt;
@@ -131,8 +131,8 @@ Words CommandTable::candidates(const Words& before) const {
   return {};
 }
 
-std::string CommandTable::observe(const FrameRecord& frame, const StageRecord& stage) {
-  scripts_.observe(frame, stage);
+std::string CommandTable::observe(const FrameRecord& frame, const SceneTruth& scene) {
+  scripts_.observe(frame, scene);
   return world_.changes(frame.world);
 }
 

@@ -35,7 +35,7 @@ class CommandTable {
   Words candidates(const Words& before) const;
 
   /// Each frame, behind the answer to it: what is to be told without having been asked for just now, as whole lines.
-  std::string observe(const FrameRecord& frame, const StageRecord& stage);
+  std::string observe(const FrameRecord& frame, const SceneTruth& scene);
 
   bool wants_to_quit() const { return quit_; }
 

@@ -88,10 +88,10 @@ void LiveConsole::begin_line() {
   if (std::exchange(is_prompted_, false)) out_ << "\n";
 }
 
-std::string LiveConsole::reply(const FrameRecord& frame, const StageRecord& stage) {
+std::string LiveConsole::reply(const FrameRecord& frame, const SceneTruth& scene) {
   if (!reply_) return {};
   try {
-    const std::optional<std::string> said = reply_(frame, stage);
+    const std::optional<std::string> said = reply_(frame, scene);
     if (!said) return {};
     reply_ = {};
     return *said;
@@ -101,9 +101,9 @@ std::string LiveConsole::reply(const FrameRecord& frame, const StageRecord& stag
   }
 }
 
-void LiveConsole::observe(const FrameRecord& frame, const StageRecord& stage) {
-  const std::string replied = reply(frame, stage);
-  const std::string text = replied + table_.observe(frame, stage);
+void LiveConsole::observe(const FrameRecord& frame, const SceneTruth& scene) {
+  const std::string replied = reply(frame, scene);
+  const std::string text = replied + table_.observe(frame, scene);
   if (!text.empty()) {
     begin_line();
     out_ << text << std::flush;
@@ -116,7 +116,7 @@ void LiveConsole::observe(const FrameRecord& frame, const StageRecord& stage) {
   }
 }
 
-void LiveConsole::finish(const FrameRecord& /*last*/, const StageRecord& /*stage*/) {
+void LiveConsole::finish(const FrameRecord& /*last*/, const SceneTruth& /*scene*/) {
   if (!editor_) return;
   make_room();
   close();

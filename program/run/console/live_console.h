@@ -24,8 +24,8 @@ class LiveConsole : public InputSource, public Observer {
               std::optional<std::filesystem::path> history = {});
 
   void add_to(FrameInputs& inputs) override;
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
-  void finish(const FrameRecord& last, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
+  void finish(const FrameRecord& last, const SceneTruth& scene) override;
   Topics wanted() const override;
 
   bool is_open() const { return open_; }
@@ -40,7 +40,7 @@ class LiveConsole : public InputSource, public Observer {
   void take_line(const std::string& line, FrameInputs& inputs);
   void open();
   void close();
-  std::string reply(const FrameRecord& frame, const StageRecord& stage);
+  std::string reply(const FrameRecord& frame, const SceneTruth& scene);
 
   int descriptor_;
   std::ostream& out_;

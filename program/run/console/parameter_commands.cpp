@@ -63,7 +63,7 @@ Reply ParameterCommands::change(const Change& wanted, FrameInputs& inputs, std::
   std::optional<ParameterOutcome> known;
   if (scenario_ != nullptr) known = scenario_->change(change);
   inputs.parameter_changes.push_back(change);
-  return [known, name = wanted.name, done = std::move(done)](const FrameRecord& frame, const StageRecord&) {
+  return [known, name = wanted.name, done = std::move(done)](const FrameRecord& frame, const SceneTruth&) {
     ParameterOutcome outcome{name, {}, {}};
     for (const ParameterOutcome& one : frame.parameter_changes) {
       if (one.name == name) outcome = one;
@@ -75,7 +75,7 @@ Reply ParameterCommands::change(const Change& wanted, FrameInputs& inputs, std::
 }
 
 Reply ParameterCommands::list(const std::string& pattern) const {
-  return [this, pattern](const FrameRecord&, const StageRecord&) {
+  return [this, pattern](const FrameRecord&, const SceneTruth&) {
     const std::vector<Parameter> all = parameters_();
     std::string text;
     for (const std::size_t i : pick(pattern, names_of(all), "parameter"))
@@ -86,7 +86,7 @@ Reply ParameterCommands::list(const std::string& pattern) const {
 }
 
 Reply ParameterCommands::differences() const {
-  return [this](const FrameRecord&, const StageRecord&) -> std::string {
+  return [this](const FrameRecord&, const SceneTruth&) -> std::string {
     std::string text;
     for (const Parameter& parameter : parameters_()) {
       if (parameter.value == parameter.default_value) continue;
@@ -98,7 +98,7 @@ Reply ParameterCommands::differences() const {
 }
 
 Reply ParameterCommands::save(const std::string& file) const {
-  return [this, file](const FrameRecord&, const StageRecord&) {
+  return [this, file](const FrameRecord&, const SceneTruth&) {
     require_writable_file(file, "save");
     save_parameters(parameters_(), kept_parameters_ ? kept_parameters_() : std::vector<ParameterChange>(), file);
     return "  written; --params " + printable(file) + " loads it\n";

@@ -22,7 +22,7 @@ std::string state_text(const MachineStatus& status, const NameTable& names, doub
                      now - status.entered_at, stopped_text(status));
 }
 
-std::string states_text(const FrameRecord& frame, const StageRecord& stage) {
+std::string states_text(const FrameRecord& frame, const SceneTruth& scene) {
   std::string text;
   for (std::size_t i = 0; i < frame.machines.size(); ++i) {
     text += state_text(frame.machines[i], *frame.names, frame.world.time);
@@ -32,8 +32,8 @@ std::string states_text(const FrameRecord& frame, const StageRecord& stage) {
     }
     text += "\n";
   }
-  for (const MachineStatus& status : stage.scenario.machines)
-    text += state_text(status, *stage.scenario.names, frame.world.time) + "\n";
+  for (const MachineStatus& status : scene.scenario.machines)
+    text += state_text(status, *scene.scenario.names, frame.world.time) + "\n";
   return text;
 }
 
@@ -94,15 +94,15 @@ Reply ScriptCommands::states() { return states_text; }
 Reply ScriptCommands::why(const std::string& machine) const {
   if (std::find(machines_.begin(), machines_.end(), machine) == machines_.end())
     throw std::runtime_error("there is no machine '" + machine + "'" + did_you_mean(machine, machines_));
-  return [this, machine](const FrameRecord& frame, const StageRecord& stage) -> std::string {
+  return [this, machine](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
     const double now = frame.world.time;
     if (const MachineStatus* const status = find(frame.machines, *frame.names, machine))
       return why_text(*status, frame.conditions, *frame.names, now);
-    const MachineStatus* const status = find(stage.scenario.machines, *stage.scenario.names, machine);
+    const MachineStatus* const status = find(scene.scenario.machines, *scene.scenario.names, machine);
     if (status == nullptr || scenario_ == nullptr) return "  it is gone\n";
     std::vector<OpenCondition> conditions;
     scenario_->host().read_conditions(conditions);
-    return why_text(*status, conditions, *stage.scenario.names, now);
+    return why_text(*status, conditions, *scene.scenario.names, now);
   };
 }
 
@@ -117,9 +117,9 @@ Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const
   if (!is_known)
     throw std::runtime_error("there is no script '" + name + "' below " + root_.string() +
                              did_you_mean(name, scripts()));
-  return [](const FrameRecord& frame, const StageRecord& stage) -> std::string {
+  return [](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
     std::string text;
-    for (const auto* reloads : {&frame.reloads, &stage.scenario.reloads}) {
+    for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads}) {
       for (const ReloadRecord& reload : *reloads)
         text += "  " + reload.script +
                 (reload.accepted
@@ -130,10 +130,10 @@ Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const
   };
 }
 
-void ScriptCommands::observe(const FrameRecord& frame, const StageRecord& stage) {
+void ScriptCommands::observe(const FrameRecord& frame, const SceneTruth& scene) {
   machines_.clear();
   for (const MachineStatus& status : frame.machines) machines_.push_back(frame.name(status.machine));
-  for (const MachineStatus& status : stage.scenario.machines) machines_.push_back(stage.scenario.name(status.machine));
+  for (const MachineStatus& status : scene.scenario.machines) machines_.push_back(scene.scenario.name(status.machine));
 }
 
 Words ScriptCommands::scripts() const {

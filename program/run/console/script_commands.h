@@ -23,7 +23,7 @@ class ScriptCommands {
   Reply reload(const std::string& name, FrameInputs& inputs) const;
 
   /// Which machines there are, for completion.
-  void observe(const FrameRecord& frame, const StageRecord& stage);
+  void observe(const FrameRecord& frame, const SceneTruth& scene);
   const Words& machines() const { return machines_; }
   /// Names that reload() takes.
   Words scripts() const;

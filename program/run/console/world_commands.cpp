@@ -39,7 +39,7 @@ WorldCommands::WorldCommands() {
 }
 
 Reply WorldCommands::look(const std::string& pattern) const {
-  return [fields = pick(pattern, names_, "world value")](const FrameRecord& frame, const StageRecord&) {
+  return [fields = pick(pattern, names_, "world value")](const FrameRecord& frame, const SceneTruth&) {
     std::string text;
     for (const std::size_t i : fields) {
       const WorldField& field = world_fields()[i];
@@ -58,7 +58,7 @@ Reply WorldCommands::watch(const std::string& pattern) {
     std::erase_if(watched_, [&](const Watched& one) { return one.field == field; });
     watched_.push_back({field, "", 0.0});
   }
-  return [this](const FrameRecord& frame, const StageRecord&) {
+  return [this](const FrameRecord& frame, const SceneTruth&) {
     std::string text;
     for (Watched& one : watched_) {
       one.told = value_text(frame.world, one.field);

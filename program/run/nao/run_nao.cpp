@@ -41,7 +41,7 @@ class StartPlace : public InputSource {
     if (is_initial && !was_initial_ && initially_) now_ = initially_;
     was_initial_ = is_initial;
     if (!now_ || robot_.guard().state != nao::GuardState::standing) return;
-    inputs.told.initial_pose = InitialPose{*std::exchange(now_, std::nullopt)};
+    inputs.external.initial_pose = InitialPose{*std::exchange(now_, std::nullopt)};
   }
 
  private:
@@ -121,7 +121,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   out << fmt::format(
       "{} frames; {} images not looked at since a newer one had come, {} of which nobody knows where the head was, {} "
       "damaged; cameras begun anew {} times\n",
-      counts.frames, counts.passed_over, counts.unplaced, counts.damaged, counts.begun_anew);
+      counts.frames, counts.superseded, counts.unplaced, counts.damaged, counts.restarts);
   return exit_code_of_runs(failures);
 }
 

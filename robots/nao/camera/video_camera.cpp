@@ -123,7 +123,7 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
       lost = true;
       break;
     }
-    if (newest) ++counts_.passed_over;
+    if (newest) ++counts_.superseded;
     if (held_ && !queue(*held_)) {
       lost = true;
       break;
@@ -144,7 +144,7 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
   const double patience = last_image_ <= begun_ ? kFirstImage : kNextImage;
   if (lost || now - last_image_ > patience) {
     if (busy) return std::nullopt;  // it hangs in that, and is ended afterwards
-    ++counts_.begun_anew;
+    ++counts_.restarts;
     state_ = VideoState::closed;
     run(Errand::end, now);
     return std::nullopt;

@@ -60,9 +60,9 @@ class VideoCamera {
 
   struct Counts {
     std::uint64_t images = 0;
-    std::uint64_t passed_over = 0;       ///< a newer one had come
+    std::uint64_t superseded = 0;        ///< a newer one had come
     std::uint64_t damaged = 0;           ///< too short, or said to be by the driver
-    std::uint64_t begun_anew = 0;        ///< the stream, or the device
+    std::uint64_t restarts = 0;          ///< the stream, or the device
     std::uint64_t refused_controls = 0;  ///< that did not take their value
   };
   Counts counts() const {

@@ -10,7 +10,7 @@
 #include "geometry/head.h"
 #include "geometry/pose2.h"
 #include "geometry/random.h"
-#include "robots/experimenter.h"
+#include "robots/operator.h"
 #include "robots/robot.h"
 #include "robots/robot_body.h"
 #include "robots/simulator/body/barrier.h"

@@ -11,7 +11,7 @@ local p = param {
   min_time = { 20.0, range = { 0, 600 }, unit = "s",     doc = "how long to train before the evaluation begins" },
 }
 
-local function is_disturbed() return robot.undisturbed_for == 0.0 end
+local function is_disturbed() return robot.time_since_disturbance == 0.0 end
 
 local function is_learned() return training.seconds >= p.min_time end
 

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"UnknownField", "local _ = robot.penalised",
                "robot has no field 'penalised' (did you mean 'penalized'?)"},
         Attack{"TheTruth", "local _ = truth.x", "there is no 'truth'"},
-        Attack{"TheExperimenter", "experimenter.pick_up()", "there is no 'experimenter'"}),
+        Attack{"TheOperator", "operator.pick_up()", "there is no 'operator'"}),
     [](const auto& attack) { return std::string(attack.param.name); });
 
 class Sandboxed : public ScriptTest {};

@@ -47,40 +47,40 @@ struct GreyRoom {
 
 TEST(ViewChooser, LooksWhereTheRoomDiffersFromItsReflection) {
   GreyRoom room(0.8, 1.4);
-  EXPECT_NEAR(room.choose(0.0).telling, 1.1, 0.2);
-  EXPECT_GT(room.choose(0.0).telling_worth, 5.0);
+  EXPECT_NEAR(room.choose(0.0).best_yaw, 1.1, 0.2);
+  EXPECT_GT(room.choose(0.0).best_score, 5.0);
 }
 
 TEST(ViewChooser, LooksAheadWhereItsReachIsNegativeOrNotANumber) {
   for (const double reach : {0.0, -1.0, -1e300, std::nan("")}) {
     GreyRoom room(0.0, 0.4);
     room.parameters.reach = reach;
-    EXPECT_LE(std::abs(room.choose(0.0).telling), room.parameters.half_width) << reach;
+    EXPECT_LE(std::abs(room.choose(0.0).best_yaw), room.parameters.half_width) << reach;
   }
 }
 
 TEST(ViewChooser, LooksElsewhereOnceAPlaceWasLookedAt) {
   GreyRoom room(-2.0, 2.0);
-  const double first = room.choose(0.0).telling;
+  const double first = room.choose(0.0).best_yaw;
   double second = first;
-  for (int frame = 0; frame < 30; ++frame) second = room.choose(first).telling;
+  for (int frame = 0; frame < 30; ++frame) second = room.choose(first).best_yaw;
   EXPECT_GT(std::abs(second - first), 0.3);
   for (int frame = 0; frame < 600; ++frame) room.choose(1.5);
-  EXPECT_LT(room.choose(1.5).telling, 0.8) << "the first place was forgotten meanwhile";
+  EXPECT_LT(room.choose(1.5).best_yaw, 0.8) << "the first place was forgotten meanwhile";
 }
 
 TEST(ViewChooser, PrefersWhatIsNear) {
   GreyRoom room(-2.0, 2.0);
   room.parameters.speed = 0.2;
-  EXPECT_NEAR(room.choose(0.9).telling, 0.9, 0.1);
+  EXPECT_NEAR(room.choose(0.9).best_yaw, 0.9, 0.1);
   room.views.restart(room.wall.columns());
-  EXPECT_NEAR(room.choose(-0.5).telling, -0.5, 0.1);
+  EXPECT_NEAR(room.choose(-0.5).best_yaw, -0.5, 0.1);
 }
 
 TEST(ViewChooser, FindsNothingToTellInARoomThatIsTheSameAllAround) {
   GreyRoom room(9.0, 9.0);
-  EXPECT_EQ(room.choose(0.3).telling_worth, 0.0);
-  EXPECT_EQ(room.choose(0.3).unknown_worth, 0.0);
+  EXPECT_EQ(room.choose(0.3).best_score, 0.0);
+  EXPECT_EQ(room.choose(0.3).unknown_score, 0.0);
 }
 
 TEST(ViewChooser, LooksForWhatIsNotKnownYet) {
@@ -96,7 +96,7 @@ TEST(ViewChooser, LooksForWhatIsNotKnownYet) {
   room.compared.clear();
   room.compared.prepare(room.model, room.wall, Comparison{});
   EXPECT_NEAR(room.choose(0.5).unknown, -0.9, 0.3);
-  EXPECT_GE(room.choose(0.5).unknown_worth, 3.0 * room.wall.rows());
+  EXPECT_GE(room.choose(0.5).unknown_score, 3.0 * room.wall.rows());
 }
 
 TEST(ViewChooser, KnowsWhatWasLookedAtByItsNewNameAfterHalfATurn) {
@@ -109,8 +109,8 @@ TEST(ViewChooser, KnowsWhatWasLookedAtByItsNewNameAfterHalfATurn) {
   turned.views.turn_half();
   const Pose2 reflected(0.0, 0.0, kPi);
   EXPECT_EQ(
-      turned.views.choose(turned.wall, turned.compared, reflected, camera_at(0.4), kStep, kLeastIncidence, {}).telling,
-      room.choose(0.4).telling);
+      turned.views.choose(turned.wall, turned.compared, reflected, camera_at(0.4), kStep, kLeastIncidence, {}).best_yaw,
+      room.choose(0.4).best_yaw);
 }
 
 TEST(ViewChooser, SaysNothingFromOutsideOfTheWallOrNowhere) {
@@ -119,8 +119,8 @@ TEST(ViewChooser, SaysNothingFromOutsideOfTheWallOrNowhere) {
                               Pose2(std::numeric_limits<double>::infinity(), 0.0, 0.0)}) {
     const InformativeViews& views =
         room.views.choose(room.wall, room.compared, belief, camera_at(0.0), kStep, kLeastIncidence, room.parameters);
-    EXPECT_EQ(views.telling_worth, 0.0);
-    EXPECT_EQ(views.telling, 0.0);
+    EXPECT_EQ(views.best_score, 0.0);
+    EXPECT_EQ(views.best_yaw, 0.0);
   }
 }
 

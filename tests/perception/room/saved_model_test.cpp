@@ -172,7 +172,7 @@ TEST(ModelOfYesterday, TurnedSpeaksForTheReflection) {
   today.run(3.0);
   EXPECT_GT(today.awareness.confidences().evidence, 5.5);
   today.belief = reflect(today.truth);
-  today.awareness.begin_anew();
+  today.awareness.restart();
   today.run(3.0);
   EXPECT_LT(today.awareness.confidences().evidence, -5.5);
 }

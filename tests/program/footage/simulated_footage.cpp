@@ -52,7 +52,7 @@ void write_offset_footage(const std::filesystem::path& folder, const OffsetFoota
   const RobotInstance robot = make_robot(kSimulator, robot_options);
   Random random(options.seed, 0x0ff5e7);
   const double x = random.uniform(-3.0, 3.0), y = random.uniform(-2.0, 2.0);
-  robot.experimenter->put_down(Pose2(x, y, random.uniform(-kPi, kPi)));
+  robot.the_operator->put_down(Pose2(x, y, random.uniform(-kPi, kPi)));
   Observation observation;
   Answer answer;
   answer.request.walk = {0.1, 0.0, 0.4};
@@ -85,7 +85,7 @@ void write_simulated_footage(const std::filesystem::path& folder, int images, in
   RobotOptions options;
   options.width = width;
   const RobotInstance robot = make_robot(kSimulator, options);
-  robot.experimenter->put_down(Pose2(1.0, 0.5, 0.3));
+  robot.the_operator->put_down(Pose2(1.0, 0.5, 0.3));
   Observation observation;
   Answer answer;
   answer.request.walk = {0.1, 0.0, 0.4};

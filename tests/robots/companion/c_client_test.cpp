@@ -38,9 +38,9 @@ class CClient : public ::testing::Test {
   /// The next observation, if there is one.
   std::optional<Observation> observed() {
     looks_ = 0;
-    const Greeting* const greeting = companion_->wait_for_greeting();
-    if (greeting == nullptr) return std::nullopt;
-    if (!begun_) companion_->begin(*greeting, false, 1);
+    const Handshake* const handshake = companion_->wait_for_handshake();
+    if (handshake == nullptr) return std::nullopt;
+    if (!begun_) companion_->begin(*handshake, false, 1);
     begun_ = true;
     Observation observation;
     looks_ = 0;
@@ -97,8 +97,8 @@ TEST_F(CClient, TakesAToldPoseAlongUntilSomebodyIsThere) {
   begin_companion();
   EXPECT_TRUE(send(0.5, REORIENT_OTHER_HALF));
   auto observation = observed();
-  ASSERT_TRUE(observation && observation->told.initial_pose);
-  const InitialPose& told = *observation->told.initial_pose;
+  ASSERT_TRUE(observation && observation->external.initial_pose);
+  const InitialPose& told = *observation->external.initial_pose;
   const Pose2 expected = reflect(Pose2(-1.5, 1.0, 0.0));
   EXPECT_NEAR((told.pose.position - expected.position).norm(), 0.0, 1e-9) << told.pose.position.transpose();
   EXPECT_NEAR(angle_difference(told.pose.rotation, expected.rotation), 0.0, 1e-9);
@@ -106,7 +106,7 @@ TEST_F(CClient, TakesAToldPoseAlongUntilSomebodyIsThere) {
   EXPECT_TRUE(send(0.5, REORIENT_OTHER_HALF));
   observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_FALSE(observation->told.initial_pose) << "it is told once";
+  EXPECT_FALSE(observation->external.initial_pose) << "it is told once";
 }
 
 TEST_F(CClient, DescribesALensBehindItsHello) {
@@ -131,7 +131,7 @@ TEST_F(CClient, ForgetsAToldPoseOfWhichNobodyCanBeSureAnyMore) {
   EXPECT_TRUE(send(30.0));
   const auto observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_FALSE(observation->told.initial_pose);
+  EXPECT_FALSE(observation->external.initial_pose);
 }
 
 TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
@@ -142,37 +142,37 @@ TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
   begin_companion();
   EXPECT_TRUE(send());
   auto observation = observed();
-  ASSERT_TRUE(observation && observation->told.initial_pose);
+  ASSERT_TRUE(observation && observation->external.initial_pose);
   answer();
   EXPECT_TRUE(heard(REORIENT_ANSWER));
   // It was heard, but whether it is on the disk nobody knows: one that is killed now tells the next one nothing of it.
-  const auto begin_anew = [&] {
+  const auto restart = [&] {
     companion_.reset();
     EXPECT_FALSE(heard(REORIENT_ANSWER));
     begin_companion();
     EXPECT_TRUE(send(0.5));
     observation = observed();
     ASSERT_TRUE(observation);
-    EXPECT_FALSE(observation->told.initial_pose) << "it may be the same one";
+    EXPECT_FALSE(observation->external.initial_pose) << "it may be the same one";
     answer();
     EXPECT_TRUE(heard(REORIENT_ANSWER));
     EXPECT_TRUE(send(0.5));
     observation = observed();
     ASSERT_TRUE(observation);
   };
-  begin_anew();
-  ASSERT_TRUE(observation->told.initial_pose);
-  EXPECT_NEAR(observation->told.initial_pose->pose.position.x(), -1.5, 1e-9);
+  restart();
+  ASSERT_TRUE(observation->external.initial_pose);
+  EXPECT_NEAR(observation->external.initial_pose->pose.position.x(), -1.5, 1e-9);
   for (int i = 0; i <= REORIENT_TOLD_FRAMES; ++i) {
     answer();
     EXPECT_TRUE(heard(REORIENT_ANSWER));
     EXPECT_TRUE(send(0.5));
     observation = observed();
     ASSERT_TRUE(observation);
-    EXPECT_FALSE(observation->told.initial_pose) << "once, as long as that one is there";
+    EXPECT_FALSE(observation->external.initial_pose) << "once, as long as that one is there";
   }
-  begin_anew();
-  EXPECT_FALSE(observation->told.initial_pose) << "it has been kept long ago";
+  restart();
+  EXPECT_FALSE(observation->external.initial_pose) << "it has been kept long ago";
 }
 
 TEST_F(CClient, TakesAnUnsureToldPoseAlongAsWell) {
@@ -186,8 +186,8 @@ TEST_F(CClient, TakesAnUnsureToldPoseAlongAsWell) {
   begin_companion();
   EXPECT_TRUE(send());
   const auto observation = observed();
-  ASSERT_TRUE(observation && observation->told.initial_pose);
-  EXPECT_NEAR(observation->told.initial_pose->rotation_deviation, 3.2, 1e-9);
+  ASSERT_TRUE(observation && observation->external.initial_pose);
+  EXPECT_NEAR(observation->external.initial_pose->rotation_deviation, 3.2, 1e-9);
 }
 
 TEST_F(CClient, CarriesNoCommandOutThatWasMeantForTheBeliefBeforeAToldPose) {

@@ -24,11 +24,11 @@ TEST(ClientClock, GoesOnWithAClientWhoseProcessHasBegunAnew) {
   clock.advance(1, 101.0, Pose2(2.0, 0.0, 0.0), 1.0);
   const auto anew = clock.advance(2, 5.0, Pose2(0.0, 0.0, 0.0), 3.0);
   ASSERT_TRUE(anew);
-  EXPECT_TRUE(clock.began_anew());
+  EXPECT_TRUE(clock.restarted());
   EXPECT_NEAR(anew->time, 4.0, 1e-9) << "a second, and three of silence";
   EXPECT_NEAR(anew->odometry.position.x(), 2.0, 1e-12) << "its odometry began at zero, ours goes on";
   const auto next = clock.advance(2, 5.1, Pose2(0.5, 0.0, 0.0), 0.1);
-  EXPECT_FALSE(clock.began_anew());
+  EXPECT_FALSE(clock.restarted());
   EXPECT_NEAR(next->odometry.position.x(), 2.5, 1e-12);
 }
 

@@ -47,9 +47,9 @@ class CompanionTest : public ::testing::Test {
     RawClient client(folder_.path() / "socket");
     client.introduce(hello);
     looks_ = 0;
-    const Greeting* const greeting = companion_->wait_for_greeting();
-    EXPECT_NE(greeting, nullptr);
-    if (greeting != nullptr && !begun_) companion_->begin(*greeting, goes_on, 3);
+    const Handshake* const handshake = companion_->wait_for_handshake();
+    EXPECT_NE(handshake, nullptr);
+    if (handshake != nullptr && !begun_) companion_->begin(*handshake, goes_on, 3);
     begun_ = true;
     static_cast<void>(observed());  // takes the memory
     return client;
@@ -84,14 +84,14 @@ TEST_F(CompanionTest, HearsTheGameFromItsClient) {
   client.send(REORIENT_GAME, game);
   client.send(REORIENT_FRAME, standing_frame(1, 33.0, client.paint(90)));
   auto observation = observed();
-  ASSERT_TRUE(observation && observation->told.referee);
-  EXPECT_EQ(*observation->told.referee, (RefereeState{true, GameState::set, false, KickOff::ours}));
+  ASSERT_TRUE(observation && observation->external.referee);
+  EXPECT_EQ(*observation->external.referee, (RefereeState{true, GameState::set, false, KickOff::ours}));
   game.datagram[1] = 'x';
   client.send(REORIENT_GAME, game);
   client.send(REORIENT_FRAME, standing_frame(2, 33.1, client.paint(90)));
   observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_FALSE(observation->told.referee);
+  EXPECT_FALSE(observation->external.referee);
 }
 
 TEST_F(CompanionTest, TurnsAFrameIntoAnObservationAndAnswersIt) {
@@ -114,9 +114,9 @@ TEST_F(CompanionTest, TurnsAFrameIntoAnObservationAndAnswersIt) {
   EXPECT_GT(observation->upper->robot_from_camera.linear().col(0).y(), 0.4) << "the head is turned to the left";
   EXPECT_EQ(observation->body.foot_load, 4.5);
   EXPECT_EQ(observation->reported_posture, ReportedPosture::fallen);
-  ASSERT_TRUE(observation->told.initial_pose);
-  EXPECT_EQ(observation->told.initial_pose->pose.position.x(), -2.0);
-  EXPECT_TRUE(observation->told.referee->penalized);
+  ASSERT_TRUE(observation->external.initial_pose);
+  EXPECT_EQ(observation->external.initial_pose->pose.position.x(), -2.0);
+  EXPECT_TRUE(observation->external.referee->penalized);
   EXPECT_FALSE(observation->belief) << "our localization counts";
 
   Answer answer;
@@ -196,7 +196,7 @@ TEST_F(CompanionTest, TakesTheNewestOfSeveralFramesAndLosesNothingThatWasTold) {
   const auto observation = observed();
   ASSERT_TRUE(observation);
   EXPECT_EQ(observation->upper->image.at(0, 0).y, 3);
-  EXPECT_TRUE(observation->told.initial_pose);
+  EXPECT_TRUE(observation->external.initial_pose);
   companion_->answer({});
   EXPECT_EQ(client.answer()->superseded, 2u);
   EXPECT_FALSE(observed()) << "there is no other";
@@ -225,7 +225,7 @@ TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
     client.send(REORIENT_FRAME, frame_of(half));
     const auto observation = observed();
     EXPECT_TRUE(observation);
-    return observation && observation->told.half_time;
+    return observation && observation->external.half_time;
   };
   EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF)) << "how a process begins is of no account";
   EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF));
@@ -274,9 +274,9 @@ TEST_F(CompanionTest, HearsWhatIsToldWithAFrameThatIsOfNoUseOtherwise) {
   client.send_frame(1.1, 2);
   const auto observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_TRUE(observation->told.initial_pose);
-  EXPECT_TRUE(observation->told.referee && observation->told.referee->penalized);
-  EXPECT_EQ(observation->told.messages.size(), 1u);
+  EXPECT_TRUE(observation->external.initial_pose);
+  EXPECT_TRUE(observation->external.referee && observation->external.referee->penalized);
+  EXPECT_EQ(observation->external.messages.size(), 1u);
 }
 
 TEST_F(CompanionTest, TakesAToldPoseAlongToTheFrameThatIsLookedAt) {
@@ -289,9 +289,9 @@ TEST_F(CompanionTest, TakesAToldPoseAlongToTheFrameThatIsLookedAt) {
   later.odometry[0] = 0.5;
   client.send(REORIENT_FRAME, later);
   auto observation = observed();
-  ASSERT_TRUE(observation && observation->told.initial_pose);
-  EXPECT_TRUE(observation->told.half_time);
-  const Pose2 moved = observation->told.initial_pose->pose, expected = reflect(Pose2(-1.5, 1.0, 0.0));
+  ASSERT_TRUE(observation && observation->external.initial_pose);
+  EXPECT_TRUE(observation->external.half_time);
+  const Pose2 moved = observation->external.initial_pose->pose, expected = reflect(Pose2(-1.5, 1.0, 0.0));
   EXPECT_NEAR((moved.position - expected.position).norm(), 0.0, 1e-9) << moved.position.transpose();
   EXPECT_NEAR(angle_difference(moved.rotation, expected.rotation), 0.0, 1e-9);
   // The same where the GameController says it.
@@ -302,9 +302,9 @@ TEST_F(CompanionTest, TakesAToldPoseAlongToTheFrameThatIsLookedAt) {
   client.send(REORIENT_GAME, game_of(false));
   client.send_frame(3.0, 6);
   observation = observed();
-  ASSERT_TRUE(observation && observation->told.initial_pose);
-  EXPECT_TRUE(observation->told.half_time);
-  EXPECT_NEAR(observation->told.initial_pose->pose.position.x(), 2.0, 1e-9);
+  ASSERT_TRUE(observation && observation->external.initial_pose);
+  EXPECT_TRUE(observation->external.half_time);
+  EXPECT_NEAR(observation->external.initial_pose->pose.position.x(), 2.0, 1e-9);
 }
 
 TEST_F(CompanionTest, ForgetsAToldPoseWithTheProcessThatWasToldIt) {
@@ -322,13 +322,13 @@ TEST_F(CompanionTest, ForgetsAToldPoseWithTheProcessThatWasToldIt) {
   client.send_frame(1.1, 2);
   auto observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_TRUE(observation->told.initial_pose) << "it has only connected again";
+  EXPECT_TRUE(observation->external.initial_pose) << "it has only connected again";
   tell();
   client = greeted(small_hello(8));
   client.send_frame(1.1, 1);
   observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_FALSE(observation->told.initial_pose);
+  EXPECT_FALSE(observation->external.initial_pose);
 }
 
 TEST_F(CompanionTest, AsksAProcessThatBeganAnewForNothingEvenWhereItsFirstFrameIsLost) {
@@ -569,7 +569,7 @@ TEST_F(CompanionTest, EndsWhereTheNextClientIsAnotherRobot) {
   other.send_frame(1.0, 1);
   EXPECT_FALSE(observed());
   ASSERT_TRUE(companion_->has_other_robot());
-  companion_->begin(*companion_->wait_for_greeting(), false, 3);
+  companion_->begin(*companion_->wait_for_handshake(), false, 3);
   EXPECT_TRUE(observed()) << "the frame has waited for its engine";
 }
 
@@ -745,7 +745,7 @@ TEST_F(CompanionTest, SaysWhyAFrameIsOfNoUseButNotOfEach) {
 TEST_F(CompanionTest, TellsAClientForWhichThereIsNoEngineWhyAndServesTheNext) {
   RawClient client(folder_.path() / "socket");
   client.introduce(small_hello());
-  ASSERT_NE(companion_->wait_for_greeting(), nullptr);
+  ASSERT_NE(companion_->wait_for_handshake(), nullptr);
   companion_->refuse("its model is of another wall");
   EXPECT_EQ(client.refusal(), "its model is of another wall");
   RawClient next = greeted();

@@ -207,9 +207,9 @@ class BrokenClients {
   void look() {
     looks_ = 0;
     if (!engine_) {
-      const Greeting* const greeting = companion_.wait_for_greeting();
-      if (greeting == nullptr) return;
-      companion_.begin(*greeting, false, 1);
+      const Handshake* const handshake = companion_.wait_for_handshake();
+      if (handshake == nullptr) return;
+      companion_.begin(*handshake, false, 1);
       engine_ = true;
     }
     Observation observation;

@@ -76,7 +76,7 @@ TEST(FootageRobot, BelievesTheRecordedPoseAndBeginsAtTimeZero) {
     EXPECT_EQ(observation.upper->image.width, 16);
     expect_pose(observation.belief->pose, Pose2(1.0 + 0.1 * i, 0.5, 0.2));
     expect_pose(robot.truth()->pose, observation.belief->pose);
-    EXPECT_FALSE(observation.told.initial_pose);
+    EXPECT_FALSE(observation.external.initial_pose);
   }
   EXPECT_FALSE(robot.observe(observation));
   EXPECT_EQ(robot.failure(), "");
@@ -99,14 +99,14 @@ TEST(FootageRobot, IsToldAMirroredPoseAndCarriesOutAFlip) {
   FootageRobot robot = robot_of(walk(4), options);
   Observation observation;
   ASSERT_TRUE(robot.observe(observation));
-  EXPECT_FALSE(observation.told.initial_pose);
+  EXPECT_FALSE(observation.external.initial_pose);
   ASSERT_TRUE(robot.observe(observation));
-  ASSERT_TRUE(observation.told.initial_pose);
-  expect_pose(observation.told.initial_pose->pose, reflect(Pose2(1.1, 0.5, 0.2)));
+  ASSERT_TRUE(observation.external.initial_pose);
+  expect_pose(observation.external.initial_pose->pose, reflect(Pose2(1.1, 0.5, 0.2)));
   expect_pose(observation.belief->pose, reflect(Pose2(1.1, 0.5, 0.2)));
   robot.answer(answer_with(Reorientation::flip_pose));
   ASSERT_TRUE(robot.observe(observation));
-  EXPECT_FALSE(observation.told.initial_pose);
+  EXPECT_FALSE(observation.external.initial_pose);
   expect_pose(observation.belief->pose, Pose2(1.2, 0.5, 0.2));
 }
 
@@ -118,7 +118,7 @@ TEST(FootageRobot, TakesAMomentThatWasRoundedToMicroseconds) {
   ASSERT_TRUE(robot.observe(observation));
   ASSERT_TRUE(robot.observe(observation));
   EXPECT_NEAR(observation.time, 0.5, 1e-9);
-  EXPECT_TRUE(observation.told.initial_pose);
+  EXPECT_TRUE(observation.external.initial_pose);
 }
 
 TEST(FootageRobot, IsToldARotationThatIsOff) {
@@ -163,7 +163,7 @@ TEST(FootageRobot, SeesNothingWhileItIsLiftedAndBelievesWhatItBelieved) {
   ASSERT_TRUE(robot.observe(observation));
   EXPECT_TRUE(observation.upper);
   EXPECT_GT(load(), 1.0);
-  EXPECT_FALSE(observation.told.initial_pose);
+  EXPECT_FALSE(observation.external.initial_pose);
   expect_pose(observation.belief->pose, reflect(robot.truth()->pose));
 }
 
@@ -194,10 +194,10 @@ TEST(FootageRobot, LeavesTheLocalizationToTheEngineWhereNoPoseWasRecorded) {
   Observation observation;
   ASSERT_TRUE(robot.observe(observation));
   EXPECT_FALSE(observation.belief);
-  ASSERT_TRUE(observation.told.initial_pose);
-  expect_pose(observation.told.initial_pose->pose, Pose2(2.0, 1.0, 0.5));
+  ASSERT_TRUE(observation.external.initial_pose);
+  expect_pose(observation.external.initial_pose->pose, Pose2(2.0, 1.0, 0.5));
   ASSERT_TRUE(robot.observe(observation));
-  EXPECT_FALSE(observation.told.initial_pose);
+  EXPECT_FALSE(observation.external.initial_pose);
   expect_pose(observation.odometry, Pose2(0.1, 0.0, 0.0));
 }
 
@@ -225,13 +225,13 @@ TEST(FootageRobot, EndsWhereItsFootageIsDamagedAndSaysWhy) {
 TEST(FootageRobot, IsNoneWithoutAnyFrame) {
   EXPECT_THROW(robot_of({}), BadFootage);
   FootageOptions options;
-  options.passed_over = 2;
+  options.skipped = 2;
   EXPECT_THROW(robot_of(walk(2), options), BadFootage);
 }
 
 TEST(FootageRobot, GoesOnWithTheSameTimesWhereFramesArePassedOver) {
   FootageOptions options;
-  options.passed_over = 2;
+  options.skipped = 2;
   FootageRobot robot = robot_of(walk(4), options);
   Observation observation;
   ASSERT_TRUE(robot.observe(observation));

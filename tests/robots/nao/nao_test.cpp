@@ -198,8 +198,8 @@ TEST_F(NaoTest, HearsTheRefereeAndAnswersOnceASecond) {
   referee_.say(3, 0);
   deadline_ = 1e9;
   ASSERT_TRUE(nao_->observe(observation_));
-  ASSERT_TRUE(observation_.told.referee);
-  EXPECT_EQ(observation_.told.referee->state, GameState::playing);
+  ASSERT_TRUE(observation_.external.referee);
+  EXPECT_EQ(observation_.external.referee->state, GameState::playing);
   EXPECT_EQ(referee_.heeded, 1);
   referee_.waiting.push_back({std::byte{'R'}, std::byte{'G'}, std::byte{'m'}, std::byte{'e'}});
   ASSERT_TRUE(nao_->observe(observation_));
@@ -262,7 +262,7 @@ TEST_F(NaoTest, GoesOnWhereTheCameraWasUnplugged) {
   frames_ = 0;
   ASSERT_TRUE(run(4.0));
   EXPECT_GT(frames_, 60);
-  EXPECT_GE(nao_->counts().begun_anew, 1u);
+  EXPECT_GE(nao_->counts().restarts, 1u);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST_F(VideoCameraTest, ShowsEachImageWithTheTimeOfItsExposure) {
     EXPECT_EQ(image->yuyv[100], 10 * i);
   }
   EXPECT_EQ(camera_->counts().images, 10u);
-  EXPECT_EQ(camera_->counts().passed_over, 0u);
+  EXPECT_EQ(camera_->counts().superseded, 0u);
 }
 
 TEST_F(VideoCameraTest, PassesOverWhatIsNoLongerTheNewest) {
@@ -74,7 +74,7 @@ TEST_F(VideoCameraTest, PassesOverWhatIsNoLongerTheNewest) {
   const auto image = camera_->look(now_);
   ASSERT_TRUE(image);
   EXPECT_EQ(image->yuyv[0], 3);
-  EXPECT_EQ(camera_->counts().passed_over, 1u);
+  EXPECT_EQ(camera_->counts().superseded, 1u);
   EXPECT_GT(images_in(0.5), 10) << "no buffer was lost";
 }
 
@@ -243,7 +243,7 @@ TEST_F(VideoCameraTest, BeginsAnewWhereItWasUnplugged) {
   EXPECT_EQ(device_.mapped(), 0) << "nothing stays behind";
   device_.is_plugged = true;
   EXPECT_GT(images_in(3.0), 50);
-  EXPECT_EQ(camera_->counts().begun_anew, 1u);
+  EXPECT_EQ(camera_->counts().restarts, 1u);
 }
 
 TEST_F(VideoCameraTest, KeepsTheColorsThatItHasFoundWhereItIsBegunAnew) {
@@ -266,7 +266,7 @@ TEST_F(VideoCameraTest, BeginsAnewWhereNoImageComesAnyMore) {
   begin();
   images_in(1.0);
   for (int i = 0; i < 20; ++i) camera_->look(now_ += kPeriod);
-  EXPECT_EQ(camera_->counts().begun_anew, 1u);
+  EXPECT_EQ(camera_->counts().restarts, 1u);
   EXPECT_GT(images_in(3.0), 50);
 }
 

@@ -13,8 +13,8 @@ constexpr const char* kTwoAxes = R"(title = "Which way is it?"
 description = "A robot is put down the wrong way round."
 trials = 7
 [condition]
-scenario = "turned_round"
-measured_from = "turned round"
+scenario = "mirrored_placement"
+measured_from = "mirrored"
 limit = 60
 with = ["ball_search"]
 parameters.orientation.lingering = 0.4
@@ -61,8 +61,8 @@ TEST(ExperimentFile, IsAConditionVariedAlongAxes) {
   ASSERT_EQ(cells.size(), 6U);
   EXPECT_EQ(cells[4].choices, (std::vector<std::string>{"walk", "paper"}));
   const Condition& paper = cells[4].condition;
-  EXPECT_EQ(paper.scenario, "turned_round");
-  EXPECT_EQ(paper.measurement.from, "turned round");
+  EXPECT_EQ(paper.scenario, "mirrored_placement");
+  EXPECT_EQ(paper.measurement.from, "mirrored");
   EXPECT_EQ(paper.measurement.limit, 60.0);
   EXPECT_EQ(paper.measurement.hold, 10.0);
   EXPECT_EQ(paper.width, 320);

@@ -31,10 +31,10 @@ struct Compared {
       frame.world.time_step = kTenth;
       frame.world.pose.pose = belief;
       frame.world.pose.covariance.diagonal() << 0.01, 0.01, 0.0025;
-      StageRecord stage;
-      stage.truth = GroundTruth{kPlace, fallen, carried};
-      trial.observe(frame, stage);
-      observer.observe(frame, stage);
+      SceneTruth scene;
+      scene.truth = GroundTruth{kPlace, fallen, carried};
+      trial.observe(frame, scene);
+      observer.observe(frame, scene);
     }
   }
   PoseRow row() const {

@@ -25,14 +25,14 @@ struct Told {
   }
   void show(const FrameRecord& frame, const std::string& state, bool carried = false) {
     Names names;
-    StageRecord stage;
+    SceneTruth scene;
     MachineStatus machine;
     machine.machine = names.intern("scene");
     machine.state = names.intern(state);
-    stage.scenario.machines.push_back(machine);
-    stage.scenario.names = names.table();
-    stage.truth = GroundTruth{kTruth, false, carried};
-    observer.observe(frame, stage);
+    scene.scenario.machines.push_back(machine);
+    scene.scenario.names = names.table();
+    scene.truth = GroundTruth{kTruth, false, carried};
+    observer.observe(frame, scene);
   }
   void believe(const Pose2& belief, double seconds, const std::string& state = "lost", bool carried = false) {
     for (int i = 0; kStep * i < seconds - 1e-9; ++i) show(frame(belief), state, carried);
@@ -147,13 +147,13 @@ TEST(Trial, TellsWhenTheRoomCanTell) {
 /// Carried from the truth to somewhere.
 TrialResult carried_to(const Pose2& where) {
   Told trial(from_lost());
-  StageRecord stage;
-  stage.truth = GroundTruth{kTruth, false, false};
-  stage.scenario.actions.push_back({ExperimenterAction::Kind::pick_up, {}, 0.0, false});
-  trial.observer.observe(trial.frame(kTruth), stage);
-  stage.truth->carried = true;
-  stage.scenario.actions = {{ExperimenterAction::Kind::put_down, where, 0.0, false}};
-  trial.observer.observe(trial.frame(kTruth), stage);
+  SceneTruth scene;
+  scene.truth = GroundTruth{kTruth, false, false};
+  scene.scenario.actions.push_back({OperatorAction::Kind::pick_up, {}, 0.0, false});
+  trial.observer.observe(trial.frame(kTruth), scene);
+  scene.truth->carried = true;
+  scene.scenario.actions = {{OperatorAction::Kind::put_down, where, 0.0, false}};
+  trial.observer.observe(trial.frame(kTruth), scene);
   return trial.result();
 }
 

@@ -63,14 +63,14 @@ void run(Topics wanted, const Watch& watch) {
   Simulator simulator(parameters, RobotBody(), setup.field, procedural_hall(1, {}), start, 1);
   FrameLoop engine(std::move(setup));
   FrameInputs inputs;
-  inputs.told.initial_pose = InitialPose{start};
+  inputs.external.initial_pose = InitialPose{start};
   for (int i = 0; i < 210; ++i) {
     if (i == 100) simulator.pick_up();
     if (i == 125) simulator.put_down(start);
     simulator.observe(inputs.observation);
     const FrameRecord& record = engine.step(inputs, wanted);
     simulator.answer(record.answer);
-    inputs.told = {};
+    inputs.external = {};
     watch(record, simulator.ground_truth());
   }
 }
@@ -84,7 +84,7 @@ TEST(PicturesInAnotherProcess, DISABLED_AreDrawn) {
   const std::span<const std::byte> all(reinterpret_cast<const std::byte*>(records.data()), records.size());
   RunPictures pictures;
   FrameRecord frame;
-  StageRecord stage;
+  SceneTruth scene;
   for (std::size_t at = 0; at < all.size();) {
     std::uint64_t size = 0;
     std::memcpy(&size, all.data() + at, sizeof size);
@@ -93,11 +93,11 @@ TEST(PicturesInAnotherProcess, DISABLED_AreDrawn) {
     const std::size_t record_size = bytes.size() - size_of_truth();
     frame = read_record(bytes.first(record_size));
     ByteReader truth(bytes.subspan(record_size));
-    truth(stage.truth.emplace());
-    pictures.observe(frame, stage);
+    truth(scene.truth.emplace());
+    pictures.observe(frame, scene);
     at += sizeof size + size;
   }
-  pictures.finish(frame, stage);
+  pictures.finish(frame, scene);
   EXPECT_EQ(pictures.write(folder), std::vector<std::string>());
 }
 
@@ -105,16 +105,16 @@ TEST(Pictures, AreTheSameWhenAnotherProcessDrawsThemFromAFileOfRecords) {
   const TemporaryFolder folder;
   RunPictures pictures;
   std::string records;
-  StageRecord stage;
+  SceneTruth scene;
   FrameRecord last;
   run(pictures.wanted(), [&](const FrameRecord& frame, const GroundTruth& truth) {
-    stage.truth = truth;
-    pictures.observe(frame, stage);
+    scene.truth = truth;
+    pictures.observe(frame, scene);
     append(frame, truth, records);
     last = frame;
     last.own_images();
   });
-  pictures.finish(last, stage);
+  pictures.finish(last, scene);
   const std::filesystem::path here = folder.path() / "here";
   const std::filesystem::path there = folder.path() / "there";
   std::filesystem::create_directories(here);

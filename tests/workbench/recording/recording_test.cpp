@@ -54,7 +54,7 @@ class RecordedRun : public testing::Test {
     if (options) recorder.emplace(*options, [this](const std::string& line) { told_.push_back(line); });
     FrameLoop engine(eventful_setup());
     RecordDigest digest;
-    StageRecord stage;
+    SceneTruth scene;
     std::uint64_t given = 0;
     for (const Bytes& bytes : run()) {
       const StoredInputs stored(bytes);
@@ -62,9 +62,9 @@ class RecordedRun : public testing::Test {
       if (recorder) recorder->before(inputs, engine);
       const FrameRecord& frame =
           engine.step(inputs, Topics{Topic::images} | (recorder ? recorder->wanted() : Topics()));
-      stage.truth = GroundTruth{Pose2(0.001 * static_cast<double>(frame.world.frame), 0.0, 0.0), false, false};
+      scene.truth = GroundTruth{Pose2(0.001 * static_cast<double>(frame.world.frame), 0.0, 0.0), false, false};
       if (recorder) {
-        recorder->observe(frame, stage);
+        recorder->observe(frame, scene);
         // Frames come as fast as they can, which no robot's do: the recorder's thread may be starved.
         constexpr std::uint64_t kMostBehind = 60;
         ++given;
@@ -167,7 +167,7 @@ TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
   EXPECT_EQ(again.different, 0u);
   EXPECT_EQ(again.damages.size(), 1u);
   EXPECT_EQ(again.stretches, 2u);
-  EXPECT_GT(again.passed_over, 0u);
+  EXPECT_GT(again.skipped, 0u);
   EXPECT_LT(again.frames, static_cast<std::uint64_t>(kFrames));
 }
 

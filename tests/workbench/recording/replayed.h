@@ -16,7 +16,7 @@
 namespace reorient {
 
 struct Replayed {
-  std::uint64_t frames = 0, different = 0, stretches = 0, passed_over = 0;
+  std::uint64_t frames = 0, different = 0, stretches = 0, skipped = 0;
   std::string digest;
   std::optional<Difference> first, first_action;
   std::vector<ReplayComparison::Event> events;
@@ -38,7 +38,7 @@ inline Replayed replay(const std::filesystem::path& file, double from = 0.0, Inp
   replayed.stretches = again.stretches();
   replayed.frames = comparison.frames();
   replayed.different = comparison.different();
-  replayed.passed_over = again.playback().passed_over();
+  replayed.skipped = again.playback().skipped();
   replayed.digest = digest.hex();
   replayed.first = comparison.first();
   replayed.first_action = comparison.first_action();

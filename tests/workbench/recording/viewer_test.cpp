@@ -75,14 +75,14 @@ class ViewerMessagesTest : public testing::Test {
     for (const ViewerTopicInfo& row : kViewerTopics) schemas_[row.topic] = Json::parse(schema_text(row.schema));
     ViewerMessages viewer;
     FrameLoop engine(eventful_setup());
-    StageRecord stage;
-    stage.truth = GroundTruth{Pose2(1.0, 2.0, 0.5), false, false};
+    SceneTruth scene;
+    scene.truth = GroundTruth{Pose2(1.0, 2.0, 0.5), false, false};
     int frames = 0;
     for (const Bytes& bytes : eventful_run(300)) {
       const StoredInputs stored(bytes);
       const FrameInputs& inputs = stored.inputs();
       const FrameRecord& frame = engine.step(inputs, kViewedTopics);
-      ViewedFrame viewed{frame, frame, stage, {}, frames++ == 0};
+      ViewedFrame viewed{frame, frame, scene, {}, frames++ == 0};
       if (inputs.observation.upper) viewed.images[0] = inputs.observation.upper->image;
       last_world_ = frame.world;
       viewer.add(viewed, [&](ViewerTopic topic, std::string_view text) {
@@ -120,7 +120,7 @@ TEST_F(ViewerMessagesTest, FitTheirSchemasAndSayWhatTheRecordSays) {
 
 TEST(ViewerMessages, LeaveOutNumbersThatAreNoneAndMendTextThatIsNone) {
   FrameRecord frame;
-  frame.world.undisturbed_for = std::numeric_limits<double>::infinity();
+  frame.world.time_since_disturbance = std::numeric_limits<double>::infinity();
   frame.world.pose.pose.position.x() = std::numeric_limits<double>::quiet_NaN();
   frame.logs.push_back({0, 0, "caf\xe9", 0, true});
   std::map<ViewerTopic, Json> messages;
@@ -128,7 +128,7 @@ TEST(ViewerMessages, LeaveOutNumbersThatAreNoneAndMendTextThatIsNone) {
     messages[topic] = Json::parse(text);
     EXPECT_EQ(misfit(messages[topic], Json::parse(schema_text(info(topic).schema))), "") << text;
   });
-  EXPECT_FALSE(messages[ViewerTopic::world]["robot"].contains("undisturbed_for"));
+  EXPECT_FALSE(messages[ViewerTopic::world]["robot"].contains("time_since_disturbance"));
   EXPECT_FALSE(messages[ViewerTopic::world]["pose"].contains("x"));
   EXPECT_EQ(messages[ViewerTopic::log]["message"], "note: caf\xef\xbf\xbd");
   EXPECT_EQ(messages[ViewerTopic::log]["name"], "note");

@@ -39,10 +39,10 @@ RC_GTEST_PROP(FrameTimesProperty, KeepOrderWhateverWasMeasured, (const std::vect
 
 TEST(FrameTimes, TellTheEnginesOwnPartFromTheRobots) {
   FrameTimes times;
-  StageRecord stage;
-  stage.observing = 2.0;
-  stage.stepping = 1.0;
-  times.observe(FrameRecord(), stage);
+  SceneTruth scene;
+  scene.observing = 2.0;
+  scene.stepping = 1.0;
+  times.observe(FrameRecord(), scene);
   EXPECT_EQ(times.whole().longest, 3.0);
   EXPECT_EQ(times.without_observing().longest, 1.0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Poses at half-time: the experimenter's axes are the hall's, everybody else's are the team's.
+// Poses at half-time: the operator's axes are the hall's, everybody else's are the team's.
 #include <optional>
 #include <vector>
 
@@ -10,9 +10,9 @@
 namespace reorient {
 namespace {
 
-using Kind = ExperimenterAction::Kind;
+using Kind = OperatorAction::Kind;
 
-struct Hands : Experimenter {
+struct Hands : Operator {
   void pick_up() override {}
   void put_down(const Pose2& where) override { stands_at = where; }
   void push_over() override {}
@@ -26,7 +26,7 @@ struct Hands : Experimenter {
 class HalfTimeOfAScenario : public ::testing::Test {
  protected:
   void act(Kind kind, const Pose2& pose = {}) {
-    carry_out({kind, pose, 0.0, false}, hands, told, sides_changed, referee);
+    carry_out({kind, pose, 0.0, false}, hands, external, sides_changed, referee);
   }
 
   static bool same(const Pose2& a, const Pose2& b) {
@@ -35,7 +35,7 @@ class HalfTimeOfAScenario : public ::testing::Test {
 
   const Pose2 place{-3.0, 1.0, 0.5};
   Hands hands;
-  Told told;
+  ExternalInputs external;
   bool sides_changed = false;
   RefereeState referee;
 };
@@ -44,45 +44,45 @@ TEST_F(HalfTimeOfAScenario, IsToldAndTurnsThePosesBehindIt) {
   act(Kind::put_down, place);
   EXPECT_TRUE(same(*hands.stands_at, place));
   act(Kind::half_time);
-  EXPECT_TRUE(told.half_time);
+  EXPECT_TRUE(external.half_time);
   EXPECT_TRUE(sides_changed);
   act(Kind::put_down, place);
   EXPECT_TRUE(same(*hands.stands_at, reflect(place))) << "in the hall it is at the other end";
   act(Kind::set_initial_pose, place);
-  EXPECT_TRUE(same(told.initial_pose->pose, place)) << "the robot plays towards that end";
+  EXPECT_TRUE(same(external.initial_pose->pose, place)) << "the robot plays towards that end";
 }
 
 TEST_F(HalfTimeOfAScenario, TurnsAPoseThatWasToldJustBefore) {
   act(Kind::set_initial_pose, place);
   act(Kind::half_time);
-  EXPECT_TRUE(same(told.initial_pose->pose, reflect(place)));
+  EXPECT_TRUE(same(external.initial_pose->pose, reflect(place)));
 }
 
 TEST_F(HalfTimeOfAScenario, LeavesWordsOfTeamMatesAsTheyAre) {
-  ExperimenterAction action{Kind::tell_message, {}, 0.0, false};
+  OperatorAction action{Kind::tell_message, {}, 0.0, false};
   action.message = {4, "I am at the centre"};
-  carry_out(action, hands, told, sides_changed, referee);
+  carry_out(action, hands, external, sides_changed, referee);
   act(Kind::half_time);
-  ASSERT_EQ(told.messages.size(), 1u);
-  EXPECT_EQ(told.messages[0].sender, 4);
-  EXPECT_EQ(told.messages[0].text, "I am at the centre");
+  ASSERT_EQ(external.messages.size(), 1u);
+  EXPECT_EQ(external.messages[0].sender, 4);
+  EXPECT_EQ(external.messages[0].text, "I am at the centre");
 }
 
 TEST_F(HalfTimeOfAScenario, LeavesWhatTheRefereeSaidBesidesAsItIs) {
   referee = {false, GameState::playing, false, KickOff::theirs};
-  ExperimenterAction action{Kind::stop_game, {}, 0.0, false};
+  OperatorAction action{Kind::stop_game, {}, 0.0, false};
   action.referee.stopped = true;
-  carry_out(action, hands, told, sides_changed, referee);
+  carry_out(action, hands, external, sides_changed, referee);
   action = {Kind::penalize, {}, 0.0, true};
-  carry_out(action, hands, told, sides_changed, referee);
-  ASSERT_TRUE(told.referee);
-  EXPECT_EQ(*told.referee, (RefereeState{true, GameState::playing, true, KickOff::theirs}));
+  carry_out(action, hands, external, sides_changed, referee);
+  ASSERT_TRUE(external.referee);
+  EXPECT_EQ(*external.referee, (RefereeState{true, GameState::playing, true, KickOff::theirs}));
 }
 
 TEST_F(HalfTimeOfAScenario, TwiceAtOnceIsNone) {
   act(Kind::half_time);
   act(Kind::half_time);
-  EXPECT_FALSE(told.half_time);
+  EXPECT_FALSE(external.half_time);
   EXPECT_FALSE(sides_changed);
 }
 

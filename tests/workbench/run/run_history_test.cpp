@@ -12,7 +12,7 @@ class History : public ::testing::Test {
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
       frame.world.time = 0.1 * static_cast<double>(frame.world.frame++);
-      history.observe(frame, stage);
+      history.observe(frame, scene);
     }
   }
   std::vector<ConditionInterval> intervals(RunCondition condition) const {
@@ -24,7 +24,7 @@ class History : public ::testing::Test {
   }
 
   FrameRecord frame;
-  StageRecord stage;
+  SceneTruth scene;
   RunHistory history;
 };
 

@@ -19,9 +19,9 @@ struct Told {
       frame.world.time_step = 0.1;
       frame.world.pose.pose = belief;
       frame.world.posture = carried ? Posture::lifted : Posture::upright;
-      StageRecord stage;
-      stage.truth = GroundTruth{kTruth, false, carried};
-      observer.observe(frame, stage);
+      SceneTruth scene;
+      scene.truth = GroundTruth{kTruth, false, carried};
+      observer.observe(frame, scene);
     }
   }
   RunSummary summary() const { return observer.summary(); }
@@ -62,9 +62,9 @@ TEST(Summary, OfNothingIsNotRight) {
 
 TEST(Summary, RepeatsTheScenariosVerdict) {
   SummaryObserver observer;
-  StageRecord stage;
-  stage.scenario.verdict = ScenarioVerdict{true, "it found its mark", 12.0};
-  observer.observe(FrameRecord(), stage);
+  SceneTruth scene;
+  scene.scenario.verdict = ScenarioVerdict{true, "it found its mark", 12.0};
+  observer.observe(FrameRecord(), scene);
   EXPECT_TRUE(observer.summary().succeeded);
   EXPECT_EQ(observer.summary().verdict, "it found its mark");
 }
@@ -167,10 +167,10 @@ TEST(Summary, TellsHowARunEndedWithoutAVerdict) {
 TEST(Summary, NamesTheScriptsThatWereStopped) {
   SummaryObserver observer;
   FrameRecord frame;
-  StageRecord stage;
+  SceneTruth scene;
   const auto fails = [&](const char* script, int line, FaultRecord::Consequence consequence) {
     frame.faults.push_back({script, {script, line, "nil", {}}, consequence});
-    observer.observe(frame, stage);
+    observer.observe(frame, scene);
     frame.faults.clear();
   };
   fails("behaviors/a.lua", 1, FaultRecord::Consequence::none);
@@ -178,7 +178,7 @@ TEST(Summary, NamesTheScriptsThatWereStopped) {
   fails("behaviors/b.lua", 3, FaultRecord::Consequence::stopped);
   fails("behaviors/c.lua", 4, FaultRecord::Consequence::rolled_back);
   frame.reloads.push_back({"behaviors/b.lua", true, {}, {}});
-  observer.observe(frame, stage);
+  observer.observe(frame, scene);
   const RunSummary summary = observer.summary();
   ASSERT_EQ(summary.stopped.size(), 1U);
   EXPECT_EQ(summary.stopped[0].script, "behaviors/a.lua");
@@ -188,7 +188,7 @@ TEST(Summary, NamesTheScriptsThatWereStopped) {
 
 TEST(Summary, WithoutGroundTruthClaimsNothing) {
   SummaryObserver observer;
-  observer.observe(FrameRecord(), StageRecord());
+  observer.observe(FrameRecord(), SceneTruth());
   const RunSummary summary = observer.summary();
   EXPECT_FALSE(summary.correct);
   EXPECT_FALSE(summary.error);
@@ -204,9 +204,9 @@ TEST(Summary, CountsAndJudgesTheReorientations) {
     frame.reorientation = ReorientationRecord{reorientation, {}, {}, {}};
     frame.reorientation->belief_before.pose = reflect(kTruth);
     frame.reorientation->belief_after.pose = kTruth;
-    StageRecord stage;
-    stage.truth = GroundTruth{kTruth, false, false};
-    observer.observe(frame, stage);
+    SceneTruth scene;
+    scene.truth = GroundTruth{kTruth, false, false};
+    observer.observe(frame, scene);
   }
   const RunSummary summary = observer.summary();
   EXPECT_EQ(summary.flips, 3);

@@ -22,7 +22,7 @@ class TimelineTest : public ::testing::Test {
 
   Names names;
   FrameRecord frame;
-  StageRecord stage;
+  SceneTruth scene;
   CommandHistory history;
 };
 
@@ -31,7 +31,7 @@ TEST_F(TimelineTest, TellsChangesOfStatePausesAndCommandsInTheirOrder) {
   frame.transitions.push_back(transition("orientation"));
   frame.begun.push_back({Pause::training, issuer()});
   frame.commands.push_back({{Reorientation::flip_pose, issuer(), 50.0}, Verdict::too_soon});
-  const std::vector<TimelineEvent> events = timeline_events(frame, stage);
+  const std::vector<TimelineEvent> events = timeline_events(frame, scene);
   ASSERT_EQ(events.size(), 3u);
   EXPECT_EQ(events[0].state, "watching > correcting");
   EXPECT_EQ(events[0].reason, "the opposite pose won");
@@ -41,7 +41,7 @@ TEST_F(TimelineTest, TellsChangesOfStatePausesAndCommandsInTheirOrder) {
   EXPECT_EQ(events[2].command, "flip_pose");
   EXPECT_EQ(events[2].verdict, "too_soon");
   EXPECT_EQ(events[2].state, "correcting");
-  history.observe(frame, stage);
+  history.observe(frame, scene);
   ASSERT_EQ(history.commands().size(), 2u);
   EXPECT_EQ(history.commands()[0].command, "pause_training");
   EXPECT_EQ(history.dropped(), 0u);
@@ -51,7 +51,7 @@ TEST_F(TimelineTest, TellsNotesAndNoOtherLogLines) {
   frame.logs.push_back({kNoName, kNoName, "the referee moved it", 0, true});
   frame.logs.push_back({id("orientation"), id("watching"), "hello", 0, false});
   frame.logs.push_back({id("orientation"), id("watching"), "look here", 0, true});
-  const std::vector<TimelineEvent> events = timeline_events(frame, stage);
+  const std::vector<TimelineEvent> events = timeline_events(frame, scene);
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ(events[0].machine, "note");
   EXPECT_EQ(events[0].state, "note: the referee moved it");
@@ -60,9 +60,9 @@ TEST_F(TimelineTest, TellsNotesAndNoOtherLogLines) {
 }
 
 TEST_F(TimelineTest, TellsThatTheTeamsChangeSides) {
-  EXPECT_TRUE(timeline_events(frame, stage).empty());
+  EXPECT_TRUE(timeline_events(frame, scene).empty());
   frame.inputs.half_time = true;
-  const std::vector<TimelineEvent> events = timeline_events(frame, stage);
+  const std::vector<TimelineEvent> events = timeline_events(frame, scene);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events[0].machine, "game");
   EXPECT_EQ(events[0].state, "half-time");
@@ -71,11 +71,11 @@ TEST_F(TimelineTest, TellsThatTheTeamsChangeSides) {
 
 TEST_F(TimelineTest, KeepsTheLatestCommandsOfEachMachineAndCountsTheRest) {
   frame.begun.push_back({Pause::training, issuer()});
-  history.observe(frame, stage);
+  history.observe(frame, scene);
   frame.begun[0].issuer.machine = id("busy");
   for (int i = 0; i < 10'000; ++i) {
     frame.world.time = i;
-    history.observe(frame, stage);
+    history.observe(frame, scene);
   }
   const std::vector<TimelineEvent> commands = history.commands();
   ASSERT_EQ(commands.size(), CommandHistory::kMostOfAMachine + 1);
@@ -88,7 +88,7 @@ TEST_F(TimelineTest, TakesABoundedMemoryHoweverManyMachinesThereWere) {
   for (int i = 0; i < 1000; ++i) {
     frame.begun = {{Pause::training, {id("edited_" + std::to_string(i)), 0, 0}}};
     frame.names = names.table();
-    history.observe(frame, stage);
+    history.observe(frame, scene);
   }
   // One of each machine that has a place of its own, and the latest of the others.
   EXPECT_LE(history.commands().size(), CommandHistory::kMostMachines + CommandHistory::kMostOfAMachine);

@@ -51,7 +51,7 @@ behavior "tested" {
 /// What follows from the rest of the world; all other fields are what is sensed.
 const std::set<std::string_view> kDerived{
     "clock.time",        "clock.step",      "clock.frame",      "robot.posture_before", "robot.posture_for",
-    "robot.may_walk",    "training.active", "training.seconds", "evaluation.active",    "robot.undisturbed_for",
+    "robot.may_walk",    "training.active", "training.seconds", "evaluation.active",    "robot.time_since_disturbance",
     "confidence.status", "pose.known",      "confidence.age",   "confidence.can_tell"};
 
 /// A mistake in the rules of the fake world: what a test of this test seeds.
@@ -122,19 +122,19 @@ class TwoWorlds {
     return Pose2({random_.uniform(-4.5, 4.5), random_.uniform(-3.0, 3.0)}, random_.uniform(-kPi, kPi));
   }
 
-  void tell(Told& told) {
+  void tell(ExternalInputs& external) {
     if (seldom()) {
-      RefereeState& referee = told.referee.emplace();
+      RefereeState& referee = external.referee.emplace();
       referee.penalized = seldom(3);
       referee.stopped = seldom(4);
       referee.state = static_cast<GameState>(random_.below(7));
       referee.kick_off = static_cast<KickOff>(random_.below(3));
     }
-    if (seldom()) told.initial_pose = InitialPose{some_pose()};
-    if (seldom(20)) told.half_time = true;
-    if (seldom()) told.notes.emplace_back("a note");
+    if (seldom()) external.initial_pose = InitialPose{some_pose()};
+    if (seldom(20)) external.half_time = true;
+    if (seldom()) external.notes.emplace_back("a note");
     for (const char* word : {"flip", "purge", "reset", "pause training", "pause evaluation", "go on", "hello"})
-      if (seldom()) told.messages.push_back({1, word});
+      if (seldom()) external.messages.push_back({1, word});
   }
 
   void sense(Observation& observation) {
@@ -177,8 +177,8 @@ class TwoWorlds {
     const Pose2 odometry_before = observation.odometry;
     if (has_begun_) observation.time += seldom(10) ? random_.uniform(0.0, 2.0) : HandFedLoop::kStep;
     sense(observation);
-    observation.told = {};
-    tell(seldom(2) ? observation.told : inputs.told);
+    observation.external = {};
+    tell(seldom(2) ? observation.external : inputs.external);
     change_parameters();
     if (seldom(15)) {
       const std::string edited = std::string(kObedient) + (seldom(2) ? "-- edited" : "(");
@@ -194,7 +194,7 @@ class TwoWorlds {
     const FrameRecord& record = loop_.engine->step(inputs);
     inputs.parameter_changes.clear();
     inputs.script_edits.clear();
-    inputs.told = {};
+    inputs.external = {};
 
     FakeSenses senses;
     if (has_begun_) senses.moved = odometry_before.inverse() * observation.odometry;
@@ -284,10 +284,10 @@ class TwoWorlds {
         world.posture_before = Posture::upright;
         break;
       case Fault::undisturbed_in_a_fall:
-        if (!world.upright()) world.undisturbed_for = HandFedLoop::kStep;
+        if (!world.upright()) world.time_since_disturbance = HandFedLoop::kStep;
         break;
       case Fault::undisturbed_in_a_penalty:
-        if (world.referee.penalized) world.undisturbed_for += HandFedLoop::kStep;
+        if (world.referee.penalized) world.time_since_disturbance += HandFedLoop::kStep;
         break;
       case Fault::walks_when_penalized:
         if (world.referee.penalized) world.may_walk = true;
@@ -308,7 +308,7 @@ class TwoWorlds {
         world.evaluating = arbiter_.last().evaluate;
         break;
       case Fault::age_kept_by_a_lift:
-        if (world.undisturbed_for == 0.0) world.confidence.age = 1.0;
+        if (world.time_since_disturbance == 0.0) world.confidence.age = 1.0;
         break;
       case Fault::age_kept_by_a_jump:
         if (seldom(4) && world.confidence.age == 0.0) world.confidence.age = age_ + 1.0;

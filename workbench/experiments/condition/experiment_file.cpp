@@ -75,7 +75,7 @@ class ExperimentReader {
       return std::all_of(axis.choices.begin(), axis.choices.end(),
                          [](const AxisChoice& choice) { return names_scenario(choice.patch); });
     });
-    if (!is_chosen) in.refuse(table, "no scenario is named: [condition] scenario = \"turned_round\"");
+    if (!is_chosen) in.refuse(table, "no scenario is named: [condition] scenario = \"mirrored_placement\"");
   }
 
   static void require_choices(const TableReader& in, const toml::table& table, const Reference& reference,

@@ -22,7 +22,7 @@ class RoomCompass : public OrientationCompass {
 
   void learn(const RoomObservation& view) override;
   void begin() override {
-    awareness_.begin_anew();
+    awareness_.restart();
     said_ = 0.0;
   }
   double compare(const RoomObservation& view) override;

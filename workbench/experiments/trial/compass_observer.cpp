@@ -15,10 +15,10 @@ constexpr double kLookTolerance = 1e-6;  // s: frame times are sums of rounded s
 CompassObserver::CompassObserver(const CompassParameters& parameters, const TrialObserver& trial, std::uint64_t seed)
     : trial_(trial), comparison_(parameters.comparison), right_(make_compasses(parameters, seed)) {}
 
-void CompassObserver::observe(const FrameRecord& frame, const StageRecord& stage) {
+void CompassObserver::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const World& world = frame.world;
-  const bool stands = stage.truth && !stage.truth->carried && world.upright();
-  const std::optional<Pose2> pose = stands ? right_pose(world.pose.pose, stage.truth->pose) : std::nullopt;
+  const bool stands = scene.truth && !scene.truth->carried && world.upright();
+  const std::optional<Pose2> pose = stands ? right_pose(world.pose.pose, scene.truth->pose) : std::nullopt;
   is_looking_ = is_looking_ && pose;
   if (!pose || !frame.inputs.upper) return;
   collect_covered(frame.percepts[0], covered_);

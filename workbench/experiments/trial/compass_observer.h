@@ -28,7 +28,7 @@ class CompassObserver : public Observer {
   CompassObserver(const CompassParameters& parameters, const TrialObserver& trial, std::uint64_t seed);
 
   Topics wanted() const override { return {Topic::images}; }
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   const std::vector<CompassLook>& looks() const { return looks_; }
 

@@ -38,11 +38,11 @@ double normalized_square(const PoseBelief& belief, const Pose2& truth) {
 
 }  // namespace
 
-void PoseErrorObserver::observe(const FrameRecord& frame, const StageRecord& stage) {
+void PoseErrorObserver::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const TrialResult& trial = trial_.result();
-  if (!trial.started || !stage.truth) return;
+  if (!trial.started || !scene.truth) return;
   const double time = trial.seconds;
-  const GroundTruth& truth = *stage.truth;
+  const GroundTruth& truth = *scene.truth;
   const PoseBelief& belief = frame.world.pose;
   const bool is_standing = !truth.fallen && !truth.carried;
   if (!is_standing) was_disturbed_ = true;

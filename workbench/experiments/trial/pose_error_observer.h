@@ -16,7 +16,7 @@ class PoseErrorObserver : public Observer {
   /// `trial` judges the same run and observes each frame before this one does.
   explicit PoseErrorObserver(const TrialObserver& trial) : trial_(trial) {}
 
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   const PoseErrors& errors() const { return errors_; }
 

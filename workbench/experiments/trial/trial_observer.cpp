@@ -25,20 +25,20 @@ bool TrialObserver::starts(const ScenarioRecord& scenario) const {
          });
 }
 
-void TrialObserver::watch_carrying(const StageRecord& stage) {
-  for (const ExperimenterAction& action : stage.scenario.actions) {
-    if (action.kind == ExperimenterAction::Kind::pick_up && stage.truth) picked_up_at_ = stage.truth->pose;
-    if (action.kind != ExperimenterAction::Kind::put_down || !picked_up_at_) continue;
+void TrialObserver::watch_carrying(const SceneTruth& scene) {
+  for (const OperatorAction& action : scene.scenario.actions) {
+    if (action.kind == OperatorAction::Kind::pick_up && scene.truth) picked_up_at_ = scene.truth->pose;
+    if (action.kind != OperatorAction::Kind::put_down || !picked_up_at_) continue;
     if (!is_correct(action.pose, *picked_up_at_)) result_.kidnapped = true;
     picked_up_at_.reset();
   }
 }
 
-void TrialObserver::observe(const FrameRecord& frame, const StageRecord& stage) {
-  watch_carrying(stage);
+void TrialObserver::observe(const FrameRecord& frame, const SceneTruth& scene) {
+  watch_carrying(scene);
   const World& world = frame.world;
-  const bool is_held = !stage.truth || stage.truth->carried;
-  const bool correct = !is_held && is_correct(world.pose.pose, stage.truth->pose);
+  const bool is_held = !scene.truth || scene.truth->carried;
+  const bool correct = !is_held && is_correct(world.pose.pose, scene.truth->pose);
   if (result_.started) {
     const double time = world.time - started_at_;
     result_.seconds = time;
@@ -52,12 +52,12 @@ void TrialObserver::observe(const FrameRecord& frame, const StageRecord& stage) 
     const bool in_time = right_since_ && *right_since_ <= measurement_.limit + kTolerance;
     if (!result_.right_after && in_time && time - *right_since_ + kTolerance >= measurement_.hold)
       result_.right_after = right_since_;
-    if (frame.reorientation && stage.truth) judge_reorientation(*frame.reorientation, *stage.truth, time);
-    sample(world, correct, !is_held && is_correct(reflect(world.pose.pose), stage.truth->pose), time);
+    if (frame.reorientation && scene.truth) judge_reorientation(*frame.reorientation, *scene.truth, time);
+    sample(world, correct, !is_held && is_correct(reflect(world.pose.pose), scene.truth->pose), time);
     return;
   }
   // The scenario looks at a frame when it is over: what it does then is seen in the next one.
-  if (!starts(stage.scenario)) return;
+  if (!starts(scene.scenario)) return;
   result_.started = true;
   result_.correct_at_start = false;
   started_at_ = world.time;

@@ -20,7 +20,7 @@ struct Measurement {
   bool to_the_end = true;       ///< false: a trial is over once its belief is right and has stayed so
 };
 
-/// Whether a state of that path is the one, or within it, as "turned round/lost" is within "turned round".
+/// Whether a state of that path is the one, or within it, as "mirrored/lost" is within "mirrored".
 bool is_within(std::string_view path, std::string_view state);
 
 /// Between frames the belief counts as it was in the last one; in the air, and where nobody knows the truth, as wrong.
@@ -30,7 +30,7 @@ class TrialObserver : public Observer {
     result_.symmetric_room = measurement_.symmetric_room;
   }
 
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   /// What was to be measured is.
   bool is_over() const;
@@ -38,7 +38,7 @@ class TrialObserver : public Observer {
 
  private:
   bool starts(const ScenarioRecord& scenario) const;
-  void watch_carrying(const StageRecord& stage);
+  void watch_carrying(const SceneTruth& scene);
   void judge_start(bool is_held, bool correct);
   void judge_belief(const World& world, bool correct);
   void judge_reorientation(const ReorientationRecord& record, const GroundTruth& truth, double time);

@@ -76,7 +76,7 @@ Json request_json(const FrameRecord& frame) {
           {"command", frame.reorientation ? to_string(frame.reorientation->reorientation) : std::string_view()}};
 }
 
-Json costs_json(const FrameRecord& extra, const StageRecord& stage) {
+Json costs_json(const FrameRecord& extra, const SceneTruth& scene_truth) {
   Json stages = Json::object(), machines = Json::array();
   for (int i = 0; i < kStageCount; ++i) {
     stages[std::string(to_string(static_cast<Stage>(i)))] = 1e3 * extra.costs.seconds[static_cast<std::size_t>(i)];
@@ -88,7 +88,7 @@ Json costs_json(const FrameRecord& extra, const StageRecord& stage) {
                         {"memory", machine.memory}});
   }
   return {{"milliseconds", std::move(stages)},
-          {"frame_milliseconds", 1e3 * stage.stepping},
+          {"frame_milliseconds", 1e3 * scene_truth.stepping},
           {"machines", std::move(machines)}};
 }
 
@@ -99,7 +99,7 @@ Json parameters_json(const std::vector<Parameter>& parameters) {
   return {{"parameters", std::move(all)}};
 }
 
-Json transforms_json(const FrameRecord& frame, const StageRecord& stage) {
+Json transforms_json(const FrameRecord& frame, const SceneTruth& scene_truth) {
   const double time = frame.world.time;
   Json all = Json::array();
   all.push_back(foxglove::transform(time, kField, kRobot, foxglove::on_the_ground(frame.world.pose.pose)));
@@ -110,7 +110,8 @@ Json transforms_json(const FrameRecord& frame, const StageRecord& stage) {
           foxglove::transform(time, kRobot, kCameras[i], camera->robot_from_camera * foxglove::camera_from_optical()));
     }
   }
-  if (stage.truth) all.push_back(foxglove::transform(time, kField, kTruth, foxglove::on_the_ground(stage.truth->pose)));
+  if (scene_truth.truth)
+    all.push_back(foxglove::transform(time, kField, kTruth, foxglove::on_the_ground(scene_truth.truth->pose)));
   return {{"transforms", std::move(all)}};
 }
 
@@ -133,7 +134,7 @@ Json log_json(double time, const ParameterOutcome& change) {
 
 void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
   const FrameRecord& frame = viewed.frame;
-  const StageRecord& stage = viewed.stage;
+  const SceneTruth& scene_truth = viewed.scene;
   const double time = frame.world.time;
   const auto send = [&](ViewerTopic topic, const Json& message) {
     // Scripts may log what is no UTF-8.
@@ -153,18 +154,18 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
   if (viewed.extra.filled.has(Topic::pose_particles)) {
     send(ViewerTopic::pose_particles, foxglove::poses_in_frame(time, kField, viewed.extra.pose_particles.particles));
   }
-  if (viewed.extra.filled.has(Topic::costs)) send(ViewerTopic::costs, costs_json(viewed.extra, stage));
+  if (viewed.extra.filled.has(Topic::costs)) send(ViewerTopic::costs, costs_json(viewed.extra, scene_truth));
 
-  send(ViewerTopic::transforms, transforms_json(frame, stage));
+  send(ViewerTopic::transforms, transforms_json(frame, scene_truth));
   send(ViewerTopic::pose, foxglove::pose_in_frame(time, kField, frame.world.pose.pose));
-  if (stage.truth) send(ViewerTopic::truth, foxglove::pose_in_frame(time, kField, stage.truth->pose));
+  if (scene_truth.truth) send(ViewerTopic::truth, foxglove::pose_in_frame(time, kField, scene_truth.truth->pose));
   send_scene(ViewerTopic::percepts, kRobot, "percepts", scene::percept_scene(frame.percepts));
   send(ViewerTopic::world, world_json(frame.world));
   send(ViewerTopic::machines, machines_json(frame));
   send(ViewerTopic::request, request_json(frame));
-  for (const TimelineEvent& event : timeline_events(frame, stage)) send(ViewerTopic::events, event_json(event));
+  for (const TimelineEvent& event : timeline_events(frame, scene_truth)) send(ViewerTopic::events, event_json(event));
   for (const ParameterOutcome& change : frame.parameter_changes) send(ViewerTopic::log, log_json(time, change));
-  for (const LogLine& line : log_lines(frame, stage)) send(ViewerTopic::log, log_json(time, line));
+  for (const LogLine& line : log_lines(frame, scene_truth)) send(ViewerTopic::log, log_json(time, line));
 
   struct CameraTopics {
     const std::optional<CameraRecord>& camera;

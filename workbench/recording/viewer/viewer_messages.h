@@ -23,7 +23,7 @@ inline constexpr Topics kViewedTopics{Topic::pose_particles, Topic::room, Topic:
 struct ViewedFrame {
   const FrameRecord& frame;  ///< all that is always filled
   const FrameRecord& extra;  ///< those of kViewedTopics that are filled: the same record, or another
-  const StageRecord& stage;
+  const SceneTruth& scene;
   std::array<ImageView, 2> images;  ///< of the upper and the lower camera; empty: none is shown
   bool begins = false;              ///< a viewer may begin here: what lasts is told again
 };

@@ -92,7 +92,10 @@ Meaning ScriptReading::read_table(const Expression& expression) {
 Meaning ScriptReading::read_name(const LuaToken& name) {
   if (const Local* const local = find_local(name.text)) return local->meaning;
   const auto found = known_.globals.fields.find(name.text);
-  if (found != known_.globals.fields.end()) return meaning_of(found->second, name.text);
+  if (found != known_.globals.fields.end()) {
+    note_former(found->second, name, name.text);
+    return meaning_of(found->second, name.text);
+  }
   note(name, known_.globals.missing + name.text + "'" + (has_hints_left() ? hint(name.text, all_names()) : ""));
   return {};
 }
@@ -137,6 +140,11 @@ Meaning ScriptReading::read_suffixed(const Expression& expression, std::size_t c
   return value;
 }
 
+void ScriptReading::note_former(const Symbol& symbol, const LuaToken& token, const std::string& name) {
+  if (!symbol.replacement.empty())
+    note(token, name + " is a former name: use " + symbol.replacement, Finding::Severity::warning);
+}
+
 Meaning ScriptReading::field_of(const Meaning& owner, const LuaToken& field) {
   need(owner, kTable | kString);
   if (owner.own_table != nullptr) return own_field_of(owner, field);
@@ -144,8 +152,7 @@ Meaning ScriptReading::field_of(const Meaning& owner, const LuaToken& field) {
     const auto found = owner.table->fields.find(field.text);
     if (found != owner.table->fields.end()) {
       const std::string name = owner.name + "." + field.text;
-      if (!found->second.replacement.empty())
-        note(field, name + " is a former name: use " + found->second.replacement, Finding::Severity::warning);
+      note_former(found->second, field, name);
       return meaning_of(found->second, name);
     }
     note_missing(*owner.table, field);

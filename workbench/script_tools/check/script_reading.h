@@ -95,6 +95,7 @@ class ScriptReading {
   std::vector<std::string> all_names() const;
   Meaning read_suffixed(const syntax::Expression& expression, std::size_t count);
   Meaning field_of(const Meaning& owner, const LuaToken& field);
+  void note_former(const Symbol& symbol, const LuaToken& token, const std::string& name);
   void note_missing(const TableSymbol& table, const LuaToken& field);
   Meaning own_field_of(const Meaning& owner, const LuaToken& field);
   Meaning item_of(const Meaning& owner, const syntax::Expression& key);

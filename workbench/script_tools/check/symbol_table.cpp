@@ -71,6 +71,7 @@ class Vocabulary {
       symbol.acts = function.result.empty();
       add(function.table, function.name, std::move(symbol));
     }
+    for (const FormerTable& former : language.former_tables()) former_.push_back(former);
   }
 
   void add_machines() {
@@ -98,6 +99,11 @@ class Vocabulary {
 
   SymbolTable take() {
     for (auto& [name, table] : tables_) globals_.fields[name] = {kTable, std::move(table)};
+    for (const FormerTable& former : former_) {
+      Symbol symbol = globals_.fields[std::string(former.replacement)];
+      symbol.replacement = former.replacement;
+      globals_.fields[std::string(former.name)] = std::move(symbol);
+    }
     return {std::move(globals_), {}, std::move(states_), false};
   }
 
@@ -142,6 +148,7 @@ class Vocabulary {
 
   const std::optional<DeclaredNames>& declared_;
   NamedTypes named_;
+  std::vector<FormerTable> former_;
   TableSymbol globals_{"", "there is no '", {}, true};
   std::map<std::string, std::shared_ptr<TableSymbol>> tables_;
   std::map<std::string, std::set<std::string>> states_;

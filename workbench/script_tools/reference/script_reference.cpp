@@ -198,6 +198,8 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
     out << "---" << function.description << "\n"
         << to_annotation({function.table, function.name, function.arguments, function.result}) << "\n\n";
   }
+  for (const FormerTable& former : scenarios().former_tables())
+    out << "---@deprecated\n" << former.name << " = " << former.replacement << "\n\n";
   write_library_annotations(out, libraries);
   write_annotations(out, language_words(), libraries);
   for (const NameType& type : name_types()) {
@@ -230,6 +232,8 @@ std::string script_luacheck() {
       add(function.table, function.name);
     }
   }
+  for (const FormerTable& former : scenarios().former_tables())
+    tables[std::string(former.name)] = tables[std::string(former.replacement)];
   std::ostringstream out;
   out << "-- For luacheck. Generated from the declarations that make the bindings; do not edit.\n"
          "-- `REORIENT_REGENERATE=1 ./test` writes it anew.\nlocal function fields(...)\n  local known = {}\n"

@@ -38,7 +38,7 @@ constexpr ScriptWord kLanguage[] = {
      "of "
      "one in assets/rooms) or `hall_seed = 3`, and `field` likewise: where it takes place, unless the command line "
      "says "
-     "it. It alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It runs after each frame.",
+     "it. It alone has `truth`, `operator` and `verdict`; it cannot move the robot. It runs after each frame.",
      {}},
     {"require(module: string): any",
      "local walking = require \"lib.walk\"",
@@ -63,7 +63,7 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"load_behavior(behavior: reorient.BehaviorScript)", "load_behavior \"orientation\"", "Loads a behaviour.", {}},
     {"load_scenario(scenario: reorient.ScenarioScript)",
-     "load_scenario \"turned_round\"",
+     "load_scenario \"mirrored_placement\"",
      "Loads a scenario and its behaviours.",
      {}},
     {"set_world(world: reorient.World)",
@@ -94,7 +94,7 @@ constexpr ScriptWord kTest[] = {
     {"simulate(run: { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: "
      "number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, "
      "any>? }): boolean is_correct",
-     "simulate { scenario = \"turned_round\", seed = 1, params = { [\"decision.false_flips\"] = 1 } }",
+     "simulate { scenario = \"mirrored_placement\", seed = 1, params = { [\"decision.false_flips\"] = 1 } }",
      "Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected "
      "behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, "
      "320, 544, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. "
@@ -278,7 +278,7 @@ std::vector<NameType> name_types() {
   return {{"reorient.CommandName", names_of<Reorientation, Pause>()},
           {"reorient.Verdict", names_of<Verdict>()},
           {"reorient.PauseName", names_of<Pause>()},
-          {"reorient.ActionName", names_of<ExperimenterAction::Kind>()},
+          {"reorient.ActionName", names_of<OperatorAction::Kind>()},
           {"reorient.MachineName", {}},
           {"reorient.StatePath", {}},
           {"reorient.BehaviorScript", {}},

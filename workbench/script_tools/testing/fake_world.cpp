@@ -28,7 +28,7 @@ FakeWorld::FakeWorld(ParameterRegistry& parameters, double stood_for)
   parameters.bind("confidence", confidence_parameters_);
   parameters.bind("room_status", room_status_parameters_);
   posture_.since = -stood_for;
-  world_.posture_for = world_.undisturbed_for = world_.confidence.age = stood_for;
+  world_.posture_for = world_.time_since_disturbance = world_.confidence.age = stood_for;
 }
 
 void FakeWorld::set(std::string_view table, std::string_view name, const WorldValue& value) {
@@ -54,7 +54,7 @@ World FakeWorld::derived(const WorldTracker& tracker) const {
   Confidences& confidence = world.confidence;
   if (is_set("robot.posture_before")) world.posture_before = world_.posture_before;
   if (is_set("robot.posture_for")) world.posture_for = world_.posture_for;
-  if (is_set("robot.undisturbed_for")) world.undisturbed_for = world_.undisturbed_for;
+  if (is_set("robot.time_since_disturbance")) world.time_since_disturbance = world_.time_since_disturbance;
   if (is_set("robot.may_walk")) world.may_walk = world_.may_walk;
   if (is_set("pose.known")) world.pose_known = world_.pose_known;
   if (is_set("training.active")) world.training = world_.training;

@@ -40,7 +40,7 @@ void SeenFrames::note_commands(std::span<const CommandRecord> given, std::span<c
 
 void SeenFrames::note_scenario(const ScenarioRecord& scenario) {
   note(*scenario.names, scenario.transitions, scenario.logs, scenario.faults);
-  for (const ExperimenterAction& action : scenario.actions) actions.emplace_back(to_string(action.kind));
+  for (const OperatorAction& action : scenario.actions) actions.emplace_back(to_string(action.kind));
   forget_the_oldest(actions);
   verdict = scenario.verdict;
 }
@@ -49,16 +49,16 @@ void SeenFrames::note_machines(const NameTable& names, std::span<const MachineSt
   for (const MachineStatus& status : statuses) machines.push_back({names[status.machine], names[status.state]});
 }
 
-void SeenObserver::observe(const FrameRecord& frame, const StageRecord& stage) {
+void SeenObserver::observe(const FrameRecord& frame, const SceneTruth& scene) {
   seen.note(*frame.names, frame.transitions, frame.logs, frame.faults);
   seen.note_messages(frame.answer.messages);
   seen.note_commands(frame.commands, frame.begun);
-  seen.note_scenario(stage.scenario);
+  seen.note_scenario(scene.scenario);
 }
 
-void SeenObserver::finish(const FrameRecord& last, const StageRecord& stage) {
+void SeenObserver::finish(const FrameRecord& last, const SceneTruth& scene) {
   seen.note_machines(*last.names, last.machines);
-  seen.note_machines(*stage.scenario.names, stage.scenario.machines);
+  seen.note_machines(*scene.scenario.names, scene.scenario.machines);
 }
 
 }  // namespace reorient

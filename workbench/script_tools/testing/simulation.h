@@ -53,7 +53,7 @@ struct SeenFrames {
   std::vector<std::string> logs;
   std::vector<std::string> messages;  ///< to the team mates
   std::vector<ScriptFault> faults;
-  std::vector<std::string> actions;  ///< of the scenario's experimenter
+  std::vector<std::string> actions;  ///< of the scenario's operator
   std::optional<ScenarioVerdict> verdict;
 
   void note(const NameTable& names, std::span<const TransitionRecord> taken, std::span<const LogRecord> said,
@@ -67,8 +67,8 @@ struct SeenFrames {
 /// Collects that from a run.
 class SeenObserver : public Observer {
  public:
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
-  void finish(const FrameRecord& last, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
+  void finish(const FrameRecord& last, const SceneTruth& scene) override;
 
   SeenFrames seen;
 };

@@ -136,7 +136,7 @@ SimulationRequest read_simulation_request(lua_State* L, int table) {
     read_field(L, lua_tostring(L, -2), request);
   }
   if (request.scenario.empty())
-    throw std::runtime_error("simulate needs a scenario: simulate { scenario = \"turned_round\" }");
+    throw std::runtime_error("simulate needs a scenario: simulate { scenario = \"mirrored_placement\" }");
   if (request.hall_seed && !request.room.empty())
     throw std::runtime_error("simulate takes a room or a hall_seed, not both");
   return request;

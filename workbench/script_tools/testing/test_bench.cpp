@@ -256,7 +256,7 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
 }
 
 void TestBench::hear(std::int64_t sender, std::string_view text) {
-  std::vector<Message>& heard = replay_ ? added_.told.messages : heard_;
+  std::vector<Message>& heard = replay_ ? added_.external.messages : heard_;
   if (heard.size() >= kMostMessages)
     throw std::runtime_error("hear: at most " + std::to_string(kMostMessages) + " messages come with a frame");
   heard.push_back(message_of(sender, text));
@@ -374,7 +374,7 @@ int TestBench::reload(lua_State* L) {
   return 0;
 }
 
-/// simulate { scenario = "turned_round", seed = 1, params = { ["decision.false_flips"] = 1 } }: from beginning to end.
+/// simulate { scenario = "mirrored_placement", seed = 1, params = { ["decision.false_flips"] = 1 } }: from beginning to end.
 int TestBench::simulate(lua_State* L) {
   SimulationRequest request = read_simulation_request(L, 1);
   if (!simulate_) {

@@ -142,7 +142,7 @@ void TestBench::expect_log(std::string_view text) { expect_text(text, seen_.logs
 void TestBench::expect_message(std::string_view text) { expect_text(text, seen_.messages, "message"); }
 
 void TestBench::expect_action(std::string_view name) {
-  require_name<ExperimenterAction::Kind>("action", name);
+  require_name<OperatorAction::Kind>("action", name);
   std::string all;
   for (const std::string& action : seen_.actions) {
     if (action == name) return;

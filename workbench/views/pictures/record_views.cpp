@@ -43,7 +43,7 @@ void add_room(const RoomRecord& room, WorldView& view) {
 
 }  // namespace
 
-WorldView world_view_of(const FrameRecord& frame, const StageRecord& stage) {
+WorldView world_view_of(const FrameRecord& frame, const SceneTruth& scene) {
   WorldView view;
   view.field = frame.world.field;
   view.time = frame.world.time;
@@ -52,7 +52,7 @@ WorldView world_view_of(const FrameRecord& frame, const StageRecord& stage) {
     view.note = "before the command " + std::string(to_string(frame.reorientation->reorientation));
     view.pose_particles = frame.pose_particles.before;
   }
-  if (stage.truth) view.truth = stage.truth->pose;
+  if (scene.truth) view.truth = scene.truth->pose;
   view.belief = scene::observing_belief(frame);
   add_room(frame.room, view);
   return view;

@@ -9,7 +9,7 @@
 namespace reorient::pictures {
 
 /// Needs the topics pose_particles and room. In a frame with a reorientation: just before it.
-WorldView world_view_of(const FrameRecord& frame, const StageRecord& stage);
+WorldView world_view_of(const FrameRecord& frame, const SceneTruth& scene);
 
 /// What is known of a room, without a robot in it.
 WorldView world_view_of(const RoomRecord& room, const FieldDimensions& field);

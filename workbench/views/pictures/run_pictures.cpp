@@ -9,17 +9,17 @@
 
 namespace reorient {
 
-void RunPictures::observe(const FrameRecord& frame, const StageRecord& stage) {
-  history_.observe(frame, stage);
-  if (!moment_ && frame.reorientation && pictured_ == PicturedMoment::first_reorientation) keep(frame, stage);
+void RunPictures::observe(const FrameRecord& frame, const SceneTruth& scene) {
+  history_.observe(frame, scene);
+  if (!moment_ && frame.reorientation && pictured_ == PicturedMoment::first_reorientation) keep(frame, scene);
 }
 
-void RunPictures::finish(const FrameRecord& last, const StageRecord& stage) {
-  if (!moment_ || pictured_ == PicturedMoment::last_frame) keep(last, stage);
+void RunPictures::finish(const FrameRecord& last, const SceneTruth& scene) {
+  if (!moment_ || pictured_ == PicturedMoment::last_frame) keep(last, scene);
 }
 
-void RunPictures::keep(const FrameRecord& frame, const StageRecord& stage) {
-  moment_.emplace(Moment{frame, stage});
+void RunPictures::keep(const FrameRecord& frame, const SceneTruth& scene) {
+  moment_.emplace(Moment{frame, scene});
   moment_->frame.own_images();
 }
 
@@ -29,7 +29,7 @@ std::vector<std::string> RunPictures::write(const std::filesystem::path& folder)
     try_to_write(failures, [&] { pictures::write_png(folder / name, picture); });
   };
   if (moment_) {
-    write("world_view.png", draw_world_view(pictures::world_view_of(moment_->frame, moment_->stage)));
+    write("world_view.png", draw_world_view(pictures::world_view_of(moment_->frame, moment_->scene)));
     write("camera_view.png", draw_camera_view(pictures::camera_view_of(moment_->frame)));
   }
   const FieldDimensions field = moment_ ? moment_->frame.world.field : FieldDimensions();

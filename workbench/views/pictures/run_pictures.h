@@ -23,8 +23,8 @@ class RunPictures : public Observer {
   explicit RunPictures(PicturedMoment pictured = PicturedMoment::first_reorientation) : pictured_(pictured) {}
 
   Topics wanted() const override { return {Topic::images, Topic::pose_particles, Topic::room}; }
-  void observe(const FrameRecord& frame, const StageRecord& stage) override;
-  void finish(const FrameRecord& last, const StageRecord& stage) override;
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
+  void finish(const FrameRecord& last, const SceneTruth& scene) override;
 
   /// Writes world_view, camera_view, confidences and reorientations (.png) into `folder`. Each picture is tried;
   /// returned is one line for each that could not be written.
@@ -33,9 +33,9 @@ class RunPictures : public Observer {
  private:
   struct Moment {
     FrameRecord frame;
-    StageRecord stage;
+    SceneTruth scene;
   };
-  void keep(const FrameRecord& frame, const StageRecord& stage);
+  void keep(const FrameRecord& frame, const SceneTruth& scene);
 
   PicturedMoment pictured_;
   RunHistory history_;

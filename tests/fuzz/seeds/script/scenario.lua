@@ -4,14 +4,14 @@ scenario "s" {
   initial = "a",
   state "a" {
     enter = function()
-      experimenter.put_down(0, 0, 0)
-      experimenter.set_initial_pose(0, 0, 0)
+      operator.put_down(0, 0, 0)
+      operator.set_initial_pose(0, 0, 0)
     end,
-    update = function() experimenter.set_exposure_compensation(p.wait) end,
+    update = function() operator.set_exposure_compensation(p.wait) end,
     { "b", after = "wait" },
   },
   state "b" {
-    enter = function() experimenter.push_over() end,
+    enter = function() operator.push_over() end,
     { "c", when = function() return truth.x > 0 and behaviors.honest_one.time_in_state > 0.1 end },
   },
   state "c" { enter = function() verdict.succeed("x") end },

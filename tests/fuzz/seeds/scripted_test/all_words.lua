@@ -22,7 +22,7 @@ test("everything", function()
   expect.near(1, 1.5, 0.1)
 end)
 test("simulates", function()
-  local correct = simulate { scenario = "turned_round", seed = 3, with = { "head_scan" }, params = { ["a.b"] = true } }
+  local correct = simulate { scenario = "mirrored_placement", seed = 3, with = { "head_scan" }, params = { ["a.b"] = true } }
   expect.equal(correct, true)
   expect.log("head_scan")
   expect.equal({ 1, { a = "x" } }, { 1, { a = "y", b = 2 } })

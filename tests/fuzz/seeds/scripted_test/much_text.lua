@@ -7,7 +7,7 @@ end)
 test("simulations", function()
   local with = {}
   for i = 1, 5000 do with[i] = long end
-  simulate { scenario = "turned_round", with = with, params = { [long] = long } }
+  simulate { scenario = "mirrored_placement", with = with, params = { [long] = long } }
 end)
 test("failures", function() for _ = 1, 200 do expect.equal(long, long .. "y") expect.log(long) end end)
 test("parameters", function() for i = 1, 1e6 do set_param("x" .. i, long) end end)

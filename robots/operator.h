@@ -11,9 +11,9 @@
 
 namespace reorient {
 
-class Experimenter {
+class Operator {
  public:
-  virtual ~Experimenter() = default;
+  virtual ~Operator() = default;
   virtual void pick_up() = 0;                     ///< the robot hangs in the air until it is put down
   virtual void put_down(const Pose2& where) = 0;  ///< upright, standing
   virtual void push_over() = 0;                   ///< the robot falls

@@ -22,7 +22,7 @@ local function stands_on_mark(side)
   return ground_truth.is_on_mark(side, p.mark_tolerance) and behaviors.penalty_marks.state == "on the mark"
 end
 
-scenario "turned_round" {
+scenario "mirrored_placement" {
   behaviors = {
     "orientation", "background_training", "kidnap_recovery", "goal_search", "wall_gaze", "head_scan", "get_up", "penalty_marks",
   },
@@ -42,14 +42,14 @@ scenario "turned_round" {
     enter = function()
       memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
       ground_truth.note("picked up")
-      experimenter.pick_up()
+      operator.pick_up()
     end,
-    { "turned round", after = "carry", because = "put down on the reflection of its belief" },
+    { "mirrored", after = "carry", because = "put down on the reflection of its belief" },
   },
 
-  state "turned round" {
+  state "mirrored" {
     initial = "lost",
-    enter = function() experimenter.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,
+    enter = function() operator.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,
     { "failed", after = "timeout", because = "the time is up" },
 
     state "lost" {
@@ -64,14 +64,14 @@ scenario "turned_round" {
     state "right again" {
       enter = function()
         ground_truth.note("right again")
-        verdict.succeed("the robot noticed that it was turned round")
+        verdict.succeed("the robot noticed that its belief was mirrored")
       end,
     },
 
     state "right" {
       enter = function()
         ground_truth.note("arrived")
-        verdict.succeed("the robot noticed that it was turned round and walked to the right mark")
+        verdict.succeed("the robot noticed that its belief was mirrored and walked to the right mark")
       end,
     },
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robots/companion/greeting.h"
+#include "robots/companion/handshake.h"
 
 #include <array>
 #include <functional>
@@ -17,29 +17,29 @@ std::span<const std::byte> bytes_of(const reorient_hello& hello) { return std::a
 /// Empty: it is taken.
 std::string complaint_about(const reorient_hello& hello) {
   try {
-    static_cast<void>(read_greeting(bytes_of(hello), nobody_known()));
+    static_cast<void>(read_handshake(bytes_of(hello), nobody_known()));
     return {};
   } catch (const BadMessage& bad) {
     return bad.what();
   }
 }
 
-TEST(Greeting, SaysWhichRobotItIs) {
-  const Greeting greeting = read_greeting(bytes_of(small_hello(9)), nobody_known());
-  EXPECT_EQ(greeting.client, 9u);
-  EXPECT_FALSE(greeting.own_localization);
-  EXPECT_TRUE(greeting.carries_out_head);
-  EXPECT_TRUE(greeting.carries_out_walk);
-  EXPECT_FALSE(greeting.carries_out_get_up) << "it does not want to, and cannot";
-  EXPECT_EQ(greeting.body.name, "a test robot");
-  EXPECT_EQ(greeting.body.neck.yaw, 2.0);
-  EXPECT_EQ(greeting.body.standing_load, 5.0);
-  EXPECT_FALSE(greeting.body.lower_camera);
-  EXPECT_EQ(greeting.field.length, 9.0);
-  EXPECT_NEAR(greeting.body.upper_camera.field_of_view_horizontal, 2.0 * std::atan(32.0 / 60.0), 1e-9);
+TEST(Handshake, SaysWhichRobotItIs) {
+  const Handshake handshake = read_handshake(bytes_of(small_hello(9)), nobody_known());
+  EXPECT_EQ(handshake.client, 9u);
+  EXPECT_FALSE(handshake.own_localization);
+  EXPECT_TRUE(handshake.carries_out_head);
+  EXPECT_TRUE(handshake.carries_out_walk);
+  EXPECT_FALSE(handshake.carries_out_get_up) << "it does not want to, and cannot";
+  EXPECT_EQ(handshake.body.name, "a test robot");
+  EXPECT_EQ(handshake.body.neck.yaw, 2.0);
+  EXPECT_EQ(handshake.body.standing_load, 5.0);
+  EXPECT_FALSE(handshake.body.lower_camera);
+  EXPECT_EQ(handshake.field.length, 9.0);
+  EXPECT_NEAR(handshake.body.upper_camera.field_of_view_horizontal, 2.0 * std::atan(32.0 / 60.0), 1e-9);
 }
 
-TEST(Greeting, MayNameARobotAndAField) {
+TEST(Handshake, MayNameARobotAndAField) {
   reorient_hello hello = small_hello();
   hello.body = {};
   set_text(hello.body.name, "k9");
@@ -56,32 +56,32 @@ TEST(Greeting, MayNameARobotAndAField) {
     field.length = 12.0;
     return name == "lawn" ? std::optional(field) : std::nullopt;
   };
-  const Greeting greeting = read_greeting(bytes_of(hello), known);
-  EXPECT_EQ(greeting.field.length, 12.0);
-  EXPECT_EQ(greeting.body.dimensions.upper.position.z(), 0.07) << "its own calibration counts";
-  EXPECT_FALSE(greeting.body.lower_camera) << "and so do the cameras that it has";
+  const Handshake handshake = read_handshake(bytes_of(hello), known);
+  EXPECT_EQ(handshake.field.length, 12.0);
+  EXPECT_EQ(handshake.body.dimensions.upper.position.z(), 0.07) << "its own calibration counts";
+  EXPECT_FALSE(handshake.body.lower_camera) << "and so do the cameras that it has";
 }
 
-TEST(Greeting, OfTheSameRobotMayCalibrateAnew) {
+TEST(Handshake, OfTheSameRobotMayCalibrateAnew) {
   reorient_hello hello = small_hello(1);
-  const Greeting one = read_greeting(bytes_of(hello), nobody_known());
+  const Handshake one = read_handshake(bytes_of(hello), nobody_known());
   hello.client = 2;
   hello.cameras[0].tilt += 0.003;
   hello.cameras[0].focal[0] += 0.7;
   hello.cameras[0].center[1] -= 1.5;
   hello.cameras[0].distortion[0] = 0.01;
-  EXPECT_EQ(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_EQ(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
   hello.cameras[0].width *= 2;
-  EXPECT_NE(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
   hello = small_hello(1);
   hello.way = REORIENT_OWN_LOCALIZATION;
-  EXPECT_NE(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
   hello = small_hello(1);
   hello.body.yaw_limit = 1.0;
-  EXPECT_NE(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
 }
 
-TEST(Greeting, WithAMistakeIsRefusedWithWhatIsWrong) {
+TEST(Handshake, WithAMistakeIsRefusedWithWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<std::function<void(reorient_hello&)>, const char*> mistakes[] = {
       {[](auto& hello) { hello.way = 0; }, "way is 0"},
@@ -120,35 +120,35 @@ std::vector<std::byte> with_lenses(const reorient_hello& hello, const std::array
   return bytes;
 }
 
-TEST(Greeting, MayDescribeALensBehindTheHello) {
+TEST(Handshake, MayDescribeALensBehindTheHello) {
   std::array<reorient_lens, 2> lenses{};
   lenses[0] = {REORIENT_LENS_FISHEYE, 4, {0.02, -0.003, 0.001, -0.0002}};
-  const Greeting greeting = read_greeting(with_lenses(small_hello(), lenses), nobody_known());
-  const CameraModel camera = camera_model(*greeting.cameras[0], greeting.lenses[0]);
+  const Handshake handshake = read_handshake(with_lenses(small_hello(), lenses), nobody_known());
+  const CameraModel camera = camera_model(*handshake.cameras[0], handshake.lenses[0]);
   EXPECT_EQ(camera.projection, CameraProjection::fisheye);
   EXPECT_EQ(camera.k4, -0.0002);
-  EXPECT_GT(greeting.body.upper_camera.field_of_view_horizontal,
-            read_greeting(bytes_of(small_hello()), nobody_known()).body.upper_camera.field_of_view_horizontal);
+  EXPECT_GT(handshake.body.upper_camera.field_of_view_horizontal,
+            read_handshake(bytes_of(small_hello()), nobody_known()).body.upper_camera.field_of_view_horizontal);
   lenses[0] = {REORIENT_LENS_PINHOLE, 5, {0.02, -0.003, 0.001, -0.0002, 0.001}};
-  EXPECT_EQ(read_greeting(with_lenses(small_hello(), lenses), nobody_known()).lenses[0].k3, 0.001);
+  EXPECT_EQ(read_handshake(with_lenses(small_hello(), lenses), nobody_known()).lenses[0].k3, 0.001);
 }
 
-TEST(Greeting, WithALensThatSaysNothingIsTheSameAsWithout) {
+TEST(Handshake, WithALensThatSaysNothingIsTheSameAsWithout) {
   reorient_hello hello = small_hello();
   hello.cameras[0].distortion[0] = 0.05;
-  const Greeting one = read_greeting(with_lenses(hello, {}), nobody_known());
+  const Handshake one = read_handshake(with_lenses(hello, {}), nobody_known());
   EXPECT_EQ(one.lenses[0].k1, 0.05);
-  EXPECT_EQ(identity_of(one), identity_of(read_greeting(bytes_of(hello), nobody_known())));
+  EXPECT_EQ(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
 }
 
-TEST(Greeting, OfTheSameRobotMayGetAnotherLens) {
+TEST(Handshake, OfTheSameRobotMayGetAnotherLens) {
   std::array<reorient_lens, 2> lenses{};
   lenses[0].model = REORIENT_LENS_FISHEYE;
-  EXPECT_EQ(identity_of(read_greeting(with_lenses(small_hello(), lenses), nobody_known())),
-            identity_of(read_greeting(bytes_of(small_hello()), nobody_known())));
+  EXPECT_EQ(identity_of(read_handshake(with_lenses(small_hello(), lenses), nobody_known())),
+            identity_of(read_handshake(bytes_of(small_hello()), nobody_known())));
 }
 
-TEST(Greeting, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
+TEST(Handshake, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<reorient_lens, const char*> mistakes[] = {
       {{4, 0, {}}, "lens of camera 0: unknown model 4 (expected 0 to 3)"},
@@ -161,7 +161,7 @@ TEST(Greeting, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
   };
   for (const auto& [lens, why] : mistakes) {
     try {
-      static_cast<void>(read_greeting(with_lenses(small_hello(), {lens}), nobody_known()));
+      static_cast<void>(read_handshake(with_lenses(small_hello(), {lens}), nobody_known()));
       ADD_FAILURE() << why;
     } catch (const BadMessage& bad) {
       EXPECT_NE(std::string(bad.what()).find(why), std::string::npos) << bad.what();
@@ -169,16 +169,16 @@ TEST(Greeting, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
   }
 }
 
-TEST(Greeting, OfAnotherSizeIsRefused) {
+TEST(Handshake, OfAnotherSizeIsRefused) {
   const reorient_hello hello = small_hello();
   const auto bytes = bytes_of(hello);
-  EXPECT_THROW(read_greeting(bytes.first(bytes.size() - 1), nobody_known()), BadMessage);
+  EXPECT_THROW(read_handshake(bytes.first(bytes.size() - 1), nobody_known()), BadMessage);
   std::vector<std::byte> longer(bytes.begin(), bytes.end());
   longer.push_back({});
-  EXPECT_THROW(read_greeting(longer, nobody_known()), BadMessage);
+  EXPECT_THROW(read_handshake(longer, nobody_known()), BadMessage);
 }
 
-TEST(Greeting, ImagesOfAnUnknownFormatHaveNoSize) {
+TEST(Handshake, ImagesOfAnUnknownFormatHaveNoSize) {
   for (const std::uint32_t format : {0u, 6u, 4000000000u}) {
     reorient_camera camera{};
     camera.width = 64;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robots/companion/greeting.h"
+#include "robots/companion/handshake.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +144,7 @@ FieldDimensions field_of(const reorient_field& told, const RobotBody& body, cons
 
 }  // namespace
 
-Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& known) {
+Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& known) {
   const auto hello = take_message<reorient_hello>(bytes, "the hello");
   std::array<std::optional<reorient_lens>, 2> lenses;
   if (!bytes.empty()) {
@@ -156,34 +156,34 @@ Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& know
   if (hello.client == 0)
     throw BadMessage(
         "hello: client is 0; draw it by lot when your process begins, so that a new one is told from the old");
-  Greeting greeting;
-  greeting.client = hello.client;
-  greeting.own_localization = hello.way == REORIENT_OWN_LOCALIZATION;
-  greeting.delay = checked(hello.delay, 0.0, 2.0, "delay");
-  greeting.body = body_of(hello.body, known);
-  greeting.field = field_of(hello.field, greeting.body, known);
-  for (std::size_t i = 0; i < greeting.cameras.size(); ++i) {
+  Handshake handshake;
+  handshake.client = hello.client;
+  handshake.own_localization = hello.way == REORIENT_OWN_LOCALIZATION;
+  handshake.delay = checked(hello.delay, 0.0, 2.0, "delay");
+  handshake.body = body_of(hello.body, known);
+  handshake.field = field_of(hello.field, handshake.body, known);
+  for (std::size_t i = 0; i < handshake.cameras.size(); ++i) {
     if (hello.cameras[i].format == REORIENT_NO_IMAGE) continue;
     check(hello.cameras[i]);
-    greeting.cameras[i] = hello.cameras[i];
-    greeting.lenses[i] = lens_of(hello.cameras[i], lenses[i], static_cast<int>(i));
+    handshake.cameras[i] = hello.cameras[i];
+    handshake.lenses[i] = lens_of(hello.cameras[i], lenses[i], static_cast<int>(i));
   }
-  if (!greeting.cameras[0]) throw BadMessage("hello: the first camera is missing; a robot with one has that one");
-  RobotBody& body = greeting.body;
+  if (!handshake.cameras[0]) throw BadMessage("hello: the first camera is missing; a robot with one has that one");
+  RobotBody& body = handshake.body;
   const auto mount_of = [](const reorient_camera& camera) {
     return CameraMount{vector_of(camera.position), camera.tilt};
   };
-  body.upper_camera = optics_of(*greeting.cameras[0], greeting.lenses[0]);
-  body.dimensions.upper = mount_of(*greeting.cameras[0]);
+  body.upper_camera = optics_of(*handshake.cameras[0], handshake.lenses[0]);
+  body.dimensions.upper = mount_of(*handshake.cameras[0]);
   body.lower_camera.reset();
-  if (greeting.cameras[1]) {
-    body.lower_camera = optics_of(*greeting.cameras[1], greeting.lenses[1]);
-    body.dimensions.lower = mount_of(*greeting.cameras[1]);
+  if (handshake.cameras[1]) {
+    body.lower_camera = optics_of(*handshake.cameras[1], handshake.lenses[1]);
+    body.dimensions.lower = mount_of(*handshake.cameras[1]);
   }
-  greeting.carries_out_head = (hello.wants & REORIENT_WANT_HEAD) != 0;
-  greeting.carries_out_walk = (hello.wants & REORIENT_WANT_WALK) != 0 && body.gait.has_value();
-  greeting.carries_out_get_up = (hello.wants & REORIENT_WANT_GET_UP) != 0 && body.get_up_time.has_value();
-  return greeting;
+  handshake.carries_out_head = (hello.wants & REORIENT_WANT_HEAD) != 0;
+  handshake.carries_out_walk = (hello.wants & REORIENT_WANT_WALK) != 0 && body.gait.has_value();
+  handshake.carries_out_get_up = (hello.wants & REORIENT_WANT_GET_UP) != 0 && body.get_up_time.has_value();
+  return handshake;
 }
 
 CameraModel camera_model(const reorient_camera& camera, const Lens& lens) {
@@ -196,8 +196,8 @@ CameraModel camera_model(const reorient_camera& camera, const Lens& lens) {
   return model;
 }
 
-std::vector<std::byte> identity_of(const Greeting& greeting) {
-  RobotBody body = greeting.body;
+std::vector<std::byte> identity_of(const Handshake& handshake) {
+  RobotBody body = handshake.body;
   // What a calibration changes: a frame's cameras are those of the client's hello, whatever the engine began with.
   for (CameraMount* const mount : {&body.dimensions.upper, &body.dimensions.lower}) mount->tilt = 0.0;
   const auto leave_out = [](CameraOptics& optics) {
@@ -208,8 +208,8 @@ std::vector<std::byte> identity_of(const Greeting& greeting) {
   if (body.lower_camera) leave_out(*body.lower_camera);
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
-  out(greeting.own_localization, greeting.carries_out_head, greeting.carries_out_walk, greeting.carries_out_get_up,
-      body, greeting.field);
+  out(handshake.own_localization, handshake.carries_out_head, handshake.carries_out_walk, handshake.carries_out_get_up,
+      body, handshake.field);
   return bytes;
 }
 

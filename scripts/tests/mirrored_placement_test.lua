@@ -1,4 +1,4 @@
---- Tests of scenarios/turned_round.lua.
+--- Tests of scenarios/mirrored_placement.lua.
 
 -- SPDX-License-Identifier: MIT
 
@@ -8,17 +8,17 @@ local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rot
 --- Up to the moment when the robot stands where its belief is reflected.
 local function put_down()
   set_truth(-3.2, -3.5, math.rad(90))
-  load_scenario "turned_round"
+  load_scenario "mirrored_placement"
   advance(0.1)
   expect.action("put_down")
   expect.action("set_initial_pose")
   set_belief(1, 0.5, 0)
   advance(40.1)
-  expect.state("turned_round", "carrying")
+  expect.state("mirrored_placement", "carrying")
   expect.action("pick_up")
   set_world { robot = { posture = "lifted" } }
   advance(1.6)
-  expect.state("turned_round", "turned round/lost")
+  expect.state("mirrored_placement", "mirrored/lost")
   expect.action("put_down")
   set_world { robot = { posture = "upright" } }
   set_truth(-1, -0.5, math.pi)
@@ -67,7 +67,7 @@ test("a robot that cannot walk has done its job when its belief stays right", fu
   set_truth(-1, -0.5, math.pi)
   set_belief(-1, -0.5, math.pi)
   advance(1)
-  expect.state("turned_round", "turned round/lost")
+  expect.state("mirrored_placement", "mirrored/lost")
   advance(1.5)
   expect.verdict(true, "noticed")
 end)

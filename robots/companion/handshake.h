@@ -23,7 +23,7 @@ struct KnownRobots {
   std::function<std::optional<FieldDimensions>(const std::string& name)> field;
 };
 
-struct Greeting {
+struct Handshake {
   std::uint64_t client = 0;       ///< another one where the client's process has begun anew
   bool own_localization = false;  ///< the team's belief counts, and ours rests
   bool carries_out_head = false;  ///< what the robot does of what behaviours ask for
@@ -37,12 +37,12 @@ struct Greeting {
 };
 
 /// Throws BadMessage.
-Greeting read_greeting(std::span<const std::byte> bytes, const KnownRobots& known);
+Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& known);
 
 CameraModel camera_model(const reorient_camera& camera, const Lens& lens);
 
 /// All that an engine is made for: the robot, its field, what it carries out and whose localization counts; not how its
 /// cameras are calibrated. Where two are equal, an engine can go on from the one with the other.
-std::vector<std::byte> identity_of(const Greeting& greeting);
+std::vector<std::byte> identity_of(const Handshake& handshake);
 
 }  // namespace reorient

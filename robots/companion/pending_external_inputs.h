@@ -12,7 +12,7 @@
 namespace reorient {
 
 /// What is told once must not be lost with a frame that nobody looks at, whatever else is wrong with that frame.
-class PendingTold {
+class PendingExternalInputs {
  public:
   /// This client has said hello. Where it is another process, the one before it was so sure of a pose that it told.
   void begin_client(std::uint64_t client);
@@ -22,20 +22,20 @@ class PendingTold {
   /// Whether a pose was told.
   bool hear(const FrameMessage& message);
   /// What the GameController says.
-  void hear(const Told& game);
+  void hear(const ExternalInputs& game);
 
   /// With the frame that is looked at. The robot may have moved on since a pose was told, and the axes may be those of
   /// the other half by now. Each frame says in which half it is, so that half-time is lost with none.
-  Told take(const FrameMessage& message);
+  ExternalInputs take(const FrameMessage& message);
 
   /// What a process that takes this one's place has to know.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    archive(self.is_other_half_, self.referee_, self.told_.half_time);
+    archive(self.is_other_half_, self.referee_, self.external_.half_time);
   }
 
  private:
-  Told told_;                           ///< half-time: as the GameController says it
+  ExternalInputs external_;             ///< half-time: as the GameController says it
   std::optional<Pose2> odometry_;       ///< the client's where the pose was told, if it made sense
   bool is_pose_of_other_half_ = false;  ///< its axes
   std::optional<bool> is_other_half_;   ///< the axes of the frame before, of the same client

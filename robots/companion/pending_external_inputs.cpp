@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "robots/companion/pending_external_inputs.h"
+
+#include <utility>
+
+namespace reorient {
+
+void PendingExternalInputs::begin_client(std::uint64_t client) {
+  if (std::exchange(client_, client) != client) external_.initial_pose.reset();
+}
+
+bool PendingExternalInputs::hear(const FrameMessage& message) {
+  const reorient_frame& frame = message.frame;
+  if (message.has(REORIENT_HAS_REFEREE)) {
+    referee_.penalized = frame.penalized != 0;
+    external_.referee = referee_;
+  }
+  for (const Message& word : message.messages) {
+    if (external_.messages.size() < kMostMessages) external_.messages.push_back(word);
+  }
+  if (!message.has(REORIENT_HAS_TOLD_POSE) || !is_told_pose_sound(frame)) return false;
+  external_.initial_pose = InitialPose{pose_of(frame.told_pose), frame.told_deviation[0], frame.told_deviation[1]};
+  odometry_.reset();
+  if (is_odometry_sound(frame)) odometry_ = pose_of(frame.odometry);
+  is_pose_of_other_half_ = message.has(REORIENT_OTHER_HALF);
+  return true;
+}
+
+void PendingExternalInputs::hear(const ExternalInputs& game) {
+  if (game.referee) external_.referee = referee_ = *game.referee;
+  if (!game.half_time) return;
+  external_.half_time = !external_.half_time;
+  if (external_.initial_pose) external_.initial_pose->pose = reflect(external_.initial_pose->pose);
+}
+
+ExternalInputs PendingExternalInputs::take(const FrameMessage& message) {
+  const bool is_other_half = message.has(REORIENT_OTHER_HALF);
+  ExternalInputs external = std::exchange(external_, {});
+  if (external.initial_pose) {
+    Pose2& pose = external.initial_pose->pose;
+    if (odometry_) pose = pose * (odometry_->inverse() * pose_of(message.frame.odometry));
+    if (is_pose_of_other_half_ != is_other_half) pose = reflect(pose);
+  }
+  if (is_other_half != is_other_half_.value_or(is_other_half)) external.half_time = !external.half_time;
+  is_other_half_ = is_other_half;
+  return external;
+}
+
+}  // namespace reorient

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The fingerprint of what a run believed, decided and did, without names and texts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "engine/record/record_bytes.h"
+#include "geometry/bytes.h"
+#include "workbench/run/observer.h"
+
+namespace reorient {
+
+/// The same as long as only names of states, reasons and messages to people change; DigestObserver covers these, too.
+struct NumberDigest : Observer {
+  Topics wanted() const override { return {}; }
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
+    bytes_.clear();
+    for (const Topic topic : {Topic::inputs, Topic::world, Topic::percepts, Topic::answer})
+      write_topic(frame, topic, bytes_);
+    ByteWriter writer(bytes_);
+    for (const CommandRecord& command : frame.commands)
+      writer(command.request.reorientation, command.request.priority, command.verdict);
+    for (const Lease& lease : frame.leases) writer(lease.pause);
+    if (const auto& granted = frame.reorientation)
+      writer(granted->reorientation, granted->belief_before, granted->belief_after);
+    digest_.add(bytes_);
+  }
+  std::string hex() const { return digest_.hex(); }
+
+ private:
+  Digest digest_;
+  std::vector<std::byte> bytes_;
+};
+
+}  // namespace reorient
