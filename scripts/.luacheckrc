@@ -32,14 +32,15 @@ stds.reorient = { read_globals = {
   head = fields("look"),
   log = fields("info", "note"),
   motion = fields("get_up"),
+  operator = fields("pick_up", "put_down", "push_over", "penalize", "set_game_state", "stop_game", "set_kick_off", "set_exposure_compensation", "change_light", "set_initial_pose", "tell_message", "half_time"),
   pose = fields("x", "y", "rotation", "known", "tracked", "cluster_weight", "reflected_weight", "recovery_probability"),
-  robot = fields("posture", "posture_before", "posture_for", "undisturbed_for", "penalized", "may_walk", "head_yaw", "head_pitch", "head_reach", "torso_pitch_bias", "camera_pitch_bias", "bias_deviation", "can_walk", "can_get_up", "cruise"),
+  robot = fields("posture", "posture_before", "posture_for", "time_since_disturbance", "undisturbed_for", "penalized", "may_walk", "head_yaw", "head_pitch", "head_reach", "torso_pitch_bias", "camera_pitch_bias", "bias_deviation", "can_walk", "can_get_up", "cruise"),
   seen = fields("goal_posts", "line_points", "intersections", "ball", "ball_distance", "ball_bearing"),
   team = fields("heard", "sender", "text", "send"),
   training = fields("seconds", "active"),
   truth = fields("x", "y", "rotation", "fallen", "carried"),
   verdict = fields("succeed", "fail"),
-  views = fields("telling", "telling_worth", "unknown", "unknown_worth"),
+  views = fields("best_yaw", "best_score", "unknown_yaw", "unknown_score", "telling", "telling_worth", "unknown", "unknown_worth"),
   walk = fields("velocity", "stand"),
 } }
 stds.reorient_test = { read_globals = {

@@ -37,7 +37,8 @@ game = {}
 ---@field posture "upright"|"falling"|"lying"|"getting_up"|"lifted" how it stands, lies or hangs in somebody's hands
 ---@field posture_before "upright"|"falling"|"lying"|"getting_up"|"lifted" the posture before the present one
 ---@field posture_for number s, for how long it has had its posture
----@field undisturbed_for number s, for how long it has been upright and in the game; 0 while it is not, or is penalized
+---@field time_since_disturbance number s, time since the last fall, lift or penalty; 0 while the robot is not upright or is penalized
+---@field undisturbed_for number s, former name of robot.time_since_disturbance
 ---@field penalized boolean the referee has taken it out of the game
 ---@field may_walk boolean the referee lets it: it is in the game, which is ready or playing, or of which nobody has said anything; else it stands, whatever a behaviour asks
 ---@field head_yaw number rad, measured angle of the head, to the left
@@ -85,10 +86,14 @@ confidence = {}
 
 ---Which way to turn the head, as long as the body stays as it is.
 ---@class reorient.views
----@field telling number rad, yaw of the head at which the room would tell most about the pose and its reflection
----@field telling_worth number tiles, how much it would tell there; 0: there is nothing to see
----@field unknown number rad, yaw of the head at which most of the wall is yet to be learned
----@field unknown_worth number tiles, how much is to be learned there
+---@field best_yaw number rad, yaw of the head at which the room differs most from its reflection
+---@field best_score number tiles, how much it differs there, in tiles that count fully; 0: no tile is in reach
+---@field unknown_yaw number rad, yaw of the head at which most tiles are not learned yet
+---@field unknown_score number tiles, number of tiles that are not learned yet there
+---@field telling number rad, former name of views.best_yaw
+---@field telling_worth number tiles, former name of views.best_score
+---@field unknown number rad, former name of views.unknown_yaw
+---@field unknown_worth number tiles, former name of views.unknown_score
 views = {}
 
 ---The background model of the room.
@@ -209,56 +214,56 @@ function log.note(text) end
 ---@return number
 function time_in_state() end
 
-experimenter = {}
+operator = {}
 
 ---Takes the robot off the ground.
-function experimenter.pick_up() end
+function operator.pick_up() end
 
 ---Puts the robot down at this pose (m, m, rad), upright and standing.
 ---@param x number
 ---@param y number
 ---@param rotation number
-function experimenter.put_down(x, y, rotation) end
+function operator.put_down(x, y, rotation) end
 
 ---Makes the robot fall.
-function experimenter.push_over() end
+function operator.push_over() end
 
 ---Takes the robot out of the game, or lets it in again.
 ---@param penalized boolean
-function experimenter.penalize(penalized) end
+function operator.penalize(penalized) end
 
 ---The referee says: initial, ready, set, playing, finished, standby or unknown.
 ---@param state string
-function experimenter.set_game_state(state) end
+function operator.set_game_state(state) end
 
 ---Nobody may move any more, or everybody again.
 ---@param stopped boolean
-function experimenter.stop_game(stopped) end
+function operator.stop_game(stopped) end
 
 ---Who kicks off next: ours, theirs or nobody.
 ---@param side string
-function experimenter.set_kick_off(side) end
+function operator.set_kick_off(side) end
 
 ---Changes the hall's light against the camera's exposure, in powers of two.
 ---@param stops number
-function experimenter.set_exposure_compensation(stops) end
+function operator.set_exposure_compensation(stops) end
 
 ---Another light begins, as the parameters `light` say.
-function experimenter.change_light() end
+function operator.change_light() end
 
 ---Tells the robot where it stands (m, m, rad).
 ---@param x number
 ---@param y number
 ---@param rotation number
-function experimenter.set_initial_pose(x, y, rotation) end
+function operator.set_initial_pose(x, y, rotation) end
 
 ---Tells the robot what a team mate says, at most 240 bytes.
 ---@param sender integer
 ---@param text string
-function experimenter.tell_message(sender, text) end
+function operator.tell_message(sender, text) end
 
 ---Tells the robot that the teams change sides; it stays where it is, and from here on all poses are in the axes of the new half.
-function experimenter.half_time() end
+function operator.half_time() end
 
 chance = {}
 
@@ -277,6 +282,9 @@ function verdict.succeed(text) end
 ---Ends the run: the robot did wrong, and why.
 ---@param text string
 function verdict.fail(text) end
+
+---@deprecated
+experimenter = operator
 
 do
 ---How much evidence does it take to act on it? What people want is a robot that errs at most so often. Evidence is told in log-odds: where it says 99 in 100, it is wrong once in a hundred times that it has a chance to be. So what is asked for follows from how often that is. One place decides it for all behaviours.
@@ -422,7 +430,7 @@ function behavior(name) end
 ---@return fun(body: reorient.State): table
 function state(name) end
 
----Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the field. `behaviors`: which to load. `room = "rooms/lab.hdr"` (a panorama, from the scripts' root, or the name of one in assets/rooms) or `hall_seed = 3`, and `field` likewise: where it takes place, unless the command line says it. It alone has `truth`, `experimenter` and `verdict`; it cannot move the robot. It runs after each frame.
+---Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the field. `behaviors`: which to load. `room = "rooms/lab.hdr"` (a panorama, from the scripts' root, or the name of one in assets/rooms) or `hall_seed = 3`, and `field` likewise: where it takes place, unless the command line says it. It alone has `truth`, `operator` and `verdict`; it cannot move the robot. It runs after each frame.
 ---@param name string
 ---@return fun(body: reorient.State)
 function scenario(name) end
