@@ -4,6 +4,8 @@
 #include <memory>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -22,11 +24,10 @@ std::string text_of(const std::filesystem::path& file) {
   return *text;
 }
 
-void fill(const std::filesystem::path& page) {
-  const std::string before = text_of(page);
-  std::string after;
+/// The results that a page names are relative to its folder.
+std::string filled(const std::filesystem::path& page, const std::string& text) {
   try {
-    after = with_tables(before, [&page](const std::filesystem::path& named) {
+    return with_tables(text, [&page](const std::filesystem::path& named) {
       const std::filesystem::path file = page.parent_path() / named;
       std::error_code error;
       const bool is_note = named.string().ends_with(".run.json");
@@ -35,19 +36,37 @@ void fill(const std::filesystem::path& page) {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(as_line(page.string() + ": " + error.what()));
   }
-  if (after != before) write_whole_file(page, after);
+}
+
+/// Writes nothing if one of the pages has a mistake.
+void fill(const std::vector<std::filesystem::path>& pages) {
+  std::vector<std::pair<std::filesystem::path, std::string>> changed;
+  bool is_any_with_tables = false;
+  for (const std::filesystem::path& page : pages) {
+    const std::string before = text_of(page);
+    if (!has_tables(before)) continue;
+    is_any_with_tables = true;
+    if (std::string after = filled(page, before); after != before) changed.emplace_back(page, std::move(after));
+  }
+  if (!is_any_with_tables)
+    throw std::runtime_error(as_line(pages.front().string()) +
+                             ": no `<!-- rows … -->` comment in it; docs/experiments.md says how to write one");
+  for (const auto& [page, text] : changed) write_whole_file(page, text);
 }
 
 }  // namespace
 
 Subcommand add_tables(CLI::App& experiment) {
-  const auto page = std::make_shared<std::filesystem::path>();
-  CLI::App* const parser = experiment.add_subcommand("tables", "make the tables of a Markdown page from results");
-  parser->add_option("page", *page, "a page with comments that ask for rows (docs/experiments.md)")
+  const auto pages = std::make_shared<std::vector<std::filesystem::path>>();
+  CLI::App* const parser = experiment.add_subcommand("tables", "make the tables of Markdown pages from results");
+  parser
+      ->add_option("pages", *pages,
+                   "Markdown pages with comments that request tables (docs/experiments.md); pages without such a "
+                   "comment are skipped")
       ->check(check_not_empty)
       ->required();
-  return {parser, [page](std::ostream&, std::ostream&) {
-            fill(*page);
+  return {parser, [pages](std::ostream&, std::ostream&) {
+            fill(*pages);
             return kSuccess;
           }};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment tables`: the tables of a page, made anew from the results that it names.
+// `reorient experiment tables`: generates the tables of pages from the results that they name.
 #pragma once
 
 #include "program/subcommand.h"

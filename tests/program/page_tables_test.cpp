@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Tables of a page that are made from stored results; the page of evidence among them.
+// Tables of a page that are generated from stored results, among them the tables of docs/evidence/.
 #include "program/experiment/outputs/page_tables.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +74,14 @@ TEST(PageTables, ShowOnlyTheRowsThatAreAskedFor) {
   EXPECT_EQ(made.find("none"), std::string::npos) << made;
 }
 
+TEST(PageTables, ShowRowsThatHaveOneOfSeveralValues) {
+  const std::string comment = "<!-- rows t.json: test | trials | mode = default, mode = none, trials = 100 -->\n";
+  const std::string made = filled(comment + "<!-- end of rows -->\n");
+  EXPECT_NE(made.find("| head only | 100 |\n| a \\| b | 100 |\n"), std::string::npos) << made;
+  EXPECT_EQ(mistake("<!-- rows t.json: test | mode = default, trials = 20, trials = 30 -->\n<!-- end of rows -->\n"),
+            "line 1: t.json has no such rows");
+}
+
 TEST(PageTables, SayHowTheirResultsWereMade) {
   const std::string made = filled("<!-- rows run.json: trials -->\n<!-- end of rows -->\n");
   EXPECT_NE(
@@ -87,15 +97,35 @@ TEST(PageTables, KeepTheEndsOfThePagesLines) {
             "<!-- end of rows -->\r\nNo end of this");
 }
 
-TEST(PageTables, LeaveAFileAloneThatAsksForNone) {
-  for (const char* const text : {"", "no page", "a page\n\nof words\n", "RRmModel\r\n"})
-    EXPECT_TRUE(mistake(text).starts_with("no `<!-- rows … -->` comment in it")) << text;
+TEST(PageTables, LeaveAFileWithoutCommentsAlone) {
+  for (const char* const text : {"", "no page", "a page\n\nof words\n", "RRmModel\r\n"}) {
+    EXPECT_FALSE(has_tables(text)) << text;
+    EXPECT_EQ(filled(text), text);
+  }
   const TemporaryFolder folder;
   const std::string file = folder.write("hall.model", "learned").string();
   const ProgramRun run = run_reorient({"experiment", "tables", file});
   EXPECT_EQ(run.code, kBadInput);
   EXPECT_NE(run.err.find(file + ": no `<!-- rows"), std::string::npos) << run.err;
   EXPECT_EQ(read_text(file), "learned");
+}
+
+TEST(PageTables, OfSeveralPagesAreWrittenOnlyIfAllAreRight) {
+  const TemporaryFolder folder;
+  const std::string end = "<!-- end of rows -->\n";
+  const std::string begin = "<!-- rows t.json: trials -->\n";
+  const std::string without = folder.write("a.md", "No table.\n").string();
+  const std::string right = folder.write("b.md", begin + end).string();
+  const std::string wrong = folder.write("c.md", "<!-- rows t.json: trails -->\n" + end).string();
+  folder.write("t.json", kRows);
+  const ProgramRun refused = run_reorient({"experiment", "tables", without, right, wrong});
+  EXPECT_EQ(refused.code, kBadInput);
+  EXPECT_NE(refused.err.find(wrong + ": line 1: "), std::string::npos) << refused.err;
+  EXPECT_EQ(read_text(right), begin + end);
+  const ProgramRun made = run_reorient({"experiment", "tables", without, right});
+  EXPECT_EQ(made.code, kSuccess) << made.err;
+  EXPECT_EQ(read_text(without), "No table.\n");
+  EXPECT_EQ(read_text(right), begin + "| trials |\n|---|\n| 100 |\n| 100 |\n" + end);
 }
 
 TEST(PageTables, NameTheLineOfAMistake) {

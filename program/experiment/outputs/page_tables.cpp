@@ -2,6 +2,7 @@
 #include "program/experiment/outputs/page_tables.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -23,7 +24,7 @@ constexpr std::string_view kEnd = "<!-- end of rows -->";
 struct TableWish {
   std::string file;
   std::vector<std::string> columns;
-  std::vector<std::pair<std::string, std::string>> only;  ///< key and value that a row must have
+  std::map<std::string, std::vector<std::string>> only;  ///< keys of a row, with the values that it may have there
 };
 
 std::string trimmed(std::string_view text) {
@@ -57,7 +58,7 @@ TableWish wish_of(std::string_view comment) {
       if (equals == std::string::npos) {
         wish.columns.push_back(one);
       } else {
-        wish.only.emplace_back(trimmed(one.substr(0, equals)), trimmed(one.substr(equals + 1)));
+        wish.only[trimmed(one.substr(0, equals))].push_back(trimmed(one.substr(equals + 1)));
       }
     }
   }
@@ -134,7 +135,8 @@ std::string table_of(const TableWish& wish, const ordered_json& rows) {
   for (const ordered_json& row : rows) {
     if (!row.is_object()) throw std::runtime_error(wish.file + " is no list of rows");
     const bool is_wanted = std::all_of(wish.only.begin(), wish.only.end(), [&row](const auto& only) {
-      return number_text(only.first, value_of(row, only.first)) == only.second;
+      const auto& [key, values] = only;
+      return std::find(values.begin(), values.end(), number_text(key, value_of(row, key))) != values.end();
     });
     if (!is_wanted) continue;
     body += "|";
@@ -179,10 +181,15 @@ std::string with_line_ends(const std::string& text, std::string_view end) {
 
 }  // namespace
 
+bool has_tables(std::string_view page) {
+  while (!page.empty())
+    if (take_line(page).text.starts_with(kBegin)) return true;
+  return false;
+}
+
 std::string with_tables(std::string_view page,
                         const std::function<std::string(const std::filesystem::path& file)>& read) {
   std::string made;
-  bool has_wish = false;
   int open = 0;  // line of the comment that began the table; 0: none did
   int number = 0;
   while (!page.empty()) {
@@ -198,7 +205,6 @@ std::string with_tables(std::string_view page,
     if (!line.starts_with(kBegin)) continue;
     if (open > 0) throw std::runtime_error(fmt::format("line {}: the rows from line {} on do not end", number, open));
     open = number;
-    has_wish = true;
     try {
       const TableWish wish = wish_of(line);
       const std::filesystem::path file = wish.file;
@@ -210,9 +216,6 @@ std::string with_tables(std::string_view page,
     }
   }
   if (open > 0) throw std::runtime_error(fmt::format("line {}: these rows do not end; add {}", open, kEnd));
-  // Whatever it is, it is not to be written.
-  if (!has_wish)
-    throw std::runtime_error("no `<!-- rows … -->` comment in it; docs/experiments.md says how to write one");
   return made;
 }
 
