@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How well the posture is known: lifts and falls that were missed, mistaken for each other, or imagined, for a robot
-// whose feet feel their load and for one that has its inertial unit alone. Prints a table; the figures stand in
-// docs/evidence.md.
+// whose feet feel their load and for one that has its inertial unit alone. Prints a table; the figures are on
+// docs/evidence/posture.md.
 //
 //   posture_events [EVENTS [SEED]]
 #include <cstdio>

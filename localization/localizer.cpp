@@ -7,7 +7,7 @@ namespace reorient {
 namespace {
 
 /// By what probability a pose that is not tracked lies elsewhere. With one half, 96 to 99 % of the true poses of robots
-/// that were put down anywhere lay within the 95 % region of their belief (docs/evidence.md).
+/// that were put down anywhere lay within the 95 % region of their belief (docs/evidence/localization.md).
 constexpr double kUntrackedIsWrong = 0.5;
 
 }  // namespace

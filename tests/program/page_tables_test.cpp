@@ -143,19 +143,24 @@ TEST(PageTables, NameTheLineOfAMistake) {
             "line 2: the rows from line 1 on do not end");
 }
 
-/// REORIENT_REGENERATE in the environment makes them anew instead of comparing them.
+/// REORIENT_REGENERATE in the environment generates them again instead of comparing them.
 TEST(GeneratedFiles, TheTablesOfTheEvidenceAreThoseOfTheStoredResults) {
-  const std::filesystem::path docs = std::filesystem::path(kSourceFolder) / "docs";
-  const std::filesystem::path committed = docs / "evidence.md";
+  const std::filesystem::path committed = std::filesystem::path(kSourceFolder) / "docs/evidence";
   const TemporaryFolder folder;
   const bool regenerate = std::getenv("REORIENT_REGENERATE") != nullptr;
-  if (std::filesystem::exists(docs / "evidence")) std::filesystem::copy(docs / "evidence", folder.path() / "evidence");
-  std::filesystem::copy(committed, folder.path() / "evidence.md");
-  const std::filesystem::path page = regenerate ? committed : folder.path() / "evidence.md";
-  const ProgramRun made = run_reorient({"experiment", "tables", page.string()});
+  if (!regenerate) std::filesystem::copy(committed, folder.path() / "evidence");
+  const std::filesystem::path pages = regenerate ? committed : folder.path() / "evidence";
+  std::vector<std::string> arguments{"experiment", "tables"};
+  for (const auto& entry : std::filesystem::directory_iterator(pages))
+    if (entry.path().extension() == ".md") arguments.push_back(entry.path().string());
+  ASSERT_GT(arguments.size(), 2U) << "no pages in " << pages;
+  const ProgramRun made = run_reorient(arguments);
   ASSERT_EQ(made.code, kSuccess) << made.err;
-  EXPECT_EQ(read_text(page), read_text(committed))
-      << committed << " is stale: reorient experiment tables docs/evidence.md makes it anew";
+  for (std::size_t page = 2; page < arguments.size(); ++page) {
+    const std::string name = std::filesystem::path(arguments[page]).filename().string();
+    EXPECT_EQ(read_text(arguments[page]), read_text(committed / name))
+        << "docs/evidence/" << name << " is stale; run: reorient experiment tables docs/evidence/*.md";
+  }
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which share of the mistakes that people make in scripts the check finds. docs/evidence.md has the table of a
-// thousand.
+// Which fraction of the mistakes that people make in scripts the check finds. docs/evidence/script-check.md has the
+// table of a thousand.
 #include "tests/workbench/script_tools/seeded_mistakes.h"
 
 #include <cmath>
