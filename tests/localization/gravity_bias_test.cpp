@@ -43,8 +43,8 @@ TEST(GravityBias, IsToldOnceAfterSomeSecondsOfWalking) {
   EXPECT_EQ(walk.times, 0);
   walk.walk(60.0, bias);
   EXPECT_EQ(walk.times, 1);
-  EXPECT_NEAR(walk.external.roll, bias.roll, 0.03);
-  EXPECT_NEAR(walk.external.pitch, bias.pitch, 0.03);
+  EXPECT_NEAR(walk.told.roll, bias.roll, 0.03);
+  EXPECT_NEAR(walk.told.pitch, bias.pitch, 0.03);
 }
 
 TEST(GravityBias, CountsFromAnewAfterTheRobotHasLostItsFeet) {
@@ -55,7 +55,7 @@ TEST(GravityBias, CountsFromAnewAfterTheRobotHasLostItsFeet) {
   EXPECT_EQ(walk.times, 0);
   walk.walk(2.0, {});
   EXPECT_EQ(walk.times, 1);
-  EXPECT_NEAR(walk.external.pitch, 0.0, 0.03) << "what was felt before does not count";
+  EXPECT_NEAR(walk.told.pitch, 0.0, 0.03) << "what was felt before does not count";
 }
 
 TEST(GravityBias, IsNothingWithoutAnAccelerometerOrWithNonsense) {

@@ -95,7 +95,7 @@ TEST(ViewChooser, LooksForWhatIsNotKnownYet) {
   }
   room.compared.clear();
   room.compared.prepare(room.model, room.wall, Comparison{});
-  EXPECT_NEAR(room.choose(0.5).unknown, -0.9, 0.3);
+  EXPECT_NEAR(room.choose(0.5).unknown_yaw, -0.9, 0.3);
   EXPECT_GE(room.choose(0.5).unknown_score, 3.0 * room.wall.rows());
 }
 
