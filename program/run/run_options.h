@@ -17,10 +17,10 @@ namespace reorient {
 
 /// A scenario and its circumstances: the same ones give the same run, byte for byte.
 struct SimulationOptions : EngineOptions {
-  std::string robot = "simulator";        ///< program/robots.h
+  std::string robot = "simulator";              ///< program/robots.h
   std::string scenario = "mirrored_placement";  ///< scripts/scenarios/NAME.lua, or a path to a file
-  std::vector<std::string> with;          ///< behaviours beside those that the scenario lists
-  std::vector<std::string> without;       ///< of those that the scenario lists
+  std::vector<std::string> with;                ///< behaviours beside those that the scenario lists
+  std::vector<std::string> without;             ///< of those that the scenario lists
   // Where it takes place; what is left open here is up to the scenario (program/run/venue.h).
   std::string room;                        ///< panorama file, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of the procedural hall

@@ -291,8 +291,9 @@ TEST_F(CommandsTest, AScenarioChoosesWhereItTakesPlaceUnlessTheCommandLineDoes) 
 
 TEST_F(CommandsTest, ASimulatedTestChoosesWhereItTakesPlace) {
   const auto result = [&](const std::string& where) {
-    folder_.write("scripts/tests/place_test.lua",
-                  "test(\"a\", function() simulate { scenario = \"mirrored_placement\", seconds = 0.1, " + where + " } end)");
+    folder_.write(
+        "scripts/tests/place_test.lua",
+        "test(\"a\", function() simulate { scenario = \"mirrored_placement\", seconds = 0.1, " + where + " } end)");
     return run({"test", "--simulator", (scripts_ / "tests/place_test.lua").string()});
   };
   EXPECT_EQ(result("hall_seed = 2, field = \"spl\"").code, kSuccess);

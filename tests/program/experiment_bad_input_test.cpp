@@ -86,10 +86,11 @@ INSTANTIATE_TEST_SUITE_P(
                           "short.toml:17: there is no parameter 'mirrored_placement.lern'"},
         UnmeantExperiment{
             "AParameterOutOfItsRange", with_line("parameters.orientation.lingering = 7"), {}, "short.toml:17: "},
-        UnmeantExperiment{"NoSuchState",
-                          with_line("measured_from = \"laerning\""),
-                          {"--plan"},
-                          "short.toml:17: scenario mirrored_placement has no state 'laerning' (did you mean 'learning'?)"},
+        UnmeantExperiment{
+            "NoSuchState",
+            with_line("measured_from = \"laerning\""),
+            {"--plan"},
+            "short.toml:17: scenario mirrored_placement has no state 'laerning' (did you mean 'learning'?)"},
         UnmeantExperiment{"NoSuchScenario", with_line("scenario = \"../x\""), {}, "../x"}),
     [](const auto& each) { return std::string(each.param.name); });
 

@@ -84,14 +84,14 @@ TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   expect_refused({"--out", out}, "short.toml:17: there is no key 'widht' here (did you mean 'width'?)");
   folder.write("short.toml", std::string(kShort) + "room = \"gone.hdr\"\n");
   expect_refused({"--out", out}, "gone.hdr");
-  folder.write("short.toml", std::string(kShort) + "scenario = \"turned_rond\"\n");
+  folder.write("short.toml", std::string(kShort) + "scenario = \"mirrored_placment\"\n");
   expect_refused({"--out", out}, "did you mean 'mirrored_placement'?");
   folder.write("short.toml", kShort);
   expect_refused({"--out", out, "--room", "gone.hdr"}, "gone.hdr");
   expect_refused({"--out", out, "--trials", "0"}, "--trials");
   expect_refused({"--out", out, "--jobs", "0"}, "--jobs");
   EXPECT_FALSE(std::filesystem::exists(out));
-  const ProgramRun unknown = run_reorient({"experiment", "turned_ruond"});
+  const ProgramRun unknown = run_reorient({"experiment", "mirrored_placment"});
   EXPECT_EQ(unknown.code, kBadInput);
   EXPECT_NE(unknown.err.find("did you mean 'mirrored_placement'?"), std::string::npos) << unknown.err;
 }
@@ -120,7 +120,8 @@ TEST_F(ExperimentTest, TakesRoomsInsteadOfTheFilesOwn) {
 TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
   const ProgramRun shown = run({"--trial", "3", "--pictures", path("pictures")});
   EXPECT_EQ(shown.code, kSuccess) << shown.err;
-  for (const char* text : {"mode none, trial 1 (seed 1)\n", "right: the belief was right at first", "mirrored_placement"})
+  for (const char* text :
+       {"mode none, trial 1 (seed 1)\n", "right: the belief was right at first", "mirrored_placement"})
     EXPECT_NE(shown.out.find(text), std::string::npos) << shown.out;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures/confidences.png"));
   expect_refused({"--trial", "5"}, "there is no trial 5; there are 1 to 4");

@@ -29,8 +29,8 @@ Condition shortened(Condition condition) {
   condition.seconds = 20.0;
   condition.measurement.limit = 1.0;
   condition.measurement.hold = 0.5;
-  for (const char* name : {"trial.learn", "mirrored_placement.learn", "kidnapped.learn", "fallen.learn", "elsewhere.learn",
-                           "learned_mirrored.learn"})
+  for (const char* name : {"trial.learn", "mirrored_placement.learn", "kidnapped.learn", "fallen.learn",
+                           "elsewhere.learn", "learned_mirrored.learn"})
     condition.parameters.push_back({name, "2", ParameterOrigin::file, "this test"});
   for (const char* name : {"trial.wait_least", "trial.wait_most"})
     condition.parameters.push_back({name, "0", ParameterOrigin::file, "this test"});
@@ -175,12 +175,28 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "ablation",     "another_day", "bodies",           "companions",    "disturbances",
-                       "elsewhere",    "false_flips", "filters",          "gaze",          "learned_mirrored",
-                       "localization", "orientation", "paper_thresholds", "peers",         "peers_failures",
-                       "stress",       "symmetric",   "symmetry_ladder",  "symmetry_mark", "table1",
-                       "mirrored_placement", "walls"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"ablation",
+                                             "another_day",
+                                             "bodies",
+                                             "companions",
+                                             "disturbances",
+                                             "elsewhere",
+                                             "false_flips",
+                                             "filters",
+                                             "gaze",
+                                             "learned_mirrored",
+                                             "localization",
+                                             "mirrored_placement",
+                                             "orientation",
+                                             "paper_thresholds",
+                                             "peers",
+                                             "peers_failures",
+                                             "stress",
+                                             "symmetric",
+                                             "symmetry_ladder",
+                                             "symmetry_mark",
+                                             "table1",
+                                             "walls"}));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ class WideLensJob : public testing::TestWithParam<std::tuple<const char*, int>> 
 TEST_P(WideLensJob, IsDoneRight) {
   const auto& [file, seed] = GetParam();
   const std::string body = (std::filesystem::path(kSourceFolder) / file).string();
-  const ProgramRun run = run_reorient({"run", "mirrored_placement", "--body", body, "--seed", std::to_string(seed), "--width",
-                                       "160", "--log", "off", "--no-pictures"});
+  const ProgramRun run = run_reorient({"run", "mirrored_placement", "--body", body, "--seed", std::to_string(seed),
+                                       "--width", "160", "--log", "off", "--no-pictures"});
   EXPECT_EQ(run.code, kSuccess) << run.out << run.err;
   EXPECT_NE(run.out.find("belief correct at the end"), std::string::npos) << run.out;
 }

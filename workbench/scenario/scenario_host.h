@@ -66,8 +66,8 @@ class RecordedBehaviors : public MachineDirectory {
 
 class ScenarioHost {
  public:
-  /// `name`: "mirrored_placement", or a file below the scripts' root. `behaviors`: what the scenario sees of those; must
-  /// outlive the host. `seed`: of what the scenario leaves to chance. Throws std::runtime_error (of a script:
+  /// `name`: "mirrored_placement", or a file below the scripts' root. `behaviors`: what the scenario sees of those;
+  /// must outlive the host. `seed`: of what the scenario leaves to chance. Throws std::runtime_error (of a script:
   /// ScriptError) with one line.
   ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
                const MachineDirectory& behaviors, std::uint64_t seed = 1);

@@ -255,6 +255,7 @@ class TwoWorlds {
       const std::string name = all[i].full_name();
       const bool is_known_elsewhere = name == "pose.known" && is_external_;
       if (kDerived.contains(name) && !is_known_elsewhere) continue;
+      if (!all[i].replacement.empty()) continue;
       if (fault_ == Fault::no_referee && all[i].table == "game" && name != "game.sides_changed") continue;
       WorldValue value{all[i].type, values[i], {}};
       if (value.type == WorldField::Type::name) value.name = all[i].names[static_cast<std::size_t>(values[i])];

@@ -374,7 +374,8 @@ int TestBench::reload(lua_State* L) {
   return 0;
 }
 
-/// simulate { scenario = "mirrored_placement", seed = 1, params = { ["decision.false_flips"] = 1 } }: from beginning to end.
+/// simulate { scenario = "mirrored_placement", seed = 1, params = { ["decision.false_flips"] = 1 } }: from beginning to
+/// end.
 int TestBench::simulate(lua_State* L) {
   SimulationRequest request = read_simulation_request(L, 1);
   if (!simulate_) {
