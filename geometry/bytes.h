@@ -171,7 +171,9 @@ class ByteReader : public NestedBytes {
   }
 
   void raw(void* data, std::size_t size) {
-    if (size > bytes_.size()) throw BadBytes("the bytes end too early");
+    if (size > bytes_.size())
+      throw BadBytes("the data ends too early: expected " + std::to_string(size) + " more bytes, found " +
+                     std::to_string(bytes_.size()));
     if (size > 0) std::memcpy(data, bytes_.data(), size);
     bytes_ = bytes_.subspan(size);
   }
@@ -180,7 +182,8 @@ class ByteReader : public NestedBytes {
 
   /// Throws where bytes are left over.
   void finish() const {
-    if (!bytes_.empty()) throw BadBytes(std::to_string(bytes_.size()) + " bytes too many");
+    if (!bytes_.empty())
+      throw BadBytes("expected the end of the data, found " + std::to_string(bytes_.size()) + " more bytes");
   }
 
  private:
@@ -264,13 +267,16 @@ class ByteReader : public NestedBytes {
   std::size_t read_size(std::size_t least) {
     std::uint32_t size = 0;
     raw(&size, sizeof(size));
-    if (size > bytes_.size() / least) throw BadBytes("a list is longer than its bytes");
+    if (size > bytes_.size() / least)
+      throw BadBytes("a list of " + std::to_string(size) + " elements does not fit into the remaining " +
+                     std::to_string(bytes_.size()) + " bytes");
     return size;
   }
   int read_index(int count) {
     std::uint8_t index = 0;
     raw(&index, 1);
-    if (index >= count) throw BadBytes("a value is none of those that it can be");
+    if (index >= count)
+      throw BadBytes("invalid value " + std::to_string(index) + " (expected 0 to " + std::to_string(count - 1) + ")");
     return index;
   }
 

@@ -107,9 +107,9 @@ std::string mistake_in(const CameraModel& camera) {
       const auto again = camera.project(ray);
       if (again && (*again - pixel).norm() < kAgreement) continue;
       std::ostringstream why;
-      why << "expected one direction for each pixel; pixel (" << std::lround(pixel.x()) << ", "
+      why << "expected one direction for each pixel, found none for pixel (" << std::lround(pixel.x()) << ", "
           << std::lround(pixel.y()) << ") of " << camera.width << "x" << camera.height
-          << " has none: the distortion folds back, or the image spans too wide an angle";
+          << ": the distortion folds back, or the field of view is too wide";
       return why.str();
     }
   }

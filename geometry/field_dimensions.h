@@ -87,7 +87,7 @@ inline std::string mistake_in(const FieldDimensions& field) {
       text.erase(text.find_last_not_of('0') + 1);
       return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
     };
-    mistake = "'" + std::string(key) + "' must be a number from " + number(least) + " to " + number(most) + " metres";
+    mistake = "'" + std::string(key) + "' must be a number from " + number(least) + " to " + number(most) + " meters";
   });
   return mistake;
 }

@@ -29,26 +29,33 @@ inline constexpr int kMostCarpetPatience = 100000;
 template <typename Visit>
 void describe(FieldFeatureParameters& p, Visit&& visit) {
   visit("carpet_memory", p.carpet_memory, 0.0, 0.99, "",
-        "share of the carpet's old colour kept when a new image comes");
-  visit("carpet_patience", p.carpet_patience, 1, kMostCarpetPatience, "images",
-        "so many images must show no carpet before a color that is no green is taken for it: it may be a floor");
+        "fraction of the learned carpet color that remains after a new image");
+  visit(
+      "carpet_patience", p.carpet_patience, 1, kMostCarpetPatience, "images",
+      "number of images without carpet after which a color other than green is learned as carpet (it may be a floor)");
   visit("carpet_saturation", p.carpet_saturation, 0.1, 0.9, "",
-        "a pixel is carpet with at least this share of the carpet's usual saturation");
-  visit("line_contrast", p.line_contrast, 2.0, 100.0, "luma", "how much brighter than the carpet a line is at least");
-  visit("noise_factor", p.noise_factor, 1.0, 10.0, "", "an edge is stronger than the carpet's texture times this");
-  visit("line_range", p.line_range, 0.5, 30.0, "m", "line points farther away are not looked for");
+        "smallest fraction of the carpet's usual saturation at which a pixel counts as carpet");
+  visit("line_contrast", p.line_contrast, 2.0, 100.0, "luma",
+        "smallest difference in luma between a line and the carpet");
+  visit("noise_factor", p.noise_factor, 1.0, 10.0, "",
+        "smallest strength of an edge, as a multiple of the carpet's texture");
+  visit("line_range", p.line_range, 0.5, 30.0, "m", "largest distance of line points");
   visit("line_spacing", p.line_spacing, 0.005, 0.5, "m",
-        "scan lines closer together on the ground than this are left out");
-  visit("line_support", p.line_support, 0, 10, "", "how many other points must continue the line of a line point");
-  visit("post_contrast", p.post_contrast, 2.0, 100.0, "luma", "how much brighter than its surroundings a goal post is");
-  visit("post_range", p.post_range, 0.5, 30.0, "m", "goal posts farther away are not looked for");
-  visit("post_agreement", p.post_agreement, 0.3, 1.0, "", "share of a post's expected outline that must be seen");
+        "smallest distance between scan lines on the ground; closer ones are skipped");
+  visit("line_support", p.line_support, 0, 10, "",
+        "number of other line points that must continue the line of a line point");
+  visit("post_contrast", p.post_contrast, 2.0, 100.0, "luma",
+        "smallest difference in luma between a goal post and its surroundings");
+  visit("post_range", p.post_range, 0.5, 30.0, "m", "largest distance of goal posts");
+  visit("post_agreement", p.post_agreement, 0.3, 1.0, "",
+        "smallest fraction of a goal post's expected outline that must be visible");
   visit("attitude_deviation", p.attitude_deviation, 0.0, 0.2, "rad",
-        "error of the camera's tilt and of its yaw, of which percepts know");
-  visit("pixel_deviation", p.pixel_deviation, 0.0, 20.0, "pixels", "error of a percept's place in the image");
-  visit("obstacle_range", p.obstacle_range, 0.5, 30.0, "m", "obstacles farther away are not looked for");
-  visit("obstacle_width", p.obstacle_width, 0.05, 1.0, "m", "what is narrower is no obstacle");
-  visit("obstacle_height", p.obstacle_height, 0.1, 4.0, "m", "how tall an obstacle is taken to be");
+        "standard deviation of the camera's tilt and of its yaw, used for the covariance of percepts");
+  visit("pixel_deviation", p.pixel_deviation, 0.0, 20.0, "pixels",
+        "standard deviation of a percept's position in the image");
+  visit("obstacle_range", p.obstacle_range, 0.5, 30.0, "m", "largest distance of obstacles");
+  visit("obstacle_width", p.obstacle_width, 0.05, 1.0, "m", "smallest width of an obstacle");
+  visit("obstacle_height", p.obstacle_height, 0.1, 4.0, "m", "assumed height of an obstacle");
 }
 
 }  // namespace reorient

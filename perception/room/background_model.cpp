@@ -43,8 +43,9 @@ int BackgroundModel::known_tiles() const {
 
 /// After reading.
 void BackgroundModel::check(std::size_t tiles) const {
-  check_bytes(tiles_.size() == tiles, "the model of a wall with another number of tiles");
-  check_bytes(std::all_of(tiles_.begin(), tiles_.end(), could_be_learned), "a tile of the model is none");
+  check_bytes(tiles_.size() == tiles, "background model: expected one entry for each tile of the wall");
+  check_bytes(std::all_of(tiles_.begin(), tiles_.end(), could_be_learned),
+              "background model: a tile has an invalid value");
 }
 
 void BackgroundModel::train(int tile, const ColorHistogram& measured, const TrainingStep& how) {

@@ -21,11 +21,12 @@ struct BackgroundParameters {
 template <typename Visit>
 void describe(BackgroundParameters& p, Visit&& visit) {
   visit("time_constant", p.time_constant, 0.1, 3600.0, "s",
-        "N of Eq. (1) and (2), as the time for which a tile is in view: N frames are N times a frame");
-  visit("true_mean_start", p.true_mean_start, "whether N grows with the visits of a tile until it reaches that");
-  visit("prior_deviation", p.prior_deviation, 0.0, 1.0, "",
-        "standard deviation of each bin before anything was learned");
-  visit("trusted_after", p.trusted_after, 0.0, 60.0, "s", "time of training after which a tile is compared with");
+        "time constant of a tile's mean and variance while it is in view: N of Eq. (1) and (2), times the time of a "
+        "frame");
+  visit("true_mean_start", p.true_mean_start,
+        "whether N of Eq. (1) and (2) grows with the visits of a tile until it reaches time_constant");
+  visit("prior_deviation", p.prior_deviation, 0.0, 1.0, "", "standard deviation of each bin before training");
+  visit("trusted_after", p.trusted_after, 0.0, 60.0, "s", "training time after which a tile is used for comparisons");
 }
 
 /// One bin's moving average and variance.

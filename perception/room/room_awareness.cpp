@@ -228,13 +228,14 @@ bool RoomAwareness::set_parameters(const RoomParameters& parameters) {
 /// After reading.
 void RoomAwareness::complete() {
   for (const std::optional<double>& value : {last_time_, last_direction_, view_center_})
-    check_bytes(!value || std::isfinite(*value), "a time or an angle is not a number");
+    check_bytes(!value || std::isfinite(*value), "room awareness: a time or an angle is not finite");
   fields(
       [](const auto&... values) {
-        check_bytes((... && std::isfinite(static_cast<double>(values))), "a confidence is not a number");
+        check_bytes((... && std::isfinite(static_cast<double>(values))), "room awareness: a confidence is not finite");
       },
       confidences_);
-  check_bytes(confidences_.age >= 0.0 && confidences_.smoothed_for >= 0.0, "a time is not a time");
+  check_bytes(confidences_.age >= 0.0 && confidences_.smoothed_for >= 0.0,
+              "room awareness: a time is negative or not a number");
   compared_model_.clear();
   perceived_.clear();
   scores_.clear();

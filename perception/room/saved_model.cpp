@@ -92,31 +92,33 @@ SavedModel read_model(std::span<const std::byte> bytes) {
   std::uint32_t version = 0, size = 0;
   check_bytes(!bytes.empty(), "it is empty");
   check_bytes(bytes.size() >= sizeof(magic) && std::memcmp(bytes.data(), &kModelMagic, sizeof(magic)) == 0,
-              "it is no model of a room");
+              "it is not a model of a room");
   check_bytes(bytes.size() >= kHead + kChecksum, "it is cut short");
   ByteReader head(bytes);
   head(magic, version, size);
   if (version > kModelVersion)
-    throw BadBytes("it is of a newer version of this program: format " + std::to_string(version) +
-                   ", and this one reads " + std::to_string(kModelVersion));
-  check_bytes(version == kModelVersion || version == kWithoutBias, "it is damaged: there never was such a format");
+    throw BadBytes("it was written by a newer version of this program: format " + std::to_string(version) +
+                   " (expected at most " + std::to_string(kModelVersion) + ")");
+  check_bytes(version == kModelVersion || version == kWithoutBias, "it is damaged: unknown format (expected 1 or 2)");
   if (bytes.size() != kHead + size + kChecksum)
-    throw BadBytes("it is cut short, or something was added: " + std::to_string(bytes.size()) + " bytes instead of " +
-                   std::to_string(kHead + size + kChecksum));
+    throw BadBytes("it is cut short or too long: found " + std::to_string(bytes.size()) + " bytes (expected " +
+                   std::to_string(kHead + size + kChecksum) + ")");
   std::memcpy(&sum, bytes.last(kChecksum).data(), sizeof(sum));
-  check_bytes(sum == checksum(bytes.first(kHead + size)), "it is damaged: its checksum is wrong");
+  check_bytes(sum == checksum(bytes.first(kHead + size)), "it is damaged: the checksum does not match");
 
   ByteReader content(bytes.subspan(kHead, size));
   SavedModel model;
   content(model.basis, model.learned);
-  check_bytes(described(model.basis).is_sound, "it is damaged: a parameter is none");
-  check_bytes(model.learned >= 0.0 && model.learned <= kLongestTraining, "it is damaged: a time is none");
+  check_bytes(described(model.basis).is_sound, "it is damaged: a parameter is invalid");
+  check_bytes(model.learned >= 0.0 && model.learned <= kLongestTraining, "it is damaged: the training time is invalid");
   const Wall wall(model.basis.wall);
-  check_bytes(differences({wall.parameters(), {}}, {model.basis.wall, {}}).empty(), "it is damaged: its wall is none");
+  check_bytes(differences({wall.parameters(), {}}, {model.basis.wall, {}}).empty(),
+              "it is damaged: the wall is invalid");
   model.model.forget(wall.tiles());
   content(model.model);
   if (version > kWithoutBias) content(model.camera_bias);
-  if (model.camera_bias) check_bytes(is_sound(model.camera_bias->bias), "it is damaged: a camera's angles are none");
+  if (model.camera_bias)
+    check_bytes(is_sound(model.camera_bias->bias), "it is damaged: an angle of a camera is invalid");
   content.finish();
   return model;
 }

@@ -156,14 +156,14 @@ void Separability::turn_half() {
 /// After reading.
 void Separability::check(std::size_t columns) const {
   check_bytes(columns_.size() == columns && next_ >= 0 && next_ < static_cast<int>(columns),
-              "the likeness of a wall with another number of columns");
-  check_bytes(probability_ >= 0.0 && probability_ <= 1.0, "the likeness of the wall to itself is no probability");
+              "separability: expected one entry for each column of the wall");
+  check_bytes(probability_ >= 0.0 && probability_ <= 1.0, "separability: the probability is outside of 0 to 1");
   check_bytes(misfit_ >= 0.0 && misfit_ <= 1.0 && misfit_age_ >= 0.0 && std::isfinite(misfit_age_),
-              "the misfit is invalid");
+              "separability: the misfit is invalid");
   for (const Column& column : columns_)
     check_bytes(column.half >= 0.0 && std::isfinite(column.half) && column.eighths >= 0.0 &&
                     std::isfinite(column.eighths) && column.tiles >= 0 && column.tiles <= kMostRows,
-                "the likeness of a column is none");
+                "separability: a column has an invalid value");
 }
 
 }  // namespace reorient

@@ -358,7 +358,7 @@ TEST_F(ModelCommand, RefusesWhatIsNoModel) {
   expect_bad({}, "name a file that 'reorient run --model FILE' has written");
   expect_bad({(folder.path() / "none").string()}, "there is no such file; name a file that");
   expect_bad({folder.path().string()}, "it is a folder; name a file that");
-  expect_bad({folder.write("long", std::string(std::size_t{2} << 20, 'x')).string()}, "it is no model of a room");
+  expect_bad({folder.write("long", std::string(std::size_t{2} << 20, 'x')).string()}, "it is not a model of a room");
   for (const test::DamagedModel& damaged : test::damaged_models()) {
     SCOPED_TRACE(damaged.what);
     expect_bad({file_of(damaged.bytes)}, damaged.complaint);

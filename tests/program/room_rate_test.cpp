@@ -159,7 +159,7 @@ TEST_F(RoomRate, RefusesWhatIsNoRoom) {
   expect_refused({path("no.mcap")}, "no.mcap: there is no such file");
   expect_refused({folder.path().string()}, "it is a folder");
   expect_refused({folder.write("a.txt", "hello\n").string()},
-                 "a.txt: it is no model of a room; name a panorama (.hdr, .png, .jpg)");
+                 "a.txt: it is not a model of a room; name a panorama (.hdr, .png, .jpg)");
   expect_refused({folder.write("a.hdr", "hello\n").string()}, "a.hdr");
   expect_refused({folder.write("a.png", "hello\n").string()}, "a.png");
   expect_refused({folder.write("empty.hdr", "").string()}, "empty.hdr");

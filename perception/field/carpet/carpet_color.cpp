@@ -200,7 +200,7 @@ void CarpetColor::check() const {
   check_bytes(sound(learned_.luma, kMostLuma) && sound(learned_.noise, kMostLuma) &&
                   sound(learned_.deviation, kMostLuma) && doubted_ >= 0 && doubted_ <= kMostCarpetPatience &&
                   is_chroma(learned_.blue) && is_chroma(learned_.red) && is_chroma(white_less_carpet_),
-              "the color of the carpet is outside of what can be seen");
+              "carpet color: a value is outside of the possible range");
 }
 
 void CarpetColor::prepare_parts() {

@@ -27,10 +27,12 @@ struct ColorParameters {
 };
 template <typename Visit>
 void describe(ColorParameters& p, Visit&& visit) {
-  visit("dark_below", p.dark_below, 1.0, 254.0, "", "c1: luma below which a colour is a dark one");
-  visit("bright_above", p.bright_above, 1.0, 255.0, "", "c2: luma from which a colour is a bright one");
-  visit("grey_within", p.grey_within, 0.0, 64.0, "", "c3: chroma nearer to neutral than this is black or white");
-  visit("blur", p.blur, 0.0, 0.25, "", "share of a bin that each of its four neighbours gets");
+  visit("dark_below", p.dark_below, 1.0, 254.0, "", "c1: luma below which a color is in the darkest slice");
+  visit("bright_above", p.bright_above, 1.0, 255.0, "",
+        "c2: luma at and above which a color is in the brightest slice");
+  visit("grey_within", p.grey_within, 0.0, 64.0, "",
+        "c3: distance of chroma from neutral below which a pixel is black or white");
+  visit("blur", p.blur, 0.0, 0.25, "", "fraction of a bin that each of its four neighbors gets");
 }
 
 /// What the camera makes of the room's light: the means over the wall that count as medium grey.

@@ -27,8 +27,8 @@ struct DistanceParameters {
 template <typename Visit>
 void describe(DistanceParameters& p, Visit&& visit) {
   visit("measure", p.measure, {"ssd3", "ssd14", "hellinger", "jensen_shannon", "chi_square"},
-        "how histograms are compared");
-  visit("cap", p.cap, 0.01, 2.0, "", "no tile counts as more different than this");
+        "distance measure between histograms");
+  visit("cap", p.cap, 0.01, 2.0, "", "largest distance of a tile; greater distances are reduced to it");
 }
 
 /// A histogram made ready for many comparisons by one measure.

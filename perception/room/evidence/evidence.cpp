@@ -68,11 +68,11 @@ void Evidence::reflect(const Wall& wall) {
 
 /// After reading.
 void Evidence::check(std::size_t tiles) const {
-  check_bytes(tiles_.size() == tiles, "the evidence of a wall with another number of tiles");
-  check_bytes(std::isfinite(log_odds_), "the evidence is not a number");
+  check_bytes(tiles_.size() == tiles, "evidence: expected one entry for each tile of the wall");
+  check_bytes(std::isfinite(log_odds_), "evidence: the log-odds are not finite");
   for (const SeenTile& tile : tiles_)
     check_bytes(std::isfinite(tile.say) && tile.time >= 0.0 && std::isfinite(tile.time),
-                "the evidence of a tile is none");
+                "evidence: a tile has an invalid value");
 }
 
 }  // namespace reorient

@@ -27,22 +27,26 @@ struct EvidenceParameters {
 };
 template <typename Visit>
 void describe(EvidenceParameters& p, Visit&& visit) {
-  visit("gain", p.gain, 0.0, 100.0, "", "log-odds of a tile for each unit by which one pose explains it better");
-  visit("cap", p.cap, 0.01, 2.0, "", "by how much more, at most, a tile may be explained better by one of the poses");
+  visit("gain", p.gain, 0.0, 100.0, "",
+        "log-odds of a tile per unit of histogram distance by which one pose explains it better");
+  visit("cap", p.cap, 0.01, 2.0, "",
+        "largest difference in histogram distance by which one pose can explain a tile better");
   visit("distinct", p.distinct, 0.0, 1.0, "",
-        "a tile of the model that differs from its reflection by this much counts half, by much less not at all");
+        "histogram distance between a tile of the model and its reflection at which the tile has half weight");
   visit("half_trained", p.half_trained, 0.0, 60.0, "s",
-        "a tile of the model that was trained for this long counts half, and so does its reflection");
+        "training time at which a tile of the model, or its reflection, has half weight");
   visit("unknown", p.unknown, 0.0, 1.0, "",
-        "weight of a tile that is known for one of the poses only: then only its own distance speaks");
-  visit("right", p.right, 0.0, 1.0, "", "distance between a tile and what is seen of it where the pose is right");
-  visit("settle", p.settle, 0.01, 60.0, "s", "over how long the mean of a tile runs while it is in view");
-  visit("look", p.look, 0.0, 10.0, "s", "after which time in view a tile has half of its say");
-  visit("leak", p.leak, 0.1, 1000.0, "s", "time constant with which the time in view fades while it is out of view");
+        "weight of a tile that is known for only one of the two poses, for which only that one distance is used");
+  visit("right", p.right, 0.0, 1.0, "",
+        "expected histogram distance between a tile of the model and its view from the correct pose");
+  visit("settle", p.settle, 0.01, 60.0, "s", "time over which the evidence of a tile is averaged while it is in view");
+  visit("look", p.look, 0.0, 10.0, "s", "time in view after which a tile has half of its weight");
+  visit("leak", p.leak, 0.1, 1000.0, "s",
+        "time constant with which a tile's time in view fades while it is out of view");
   visit("tolerance", p.tolerance, 0.0, 1.5, "rad",
-        "by how much what is in view may appear beside the tiles where it was learned");
+        "largest angle between the view and the tiles where it was learned (parallax)");
   visit("use_separability", p.use_separability,
-        "whether confidence.separability p scales the evidence by 2 p - 1, down to zero where p is at most 0.5");
+        "whether the evidence is multiplied by max(2 p - 1, 0), where p is confidence.separability");
 }
 
 /// EvidenceParameters::tolerance, in columns.

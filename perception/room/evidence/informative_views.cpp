@@ -28,9 +28,10 @@ void ViewChooser::turn_half() {
 
 /// After reading.
 void ViewChooser::check(std::size_t columns) const {
-  check_bytes(looked_at_.size() == columns, "looks at a wall with another number of columns");
+  check_bytes(looked_at_.size() == columns, "informative views: expected one viewing time for each column of the wall");
   for (const double seconds : looked_at_)
-    check_bytes(seconds >= 0.0 && std::isfinite(seconds), "a look took no time that is a number");
+    check_bytes(seconds >= 0.0 && std::isfinite(seconds),
+                "informative views: a viewing time is negative or not finite");
 }
 
 const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedModel& model, const Pose2& belief,

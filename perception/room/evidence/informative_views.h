@@ -23,13 +23,13 @@ struct ViewParameters {
 };
 template <typename Visit>
 void describe(ViewParameters& p, Visit&& visit) {
-  visit("reach", p.reach, 0.1, 3.1, "rad", "how far to either side the camera can turn");
-  visit("half_width", p.half_width, 0.05, 1.2, "rad", "half of the width of a view that shows whole tiles");
-  visit("speed", p.speed, 0.1, 20.0, "rad/s", "how fast it turns: what is near is worth more");
-  visit("dwell", p.dwell, 0.05, 5.0, "s", "how long a view is looked at");
-  visit("look", p.look, 0.01, 10.0, "s", "a part of the wall that was looked at for this long lately is worth half");
-  visit("memory", p.memory, 0.1, 600.0, "s", "time constant with which a look is forgotten");
-  visit("half_known", p.half_known, 0.0, 1.0, "", "worth of a tile that is known for one of the poses only");
+  visit("reach", p.reach, 0.1, 3.1, "rad", "largest angle to either side to which the camera can turn");
+  visit("half_width", p.half_width, 0.05, 1.2, "rad", "half of the horizontal angle of a view that shows whole tiles");
+  visit("speed", p.speed, 0.1, 20.0, "rad/s", "speed at which the camera turns; a slow camera favors near views");
+  visit("dwell", p.dwell, 0.05, 5.0, "s", "time for which the camera looks at a view");
+  visit("look", p.look, 0.01, 10.0, "s", "recent viewing time after which a part of the wall has half of its score");
+  visit("memory", p.memory, 0.1, 600.0, "s", "time constant with which viewing times fade");
+  visit("half_known", p.half_known, 0.0, 1.0, "", "score of a tile that is known for only one of the two poses");
 }
 
 /// Directions of the camera in the robot's frame, rad; worth in tiles that count fully, 0: nowhere is anything to see.

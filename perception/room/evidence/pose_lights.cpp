@@ -58,8 +58,9 @@ void PoseLights::reflect(const Wall& wall) {
 
 /// After reading.
 void PoseLights::check(std::size_t tiles) const {
-  check_bytes(tiles_.size() == tiles, "the light of a wall with another number of tiles");
-  check_bytes(is_sound(if_believed_) && is_sound(if_reflected_) && std::isfinite(until_next_), "the light is none");
+  check_bytes(tiles_.size() == tiles, "pose light: expected one entry for each tile of the wall");
+  check_bytes(is_sound(if_believed_) && is_sound(if_reflected_) && std::isfinite(until_next_),
+              "pose light: a light is invalid");
   for (const SeenLight& tile : tiles_) reorient::check(tile);
 }
 

@@ -23,13 +23,15 @@ struct PoseLightParameters {
 template <typename Visit>
 void describe(PoseLightParameters& p, Visit&& visit) {
   visit("enabled", p.enabled,
-        "whether each pose is judged in the light that it implies; otherwise both in the mean light");
-  visit("memory", p.memory, 0.5, 600.0, "s", "for how long a tile that is out of view counts");
-  visit("caution", p.caution, 0.0, 1000.0, "", "number of tiles that the mean light counts as");
+        "whether each pose is evaluated in the light that it implies; otherwise both are evaluated in the mean light");
+  visit("memory", p.memory, 0.5, 600.0, "s", "time for which a tile that is out of view still counts");
+  visit("caution", p.caution, 0.0, 1000.0, "", "weight of the mean light, as a number of tiles");
   visit("most_luma", p.most_luma, 0.0, 3.0, "",
-        "how far a light may be from the mean light: natural logarithm of luma");
-  visit("most_chroma", p.most_chroma, 0.0, 64.0, "", "the same for Cb and Cr");
-  visit("period", p.period, 0.0, 10.0, "s", "how often the two lights are estimated: the light changes slowly");
+        "largest deviation of a light from the mean light, in the natural logarithm of luma");
+  visit("most_chroma", p.most_chroma, 0.0, 64.0, "",
+        "largest deviation of a light from the mean light in Cb and in Cr");
+  visit("period", p.period, 0.0, 10.0, "s",
+        "time between two estimates of the two lights, since the light changes slowly");
 }
 
 class PoseLights {

@@ -45,12 +45,12 @@ struct ConfidenceParameters {
 template <typename Visit>
 void describe(ConfidenceParameters& p, Visit&& visit) {
   visit("half_width", p.half_width, 0.01, 1.57, "rad",
-        "half of the virtual field of view in which the belief of the view counts");
-  visit("goal_half_width", p.goal_half_width, 0.01, 1.57, "rad", "half of the wall's arc behind each goal");
-  visit("time_constant", p.time_constant, 0.0, 60.0, "s", "of the smoothing");
+        "half of the virtual field of view within which the view filter's weight counts");
+  visit("goal_half_width", p.goal_half_width, 0.01, 1.57, "rad", "half of the angle of the wall behind each goal");
+  visit("time_constant", p.time_constant, 0.0, 60.0, "s", "time constant of the smoothed confidences");
   visit("true_mean_start", p.true_mean_start,
-        "whether confidences that begin anew are the mean of what was seen since; otherwise they grow from zero");
-  visit("restart_on_purge", p.restart_on_purge, "whether they begin anew after a purge, too");
+        "whether confidences after a restart are the mean since the restart; otherwise they grow from zero");
+  visit("restart_on_purge", p.restart_on_purge, "whether the confidences also restart after a purge");
 }
 
 /// Weight of a frame of `step` seconds in the smoothing, when it ends the first `age` seconds.

@@ -51,12 +51,13 @@ void ViewFilter::find_clusters() {
 
 /// After reading.
 void ViewFilter::check(ViewMethod method) const {
-  check_bytes(method == method_, "a view filter of another method");
-  check_bytes(clusters_.size() <= particles().size() + grid_.cells(), "more clusters than there can be");
+  check_bytes(method == method_, "view filter: expected the method of the parameters, found another one");
+  check_bytes(clusters_.size() <= particles().size() + grid_.cells(),
+              "view filter: more clusters than particles or cells");
   for (const ViewCluster& cluster : clusters_)
     check_bytes(std::abs(cluster.azimuth) <= kPi && cluster.spread >= 0.0 && cluster.share >= 0.0 &&
                     std::isfinite(cluster.spread) && std::isfinite(cluster.share),
-                "a cluster of the view is none");
+                "view filter: a cluster has an invalid value");
 }
 
 }  // namespace reorient

@@ -22,16 +22,17 @@ struct ViewFilterParameters {
 };
 template <typename Visit>
 void describe(ViewFilterParameters& p, Visit&& visit) {
-  visit("method", p.method, {"particles", "grid"}, "what the belief of where the camera looks is made of");
-  visit("particles", p.particles, 10, 1000, "", "how many view particles");
-  visit("cells", p.cells, 8, 360, "", "grid: how many cells around the wall");
-  visit("noise", p.noise, 0.0, 2.0, "rad/s^0.5", "random walk of the view: 0.166 is 3 degrees in 0.1 s");
-  visit("sharpness", p.sharpness, 0.0, 5000.0, "1/s", "beta: how fast a worse match loses its particles, or its share");
+  visit("method", p.method, {"particles", "grid"}, "representation of the belief where on the wall the camera looks");
+  visit("particles", p.particles, 10, 1000, "", "number of view particles");
+  visit("cells", p.cells, 8, 360, "", "number of cells around the wall (method grid)");
+  visit("noise", p.noise, 0.0, 2.0, "rad/s^0.5", "random walk of the view; 0.166 is 3 degrees in 0.1 s");
+  visit("sharpness", p.sharpness, 0.0, 5000.0, "1/s", "beta: rate at which worse matches lose weight");
   visit("injection", p.injection, 0.0, 10.0, "1/s",
-        "particles: share of them that are set to the best match: 0.5 is 5 % in 0.1 s");
+        "rate at which particles are set to the best match (method particles); 0.5 is 5 % in 0.1 s");
   visit("clear_lead", p.clear_lead, 0.0, 1.0, "",
-        "lead of the best match over the average from which on all of the injection happens; 0: always");
-  visit("leak", p.leak, 0.1, 1000.0, "s", "grid: time in which the belief is forgotten where nothing renews it");
+        "lead of the best match over the average at which the injection is complete; 0: always complete");
+  visit("leak", p.leak, 0.1, 1000.0, "s",
+        "time constant with which the belief fades without new evidence (method grid)");
 }
 
 }  // namespace reorient

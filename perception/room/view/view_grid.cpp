@@ -29,11 +29,11 @@ void ViewGrid::turn_half() { first_ = opposite(first_); }
 
 /// After reading.
 void ViewGrid::check(std::size_t count) const {
-  check_bytes(shares_.size() == count, "another number of cells of the view");
-  check_bytes(std::abs(first_) <= kPi, "the first cell of the view is nowhere");
-  for (const double share : shares_) check_bytes(share >= 0.0, "a share of the view is none");
+  check_bytes(shares_.size() == count, "view filter: the number of cells differs from the parameters");
+  check_bytes(std::abs(first_) <= kPi, "view filter: the azimuth of the first cell is invalid");
+  for (const double share : shares_) check_bytes(share >= 0.0, "view filter: the weight of a cell is invalid");
   const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
-  check_bytes(count == 0 || std::abs(sum - 1.0) < 1e-6, "the shares of the view are not the whole");
+  check_bytes(count == 0 || std::abs(sum - 1.0) < 1e-6, "view filter: the weights of the cells do not sum up to 1");
 }
 
 void ViewGrid::predict(double motion, double step, const ViewFilterParameters& parameters) {

@@ -53,9 +53,10 @@ void ViewParticles::turn_half() {
 
 /// After reading.
 void ViewParticles::check(std::size_t count) const {
-  check_bytes(particles_.size() == count, "another number of view particles");
+  check_bytes(particles_.size() == count, "view filter: the number of particles differs from the parameters");
   for (const ViewParticle& particle : particles_)
-    check_bytes(std::abs(particle.azimuth) <= kPi && std::isfinite(particle.weight), "a view particle looks nowhere");
+    check_bytes(std::abs(particle.azimuth) <= kPi && std::isfinite(particle.weight),
+                "view filter: a particle has an invalid azimuth or weight");
 }
 
 void ViewParticles::predict(double motion, double step, const ViewFilterParameters& parameters) {

@@ -44,13 +44,13 @@ LightSums sum_light(const ImageView& image, int row, int left, int right, const 
 }
 
 void check(const SeenLight& tile) {
-  check_bytes(is_sound(tile.light) && std::isfinite(tile.unseen), "the light of a tile is none");
+  check_bytes(is_sound(tile.light) && std::isfinite(tile.unseen), "light: a tile has an invalid value");
 }
 
 /// After reading.
 void LightAdaptation::check(std::size_t tiles) const {
-  check_bytes(tiles_.size() == tiles, "the light of a wall with another number of tiles");
-  check_bytes(is_sound(light_) && std::isfinite(unseen_), "the light is none");
+  check_bytes(tiles_.size() == tiles, "light adaptation: expected one entry for each tile of the wall");
+  check_bytes(is_sound(light_) && std::isfinite(unseen_), "light adaptation: the light of the room is invalid");
   for (const SeenLight& tile : tiles_) reorient::check(tile);
 }
 

@@ -23,13 +23,15 @@ struct LightParameters {
 };
 template <typename Visit>
 void describe(LightParameters& p, Visit&& visit) {
-  visit("enabled", p.enabled, "whether the colours' thresholds follow the room's light");
+  visit("enabled", p.enabled, "whether the color thresholds follow the light of the room");
   visit("time_constant", p.time_constant, 0.0, 60.0, "s",
-        "over how long the mean of each tile runs while it is in view");
-  visit("memory", p.memory, 1.0, 600.0, "s", "for how long a tile that is out of view counts in the room's light");
-  visit("darkest", p.darkest, 0.0, 254.0, "", "pixels whose luma is not above this are left out of the means");
-  visit("brightest", p.brightest, 1.0, 255.0, "", "pixels whose luma is not below this are left out of the means");
-  visit("fresh_after", p.fresh_after, 0.0, 60.0, "s", "time without any wall in view after which all begins afresh");
+        "time over which the light of each tile is averaged while it is in view");
+  visit("memory", p.memory, 1.0, 600.0, "s",
+        "time for which a tile that is out of view counts in the light of the room");
+  visit("darkest", p.darkest, 0.0, 254.0, "", "largest luma of pixels that are too dark for the means");
+  visit("brightest", p.brightest, 1.0, 255.0, "", "smallest luma of pixels that are too bright for the means");
+  visit("fresh_after", p.fresh_after, 0.0, 60.0, "s",
+        "time without any wall in view after which the light adaptation restarts");
 }
 
 /// Sums over some pixels of the wall.

@@ -28,16 +28,17 @@ struct PerceptionParameters {
 };
 template <typename Visit>
 void describe(PerceptionParameters& p, Visit&& visit) {
-  visit("sampled_rows", p.sampled_rows, 8, 4096, "", "of how many image rows the pixels are counted, evenly spread");
-  visit("bands", p.bands, 8, 480, "", "bands of rows in which the borders between tiles are taken as vertical");
-  visit("min_samples", p.min_samples, 1, 100000, "", "a tile counts from this many counted pixels on");
+  visit("sampled_rows", p.sampled_rows, 8, 4096, "", "number of evenly spread image rows in which pixels are counted");
+  visit("bands", p.bands, 8, 480, "",
+        "number of bands of image rows; within a band, borders between tiles are assumed to be vertical");
+  visit("min_samples", p.min_samples, 1, 100000, "", "smallest number of counted pixels at which a tile counts");
   visit("min_coverage", p.min_coverage, 0.0, 1.0, "",
-        "share of a tile's area that must be in view and not covered to be compared with what is known of it");
+        "smallest visible fraction of a tile's area at which the tile is compared with the model");
   visit("min_learned_coverage", p.min_learned_coverage, 0.0, 1.0, "",
-        "the same to be learned, and for its light to be known");
-  visit("min_distance", p.min_distance, 0.0, 20.0, "m", "a tile nearer to the camera than this does not count");
+        "smallest visible fraction of a tile's area at which the tile is learned and its light is measured");
+  visit("min_distance", p.min_distance, 0.0, 20.0, "m", "smallest distance from the camera at which a tile counts");
   visit("min_incidence", p.min_incidence, 0.0, 1.0, "",
-        "cosine between line of sight and the wall's normal from which on");
+        "smallest cosine between line of sight and wall normal at which a tile counts");
 }
 
 struct PerceivedTile {

@@ -29,11 +29,12 @@ struct WallParameters {
 };
 template <ConstOr<WallParameters> T, typename Visit>
 void describe(T& p, Visit&& visit) {
-  visit("radius", p.radius, 1.0, 200.0, "m", "distance of the virtual wall from the field's centre");
-  visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the lowest row of tiles begins");
-  visit("top", p.top, 0.1, 120.0, "m", "height where the highest row of tiles ends");
-  visit("rows", p.rows, 1, 8, "", "rows of tiles");
-  visit("columns", p.columns, 4, kMostColumns, "", "columns of tiles around the field; made even");
+  visit("radius", p.radius, 1.0, 200.0, "m", "radius of the virtual wall around the center of the field");
+  visit("bottom", p.bottom, 0.0, 10.0, "m", "height of the lower edge of the lowest row of tiles");
+  visit("top", p.top, 0.1, 120.0, "m", "height of the upper edge of the highest row of tiles");
+  visit("rows", p.rows, 1, 8, "", "number of rows of tiles");
+  visit("columns", p.columns, 4, kMostColumns, "",
+        "number of columns of tiles around the field; an odd number is made even");
 }
 template <typename Visit, ConstOr<WallParameters> T>
 void fields(Visit&& visit, T& p) {

@@ -61,29 +61,29 @@ TEST(SavedModel, KeepsTheAnglesOfTheRobotThatLearnedIt) {
   EXPECT_EQ(read.camera_bias->bias.deviation, 0.004);
 }
 
-TEST(SavedModel, WithAnglesThatNoCameraHasIsRefused) {
+TEST(SavedModel, WithImpossibleCameraAnglesIsRefused) {
   for (const double angle : {std::nan(""), 2.0, -1e300}) {
     SavedModel model = some_model(1);
     model.camera_bias = KnownBias{1, some_bias()};
     model.camera_bias->bias.mounts[0].roll = angle;
-    EXPECT_EQ(refusal_of(bytes_of(model)), "it is damaged: a camera's angles are none");
+    EXPECT_EQ(refusal_of(bytes_of(model)), "it is damaged: an angle of a camera is invalid");
   }
 }
 
 TEST(SavedModel, OfTheFirstFormatIsReadWithoutAngles) {
   const SavedModel model = some_model(1);
   ModelBytes bytes = bytes_of(model);
-  bytes.erase(bytes.end() - 9);  // the mark before the checksum: there are no angles
+  bytes.erase(bytes.end() - 9);  // the flag before the checksum that says that there are no angles
   bytes = test::with(std::move(bytes), test::kVersionAt, std::uint32_t{1});
   std::uint32_t size = 0;
   std::memcpy(&size, bytes.data() + test::kSizeAt, sizeof(size));
-  bytes = test::signed_anew(test::with(std::move(bytes), test::kSizeAt, size - 1));
+  bytes = test::with_checksum(test::with(std::move(bytes), test::kSizeAt, size - 1));
   const SavedModel read = read_model(bytes);
   EXPECT_FALSE(read.camera_bias);
   EXPECT_EQ(read.model.known_tiles(), model.model.known_tiles());
 }
 
-RC_GTEST_PROP(SavedModel, TurnedTwiceIsAsItWas, ()) {
+RC_GTEST_PROP(SavedModel, RotatedTwiceByHalfATurnIsUnchanged, ()) {
   SavedModel model = some_model(*rc::gen::arbitrary<std::uint64_t>());
   const ModelBytes before = bytes_of(model);
   model.turn_half();
@@ -92,8 +92,8 @@ RC_GTEST_PROP(SavedModel, TurnedTwiceIsAsItWas, ()) {
   RC_ASSERT(bytes_of(model) == before);
 }
 
-TEST(SavedModel, HasTheBytesThatItsFormatSays) {
-  // Files of today are read tomorrow: whoever changes what a model holds gives the format another number.
+TEST(SavedModel, HasTheBytesOfItsFormat) {
+  // Old files must stay readable: a change of the content of a model needs a new format number.
   SavedModel model;
   model.basis.wall = {9.0, 0.5, 2.5, 1, 4};
   model.learned = 12.5;
@@ -114,7 +114,7 @@ TEST(SavedModel, HasTheBytesThatItsFormatSays) {
   EXPECT_EQ(checksum, 0xA9A303988C0A6757ull);
 }
 
-TEST(SavedModel, OfDamagedBytesIsRefusedWithWhatIsWrong) {
+TEST(SavedModel, OfDamagedBytesIsRefusedWithTheReason) {
   const std::vector<test::DamagedModel> all = test::damaged_models();
   EXPECT_GE(all.size(), 48u);
   for (const test::DamagedModel& damaged : all) {
@@ -144,7 +144,7 @@ SavedModel learned_by(const test::ScanningRobot& robot, double seconds) {
   return model;
 }
 
-TEST(ModelOfYesterday, TellsAWrongBeliefWithinThreeSecondsInOtherLight) {
+TEST(ModelOfYesterday, DetectsAWrongBeliefWithinThreeSecondsInOtherLight) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const test::PaintedRoom room = test::PaintedRoom::colorful(seed);
     test::ScanningRobot yesterday(room, {}, seed);
@@ -155,12 +155,12 @@ TEST(ModelOfYesterday, TellsAWrongBeliefWithinThreeSecondsInOtherLight) {
     today.train = false;
     today.awareness.take_model(read_model(bytes_of(learned_by(yesterday, 30.0))));
     today.run(3.0);
-    EXPECT_GT(today.awareness.confidences().evidence, 5.5) << "asked for by scripts/lib/decision.lua";
+    EXPECT_GT(today.awareness.confidences().evidence, 5.5) << "threshold of scripts/lib/decision.lua";
     EXPECT_GT(today.awareness.confidences().coverage, 0.3);
   }
 }
 
-TEST(ModelOfYesterday, TurnedSpeaksForTheReflection) {
+TEST(ModelOfYesterday, RotatedSupportsTheReflection) {
   const test::PaintedRoom room = test::PaintedRoom::colorful(4);
   test::ScanningRobot yesterday(room, {}, 4);
   yesterday.run(30.0);
@@ -177,7 +177,7 @@ TEST(ModelOfYesterday, TurnedSpeaksForTheReflection) {
   EXPECT_LT(today.awareness.confidences().evidence, -5.5);
 }
 
-TEST(ModelOfYesterday, IsAllThatIsTakenOver) {
+TEST(ModelOfYesterday, ReplacesOnlyTheModel) {
   const test::PaintedRoom room = test::PaintedRoom::colorful(6);
   test::ScanningRobot robot(room, {}, 6);
   robot.run(20.0);
@@ -191,7 +191,7 @@ TEST(ModelOfYesterday, IsAllThatIsTakenOver) {
   EXPECT_EQ(bytes_of(learned_by(robot, 20.0)), bytes_of(model));
 }
 
-TEST(ModelOfYesterday, OfAnotherKindIsRefusedByTheNamesOfItsParameters) {
+TEST(ModelOfYesterday, WithOtherParametersIsRefusedWithTheirNames) {
   const SavedModel model = some_model(1);
   const auto refusal = [&](const std::function<void(RoomParameters&)>& change) -> std::string {
     RoomParameters parameters;
@@ -201,21 +201,21 @@ TEST(ModelOfYesterday, OfAnotherKindIsRefusedByTheNamesOfItsParameters) {
       room.take_model(model);
       return "none";
     } catch (const UnfitModel& unfit) {
-      EXPECT_EQ(room.model().known_tiles(), 0) << "it goes on as it was";
+      EXPECT_EQ(room.model().known_tiles(), 0) << "the room awareness is unchanged";
       return unfit.what();
     }
   };
-  const std::string told = "it was learned with other parameters: ";
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.radius = 9.0; }), told + "wall.radius=8");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.columns = 24; }), told + "wall.columns=48");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.rows = 2, p.wall.top = 3.1; }), told + "wall.top=5.5 wall.rows=4");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.bottom = 0.75; }), told + "wall.bottom=0.7");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.color.grey_within = 6.5; }), told + "color.grey_within=5");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.color.blur = 0.05; }), told + "color.blur=0");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.light.enabled = false; }), told + "light_adaptation.enabled=true");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.pose_light.enabled = false; }), told + "pose_light.enabled=true");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.columns = 47; }), "none") << "which is made even";
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.evidence.gain = 9.0; }), "none") << "that changes no histogram";
+  const std::string reason = "it was learned with other parameters: ";
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.radius = 9.0; }), reason + "wall.radius=8");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.columns = 24; }), reason + "wall.columns=48");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.rows = 2, p.wall.top = 3.1; }), reason + "wall.top=5.5 wall.rows=4");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.bottom = 0.75; }), reason + "wall.bottom=0.7");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.color.grey_within = 6.5; }), reason + "color.grey_within=5");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.color.blur = 0.05; }), reason + "color.blur=0");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.light.enabled = false; }), reason + "light_adaptation.enabled=true");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.pose_light.enabled = false; }), reason + "pose_light.enabled=true");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.columns = 47; }), "none") << "an odd number is made even";
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.evidence.gain = 9.0; }), "none") << "the gain changes no histogram";
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(FieldFile, WhoseLinesLeaveNothingOfItIsRefused) {
   std::string outside = text;
   outside.replace(outside.find("middle of"), 9, "outside of");
   EXPECT_NE(
-      complaint_about(outside).find("'length' must be a number from 2 to 120 metres between the middles of lines"),
+      complaint_about(outside).find("'length' must be a number from 2 to 120 meters between the middles of lines"),
       std::string::npos);
 }
 
