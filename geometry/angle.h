@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Angles in radians, normalised to (-pi, pi].
+// Angles in radians, normalized to (-pi, pi].
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@ constexpr double to_degrees(double radians) { return radians * (180.0 / kPi); }
 
 /// The same direction in (-pi, pi].
 inline double normalize_angle(double angle) {
-  // Within one turn and a half the remainder is a plain difference, which is exact: the same bits as below, at a tenth
-  // of the time.
+  // For angles within 1.5 turns the remainder is a plain difference. That is exact, so the bits are the same as below,
+  // at a tenth of the time.
   const double size = std::abs(angle);
   if (size < kPi) return angle;
   if (size > kPi && size < 3.0 * kPi) {
@@ -26,7 +26,7 @@ inline double normalize_angle(double angle) {
   return turned <= -kPi ? kPi : turned;
 }
 
-/// The shortest turn that leads from `from` to `to`, in (-pi, pi].
+/// The shortest rotation from `from` to `to`, in (-pi, pi].
 inline double angle_difference(double to, double from) { return normalize_angle(to - from); }
 
 }  // namespace reorient

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Values as bytes and back, by one declaration for both directions: whatever decides the next frame can be saved, and a
-// record can be written and read again. Little-endian, without padding.
+// Converts values to bytes and back. One declaration serves both directions. With it, everything that decides the next
+// frame can be saved, and a record can be written and read again. Little-endian, without padding.
 //
-// A plain struct says what it is made of by a free function beside it,
+// A plain struct lists its members in a free function beside it,
 //   template <typename Visit, ConstOr<Pose2> T>
 //   void fields(Visit&& visit, T& pose) { visit(pose.position, pose.rotation); }
-// a class by a static member function
+// a class in a static member function,
 //   template <typename Archive> static void archive(Archive& archive, auto& self) { archive(self.x_, self.y_); }
-// and an enum by how many values it has,
+// and an enum gives the number of its values,
 //   constexpr int enum_count(Posture) { return 5; }
-// A writer gets values that are const.
+// A writer receives const values.
 #pragma once
 
 #include <array>
@@ -35,14 +35,14 @@
 
 namespace reorient {
 
-static_assert(std::endian::native == std::endian::little, "bytes are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "the byte order in memory must be that of the format");
 
-/// Bytes that are not what a reader was told to expect: cut short, of another version, or made up.
+/// Bytes that a reader does not expect: truncated, of another version, or forged.
 struct BadBytes : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What bytes were read into must be something that the reader could have made itself.
+/// Checks that values that were read are values that this program could have written.
 inline void check_bytes(bool sound, const char* what) {
   if (!sound) throw BadBytes(what);
 }
@@ -52,7 +52,7 @@ concept HasArchive = requires(T& value, Archive& archive) {
   T::archive(archive, value);
 };
 
-/// How deep values lie in values of the same type, for those that may.
+/// Limits how deep values of one type contain values of the same type.
 class NestedBytes {
  public:
   int depth() const { return depth_; }
@@ -81,7 +81,7 @@ class ByteWriter : public NestedBytes {
     (write(values), ...);
   }
 
-  /// As they are, without their number.
+  /// Writes the elements without their number.
   void raw(const void* data, std::size_t size) {
     const auto* const begin = static_cast<const std::byte*>(data);
     bytes_->insert(bytes_->end(), begin, begin + size);
@@ -157,8 +157,8 @@ class ByteWriter : public NestedBytes {
   std::vector<std::byte>* bytes_;
 };
 
-/// Takes values from bytes. Whatever the bytes are, it neither reads beyond them nor makes more values than they can
-/// hold; what cannot be is a BadBytes.
+/// Reads values from bytes. For any bytes, it neither reads beyond their end nor creates more values than they can
+/// contain. It throws BadBytes for impossible values.
 class ByteReader : public NestedBytes {
  public:
   static constexpr bool kReads = true;
@@ -180,7 +180,7 @@ class ByteReader : public NestedBytes {
 
   std::size_t left() const { return bytes_.size(); }
 
-  /// Throws where bytes are left over.
+  /// Throws if bytes remain.
   void finish() const {
     if (!bytes_.empty())
       throw BadBytes("expected the end of the data, found " + std::to_string(bytes_.size()) + " more bytes");
@@ -263,7 +263,7 @@ class ByteReader : public NestedBytes {
     }
   }
 
-  /// How many elements follow; each takes at least `least` bytes.
+  /// The number of elements that follow, each of which has at least `least` bytes.
   std::size_t read_size(std::size_t least) {
     std::uint32_t size = 0;
     raw(&size, sizeof(size));

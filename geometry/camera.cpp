@@ -12,7 +12,7 @@ namespace {
 
 double distortion(const CameraModel& camera, double r2) { return 1.0 + r2 * (camera.k1 + r2 * camera.k2); }
 
-/// Derivative of the distorted radius; where it is not positive, two directions would share a pixel.
+/// Derivative of the distorted radius. Where it is not positive, two directions would have the same pixel.
 double distortion_slope(const CameraModel& camera, double r2) {
   return 1.0 + r2 * (3.0 * camera.k1 + 5.0 * r2 * camera.k2);
 }
@@ -75,7 +75,7 @@ Eigen::Vector3d CameraModel::ray(const Eigen::Vector2d& pixel) const {
       const double slope = distortion_slope(*this, r2);
       if (slope <= 0.1) break;
       const double next = radius - (radius * distortion(*this, r2) - distorted_radius) / slope;
-      if (next == radius) break;  // it would stay there
+      if (next == radius) break;  //  no further change
       radius = next;
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far down a camera looks and how it is rolled, against the ground.
+// Pitch and roll of a camera relative to the ground.
 #pragma once
 
 #include "geometry/transform.h"
@@ -10,17 +10,17 @@ namespace reorient {
 double pitch_of(const Isometry3& robot_from_camera);
 /// The roll of a camera, rad, left side up.
 double roll_of(const Isometry3& robot_from_camera);
-/// The same camera with another pitch. Position, roll and yaw stay.
+/// The same camera with another pitch. Position, roll and yaw are unchanged.
 Isometry3 with_pitch(const Isometry3& robot_from_camera, double pitch);
-/// With another pitch and roll.
+/// The same camera with another pitch and roll.
 Isometry3 with_attitude(const Isometry3& robot_from_camera, double pitch, double roll);
 
-/// What of the attitude that was recorded with each image belongs to the image. A sensor can be late, or an image.
+/// Which parts of the attitude that was recorded with an image belong to that image. A sensor or an image can be late.
 struct RecordedAttitude {
   bool pitch = true, roll = true;
   bool operator==(const RecordedAttitude&) const = default;
 };
-/// With 0 for what does not belong to the image. All of it: the same bits.
+/// The attitude with 0 for the parts that do not belong to the image. If all belong to it, the bits are unchanged.
 Isometry3 with_recorded(const Isometry3& robot_from_camera, const RecordedAttitude& recorded);
 
 }  // namespace reorient

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By how much the angles that a robot measures of its torso and its camera mounts are wrong, as far as that stays the
-// same for long.
+// Errors of the angles that a robot measures for its torso and its camera mounts, if they are constant for a long time.
 #pragma once
 
 #include <array>
@@ -22,21 +21,21 @@ void fields(Visit&& visit, T& bias) {
   visit(bias.roll, bias.pitch);
 }
 
-/// True attitude less measured one. The torso's turns with the robot, a mount's with its camera: where the head looks
-/// straight ahead, only their sum can be noticed.
+/// True minus measured attitude. The torso's error rotates with the robot, a mount's error with its camera. While the
+/// head looks straight ahead, only their sum is observable.
 struct CameraBias {
   TiltBias torso;
-  std::array<TiltBias, 2> mounts;  ///< of the upper and of the lower camera
-  double deviation = 0.0;          ///< rad, of the sum as it turns the upper camera: standard deviation for each axis
+  std::array<TiltBias, 2> mounts;  ///<  of the upper and the lower camera
+  double deviation = 0.0;          ///<  rad, standard deviation of the upper camera's sum, for each axis
 };
 template <typename Visit, ConstOr<CameraBias> T>
 void fields(Visit&& visit, T& bias) {
   visit(bias.torso, bias.mounts, bias.deviation);
 }
 
-/// What was learned of one body; another one has other angles.
+/// The error that was learned for one body. Other bodies have other errors.
 struct KnownBias {
-  std::uint64_t body = 0;  ///< digest_of() the body; in a file together with that of its calibration, if it has one
+  std::uint64_t body = 0;  ///<  digest_of() the body; in a file, combined with the digest of its calibration, if any
   CameraBias bias;
 };
 template <typename Visit, ConstOr<KnownBias> T>
@@ -44,22 +43,22 @@ void fields(Visit&& visit, T& known) {
   visit(known.body, known.bias);
 }
 
-/// How well the angles are known beforehand: the means, and standard deviations for each axis, rad.
+/// Prior knowledge of the angles: means, and standard deviations for each axis, rad.
 struct BiasPrior {
   CameraBias mean;
   double torso_deviation = 0.0;
   double mount_deviation = 0.0;
 };
 
-/// The camera's horizontal direction, of length 1; zero where it looks straight up or down. The roll of a mounting
-/// turns the camera about it, the pitch about the axis to its left.
+/// The camera's horizontal direction, of length 1. Zero if the camera looks straight up or down. A mount's roll rotates
+/// the camera about this direction, its pitch about the axis to the left of it.
 inline Eigen::Vector2d mount_axis(const Isometry3& robot_from_camera) {
   const Eigen::Vector2d ahead = robot_from_camera.linear().col(0).head<2>();
   const double length = ahead.norm();
   return length > 0.0 ? Eigen::Vector2d(ahead / length) : Eigen::Vector2d::Zero();
 }
 
-/// The sum for one camera, about the robot's axes.
+/// The sum of torso and mount for one camera, about the robot's axes.
 inline TiltBias bias_of(const CameraBias& bias, std::size_t camera, const Isometry3& robot_from_camera) {
   const TiltBias& mount = bias.mounts[camera];
   const Eigen::Vector2d axis = mount_axis(robot_from_camera);
@@ -67,10 +66,10 @@ inline TiltBias bias_of(const CameraBias& bias, std::size_t camera, const Isomet
           bias.torso.pitch + axis.y() * mount.roll + axis.x() * mount.pitch};
 }
 
-/// The same of the upper camera while the head looks straight ahead.
+/// The sum for the upper camera while the head looks straight ahead.
 inline TiltBias bias_ahead(const CameraBias& bias) { return bias_of(bias, 0, Isometry3::Identity()); }
 
-/// The camera's pose as it is without that bias: rotated about its own place.
+/// The camera's pose without that bias: rotated about the camera's position.
 inline Isometry3 corrected(const Isometry3& robot_from_camera, const CameraBias& bias, std::size_t camera) {
   const TiltBias sum = bias_of(bias, camera, robot_from_camera);
   Isometry3 result = robot_from_camera;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By how much the mounting of one robot's camera differs from what is recorded or from the data sheet.
+// Difference between the mounting of a robot's camera and the recorded mounting or the data sheet.
 #pragma once
 
 #include "geometry/transform.h"
@@ -13,12 +13,12 @@ struct CameraOffset {
   double height = 0.0;  ///< m, upwards
 };
 
-/// The camera's pose, rotated about its own axes: first to the left, then down, then about the line of sight; and
+/// The camera's pose, rotated about its own axes (first to the left, then down, then about the line of sight) and
 /// raised by the height.
 inline Isometry3 turned(const Isometry3& robot_from_camera, const CameraOffset& offset) {
   Isometry3 result = robot_from_camera;
   result.linear() = robot_from_camera.linear() * rotation_about_z(offset.pan) * rotation_about_y(offset.tilt);
-  // Without roll the result has the same bits as before there was one.
+  // A roll of 0 must not change the bits of the result, so it is skipped.
   if (offset.roll != 0.0) result.linear() = result.linear() * rotation_about_x(offset.roll);
   result.translation().z() += offset.height;
   return result;

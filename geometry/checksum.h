@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether bytes are still those that were written.
+// Detects changes of bytes that were written.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv. No single changed byte leaves it as it was.
+/// FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv. A change of any single byte changes it.
 inline std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t sum = 0xCBF29CE484222325ull;
   for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3ull;

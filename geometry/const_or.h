@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For functions that visit the members of a struct, whether it is const or not.
+// For functions that visit the members of a struct, const or not.
 #pragma once
 
 #include <concepts>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Included before everything else where we compile for 64-bit ARM (cmake/targets.cmake); elsewhere it is empty. Eigen
-// takes registers of two floats there, which x86-64 has not, and so adds three floats in another order: (a + b) + c
-// instead of a + (b + c). The last bit differs, then an image, then the digest. This leaves Eigen 3.4 the registers of
-// four alone, as on x86-64.
+// Included before everything else if the target is 64-bit ARM (cmake/targets.cmake). Empty elsewhere. On ARM, Eigen
+// uses registers of two floats, which x86-64 does not have. It then adds three floats in another order: (a + b) + c
+// instead of a + (b + c). The last bit differs, then an image, then the digest. This file leaves only registers of four
+// floats to Eigen 3.4, as on x86-64.
 #pragma once
 
 #if defined(__aarch64__) && __has_include(<Eigen/Core>)

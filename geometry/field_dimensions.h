@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The field as drawn: metres, to line centres, origin at the centre, x towards the opponent goal, y left.
+// Measures of the field. Meters, to the centers of lines; origin at the center, x toward the opponent goal, y left.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 
 namespace reorient {
 
-/// Defaults: the Standard Platform League's field of today.
+/// The defaults are the current field of the Standard Platform League.
 struct FieldDimensions {
   double length = 9.0;  ///< between the goal lines
   double width = 6.0;   ///< between the touchlines
-  double border = 0.7;  ///< carpet beyond the lines
+  double border = 0.7;  ///<  width of the carpet beyond the lines
   double line_width = 0.05;
   double penalty_area_depth = 1.65;
   double penalty_area_width = 4.0;
-  double goal_area_depth = 0.6;  ///< 0: there is none (2013)
+  double goal_area_depth = 0.6;  ///<  0: no goal area (2013)
   double goal_area_width = 2.2;
-  double penalty_mark_x = 3.2;  ///< distance of both marks from the centre
+  double penalty_mark_x = 3.2;  ///<  distance of both marks from the center
   double penalty_mark_size = 0.1;
   double center_circle_radius = 0.75;
-  double corner_arc_radius = 0.0;  ///< of the quarter circles at the corners; 0: there are none
+  double corner_arc_radius = 0.0;  ///<  of the quarter circles at the corners; 0: no arcs
   double goal_post_y = 0.8;        ///< posts at y = +-goal_post_y on the goal lines
   double goal_height = 0.8;
-  double goal_depth = 0.5;  ///< how far the net reaches behind the goal line
+  double goal_depth = 0.5;  ///<  distance from the goal line to the back of the net
   double goal_post_diameter = 0.1;
   double ball_diameter = 0.1;
   bool yellow_goals = false;  ///< 2013: both goals yellow; today: both white
@@ -40,15 +40,15 @@ inline Eigen::Vector2d carpet_half_size(const FieldDimensions& field) {
   return field_half_size(field) + Eigen::Vector2d::Constant(field.border);
 }
 
-/// The robot may stand beside the carpet, but not far from it, m.
+/// Distance from the carpet up to which a robot may stand beside it, m.
 inline constexpr double kBelievableBeyondCarpet = 1.0;
 
-/// How far from the center a robot may be believed to stand, m.
+/// Largest distance from the center of a believed pose, m.
 inline Eigen::Vector2d believable_half_size(const FieldDimensions& field) {
   return carpet_half_size(field) + Eigen::Vector2d::Constant(kBelievableBeyondCarpet);
 }
 
-/// Calls visit(key, length, least, most) for each length, with the range in which there can be such a field.
+/// Calls visit(key, length, least, most) for each length, with the range of possible values.
 template <ConstOr<FieldDimensions> T, typename Visit>
 void describe(T& field, Visit&& visit) {
   visit("length", field.length, 2.0, 120.0);
@@ -76,11 +76,11 @@ void fields(Visit&& visit, T& field) {
   visit(field.yellow_goals);
 }
 
-/// The first length that is out of its range, and how to mend it; empty: there is none.
+/// The first length outside of its range, with that range, or an empty string.
 inline std::string mistake_in(const FieldDimensions& field) {
   std::string mistake;
   describe(field, [&](const char* key, double value, double least, double most) {
-    // Written so that NaN fails as well.
+    // Written so that NaN fails, too.
     if (!mistake.empty() || (value >= least && value <= most)) return;
     const auto number = [](double limit) {
       std::string text = std::to_string(limit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gravity, as a robot's torso feels it.
+// Gravity as measured in a robot's torso.
 #pragma once
 
 #include <Eigen/Core>

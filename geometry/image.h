@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Camera images as a NAO delivers them: YCbCr 4:2:2, in memory Y0 Cb Y1 Cr (V4L2's YUYV), full range, BT.601.
+// Camera images in the format of a NAO: YCbCr 4:2:2, in memory Y0 Cb Y1 Cr (YUYV of V4L2), full range, BT.601.
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@ struct Ycbcr {
   bool operator==(const Ycbcr&) const = default;
 };
 
-/// Widths that simulated images can be asked for with, pixels: those of the shipped bodies' cameras, and parts of them.
+/// Widths that are possible for simulated images, pixels: those of the shipped bodies' cameras and fractions of them.
 inline constexpr std::array kImageWidths = {160, 320, 544, 640};
 
-/// Somebody else's image. Valid as long as its owner is.
+/// A view of an image that another object owns. Valid as long as the owner exists.
 struct ImageView {
   const std::uint8_t* data = nullptr;
   int width = 0;   ///< pixels, even
@@ -35,7 +35,7 @@ struct ImageView {
   }
 };
 
-/// An image with its own memory.
+/// An image that owns its memory.
 class Image {
  public:
   Image() = default;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kNames{"pinhole", "fisheye", "equirectangular"};
 
-/// The distorted radius and its derivative. A slope that is not positive: two directions share a place.
+/// The distorted radius and its derivative. If the slope is not positive, two directions have the same position.
 struct Radius {
   double value = 0.0;
   double slope = 1.0;
@@ -39,7 +39,7 @@ double farthest(const Lens& lens) {
   return lens.projection == CameraProjection::fisheye ? kPi - 1e-6 : kSteepest;
 }
 
-/// From the axis to this radius, each place is seen from one direction.
+/// Whether each position from the axis to this radius has only one direction.
 bool is_one_to_one(const Lens& lens, double radius) {
   constexpr int kSteps = 8;
   if (!(radius <= farthest(lens))) return false;
@@ -49,11 +49,11 @@ bool is_one_to_one(const Lens& lens, double radius) {
   return true;
 }
 
-/// The radius whose distorted radius is `wanted`, on the branch that begins at the axis; that branch's end where it
-/// does not reach so far.
+/// The radius whose distorted radius is `wanted`, on the branch that begins at the axis. The end of that branch if it
+/// does not reach `wanted`.
 double undistorted(const Lens& lens, double wanted) {
   constexpr double kFirstStep = 0.05;
-  constexpr double kGrowth = 0.1;  // of the radius: a step farther out may be longer
+  constexpr double kGrowth = 0.1;  //  fraction of the radius; steps farther out may be longer
   constexpr int kBisections = 50;
   constexpr int kIterations = 60;
   if (!(wanted > 0.0)) return 0.0;
@@ -63,7 +63,7 @@ double undistorted(const Lens& lens, double wanted) {
   while (high < most) {
     high = std::min(most, low + kFirstStep + (lens.is_perspective() ? kGrowth * low : 0.0));
     const Radius at = distorted(lens, high);
-    if (!(at.slope > 0.0)) {  // it folds back before: find where
+    if (!(at.slope > 0.0)) {  //  the distortion folds back before this radius: find where
       double rising = low, falling = high;
       for (int i = 0; i < kBisections; ++i) {
         const double middle = 0.5 * (rising + falling);
@@ -77,7 +77,7 @@ double undistorted(const Lens& lens, double wanted) {
     if (high >= most) return most;
     low = high;
   }
-  // Newton's method, kept between two radii of which one is too small and one too large.
+  // Newton's method, bounded by a radius that is too small and one that is too large.
   double radius = 0.5 * (low + high);
   for (int i = 0; i < kIterations; ++i) {
     const Radius at = distorted(lens, radius);
@@ -91,7 +91,7 @@ double undistorted(const Lens& lens, double wanted) {
   return radius;
 }
 
-/// A pinhole's ideal place, distorted, and the derivatives of that.
+/// The distorted position of an ideal position of a pinhole, with its derivatives.
 struct Place {
   Eigen::Vector2d value;
   Eigen::Matrix2d slope;
@@ -116,7 +116,7 @@ Place distorted(const Lens& lens, const Eigen::Vector2d& ideal) {
 
 double determinant(const Eigen::Matrix2d& m) { return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0); }
 
-/// Newton's method from the inverse of the radial distortion.
+/// Newton's method, started at the inverse of the radial distortion.
 Eigen::Vector2d undistorted_place(const Lens& lens, const Eigen::Vector2d& wanted) {
   constexpr int kIterations = 20;
   const double distance = wanted.norm();

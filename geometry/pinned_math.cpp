@@ -7,8 +7,8 @@
 
 namespace reorient::pinned {
 
-// SSE4.1 is what every build for x86-64 has (cmake/targets.cmake). Its functions for two numbers take half of the time
-// of those for one, even where one is all there is to compute.
+// Each build for x86-64 has SSE4.1 (cmake/targets.cmake). SLEEF's functions for two numbers take half of the time of
+// those for one, even if only one number is computed.
 #ifdef __SSE4_1__
 
 namespace {
@@ -124,7 +124,7 @@ void atan2(std::span<const float> y, std::span<const float> x, std::span<float> 
 
 #endif
 
-// SLEEF's own sine differs from that of its pair in the last place now and then.
+// SLEEF's functions for sine alone and for sine and cosine sometimes differ in the last bit.
 double sin(double angle) { return sincos(angle).sin; }
 double cos(double angle) { return sincos(angle).cos; }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions that give the same bits on every processor. Those of the C library choose their code by what the
-// processor offers, and differ in the last bit with and without fused multiply-add. Everything that enters a record
-// comes from here; what IEEE 754 defines exactly (+ - * /, sqrt, fmod, remainder, floor, nearbyint) needs no pinning,
-// as long as nothing is contracted (-ffp-contract=off).
+// Elementary functions with the same bits on every processor. The C library selects its code by the processor's
+// features, and its results differ in the last bit with and without fused multiply-add. Everything that enters a record
+// uses these functions. What IEEE 754 defines exactly (+ - * /, sqrt, fmod, remainder, floor, nearbyint) needs no
+// replacement, as long as the compiler contracts nothing (-ffp-contract=off).
 //
-// The functions are SLEEF's consistent ones without fused multiply-add: within one unit in the last place (u10).
+// The functions are SLEEF's consistent ones without fused multiply-add. Their error is within one unit in the last
+// place (u10).
 #pragma once
 
 #include <cmath>
@@ -36,10 +37,10 @@ double log2(double value);
 double log10(double value);
 double pow(double base, double exponent);
 
-/// Exact but for two roundings; overflows where a square does.
+/// Exact except for two roundings. Overflows if a square does.
 inline double hypot(double x, double y) { return std::sqrt(x * x + y * y); }
 
-// Of many at once: the same bits as one by one, at a third of the time. Outputs are as long as the inputs.
+// For many numbers at once: the same bits as one by one, at a third of the time. Outputs have the length of the inputs.
 void exp(std::span<double> values);  ///< in place
 void exp(std::span<float> values);   ///< in place
 void sincos(std::span<const double> angles, std::span<double> sines, std::span<double> cosines);

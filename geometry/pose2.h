@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Poses on the ground: metres, radians; x forward, y left; the field's origin is its centre.
+// Poses on the ground: meters, radians; x forward, y left; the field's origin is its center.
 #pragma once
 
 #include <cmath>
@@ -32,16 +32,16 @@ void fields(Visit&& visit, T& pose) {
   visit(pose.position, pose.rotation);
 }
 
-/// The pose that looks the same on a field that is symmetric through its centre: (x, y, a) -> (-x, -y, a + pi).
+/// The pose that looks the same on a field that is symmetric about its center: (x, y, a) -> (-x, -y, a + pi).
 inline Pose2 reflect(const Pose2& pose) { return {-pose.position, pose.rotation + kPi}; }
 
-/// Less than `metres` and less than `radians` apart; false where a number is not finite.
-inline bool are_near(const Pose2& one, const Pose2& other, double metres, double radians) {
-  return (one.position - other.position).norm() < metres &&
+/// Whether the poses differ by less than `meters` and less than `radians`. False for numbers that are not finite.
+inline bool are_near(const Pose2& one, const Pose2& other, double meters, double radians) {
+  return (one.position - other.position).norm() < meters &&
          std::abs(angle_difference(one.rotation, other.rotation)) < radians;
 }
 
-/// The pose as a rigid motion of space that leaves heights as they are.
+/// The pose as a rigid motion of space that does not change heights.
 inline Isometry3 to_isometry(const Pose2& pose) {
   Isometry3 result = Isometry3::Identity();
   result.translation().head<2>() = pose.position;

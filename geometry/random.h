@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random numbers that are the same on every machine and in every run of one seed.
+// Random numbers that are the same on every machine and in each run with the same seed.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace reorient {
 
-/// Scatters numbers that lie close together (the finaliser of splitmix64); each has one that is its own.
+/// Scatters similar numbers (the finalizer of splitmix64). Different inputs have different results.
 constexpr std::uint64_t scatter(std::uint64_t value) {
   value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9ull;
   value = (value ^ (value >> 27)) * 0x94D049BB133111EBull;
   return value ^ (value >> 31);
 }
 
-/// xoshiro256++ (Blackman and Vigna, 2019), seeded by splitmix64. A seed and a stream name one sequence. Two numbers of
-/// it are never drawn by the arguments of one call or the operands of one operator: which is drawn first differs
-/// between processors and compilers. In braces the order is that of reading.
+/// xoshiro256++ (Blackman and Vigna, 2019), seeded by splitmix64. A seed and a stream define one sequence. Never draw
+/// two numbers in the arguments of one call or in the operands of one operator: their order of evaluation differs
+/// between processors and compilers. In braces the order is from left to right.
 class Random {
  public:
   using result_type = std::uint64_t;

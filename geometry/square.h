@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers times themselves.
+// Squares of numbers.
 #pragma once
 
 namespace reorient {

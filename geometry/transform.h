@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations with pinned mathematics (Eigen's AngleAxis and Rotation2D take the C library's), and rigid motions of
-// space.
+// Rotations with pinned mathematics (Eigen's AngleAxis and Rotation2D use the C library), and rigid motions of space.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +13,11 @@
 
 namespace reorient {
 
-/// A rigid motion of space. Unlike Eigen::Isometry3d it takes the same place in memory whatever processor the code
-/// around it is compiled for: a program built for AVX can use a library built without.
+/// A rigid motion of space. Unlike Eigen::Isometry3d, it has the same memory layout for every instruction set, so a
+/// program that was built for AVX can use a library that was built without it.
 using Isometry3 = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 
-/// `vector` turned to the left by `angle` (rad).
+/// `vector` rotated to the left by `angle` (rad).
 inline Eigen::Vector2d rotated(const Eigen::Vector2d& vector, double angle) {
   const auto [sine, cosine] = pinned::sincos(angle);
   return {cosine * vector.x() - sine * vector.y(), sine * vector.x() + cosine * vector.y()};
@@ -30,7 +29,7 @@ inline Eigen::Vector2d unit_vector(double angle) {
   return {cosine, sine};
 }
 
-/// The same for many angles: the same bits, in a third of the time. As many vectors as angles.
+/// The same for many angles, with the same bits in a third of the time. As many vectors as angles.
 inline void unit_vectors(std::span<const double> angles, std::span<Eigen::Vector2d> vectors) {
   std::array<double, 16> sines, cosines;
   for (std::size_t first = 0; first < angles.size(); first += sines.size()) {
@@ -40,7 +39,7 @@ inline void unit_vectors(std::span<const double> angles, std::span<Eigen::Vector
   }
 }
 
-/// The z component of the cross product: positive where b points to the left of a.
+/// The z component of the cross product: positive if b points to the left of a.
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// rad, in (-pi, pi].
