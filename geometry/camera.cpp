@@ -75,7 +75,7 @@ Eigen::Vector3d CameraModel::ray(const Eigen::Vector2d& pixel) const {
       const double slope = distortion_slope(*this, r2);
       if (slope <= 0.1) break;
       const double next = radius - (radius * distortion(*this, r2) - distorted_radius) / slope;
-      if (next == radius) break;  //  no further change
+      if (next == radius) break;  // no further change
       radius = next;
     }
   }

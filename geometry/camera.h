@@ -16,7 +16,7 @@ struct CameraModel : Lens {
   int width = 640;   ///< pixels
   int height = 480;  ///< pixels
   Eigen::Vector2d focal{617.0,
-                        616.0};  ///<  horizontal and vertical, pixels (pinhole) or pixels per radian (other lenses)
+                        616.0};  ///< horizontal and vertical, pixels (pinhole) or pixels per radian (other lenses)
   Eigen::Vector2d center{319.5, 239.5};  ///< principal point, pixels
 
   /// A pinhole without distortion with these fields of view (radians) and the principal point at the image center.

@@ -25,8 +25,8 @@ void fields(Visit&& visit, T& bias) {
 /// head looks straight ahead, only their sum is observable.
 struct CameraBias {
   TiltBias torso;
-  std::array<TiltBias, 2> mounts;  ///<  of the upper and the lower camera
-  double deviation = 0.0;          ///<  rad, standard deviation of the upper camera's sum, for each axis
+  std::array<TiltBias, 2> mounts;  ///< of the upper and the lower camera
+  double deviation = 0.0;          ///< rad, standard deviation of the upper camera's sum, for each axis
 };
 template <typename Visit, ConstOr<CameraBias> T>
 void fields(Visit&& visit, T& bias) {
@@ -35,7 +35,7 @@ void fields(Visit&& visit, T& bias) {
 
 /// The error that was learned for one body. Other bodies have other errors.
 struct KnownBias {
-  std::uint64_t body = 0;  ///<  digest_of() the body; in a file, combined with the digest of its calibration, if any
+  std::uint64_t body = 0;  ///< digest_of() the body; in a file, combined with the digest of its calibration, if any
   CameraBias bias;
 };
 template <typename Visit, ConstOr<KnownBias> T>

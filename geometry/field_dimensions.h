@@ -14,19 +14,19 @@ namespace reorient {
 struct FieldDimensions {
   double length = 9.0;  ///< between the goal lines
   double width = 6.0;   ///< between the touchlines
-  double border = 0.7;  ///<  width of the carpet beyond the lines
+  double border = 0.7;  ///< width of the carpet beyond the lines
   double line_width = 0.05;
   double penalty_area_depth = 1.65;
   double penalty_area_width = 4.0;
-  double goal_area_depth = 0.6;  ///<  0: no goal area (2013)
+  double goal_area_depth = 0.6;  ///< 0: no goal area (2013)
   double goal_area_width = 2.2;
-  double penalty_mark_x = 3.2;  ///<  distance of both marks from the center
+  double penalty_mark_x = 3.2;  ///< distance of both marks from the center
   double penalty_mark_size = 0.1;
   double center_circle_radius = 0.75;
-  double corner_arc_radius = 0.0;  ///<  of the quarter circles at the corners; 0: no arcs
+  double corner_arc_radius = 0.0;  ///< of the quarter circles at the corners; 0: no arcs
   double goal_post_y = 0.8;        ///< posts at y = +-goal_post_y on the goal lines
   double goal_height = 0.8;
-  double goal_depth = 0.5;  ///<  distance from the goal line to the back of the net
+  double goal_depth = 0.5;  ///< distance from the goal line to the back of the net
   double goal_post_diameter = 0.1;
   double ball_diameter = 0.1;
   bool yellow_goals = false;  ///< 2013: both goals yellow; today: both white

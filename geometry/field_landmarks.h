@@ -36,7 +36,7 @@ std::array<Eigen::Vector2d, 4> goal_outline(const FieldDimensions& field, double
 /// The quarter circle inside a corner of the field.
 struct CornerArc {
   Eigen::Vector2d corner;  ///< its center
-  double begin = 0.0;      ///<  rad, direction from the corner to its start; it ends 90 degrees to the left
+  double begin = 0.0;      ///< rad, direction from the corner to its start; it ends 90 degrees to the left
 };
 
 /// One arc in each corner. Empty if the radius is 0.

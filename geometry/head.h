@@ -60,8 +60,8 @@ constexpr int enum_count(NeckOrder) { return 2; }
 struct RobotDimensions {
   double torso_height = 0.24809;  ///< standing straight; NAO: thigh 0.1 + tibia 0.1029 + ankle 0.04519
   NeckOrder neck_order = NeckOrder::yaw_then_pitch;
-  Eigen::Vector3d first_axis{0.0, 0.0, 0.2115};  ///<  of the neck, relative to the torso's origin
-  Eigen::Vector3d second_axis{0.0, 0.0, 0.0};    ///<  relative to the first axis, in the part that rotates about it
+  Eigen::Vector3d first_axis{0.0, 0.0, 0.2115};  ///< of the neck, relative to the torso's origin
+  Eigen::Vector3d second_axis{0.0, 0.0, 0.0};    ///< relative to the first axis, in the part that rotates about it
   CameraMount upper{{0.05871, 0.0, 0.06364}, 0.0209};  ///< 1.2 degrees
   CameraMount lower{{0.05071, 0.0, 0.01774}, 0.6929};  ///< 39.7 degrees
 };

@@ -53,7 +53,7 @@ bool is_one_to_one(const Lens& lens, double radius) {
 /// does not reach `wanted`.
 double undistorted(const Lens& lens, double wanted) {
   constexpr double kFirstStep = 0.05;
-  constexpr double kGrowth = 0.1;  //  fraction of the radius; steps farther out may be longer
+  constexpr double kGrowth = 0.1;  // fraction of the radius; steps farther out may be longer
   constexpr int kBisections = 50;
   constexpr int kIterations = 60;
   if (!(wanted > 0.0)) return 0.0;
@@ -63,7 +63,7 @@ double undistorted(const Lens& lens, double wanted) {
   while (high < most) {
     high = std::min(most, low + kFirstStep + (lens.is_perspective() ? kGrowth * low : 0.0));
     const Radius at = distorted(lens, high);
-    if (!(at.slope > 0.0)) {  //  the distortion folds back before this radius: find where
+    if (!(at.slope > 0.0)) {  // the distortion folds back before this radius: find where
       double rising = low, falling = high;
       for (int i = 0; i < kBisections; ++i) {
         const double middle = 0.5 * (rising + falling);

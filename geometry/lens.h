@@ -18,7 +18,7 @@ namespace reorient {
 enum class CameraProjection {
   pinhole,         ///< perspective, with radial and tangential distortion: cv::projectPoints
   fisheye,         ///< equidistant (Kannala and Brandt, 2006): cv::fisheye::projectPoints
-  equirectangular  ///<  azimuth along the rows, elevation along the columns; crops are possible
+  equirectangular  ///< azimuth along the rows, elevation along the columns; crops are possible
 };
 constexpr int enum_count(CameraProjection) { return 3; }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What can be tuned about the field features.
+// Parameters of the field features.
 #pragma once
 
 namespace reorient {
 
-/// Luma and chroma in the image's own units (0 to 255), lengths on the ground in metres.
+/// Luma and chroma in the image's units (0 to 255), lengths on the ground in meters.
 struct FieldFeatureParameters {
   double carpet_memory = 0.7;
   int carpet_patience = 300;

@@ -6,7 +6,7 @@
 namespace reorient {
 namespace {
 
-/// m. While lines are not known, one that leads away from the robot may be taken for something upright and low.
+/// m. While lines are unknown, a line that leads away from the robot may be mistaken for an upright, low object.
 constexpr double kLeastHeight = 0.15, kTallerThanLines = 0.3;
 
 int highest_row_of_ground(const GroundProjection& view) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one image shows of the field: its border, its lines and marks, goal posts, obstacles, the ball.
+// The field features of one image: border, lines, marks, goal posts, obstacles and the ball.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -25,23 +25,23 @@
 
 namespace reorient {
 
-/// From the image alone: no pose, no time. What it carries from image to image is the carpet's colour.
+/// Uses the image alone, without pose or time. Only the carpet's color persists from image to image.
 class FieldFeatures {
  public:
   FieldFeatures(const FieldFeatureParameters& parameters, const FieldDimensions& field);
 
-  /// Writes into `percept`, which keeps its memory. Empty, with a boundary at the image's bottom, where there is
-  /// nothing to be seen: no carpet known yet, a camera that lies, hangs head down or has no finite place, an empty
-  /// image.
+  /// Writes into `percept` and reuses its memory. The result is empty, with a boundary at the image's bottom, if
+  /// nothing can be seen: no carpet is known yet, the image is empty, or the camera lies on the ground, hangs upside
+  /// down or has no finite position.
   void find(const ImageView& image, const CameraModel& camera, const Isometry3& robot_from_camera,
             FieldPercept& percept);
 
-  /// From the next image on.
+  /// Takes effect with the next image.
   void set_parameters(const FieldFeatureParameters& parameters);
 
   const CarpetColor& carpet_color() const { return carpet_color_; }
 
-  /// What was learned from the images so far. Throws BadBytes.
+  /// The learned values. Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.carpet_color_);

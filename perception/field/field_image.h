@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One image with all that tells where its pixels lie and what they show, in one value.
+// One image with its geometry and carpet color, in one value.
 #pragma once
 
 #include <array>
@@ -20,16 +20,16 @@ namespace reorient {
 struct FieldImage {
   const ImageView& image;
   const GroundProjection& view;
-  const CarpetColor& color;  ///< which has observed this image
+  const CarpetColor& color;  ///< has observed this image
 
-  /// The nearest pixel; nothing outside of the image.
+  /// The nearest pixel. Empty outside of the image.
   std::optional<Eigen::Vector2i> nearest(const Eigen::Vector2d& pixel) const {
-    // What is projected may lie farther outside than whole numbers reach.
+    // Projected points may be too far outside for integers.
     const double x = std::round(pixel.x()), y = std::round(pixel.y());
     if (!(x >= 0.0 && y >= 0.0 && x < image.width && y < image.height)) return std::nullopt;
     return Eigen::Vector2i(static_cast<int>(x), static_cast<int>(y));
   }
-  /// The same of a place on the ground, m.
+  /// The same at a position on the ground, m.
   std::optional<Eigen::Vector2i> nearest_to_ground(const Eigen::Vector2d& place) const {
     const auto pixel = view.pixel({place.x(), place.y(), 0.0});
     return pixel ? nearest(*pixel) : std::nullopt;
@@ -38,7 +38,7 @@ struct FieldImage {
   Surface surface(const Eigen::Vector2i& pixel) const { return color.surface(pixel.x(), pixel.y(), at(pixel)); }
 };
 
-/// So many unit vectors, evenly spread over a turn.
+/// Unit vectors, evenly distributed over a full turn.
 template <std::size_t kCount>
 const std::array<Eigen::Vector2d, kCount>& directions_around() {
   static const auto all = [] {

@@ -13,7 +13,7 @@ namespace {
 bool is_upright(const Isometry3& robot_from_camera) {
   constexpr double kLowest = 0.15;   // m; a lying robot's camera is below
   constexpr double kHighest = 2.5;   // m
-  constexpr double kSteepest = 0.3;  // cosine of the angle between the image's vertical and gravity's
+  constexpr double kSteepest = 0.3;  // cosine of the angle between the image's vertical and gravity
   const double tan_roll_limit = pinned::tan(from_degrees(35.0));
   if (!robot_from_camera.matrix().allFinite()) return false;
   const double height = robot_from_camera.translation().z();
@@ -71,7 +71,7 @@ Eigen::Matrix2d GroundProjection::covariance(const Eigen::Vector2d& point, doubl
   return covariance(point, pinned::hypot(attitude_deviation, pixel_deviation / pixels_per_radian(pixel)));
 }
 
-/// By bisection, since the row is not a simple function of the column: above it rays go up, below it down.
+/// Bisection, since the row is not a simple function of the column. Rays above the row point up, rays below it down.
 double GroundProjection::find_horizon(double column) const {
   constexpr int kIterations = 16;
   double above = -0.5, below = camera_.height - 0.5;
@@ -103,7 +103,7 @@ double GroundProjection::horizon(double column) const {
     const double share = place - static_cast<double>(left);
     return (1.0 - share) * horizon_[left] + share * horizon_[left + 1];
   }
-  // Rays (1, -u, -v) that are at right angles to gravity; u is found from the column by undoing the distortion.
+  // Rays (1, -u, -v) at right angles to gravity. u follows from the column after the distortion is removed.
   constexpr int kIterations = 3;
   const double wanted = (column - camera_.center.x()) / camera_.focal.x();
   double u = wanted;
@@ -125,7 +125,7 @@ double GroundProjection::vertical_slant(const Eigen::Vector2d& pixel) const {
   const auto lower = camera_.project(ray + kStep * down_);
   if (!lower || lower->y() - pixel.y() < 1e-6) return 0.0;
   const double slant = (lower->x() - pixel.x()) / (lower->y() - pixel.y());
-  constexpr double kSteepest = 2.0;  // beside a wide lens verticals lie almost along the rows
+  constexpr double kSteepest = 2.0;  // near a wide lens, verticals are almost parallel to the rows
   return camera_.is_perspective() ? slant : std::clamp(slant, -kSteepest, kSteepest);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was seen of the field in one image. Positions are on the ground in the robot frame: m, x forward, y left.
+// The features of the field in one image. Positions are on the ground in the robot frame: m, x forward, y left.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace reorient {
 
-/// A point on the centre of a field line.
+/// A point on the center of a field line.
 struct LinePoint {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
-  double normal = 0.0;  ///< direction across the line, rad, known up to half a turn: in (-pi/2, pi/2]
+  double normal = 0.0;  ///< direction across the line, rad; opposite directions are equivalent: in (-pi/2, pi/2]
   Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
 };
 
@@ -25,11 +25,11 @@ void fields(Visit&& visit, T& point) {
 }
 
 struct GoalPost {
-  /// m, where the post stands; from the base, or from the height where the base is not in view
+  /// m, position of the post on the ground; from the base, or from the height if the base is not in view
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  bool base_visible = true;                        ///< false: the bearing holds, the distance is rough
+  bool base_visible = true;                        ///< false: the bearing is accurate, the distance is rough
   Eigen::Vector2f base = Eigen::Vector2f::Zero();  ///< pixel
-  Eigen::Vector2f top = Eigen::Vector2f::Zero();   ///< pixel, the highest one found
+  Eigen::Vector2f top = Eigen::Vector2f::Zero();   ///< pixel, the highest point that was found
 };
 
 template <typename Visit, ConstOr<GoalPost> T>
@@ -37,10 +37,10 @@ void fields(Visit&& visit, T& post) {
   visit(post.position, post.base_visible, post.base, post.top);
 }
 
-/// Something that stands on the field and hides what is behind it: a robot, a person, a post's neighbour.
+/// An object that stands on the field and hides the background: a robot, a person, the neighbor of a post.
 struct Obstacle {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m, nearest point on the ground
-  int left = 0;                                        ///< image columns that it covers, first and last
+  int left = 0;                                        ///< first and last image column that it covers
   int right = 0;
   int top = 0;  ///< image rows
   int bottom = 0;
@@ -51,11 +51,12 @@ void fields(Visit&& visit, T& obstacle) {
   visit(obstacle.position, obstacle.left, obstacle.right, obstacle.top, obstacle.bottom);
 }
 
-/// The center circle, of which at least a part of its line is in view.
+/// The center circle, of whose line at least a part is in view.
 struct CenterCircle {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();          ///< m
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of the center, m^2
-  /// rad, along the halfway line, known up to half a turn: in (-pi/2, pi/2]; nothing: the line was not seen
+  /// rad, direction of the halfway line; opposite directions are equivalent: in (-pi/2, pi/2]. Empty if the line was
+  /// not seen.
   std::optional<double> halfway_direction;
   double direction_variance = 0.0;  ///< rad^2
 };
@@ -65,13 +66,13 @@ void fields(Visit&& visit, T& circle) {
   visit(circle.center, circle.covariance, circle.halfway_direction, circle.direction_variance);
 }
 
-/// A place where two lines meet.
+/// A point where two lines meet.
 struct Intersection {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();        ///< m
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< m^2
   IntersectionKind kind = IntersectionKind::l;
-  double direction = 0.0;   ///< rad, as FieldIntersection has it
-  bool corner_arc = false;  ///< an L with a quarter of a circle around it: a corner of the field
+  double direction = 0.0;   ///< rad, as in FieldIntersection
+  bool corner_arc = false;  ///< whether an L has a quarter circle around it, so it is a corner of the field
   Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
 };
 
@@ -93,9 +94,9 @@ void fields(Visit&& visit, T& mark) {
 }
 
 struct Ball {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();        ///< m, where it touches the ground
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();        ///< m, point of contact with the ground
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< m^2
-  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();           ///< its middle
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();           ///< its center
   float radius = 0.0f;                                       ///< pixels
 };
 
@@ -112,11 +113,11 @@ struct FieldPercept {
   std::vector<Intersection> intersections;
   std::vector<PenaltyMark> penalty_marks;
   std::optional<Ball> ball;
-  /// Row of the field's upper border in evenly spaced columns (column i is at (i + 0.5) * width / size());
-  /// the image's height where no field is in view in that column.
+  /// Row of the field's upper border in evenly spaced columns (column i is at (i + 0.5) * width / size()). The image's
+  /// height if no field is in view in that column.
   std::vector<float> boundary;
 
-  /// Memory for what one image shows at most, or nearly so: then no frame has to ask for more.
+  /// Reserves memory for nearly all that one image can show, so that later frames allocate nothing.
   void reserve() {
     line_points.reserve(600);
     goal_posts.reserve(16);
@@ -126,7 +127,7 @@ struct FieldPercept {
     boundary.reserve(128);
   }
 
-  /// Whether it shows anything by which a pose can be judged.
+  /// Whether the percept contains features that constrain a pose.
   bool has_landmarks() const { return !line_points.empty() || !goal_posts.empty(); }
 
   void clear() {

@@ -8,12 +8,12 @@ namespace {
 
 constexpr int kColumns = CarpetMap::kColumns;
 
-/// From the bottom up, carpet supports going on and everything else against: a line or a robot across the column
-/// is passed when enough carpet follows, a green banner beyond the field is not reached.
+/// Adds up from the bottom: carpet counts for continuing, everything else against it. So the search passes a line or a
+/// robot if enough carpet follows, but it does not reach a green banner beyond the field.
 int highest_carpet(const CarpetMap& map, int column) {
   constexpr int kLeast = 3;  // cells of carpet
   constexpr int kAgainst = 2;
-  constexpr int kOccluder = -10;  // what is at the image's bottom, however high, counts no more than this
+  constexpr int kOccluder = -10;  // largest penalty for an object at the image's bottom, whatever its height
   int best_row = map.rows();
   int best = kLeast - 1;
   int score = 0;
@@ -29,19 +29,19 @@ int highest_carpet(const CarpetMap& map, int column) {
   return best_row;
 }
 
-/// Where a column reaches higher than most of its neighbours, it followed something that is not the field.
+/// Lowers columns that reach higher than most of their neighbors, since they followed something beyond the field.
 int without_spike(const StraightEdges::Rows& rows, int column) {
   constexpr int kReach = 3;
   std::array<int, 2 * kReach + 1> around{};
-  int neighbour = column - kReach;
-  for (int& row : around) row = rows[static_cast<std::size_t>(std::clamp(neighbour++, 0, kColumns - 1))];
+  int neighbor = column - kReach;
+  for (int& row : around) row = rows[static_cast<std::size_t>(std::clamp(neighbor++, 0, kColumns - 1))];
   std::nth_element(around.begin(), around.begin() + kReach, around.end());
   return std::max(rows[static_cast<std::size_t>(column)], around[kReach]);
 }
 
 }  // namespace
 
-/// The first row from `row` down that is not beyond an edge.
+/// The first row at or below `row` that is not beyond an edge.
 int Boundary::within_edges(const CarpetMap& map, int column, int row) const {
   const auto is_beyond = [&](int at) {
     return edges_.is_beyond({static_cast<double>(map.column_pixel(column)), static_cast<double>(map.row_pixel(at))});
@@ -65,7 +65,7 @@ void Boundary::find(const CarpetMap& map, const CameraModel& camera, std::vector
     row = within_edges(map, i, row);
   }
 
-  // Upper convex hull of the columns that see carpet (Andrew, 1979); rows count downwards.
+  // Upper convex hull of the columns with carpet in view (Andrew, 1979). Rows count downward.
   std::size_t size = 0;
   for (int i = 0; i < kColumns; ++i) {
     if (row_of(i) >= map.rows()) continue;

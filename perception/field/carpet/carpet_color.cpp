@@ -16,12 +16,12 @@ namespace {
 constexpr int kSampleColumns = 48;
 constexpr int kSampleRows = 36;
 constexpr std::size_t kFewestSamples = 40;
-constexpr double kFewestShare = 0.1;      // of the samples must be of one color
-constexpr double kShareOfAnyColor = 0.6;  // of them must be near one that is no green
-constexpr double kShareOfAnother = 0.3;   // before a known color is given up for another one
+constexpr double kFewestShare = 0.1;      // fraction of the samples that must have one color
+constexpr double kShareOfAnyColor = 0.6;  // fraction of them that must be near a color other than green
+constexpr double kShareOfAnother = 0.3;   // fraction above which another color can replace a known one
 constexpr double kNear = 4.0;             // m
 
-/// Could any carpet in a good white balance have this chroma? From yellowish to bluish green.
+/// Whether any carpet can have this chroma under a good white balance: from yellowish to bluish green.
 bool is_greenish(double b, double r) {
   constexpr double kLeast = 5.0;
   return r < 0.0 && -r >= 0.3 * std::abs(b) && b <= 3.0 - 0.3 * r && b * b + r * r >= kLeast * kLeast;
@@ -47,9 +47,9 @@ void CarpetColor::observe(const ImageView& image, const GroundProjection& view) 
   if (known_) prepare_parts();
 }
 
-/// From the samples.
+/// Fits the color to the samples.
 void CarpetColor::learn() {
-  constexpr int kSteps = 4;  // from one color to all of the carpet
+  constexpr int kSteps = 4;  // from one color to the whole carpet
   if (samples_.size() < kFewestSamples) return;
   const auto share_of = [this](int count) { return static_cast<double>(count) / static_cast<double>(samples_.size()); };
   Learned seen = learned_;
@@ -75,8 +75,8 @@ void CarpetColor::learn() {
   known_ = true;
 }
 
-/// Enough of the carpet is in view, and what is in view is the carpet: something of a similar color beside it would
-/// lead the color away from it, step by step. Fits `seen`.
+/// Whether enough carpet is in view and the samples are carpet. An area of similar color beside the carpet would shift
+/// the learned color step by step. Fits `seen`.
 bool CarpetColor::goes_on_with(Learned& seen) const {
   constexpr double kMostStep = 0.25, kLeastStep = 3.0;  // of the saturation; of chroma
   const Fit fitted = fit(seen);
@@ -105,7 +105,7 @@ void CarpetColor::collect(const ImageView& image, const GroundProjection& view) 
   }
 }
 
-/// The densest chroma among the samples; green counts twice, since most carpets are.
+/// The densest chroma among the samples. Green counts twice, since most carpets are green.
 std::optional<CarpetColor::Dominant> CarpetColor::find_dominant() const {
   constexpr std::size_t kBins = 32;  // 4 steps of chroma each
   constexpr int kRange = 64;
@@ -133,9 +133,9 @@ std::optional<CarpetColor::Dominant> CarpetColor::find_dominant() const {
   return is_enough ? std::optional(best) : std::nullopt;
 }
 
-/// Least squares over the samples that are near, which change with the color: so it reaches, step by step, corners of
-/// another tint. A little is added to the squares of all terms but the mean, so that few samples do not bend it.
-/// None are near: they are too few, and the color is as it was.
+/// Least squares over the samples near the color. The samples are selected again after each step, so the fit gradually
+/// includes corners of another tint. A small constant is added to the squares of all terms except the mean, to
+/// stabilize fits with few samples. If no samples are near, there are too few and the color is unchanged.
 CarpetColor::Fit CarpetColor::fit(Learned& color) const {
   constexpr double kStiffness = 0.02, kLeastRadius = 6.0, kRadius = 0.6;  // of the carpet's saturation
   Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
@@ -151,7 +151,7 @@ CarpetColor::Fit CarpetColor::fit(Learned& color) const {
     blue += sample.b * terms;
     red += sample.r * terms;
     luma += sample.y;
-    difference += std::min(sample.difference, 30);  // the edges of lines are not noise
+    difference += std::min(sample.difference, 30);  // limited, since the edges of lines are not noise
     deviation += off;
     ++near;
   }
@@ -191,9 +191,9 @@ double CarpetColor::tint_at(const Eigen::Vector2i& pixel, const Ycbcr& seen) con
   return std::min((chroma - white).norm(), of_light) / std::max<int>(seen.y, 1);
 }
 
-/// After reading.
+/// Checks values after reading.
 void CarpetColor::check() const {
-  constexpr double kMostChroma = 1000.0;  // of a term: they may balance each other
+  constexpr double kMostChroma = 1000.0;  // limit of a term, since terms may cancel each other
   constexpr double kMostLuma = 255.0;
   const auto sound = [](double value, double most) { return value >= 0.0 && value <= most; };
   const auto is_chroma = [&](const auto& terms) { return (terms.array().abs() <= kMostChroma).all(); };
@@ -213,8 +213,8 @@ void CarpetColor::prepare_parts() {
   }
 }
 
-/// Where carpet and what has no color differ by hardly more than noise, the cone would end within it: then its apex
-/// lies farther back. `no_color`: as bright as the carpet. `light`: how that changes with luma.
+/// If the carpet differs from colorless surfaces by hardly more than noise, the cone would end within the noise. The
+/// apex is then moved back. `no_color`: a colorless surface as bright as the carpet. `light`: its change with luma.
 ChromaCone CarpetColor::cone_for(const Eigen::Vector2d& carpet, const Eigen::Vector2d& no_color,
                                  const Eigen::Vector2d& light) const {
   constexpr double kUnit = 256.0;
@@ -223,7 +223,7 @@ ChromaCone CarpetColor::cone_for(const Eigen::Vector2d& carpet, const Eigen::Vec
   const Eigen::Vector2d color = carpet - no_color;
   const double own = color.norm();
   const double saturation = std::max({own, kLeastSaturation, kDeviations * learned_.deviation});
-  // Without a color of its own, any direction will do.
+  // Without a color, any direction is possible.
   const Eigen::Vector2d hue = own > 1.0 ? Eigen::Vector2d(color / own) : Eigen::Vector2d(-0.6, -0.8);
   const Eigen::Vector2d apex = carpet - saturation * hue - learned_.luma * light;
   ChromaCone cone;
@@ -239,7 +239,7 @@ ChromaCone CarpetColor::cone_for(const Eigen::Vector2d& carpet, const Eigen::Vec
   return cone;
 }
 
-/// How the chroma of what has no color changes with luma, where a tint of white is one of the light.
+/// The change of chroma of colorless surfaces with luma, for a tint of the light.
 Eigen::Vector2d CarpetColor::light_of(const Eigen::Vector2d& white) const {
   return white / std::max(1.0, learned_.luma + white_less_carpet_.x());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The color of the carpet, learned from the images themselves, whatever it is: its chroma in each part of the image,
-// since a lens makes the corners darker and of another tint.
+// The color of the carpet, whatever it is, learned from the images. The chroma is stored for each part of the image,
+// since a lens makes the corners darker and changes their tint.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@
 
 namespace reorient {
 
-/// What a pixel may show. Unsure: too dark to have a color, as carpet is in the corners of a vignetted image, or carpet
-/// in one account of the light only.
+/// What a pixel may show. Unsure: too dark to have a color, as carpet in the corners of a vignetted image, or carpet in
+/// only one of the two models of the light.
 enum class Surface : std::uint8_t { other, carpet, unsure };
 
-/// The chroma of the carpet around an axis from what has no color, in 1/256 of a step.
+/// A cone of chroma around the axis that starts at the chroma of colorless surfaces, in 1/256 of a step.
 struct ChromaCone {
   int apex_b = 0, apex_r = 0;    ///< on the axis, where luma is 0
-  int light_b = 0, light_r = 0;  ///< how the apex moves with luma
-  int hue_b = 0, hue_r = 0;      ///< along the axis; a vector of length 256
+  int light_b = 0, light_r = 0;  ///< change of the apex with luma
+  int hue_b = 0, hue_r = 0;      ///< direction of the axis; a vector of length 256
   int least_along = 0, most_along = 0, spread = 0;
 
   struct Place {
-    int along = 0, off = 0;  ///< the axis
+    int along = 0, off = 0;  ///< along the axis and across it
   };
   Place place_of(int y, int cb, int cr) const {
     const int b = 256 * (cb - 128) - apex_b - light_b * y;
@@ -45,9 +45,9 @@ struct ChromaCone {
   }
 };
 
-/// The carpet in one part of the image, in two accounts of a tint of all that has no color: added to each pixel, as a
-/// camera's own processing may do, or of the light, and the more of it the brighter a pixel is. Written without
-/// branches, so that a compiler works on several pixels at once.
+/// The carpet in one part of the image, for two models of a tint of colorless surfaces. Either the camera's processing
+/// adds the tint to each pixel, or the light causes it and it grows with luma. Written without branches so that a
+/// compiler can vectorize it.
 class CarpetPart {
  public:
   Surface surface(int y, int cb, int cr) const {
@@ -70,13 +70,14 @@ class CarpetColor {
   explicit CarpetColor(const FieldFeatureParameters& parameters);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// Looks at the ground close to the robot, where most is carpet. The color is carried over from image to image; an
-  /// image with little of it leaves it as it is, several with another one (the light was switched) replace it.
+  /// Observes the ground close to the robot, where most pixels show carpet. The color persists from image to image. An
+  /// image with little of it does not change it. Several images with another color, for example after the light was
+  /// switched, replace it.
   void observe(const ImageView& image, const GroundProjection& view);
 
   bool known() const { return known_; }
 
-  // Parts of the image that was observed last.
+  // Parts of the last observed image.
   int column_of(int x) const { return x * kColumns / width_; }
   int row_of(int y) const { return y * kRows / height_; }
   const CarpetPart& part(int column, int row) const {
@@ -85,30 +86,30 @@ class CarpetColor {
   const CarpetPart& at(int x, int y) const { return part(column_of(x), row_of(y)); }
   Surface surface(int x, int y, const Ycbcr& pixel) const { return at(x, y).surface(pixel.y, pixel.cb, pixel.cr); }
 
-  /// By how much chroma differs from that of what has no color, in the better account of the tint, as a share of luma.
+  /// Difference of chroma from that of colorless surfaces, in the better model of the tint, as a fraction of luma.
   double tint_at(const Eigen::Vector2i& pixel, const Ycbcr& seen) const;
 
   double luma() const { return learned_.luma; }
 
-  /// Mean difference of luma between pixels two rows apart on plain carpet: texture and sensor noise.
+  /// Mean difference of luma between pixels two rows apart on plain carpet, from texture and sensor noise.
   double noise() const { return learned_.noise; }
 
-  /// By how much this image's stripes differ from the carpet beside them: (luma, blue, red). White against the carpet
-  /// is taken to be as different, until other images say otherwise; the parts from the next image on.
+  /// Sets how much the stripes of this image differ from the carpet beside them: (luma, blue, red). The initial
+  /// assumption is a strong contrast between white and the carpet. The parts use the new value from the next image on.
   void observe_white(const Eigen::Vector3d& less_carpet);
-  /// The same, of the images so far, in (blue, red). Before any: as if white had no color, and the carpet that of this
-  /// place.
+  /// The mean difference in (blue, red) over the images so far. Before the first one: the difference between a
+  /// colorless white and the carpet at this position.
   Eigen::Vector2d white_less_carpet(const Eigen::Vector2d& carpet) const {
     return white_known_ ? Eigen::Vector2d(white_less_carpet_.tail<2>()) : Eigen::Vector2d(-carpet);
   }
 
-  /// The same in luma; 0: before any.
+  /// The mean difference in luma. 0 before the first image.
   double white_contrast() const { return white_known_ ? white_less_carpet_.x() : 0.0; }
 
-  /// By how much samples of the carpet differ from its smooth color: standard deviation of one channel.
+  /// Standard deviation of one channel between samples of the carpet and its smooth color.
   double deviation() const { return learned_.deviation; }
 
-  /// What was learned. Throws BadBytes.
+  /// The learned values. Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.known_, self.learned_.blue, self.learned_.red, self.learned_.luma, self.learned_.noise,
@@ -121,14 +122,14 @@ class CarpetColor {
 
   struct Sample {
     int y, b, r;     ///< chroma without its offset of 128
-    int difference;  ///< of luma to two rows below
-    double u, v;     ///< place in the image, each from -1 to 1
+    int difference;  ///< difference of luma to two rows below
+    double u, v;     ///< position in the image, each from -1 to 1
   };
   struct Dominant {
     double b = 0.0, r = 0.0;
     int count = 0;  ///< samples
   };
-  /// Of 1, u, v, u^2, u v, v^2: a place in the image, or the factors of a smooth surface over it.
+  /// Factors of 1, u, v, u^2, u v, v^2: a position in the image, or a smooth surface over it.
   using Terms = Eigen::Matrix<double, 6, 1>;
   struct Learned {
     Terms blue = Terms::Zero(), red = Terms::Zero();  ///< chroma without its offset of 128, over the image
@@ -140,8 +141,8 @@ class CarpetColor {
   };
   struct Fit {
     int near = 0;                                      ///< samples near the color
-    Terms place = Terms::Zero();                       ///< their mean
-    Eigen::Vector2d chroma = Eigen::Vector2d::Zero();  ///< their mean, (blue, red)
+    Terms place = Terms::Zero();                       ///< mean position of these samples
+    Eigen::Vector2d chroma = Eigen::Vector2d::Zero();  ///< mean chroma of these samples, (blue, red)
   };
 
   void collect(const ImageView& image, const GroundProjection& view);
@@ -160,10 +161,10 @@ class CarpetColor {
 
   FieldFeatureParameters parameters_;
   std::vector<Sample> samples_;
-  int width_ = 1, height_ = 1;  ///< of the image observed last
+  int width_ = 1, height_ = 1;  ///< of the last observed image
   bool known_ = false;
   Learned learned_;
-  int doubted_ = 0;  ///< images with another color since the carpet was seen last
+  int doubted_ = 0;  ///< consecutive images with another color
   bool white_known_ = false;
   Eigen::Vector3d white_less_carpet_ = Eigen::Vector3d::Zero();  ///< (luma, blue, red)
   std::array<CarpetPart, static_cast<std::size_t>(kColumns) * kRows> parts_{};

@@ -28,7 +28,7 @@ void CarpetMap::fill(const ImageView& image, const CarpetColor& color, int first
   }
 }
 
-/// Cells of one part: each step for all of them, so that several are worked on at a time.
+/// Processes the cells of one part. Each step handles all cells, so that the compiler can vectorize it.
 void CarpetMap::fill(const ImageView& image, const CarpetPart& part, const Cells& cells) {
   std::size_t count = 0;
   const auto each_cell = [&](auto&& with) {
@@ -42,7 +42,7 @@ void CarpetMap::fill(const ImageView& image, const CarpetPart& part, const Cells
     cb_[count] = pair[1];
     cr_[count++] = pair[3];
   });
-  const CarpetPart own = part;  // which nothing else can change meanwhile
+  const CarpetPart own = part;  // a copy that nothing else can change
   for (std::size_t k = 0; k < count; ++k) found_[k] = static_cast<int>(own.surface(y_[k], cb_[k], cr_[k]));
   count = 0;
   each_cell([&](int i, int j) {

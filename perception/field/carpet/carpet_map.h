@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A coarse grid over the image that tells carpet from everything else.
+// A coarse grid over the image that separates carpet from everything else.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ class CarpetMap {
 
   CarpetMap() : cells_(static_cast<std::size_t>(kColumns) * kMostRows) {}
 
-  /// From row `first_row` of the image down; the cells above are not looked at.
+  /// Uses rows of the image from `first_row` down. The cells above are not computed.
   void fill(const ImageView& image, const CarpetColor& color, int first_row);
 
   int rows() const { return rows_; }
-  int first_cell() const { return first_; }  ///< the highest row of cells that was looked at
+  int first_cell() const { return first_; }  ///< the highest row of computed cells
   Surface at(int column, int row) const {
     return cells_[static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(column)];
   }
@@ -35,7 +35,7 @@ class CarpetMap {
  private:
   static constexpr int kMostRowsAtOnce = 20;
   static constexpr std::size_t kMostAtOnce = std::size_t{kMostRowsAtOnce} * kColumns;
-  /// The last column and row are outside.
+  /// `last` column and row are excluded.
   struct Cells {
     int left, top, right, bottom;
   };

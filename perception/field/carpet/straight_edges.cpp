@@ -6,8 +6,8 @@
 namespace reorient {
 namespace {
 
-constexpr double kLeastShare = 0.35;  // of the columns that the first edge explains
-constexpr int kFewest = 6;            // columns, of any edge
+constexpr double kLeastShare = 0.35;  // fraction of the columns that the first edge explains
+constexpr int kFewest = 6;            // smallest number of columns of an edge
 
 }  // namespace
 
@@ -33,14 +33,14 @@ void StraightEdges::find(const CarpetMap& map, const CameraModel& camera, const 
   }
 }
 
-/// Of those through two columns: on which the most others lie, less those beyond it.
+/// Among the edges through two columns, the one with the most columns on it, minus the columns beyond it.
 StraightEdges::Edge StraightEdges::best_edge() const {
   constexpr int kEnds = 12;
   const auto end = [this](int index) { return open_.col(index * (open_count_ - 1) / (kEnds - 1)); };
   Edge best;
   for (int i = 0; i < kEnds; ++i) {
     for (int j = i + 2; j < kEnds; ++j) {
-      const Eigen::Vector3d across = end(i).cross(end(j));  // down, since i is to the left of j
+      const Eigen::Vector3d across = end(i).cross(end(j));  // points down, since i is to the left of j
       const double length = across.norm();
       if (!(length > tolerance_)) continue;
       const Eigen::Vector3d down = across / length;
@@ -56,7 +56,7 @@ StraightEdges::Edge StraightEdges::best_edge() const {
   return best;
 }
 
-/// Those that lie on an edge already, but beyond this one.
+/// The columns that lie on another edge already, but beyond this one.
 int StraightEdges::columns_lost_to(const Edge& edge) const {
   int lost = 0;
   for (int k = 0; k < all_count_; ++k) {
@@ -67,7 +67,7 @@ int StraightEdges::columns_lost_to(const Edge& edge) const {
   return lost;
 }
 
-/// Columns on the edge and beyond it.
+/// The columns on the edge and beyond it.
 void StraightEdges::remove_explained(const Edge& edge) {
   int kept = 0;
   for (int k = 0; k < open_count_; ++k) {

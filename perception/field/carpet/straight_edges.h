@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The straight edges of the carpet, on which most columns of the image agree.
+// The straight edges of the carpet that explain most columns of the image.
 #pragma once
 
 #include <array>
@@ -11,21 +11,21 @@
 
 namespace reorient {
 
-/// The carpet is a convex polygon with few edges. An edge and the camera span a plane, whatever the lens.
+/// The carpet is a convex polygon with few edges. An edge and the camera span a plane for any lens.
 class StraightEdges {
  public:
   using Rows = std::array<int, CarpetMap::kColumns>;
 
-  /// `highest`: topmost row of carpet in each column, of the map; its number of rows: no carpet. No edges where no line
-  /// explains enough of the columns.
+  /// `highest`: topmost row of carpet in each column of the map; its number of rows means no carpet. Finds no edges if
+  /// no line explains enough columns.
   void find(const CarpetMap& map, const CameraModel& camera, const Rows& highest);
 
-  /// Whether a pixel lies beyond one of the edges, by more than an edge may be uneven.
+  /// Whether a pixel lies beyond one of the edges, by more than the tolerance.
   bool is_beyond(const Eigen::Vector2d& pixel) const;
 
  private:
   struct Edge {
-    Eigen::Vector3d down = Eigen::Vector3d::Zero();  ///< of unit length, across the plane, camera frame
+    Eigen::Vector3d down = Eigen::Vector3d::Zero();  ///< unit normal of the plane, camera frame
     int score = 0;                                   ///< columns
   };
 

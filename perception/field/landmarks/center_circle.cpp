@@ -31,7 +31,8 @@ CenterCircleFinder::CenterCircleFinder(const FieldFeatureParameters& parameters,
   votes_.reserve(2 * kMostVoters);
 }
 
-/// Each point has the center at the circle's radius on either side of it. Along a straight line these places lie apart.
+/// Each point votes for two centers, at the circle's radius on either side of it. The votes of points on a straight
+/// line are far apart.
 std::optional<Vector2d> CenterCircleFinder::vote(std::span<const LinePoint> points) {
   constexpr double kNear = 0.2;  // m
   votes_.clear();
@@ -68,7 +69,7 @@ std::optional<CenterCircle> CenterCircleFinder::find(std::span<const LinePoint> 
   std::optional<Vector2d> center = vote(points);
   if (!center) return std::nullopt;
 
-  // Least squares of the distances from the circle's line.
+  // Least squares of the distances to the circle's line.
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     information.setZero();
@@ -104,7 +105,7 @@ std::optional<CenterCircle> CenterCircleFinder::find(std::span<const LinePoint> 
   if (on_circle < kFewestPoints || std::popcount(bins) < kFewestBins || beside > kContradiction * on_circle)
     return std::nullopt;
 
-  // Neighboring points share their errors.
+  // Neighboring points have common errors.
   constexpr double kIndependent = 8.0;
   const double shared = std::max(1.0, on_circle / kIndependent);
   CenterCircle circle;
@@ -115,10 +116,10 @@ std::optional<CenterCircle> CenterCircleFinder::find(std::span<const LinePoint> 
 }
 
 void CenterCircleFinder::find_halfway_line(std::span<const LinePoint> points, CenterCircle& circle) const {
-  constexpr double kNearest = 0.25;  // m from the center, where a direction from it says something
+  constexpr double kNearest = 0.25;  // m from the center, where the direction of a point is significant
   constexpr int kFewest = 4;
   constexpr double kAgreement = 0.97;
-  Vector2d sum = Vector2d::Zero();  // of doubled angles, weighed by the distance
+  Vector2d sum = Vector2d::Zero();  // of doubled angles, weighted by the distance
   double weights = 0.0, moment = 0.0;
   int count = 0;
   for (const LinePoint& point : points) {
@@ -133,7 +134,7 @@ void CenterCircleFinder::find_halfway_line(std::span<const LinePoint> points, Ce
     ++count;
   }
   if (count < kFewest || sum.norm() < kAgreement * weights) return;
-  const double deviation = 0.02 + 0.02 * circle.center.norm();  // m, of a point across the line
+  const double deviation = 0.02 + 0.02 * circle.center.norm();  // m, standard deviation of a point across the line
   circle.halfway_direction = 0.5 * direction_of(sum);
   circle.direction_variance = deviation * deviation / std::max(moment / count, 1e-6) +
                               parameters_.attitude_deviation * parameters_.attitude_deviation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The center circle, from line points that lie on it, and the halfway line through its middle.
+// The center circle, from line points on it, and the halfway line through its center.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ class CenterCircleFinder {
   CenterCircleFinder(const FieldFeatureParameters& parameters, const FieldDimensions& field);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// The circle of the field's radius that most of the points vote for. An arc of some 75 degrees is enough.
+  /// The circle of the field's radius with the most votes of points. An arc of about 75 degrees is enough.
   std::optional<CenterCircle> find(std::span<const LinePoint> points, const GroundProjection& view);
 
  private:

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kMostIntersections = 16;
-constexpr double kSamePlace = 0.3;    // m; no two intersections are so near to each other
-constexpr double kRightAngle = 0.34;  // cosine of 70 degrees: two lines that meet are no farther from a right angle
+constexpr double kSamePlace = 0.3;    // m, smallest distance between two intersections
+constexpr double kRightAngle = 0.34;  // cosine of 70 degrees, the smallest angle between two lines that meet
 
 Vector2d left_of(const Vector2d& direction) { return {-direction.y(), direction.x()}; }
 
@@ -26,12 +26,12 @@ Vector2d left_of(const Vector2d& direction) { return {-direction.y(), direction.
 Intersections::Intersections(const FieldFeatureParameters& parameters, const FieldDimensions& field)
     : parameters_(parameters), field_(field) {}
 
-/// Whether a white stripe as wide as a line lies here, which runs at a right angle to `across` (unit vector). Hidden:
-/// the place is outside of the image, behind something, or too far away for the image to show a stripe.
+/// Whether a white stripe with the width of a line is here, at a right angle to `across` (unit vector). Hidden: the
+/// position is outside of the image, behind an object, or too far away for a stripe to be visible.
 Intersections::Stripe Intersections::stripe_at(const Frame& frame, const Vector2d& place,
                                                const Vector2d& across) const {
-  constexpr double kLeastApart = 3.0, kMostApart = 5.0;  // pixels, lines' widths: from the line's middle to the carpet
-  constexpr int kSteps = 4;                              // to each side, in which the middle of the line is looked for
+  constexpr double kLeastApart = 3.0, kMostApart = 5.0;  // pixels, line widths: from the line's middle to the carpet
+  constexpr int kSteps = 4;                              // to each side, in the search for the middle of the line
   const auto pixel_at = [&](double offset) {
     const Vector2d point = place + offset * across;
     return frame.view.pixel({point.x(), point.y(), 0.0});
@@ -97,7 +97,7 @@ Intersection Intersections::at(const Frame& frame, const Vector2d& position, Int
 }
 
 std::optional<Intersection> Intersections::meet(const Frame& frame, const LineSegment& a, const LineSegment& b) const {
-  constexpr double kGap = 0.35;  // m between the end of a segment and the place where it meets another one
+  constexpr double kGap = 0.35;  // m between the end of a segment and its intersection with another one
   const double sine = cross(a.direction, b.direction);
   if (std::abs(a.direction.dot(b.direction)) > kRightAngle) return std::nullopt;
   const double along_a = cross(b.from - a.from, b.direction) / sine;
@@ -121,7 +121,7 @@ std::optional<Intersection> Intersections::meet(const Frame& frame, const LineSe
   return at(frame, corner, IntersectionKind::l, direction_of(arm_a + arm_b));
 }
 
-/// The halfway line crosses the circle in two places.
+/// The halfway line crosses the circle at two points.
 void Intersections::add_circle(const Frame& frame, FieldPercept& percept) const {
   if (!percept.center_circle || !percept.center_circle->halfway_direction) return;
   const CenterCircle& circle = *percept.center_circle;
@@ -135,7 +135,7 @@ void Intersections::add_circle(const Frame& frame, FieldPercept& percept) const 
   }
 }
 
-/// Follows the stripe on from the end of its known piece until another line takes its place or it ends.
+/// Follows the stripe from the end of its known piece until another line replaces it or it ends.
 std::optional<Intersection> Intersections::at_end(const Frame& frame, const Vector2d& end, const Vector2d& out) const {
   constexpr double kStep = 0.04, kFarthest = 0.4, kFinest = 0.01;  // m
   for (const Intersection& one : frame.percept.intersections) {
@@ -160,7 +160,7 @@ std::optional<Intersection> Intersections::at_end(const Frame& frame, const Vect
   return at(frame, corner, IntersectionKind::l, direction_of((left == Stripe::there ? across : -across) - out));
 }
 
-/// Straight lines cross nowhere on a field.
+/// Straight lines never cross on a field.
 void Intersections::add(const std::optional<Intersection>& found, FieldPercept& percept) {
   if (!found || found->kind == IntersectionKind::x || percept.intersections.size() >= kMostIntersections) return;
   const bool is_known =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where two lines meet, and how: the image itself says which of the four arms are there.
+// Positions and types of intersections of lines. The image shows which of the four arms exist.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,14 @@ class Intersections {
   Intersections(const FieldFeatureParameters& parameters, const FieldDimensions& field);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// Fills in the percept's intersections: those of straight pieces of line that meet at about a right angle, those
-  /// where a straight piece ends at a line of which too little was found, and those of the percept's center circle with
-  /// the halfway line.
+  /// Sets the percept's intersections: those of straight pieces of line that meet at about a right angle, those where a
+  /// straight piece ends at a line that was hardly found, and those of the percept's center circle with the halfway
+  /// line.
   void find(const FieldImage& seen, std::span<const LineSegment> segments, FieldPercept& percept) const;
 
  private:
   enum class Stripe { there, not_there, hidden };
-  /// What find() works on.
+  /// Input of find().
   struct Frame : FieldImage {
     const FieldPercept& percept;
   };

@@ -11,12 +11,12 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kMostMarks = 4;
-constexpr double kBesideBall = 0.3;  // m, within which a white spot is taken for one of the ball's
+constexpr double kBesideBall = 0.3;  // m, distance from the ball within which white spots count as part of the ball
 
 constexpr std::size_t kAround = 32;
 
-/// Mean luma of a ring around a place, of which nearly all that the image shows must be carpet. `step`: 1: each of its
-/// places.
+/// Mean luma of a ring around a position. Nearly all of its visible part must be carpet. `step`: uses each position (1)
+/// or every n-th.
 std::optional<double> luma_of_carpet_ring(const FieldImage& seen, const Vector2d& center, double radius,
                                           std::size_t step, int most_others) {
   constexpr std::size_t kMostOutside = kAround / 4;  // of the image
@@ -54,11 +54,11 @@ void PenaltyMarks::find(const FieldImage& seen, std::span<const Vector2d> lone, 
   }
 }
 
-/// Whether the middle of a mark is as white as lines are, against the carpet's luma around it.
+/// Whether the middle of a mark is as white as lines are, compared with the carpet's luma around it.
 bool PenaltyMarks::is_white(const FieldImage& seen, const Vector2d& center, double carpet) const {
-  constexpr double kApart = 0.2;          // of the mark's size, in a grid of 3 by 3 places
-  constexpr int kLeastOther = 7;          // of the places
-  constexpr double kLeastContrast = 0.5;  // of that of lines
+  constexpr double kApart = 0.2;          // fraction of the mark's size, in a grid of 3 by 3 positions
+  constexpr int kLeastOther = 7;          // of the positions
+  constexpr double kLeastContrast = 0.5;  // fraction of the contrast of lines
   int places = 0, other = 0;
   double luma = 0.0;
   for (int i = -1; i <= 1; ++i) {
@@ -76,9 +76,9 @@ bool PenaltyMarks::is_white(const FieldImage& seen, const Vector2d& center, doub
 }
 
 std::optional<PenaltyMark> PenaltyMarks::mark_at(const FieldImage& seen, const Vector2d& place) const {
-  constexpr double kLeastHeight = 2.0;            // pixels of the image that a mark must fill from near to far
-  constexpr double kRing = 1.2, kWideRing = 2.0;  // of the mark's size
-  constexpr double kMostSpread = 0.62;            // of its size
+  constexpr double kLeastHeight = 2.0;            // pixels from the near to the far edge of a mark
+  constexpr double kRing = 1.2, kWideRing = 2.0;  // multiples of the mark's size
+  constexpr double kMostSpread = 0.62;            // fraction of its size
   constexpr int kSteps = 4;                       // of a grid, to each side of the middle
   const GroundProjection& view = seen.view;
   const Vector2d away = view.away(place);
@@ -86,7 +86,7 @@ std::optional<PenaltyMark> PenaltyMarks::mark_at(const FieldImage& seen, const V
   const auto far = view.pixel({place.x() + 0.5 * size_ * away.x(), place.y() + 0.5 * size_ * away.y(), 0.0});
   if (!near || !far || (*near - *far).norm() < kLeastHeight) return std::nullopt;
 
-  // The middle of what is brighter than the carpet around. At first the place may be on the mark's edge.
+  // The center of the pixels that are brighter than the carpet around. The initial position may be on the mark's edge.
   const auto rough = luma_of_carpet_ring(seen, place, kRing * size_, 4, 2);
   if (!rough) return std::nullopt;
   Vector2d center = place;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Penalty marks: white spots as large as a mark, with carpet all around.
+// Penalty marks: white spots with the size of a mark and carpet all around.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,7 @@ class PenaltyMarks {
   PenaltyMarks(const FieldFeatureParameters& parameters, const FieldDimensions& field);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// Reads the percept's ball, and fills in its marks. `lone`: where pieces of stripes were seen that no line
-  /// continues, m.
+  /// Reads the percept's ball and sets its marks. `lone`: positions of pieces of stripes that no line continues, m.
   void find(const FieldImage& seen, std::span<const Eigen::Vector2d> lone, FieldPercept& percept) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of the ground is hidden by what stands on it.
+// Parts of the ground that are hidden by objects on it.
 #pragma once
 
 #include <Eigen/Core>

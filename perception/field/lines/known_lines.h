@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the lines of an image lie on the ground, in one value: what stands on a line or before it must not be mixed up
+// The lines of one image on the ground, in one value. They are used to separate lines from objects on or in front of
+// them.
 // with it.
 #pragma once
 
@@ -19,8 +20,8 @@ struct KnownLines {
   double circle_radius = 0.0;  ///< m
   double line_width = 0.0;     ///< m
 
-  /// The line that may lie at a place (m, robot frame): its number, -1 for the center circle; nothing: none. With a
-  /// margin, and somewhat beyond the known ends.
+  /// The line that may be at a position (m, robot frame): its number, or -1 for the center circle. Empty if there is
+  /// none. Includes a margin, and a piece beyond the known ends.
   std::optional<int> at(const Eigen::Vector2d& place) const;
 };
 

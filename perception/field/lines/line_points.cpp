@@ -18,14 +18,15 @@ using Eigen::Vector2d;
 
 constexpr std::size_t kMostCandidates = 600;
 
-/// `step` (pixels from scan line to scan line), or where a pixel of the lens spans so much that it would be wider than
-/// `widest` (rad), the widest even number of pixels that is not, at least 2.
+/// `step` (pixels between scan lines), limited to the widest even number of pixels (at least 2) that spans at most
+/// `widest` (rad) with this lens.
 int limited_step(const GroundProjection& view, int step, double widest) {
   const double most = widest * view.camera().focal.x();
   return step <= most ? step : std::max(static_cast<int>(most) & ~1, 2);
 }
 
-/// Sums over a window of 5 x 5 pixels of products of luma's slopes: their main direction is across the edges in it.
+/// Sums of products of the slopes of luma over a window of 5 x 5 pixels. Their main direction is perpendicular to the
+/// edges in it.
 struct StructureTensor {
   double xx = 0.0, xy = 0.0, yy = 0.0;
 
@@ -49,7 +50,7 @@ struct StructureTensor {
     const auto [sine, cosine] = pinned::sincos(across);
     return {-sine, cosine};
   }
-  /// 1: all slopes point one way; 0: no direction at all.
+  /// 1: all slopes have the same direction; 0: no preferred direction.
   double coherence() const {
     const double sum = xx + yy;
     return sum > 0.0 ? pinned::hypot(xx - yy, 2.0 * xy) / sum : 0.0;
@@ -62,7 +63,7 @@ double half_turn_angle(const Vector2d& direction) {
   return angle <= -0.5 * kPi ? angle + kPi : angle;
 }
 
-/// Normal on the ground of a stripe whose image runs along `tangent`.
+/// Normal on the ground of a stripe with the direction `tangent` in the image.
 std::optional<Vector2d> ground_normal(const GroundProjection& view, const Vector2d& pixel, const Vector2d& tangent) {
   const auto a = view.ground(pixel - 2.0 * tangent);
   const auto b = view.ground(pixel + 2.0 * tangent);
@@ -75,7 +76,7 @@ std::optional<Vector2d> ground_normal(const GroundProjection& view, const Vector
 
 struct NearestPixel {
   Ycbcr color;
-  const CarpetPart& carpet;  ///< there
+  const CarpetPart& carpet;  ///< at that pixel
 };
 
 /// (blue, red), without the offset of 128.
@@ -100,7 +101,7 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
 }
 
 void LinePoints::find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept) {
-  constexpr int kSmallest = 16;  // pixels; below, there is no room for a line and carpet on both sides
+  constexpr int kSmallest = 16;  // pixels; smaller images have no room for a line and carpet on both sides
   candidates_.clear();
   lone_.clear();
   colors_.clear();
@@ -115,7 +116,7 @@ void LinePoints::find(const ImageView& image, const GroundProjection& view, Carp
   keep_white(color, usual ? usual->contrast : 0.0, percept);
 }
 
-/// Down from the boundary in evenly spaced columns. Near the robot every second or fourth one is enough.
+/// Scans down from the boundary in evenly spaced columns. Near the robot, every second or fourth column is enough.
 void LinePoints::scan_columns(const Frame& frame) {
   constexpr int kScans = 80;
   constexpr double kWidestStep = 0.016;  // rad; 80 scans of a NAO's camera are 0.0134 apart
@@ -145,7 +146,7 @@ void LinePoints::scan_columns(const Frame& frame) {
   }
 }
 
-/// Across the image in rows that are evenly spaced on the ground, but some pixels apart.
+/// Scans across the image in rows that are evenly spaced on the ground, but at least some pixels apart.
 void LinePoints::scan_rows(const Frame& frame) {
   const double spacing = 3.0 * parameters_.line_spacing;
   constexpr double kWidestStep = 0.008;  // rad
@@ -170,7 +171,7 @@ void LinePoints::scan_rows(const Frame& frame) {
   }
 }
 
-/// Stripes along the scan line in `luma_`, whose first value is at `start`.
+/// Finds stripes along the scan line in `luma_`, whose first value is at `start`.
 void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2d& step) {
   const double noise = parameters_.noise_factor * frame.color.noise();
   const int slope = static_cast<int>(2.0 * std::max(0.6 * parameters_.line_contrast, noise));
@@ -181,7 +182,7 @@ void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2
     const Vector2d begin = start + segment.begin * step;
     const Vector2d end = start + segment.end * step;
     Candidate candidate;
-    candidate.color.contrast = 0.5 * segment.contrast;  // whose luma is a sum of two pixels
+    candidate.color.contrast = 0.5 * segment.contrast;  // luma is a sum of two pixels
     if (lies_on_carpet(frame, start + (segment.before - 1) * step, 0.5 * (begin + end),
                        start + (segment.after + 1) * step, candidate)) {
       consider(frame, begin, end, candidate);
@@ -206,7 +207,7 @@ bool LinePoints::lies_on_carpet(const Frame& frame, const Vector2d& before, cons
   return is_sure && !hides(frame.percept, center);
 }
 
-/// A stripe counts when it is as wide on the ground as a line, and both of its edges run the same way.
+/// Adds a stripe if it has the width of a line on the ground and its two edges are parallel.
 void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vector2d& end, Candidate& candidate) {
   constexpr double kLeastCoherence = 0.5;
   const auto first = frame.view.ground(begin);
@@ -218,9 +219,9 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
   const double blur = 1.0 + frame.image.width / 320.0;  // pixels
   const Vector2d across = *second - *first;
   const double length = across.norm();  // m along the scan line
-  const double metres_per_pixel = length / std::max((end - begin).norm(), 1e-6);
+  const double meters_per_pixel = length / std::max((end - begin).norm(), 1e-6);
   const auto is_no_line = [&] {
-    if (length > field_.line_width && length < 1.5 * field_.penalty_mark_size + blur * metres_per_pixel)
+    if (length > field_.line_width && length < 1.5 * field_.penalty_mark_size + blur * meters_per_pixel)
       add_lone(position);
   };
 
@@ -240,8 +241,7 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
   if (!normal) return;
   candidate.normal = *normal;
   const double width = std::abs(across.dot(*normal));
-  const double pixel =
-      width / std::max((end - begin).norm(), 1e-6);  // m, what one pixel along the scan is across the line
+  const double pixel = width / std::max((end - begin).norm(), 1e-6);  // m across the line for one pixel along the scan
   if (width > 1.5 * field_.line_width + blur * pixel) return is_no_line();
   if (width < 0.6 * field_.line_width - 1.5 * pixel) return;
   candidates_.push_back(candidate);
@@ -251,10 +251,11 @@ void LinePoints::add_lone(const Vector2d& position) {
   if (lone_.size() < kMostCandidates) lone_.push_back(position);
 }
 
-/// Noise and marks stand alone, lines go on. The points that continue a line also tell its direction better than
-/// the gradient at one place, since far away a pixel is a large step along the line of sight.
+/// Keeps points that other points continue: noise and marks are isolated, lines are not. The continuing points also
+/// give a better direction than the gradient at one point, since far away a pixel is a large step along the line of
+/// sight.
 void LinePoints::keep_supported(FieldPercept& percept) {
-  constexpr double kSlant = 0.12;    // tangent of the angle by which a line may bend away from a point's own tangent
+  constexpr double kSlant = 0.12;    // largest tangent of the angle between a line and the tangent at a point on it
   constexpr double kParallel = 0.9;  // cosine
   for (const Candidate& candidate : candidates_) {
     const double reach = std::clamp(0.12 * candidate.distance, 0.2, 0.4);
@@ -308,9 +309,9 @@ std::optional<LinePoints::StripeColor> LinePoints::usual_stripe() {
   return usual;
 }
 
-/// Bright carpet has the carpet's color. Where white differs from it by hardly more than noise, every point is kept.
-/// A line far away is mixed with the carpet around it, in luma as in chroma: of a fainter stripe less is asked.
-/// `usual_contrast`: 0 where it is not known.
+/// Removes bright carpet, which has the carpet's color. If white differs from that color by hardly more than noise,
+/// every point stays. A distant line is mixed with the carpet around it in luma and chroma, so the limit is lower for a
+/// fainter stripe. `usual_contrast`: 0 if unknown.
 void LinePoints::keep_white(const CarpetColor& color, double usual_contrast, FieldPercept& percept) const {
   constexpr double kLeastShare = 0.2, kNoise = 2.0;
   std::size_t kept = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on the field's lines: where a scan line crosses a white stripe on the carpet that is as wide as a line is.
+// Points on the field's lines: where a scan line crosses a white stripe with the width of a line on the carpet.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@ class LinePoints {
   LinePoints(const FieldFeatureParameters& parameters, const FieldDimensions& field);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// Reads boundary, goal posts and obstacles of the percept, and fills in its line points.
-  /// Tells the carpet's color how white the stripes are.
+  /// Reads boundary, goal posts and obstacles of the percept, and sets its line points. Reports the whiteness of the
+  /// stripes to the carpet's color.
   void find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept);
 
-  /// Where the last image shows pieces of stripes that no line continues: m, robot frame.
+  /// Positions of pieces of stripes in the last image that no line continues: m, robot frame.
   const std::vector<Eigen::Vector2d>& lone() const { return lone_; }
 
  private:
   struct StripeColor {
     Eigen::Vector2d carpet = Eigen::Vector2d::Zero();       ///< (blue, red) beside it, without the offset of 128
-    Eigen::Vector2d less_carpet = Eigen::Vector2d::Zero();  ///< (blue, red) of the stripe, less that
+    Eigen::Vector2d less_carpet = Eigen::Vector2d::Zero();  ///< (blue, red) of the stripe minus `carpet`
     double contrast = 0.0;                                  ///< of luma
   };
   struct Candidate {
@@ -41,7 +41,7 @@ class LinePoints {
     double distance = 0.0;    ///< m
     StripeColor color;
   };
-  /// Image, geometry and colour of the frame that find() works on.
+  /// Image, geometry and color of the frame that find() works on.
   struct Frame {
     const ImageView& image;
     const GroundProjection& view;
@@ -62,7 +62,7 @@ class LinePoints {
 
   FieldFeatureParameters parameters_;
   FieldDimensions field_;
-  std::vector<std::int16_t> luma_;  ///< along one scan line, each the sum of two pixels
+  std::vector<std::int16_t> luma_;  ///< along one scan line; each value is the sum of two pixels
   std::vector<BrightSegment> segments_;
   std::vector<Candidate> candidates_;
   std::vector<Eigen::Vector2d> lone_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Straight pieces of line, from the line points that lie on them.
+// Straight pieces of line, from the line points on them.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ class LineSegments {
  public:
   LineSegments();
 
-  /// Of all points but those on the circle. They are valid until the next call.
+  /// The segments of all points except those on the circle. They are valid until the next call.
   std::span<const LineSegment> find(std::span<const LinePoint> points, const std::optional<CenterCircle>& circle,
                                     double circle_radius);
 
@@ -33,7 +33,7 @@ class LineSegments {
     double place = 0.0;  ///< m from the seed along the line
     std::size_t point = 0;
   };
-  /// The points of `on_line_` without gaps around the seed, which is at 0.
+  /// The points of `on_line_` around the seed (at 0), up to the first gaps.
   std::span<const Along> run_around_seed();
 
   std::vector<LineSegment> segments_;
@@ -41,7 +41,7 @@ class LineSegments {
   std::vector<Along> on_line_;
 };
 
-/// Whether a line point lies on the circle's line, and runs as it does there.
+/// Whether a line point lies on the circle's line and has its direction there.
 bool is_on_circle(const LinePoint& point, const Eigen::Vector2d& center, double radius);
 
 }  // namespace reorient

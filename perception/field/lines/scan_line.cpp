@@ -8,11 +8,11 @@ namespace {
 
 struct Edge {
   double place = 0.0;
-  int before = -1;  ///< last index outside on either side
+  int before = -1;  ///< last index outside of the edge on either side
   int after = -1;
 };
 
-/// The run of slopes of one sign that starts at `first`.
+/// The run of slopes with one sign that starts at `first`.
 template <typename Steep>
 Edge follow_edge(std::span<const std::int16_t> luma, std::size_t first, Steep&& is_steep) {
   double weight = 0.0;

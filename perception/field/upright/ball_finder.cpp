@@ -12,14 +12,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kPlaces = 16;  // around a ball
+constexpr int kPlaces = 16;  // positions around a ball
 
 }  // namespace
 
 BallFinder::BallFinder(const FieldFeatureParameters& parameters, const FieldDimensions& field)
     : parameters_(parameters), radius_(0.5 * field.ball_diameter) {}
 
-/// The image of a ball whose middle is seen here.
+/// The image of a ball whose center is at this pixel.
 std::optional<BallFinder::Circle> BallFinder::circle_around(const GroundProjection& view,
                                                             const Vector2d& center) const {
   const auto place = view.at_height(center, radius_);
@@ -29,7 +29,7 @@ std::optional<BallFinder::Circle> BallFinder::circle_around(const GroundProjecti
   return Circle{center, view.pixels_per_radian(center) * radius_ / far, 0.0};
 }
 
-/// The image of a ball whose lowest point is seen here.
+/// The image of a ball whose lowest point is at this pixel.
 std::optional<BallFinder::Circle> BallFinder::circle_above(const GroundProjection& view, double column,
                                                            double foot) const {
   auto circle = circle_around(view, {column, foot});
@@ -38,14 +38,16 @@ std::optional<BallFinder::Circle> BallFinder::circle_above(const GroundProjectio
   return circle;
 }
 
-/// Shares of places inside that are no carpet, and of those around that are carpet, or a line that passes behind it. A
-/// foot or a hand continues into its robot, and a corner of lines continues in two directions.
+/// Combines two fractions: of the positions inside that are not carpet, and of the positions around that are carpet or
+/// a line that passes behind the ball. A foot or a hand continues into its robot, and a corner of lines continues in
+/// two directions.
 double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
-  constexpr double kInner = 0.4, kOuter = 0.78, kBeyond = 1.3;  // of the radius
+  constexpr double kInner = 0.4, kOuter = 0.78, kBeyond = 1.3;  // multiples of the radius
   constexpr double kBlur = 1.2;                                 // pixels
   constexpr double kLeastSure = 0.4, kDark = 0.7;
   constexpr int kInside = 2 * kPlaces, kMostCarpetInside = 1;
-  constexpr int kLeastCarpet = 7, kLeastOpen = 15, kMostInRow = 3;  // of the places around; on the line in a row
+  constexpr int kLeastCarpet = 7, kLeastOpen = 15,
+                kMostInRow = 3;  // of the positions around; consecutive ones on the line
   const auto pixel_at = [&](double radius, int place) {
     return Vector2d(circle.center + radius * directions_around<kPlaces>()[static_cast<std::size_t>(place)]);
   };
@@ -58,13 +60,13 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
     if (!pixel) return std::nullopt;
     return Seen{frame.surface(*pixel), frame.at(*pixel).y};
   };
-  int bare = 0;  // most of what is no ball shows so soon
+  int bare = 0;  // most other objects are rejected here
   for (int i = 0; i < kPlaces; i += kPlaces / 4) {
     const auto seen = seen_at(pixel_at(kInner * circle.radius, i));
     if (!seen || (seen->surface == Surface::carpet && ++bare > 1)) return 0.0;
   }
   int carpet = 0, open = 0, luma = 0;
-  std::optional<int> behind;  // the line
+  std::optional<int> behind;  // the line behind the ball
   int last_on_line = -2, in_row = 0;
   for (int i = 0; i < kPlaces; ++i) {
     const Vector2d pixel = pixel_at(kBeyond * circle.radius + kBlur, i);
@@ -86,7 +88,7 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
     }
   }
   if (carpet < kLeastCarpet || open < kLeastOpen) return 0.0;
-  // The dark patches of a ball may have the tint of dark carpet.
+  // The dark patches of a ball can have the tint of dark carpet.
   const double dark = kDark * luma / carpet;
   int carpet_inside = 0, sure = 0;
   for (const double radius : {kOuter, kInner}) {
@@ -103,12 +105,11 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
 
 std::optional<Ball> BallFinder::find(const FieldImage& seen, const CarpetMap& map, const KnownLines& lines,
                                      const FieldPercept& percept) const {
-  constexpr double kLeastHeight = 1.1;  // of the radius, that is no carpet in a column
-  constexpr double kSmallest = 2.0;     // pixels, of the radius
-  constexpr double kStep = 0.3;         // of the radius, in which its middle is looked for
-  constexpr double kUnsure = 0.15;      // of the radius: so far its middle may be off
-  // Of what the field's ball should be: the camera may be higher or look farther down than the robot thinks, and not
-  // every ball is new.
+  constexpr double kLeastHeight = 1.1;  // multiples of the radius, of cells without carpet in a column
+  constexpr double kSmallest = 2.0;     // pixels, smallest radius
+  constexpr double kStep = 0.3;         // fraction of the radius, step of the search for the center
+  constexpr double kUnsure = 0.15;      // fraction of the radius, uncertainty of the center
+  // Tolerance of the ball's size. The camera may be higher or point farther down than assumed, and a ball may be worn.
   constexpr std::array kSizes{1.0, 1.2, 1.4};
   if (radius_ <= 0.0) return std::nullopt;
   const GroundProjection& view = seen.view;
@@ -117,7 +118,7 @@ std::optional<Ball> BallFinder::find(const FieldImage& seen, const CarpetMap& ma
   for (int column = 0; column < CarpetMap::kColumns; ++column) {
     const double x = map.column_pixel(column);
     const double border = percept.boundary[static_cast<std::size_t>(column)];
-    int foot = -1;  // the lowest cell of what is no carpet
+    int foot = -1;  // the lowest cell without carpet
     for (int row = map.rows() - 1; row >= map.first_cell() && map.row_pixel(row) >= border; --row) {
       if (map.at(column, row) != Surface::carpet) {
         if (foot < 0) foot = row;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball: something round and as large as a ball at its distance, with carpet around.
+// The ball: a round object with the size of a ball at its distance, and carpet around it.
 #pragma once
 
 #include <optional>
@@ -20,17 +20,16 @@ class BallFinder {
   BallFinder(const FieldFeatureParameters& parameters, const FieldDimensions& field);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// The one that looks most like a ball. Reads the percept's boundary. `lines`: those that may pass behind the
-  /// ball.
+  /// The object most similar to a ball. Reads the percept's boundary. `lines`: the lines that may pass behind the ball.
   std::optional<Ball> find(const FieldImage& seen, const CarpetMap& map, const KnownLines& lines,
                            const FieldPercept& percept) const;
 
  private:
-  /// What find() works on.
+  /// Input of find().
   struct Frame : FieldImage {
     const KnownLines& lines;
   };
-  /// Where a ball may be in the image, and how much it looks like one.
+  /// A possible ball in the image, and its similarity to a ball.
   struct Circle {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< pixels
     double radius = 0.0;

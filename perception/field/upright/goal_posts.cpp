@@ -24,7 +24,7 @@ bool inside(const ImageView& image, const Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1 && pixel.y() <= image.height - 1;
 }
 
-/// Of a place inside of the image.
+/// The color at a position inside of the image.
 Eigen::Vector2i pixel_of(const Vector2d& place) { return {std::lround(place.x()), std::lround(place.y())}; }
 
 }  // namespace
@@ -38,12 +38,12 @@ GoalPosts::GoalPosts(const FieldFeatureParameters& parameters, const FieldDimens
 void GoalPosts::find(const FieldImage& frame, FieldPercept& percept) {
   percept.goal_posts.clear();
   if (frame.image.width < 16 || frame.image.height < 16) return;
-  // A post crosses everything between its foot and the horizon: in front of the carpet, of its border, of the room.
+  // A post crosses everything between its foot and the horizon: the carpet, the carpet's border and the room.
   for (const double share : {0.0, -0.15, 0.5, 0.9}) scan(frame, share, percept);
 }
 
-/// Along a line that is at `share` of the way from the boundary (0) up to the horizon (1). Large images are read at
-/// half their size, which is sharp enough for a post and less noisy.
+/// Scans along a line at the fraction `share` of the distance from the boundary (0) to the horizon (1). Large images
+/// are read at half of their size, which is sharp enough for a post and less noisy.
 void GoalPosts::scan(const FieldImage& frame, double share, FieldPercept& percept) {
   const ImageView& image = frame.image;
   const double left = frame.view.horizon(0.0);
@@ -88,7 +88,7 @@ void GoalPosts::consider(const FieldImage& frame, const Vector2d& pixel, double 
   if (post) percept.goal_posts.push_back(*post);
 }
 
-/// White, or yellow in 2013. It may be in the shade, while light falls on the carpet.
+/// Whether the color is white, or yellow in 2013. A post may be in the shade while light falls on the carpet.
 bool GoalPosts::may_be_post(const FieldImage& frame, const Vector2d& pixel, const Ycbcr& look) const {
   constexpr double kDarkest = 0.7, kMostTint = 0.16;
   if (look.y < kDarkest * frame.color.luma()) return false;
@@ -98,7 +98,7 @@ bool GoalPosts::may_be_post(const FieldImage& frame, const Vector2d& pixel, cons
   return blue < -0.15 && red > -0.15 && red < 0.3;
 }
 
-/// Which a post is where its side to the camera is lit like the carpet.
+/// True for a post whose visible side has the same light as the carpet.
 bool GoalPosts::is_lighter_than_carpet(const FieldImage& frame, const Ycbcr& look) const {
   constexpr double kLighter = 1.4;
   return look.y >= std::max(kLighter * frame.color.luma(), frame.color.luma() + parameters_.post_contrast);
@@ -112,10 +112,10 @@ bool GoalPosts::has_post_color(const FieldImage& frame, const Candidate& candida
          frame.surface(pixel_of(pixel)) != Surface::carpet;
 }
 
-/// The last pixel of the candidate's colour, downwards (1) or upwards (-1) along the image of a vertical edge.
+/// The last pixel of the candidate's color, down (1) or up (-1) along the image of a vertical edge.
 Vector2d GoalPosts::follow(const FieldImage& frame, const Candidate& candidate, int direction) const {
-  constexpr int kGap = 2;   // pixels of another colour that are passed
-  constexpr int kBend = 8;  // rows after which the image of a vertical edge may run another way
+  constexpr int kGap = 2;   // pixels of another color that are skipped
+  constexpr int kBend = 8;  // rows after which the direction of the vertical edge is computed again
   double slant = frame.view.vertical_slant(candidate.pixel);
   Vector2d last = candidate.pixel;
   int missing = 0;
@@ -147,15 +147,15 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const FieldImage& frame, const
   };
   if (from_height && outline_agrees(frame, candidate, upright_between(frame, candidate, *from_height)) &&
       (*from_height <= kFarAway || is_lighter_than_carpet(frame, candidate.look))) {
-    // Each is weighed by the inverse of its variance: far away, the height decides.
-    constexpr double kTilt = 0.0175, kHeight = 0.05;  // rad; share
+    // Weighted by the inverse variances. Far away, the height determines the distance.
+    constexpr double kTilt = 0.0175, kHeight = 0.05;  // rad; fraction
     const double height = frame.view.camera_height();
     const double of_foot = square(kTilt * (square(*from_height) + square(height)) / height);
     const double of_height = square(kHeight * *from_height);
     const double distance = (of_height * from_foot + of_foot * *from_height) / (of_height + of_foot);
     return *from_height <= parameters_.post_range ? std::optional(post_at(distance)) : std::nullopt;
   }
-  // Its end may be above the image, or hidden before something of the same color. Far away that may be a wall.
+  // The top may be above the image, or hidden by an object of the same color, for example a wall far away.
   if (from_foot > std::min(kFarAway, parameters_.post_range) || !is_lighter_than_carpet(frame, candidate.look) ||
       !is_thick_enough(frame, candidate, from_foot)) {
     return std::nullopt;
@@ -164,8 +164,8 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const FieldImage& frame, const
   return outline_agrees(frame, candidate, upright_at(frame, post.position)) ? std::optional(post) : std::nullopt;
 }
 
-/// Carpet before it, all the way to the robot: a banner may be as green, and its letters like posts. And carpet behind
-/// it, since goal lines are not at its border.
+/// Requires carpet in front of the post, all the way to the robot, since a banner may be as green and its letters
+/// similar to posts. Also requires carpet behind it, since goal lines are not at the border of the carpet.
 bool GoalPosts::stands_on_carpet(const FieldImage& frame, const Candidate& candidate, double distance,
                                  const std::vector<float>& boundary) const {
   constexpr double kInside = 0.25, kInsideFarAway = 0.1;  // m
@@ -173,18 +173,18 @@ bool GoalPosts::stands_on_carpet(const FieldImage& frame, const Candidate& candi
   const double height = frame.view.camera_height();
   const double rows = frame.view.camera().focal.y() * height * inside_by / (square(distance) + square(height));
   if (candidate.foot.y() < boundary_at(boundary, frame.image.width, candidate.foot.x()) + rows) return false;
-  constexpr double kBelow = 3.0;  // pixels, at least
+  constexpr double kBelow = 3.0;  // pixels, smallest value
   Vector2d below = candidate.foot + Vector2d(0.0, std::max(kBelow, 0.25 * candidate.width));
   below.y() = std::min(below.y(), frame.image.height - 1.0);
   if (!inside(frame.image, below) || below.y() < candidate.foot.y() + kBelow) return false;
   const Ycbcr ground = frame.at(pixel_of(below));
   if (frame.surface(pixel_of(below)) == Surface::other) return false;
   // A post in the shade may be darker than carpet in the light, but has another hue.
-  constexpr double kLightestCarpet = 1.4;  // of its usual luma
+  constexpr double kLightestCarpet = 1.4;  // multiple of its usual luma
   const bool is_carpet_in_light =
       ground.y < kLightestCarpet * frame.color.luma() && chroma_distance(ground, candidate.look) > kOtherHue;
   if (ground.y > candidate.look.y - parameters_.post_contrast && !is_carpet_in_light) return false;
-  constexpr int kSamples = 16, kMostOther = 4;  // lines, a ball
+  constexpr int kSamples = 16, kMostOther = 4;  // such as lines or a ball
   int other = 0;
   for (int i = 0; i < kSamples; ++i) {
     const double row = below.y() + (frame.image.height - 1.0 - below.y()) * i / (kSamples - 1.0);
@@ -195,21 +195,22 @@ bool GoalPosts::stands_on_carpet(const FieldImage& frame, const Candidate& candi
 }
 
 bool GoalPosts::is_thick_enough(const FieldImage& frame, const Candidate& candidate, double distance) const {
-  constexpr double kThinnest = 0.7;  // of the width that it should have
+  constexpr double kThinnest = 0.7;  // fraction of the expected width
   const double width =
       frame.view.pixels_per_radian(candidate.pixel) * field_.goal_post_diameter / std::max(distance, 0.1);
   return candidate.width >= kThinnest * width - 1.0;
 }
 
-/// Along the ground, from the angle between foot and top, which no tilt of the camera changes. Nothing where foot or
-/// thickness say otherwise by more than a wrong tilt explains. `from_foot`: the distance that the foot tells, m.
+/// Distance along the ground from the angle between foot and top, which does not depend on the tilt of the camera.
+/// Empty if foot or thickness contradict it by more than an error of the tilt explains. `from_foot`: distance computed
+/// from the foot, m.
 std::optional<double> GoalPosts::distance_from_height(const FieldImage& frame, const Candidate& candidate,
                                                       double from_foot) const {
   constexpr double kMostTilt = 0.04;  // rad
   if (candidate.top.y() < 2.0) return std::nullopt;
   const Vector3d foot = frame.view.camera().ray(candidate.foot), top = frame.view.camera().ray(candidate.top);
   const double below = frame.view.camera_height(), above = field_.goal_height - below;
-  // The tangent of the sum of both angles, below / d and above / d, solved for d.
+  // Solves the tangent of the sum of both angles, below / d and above / d, for d.
   const double tangent = foot.cross(top).norm() / foot.dot(top);
   const double root = square(field_.goal_height) + 4.0 * square(tangent) * below * above;
   if (!(tangent > 1e-3) || root < 0.0) return std::nullopt;
@@ -219,7 +220,7 @@ std::optional<double> GoalPosts::distance_from_height(const FieldImage& frame, c
   return distance;
 }
 
-/// From the height of its top; the thickness must confirm the distance.
+/// From the height of the top. The thickness must confirm the distance.
 std::optional<GoalPost> GoalPosts::post_without_foot(const FieldImage& frame, const Candidate& candidate) const {
   constexpr double kAgreement = 0.25;
   constexpr double kRange = 2.0;  // m; farther away, the foot is in view or the top is too close to the horizon
@@ -235,13 +236,13 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const FieldImage& frame, co
   return GoalPost{position, false, candidate.foot.cast<float>(), candidate.top.cast<float>()};
 }
 
-/// A post at a place on the ground.
+/// A post at a position on the ground.
 GoalPosts::Upright GoalPosts::upright_at(const FieldImage& frame, const Vector2d& position) const {
   return {frame.view.in_camera({position.x(), position.y(), 0.0}),
           frame.view.in_camera({position.x(), position.y(), field_.goal_height})};
 }
 
-/// From the candidate's foot to its top, so far away.
+/// A post from the candidate's foot to its top at this distance.
 GoalPosts::Upright GoalPosts::upright_between(const FieldImage& frame, const Candidate& candidate,
                                               double distance) const {
   const double below = frame.view.camera_height(), above = field_.goal_height - below;
@@ -249,14 +250,15 @@ GoalPosts::Upright GoalPosts::upright_between(const FieldImage& frame, const Can
           pinned::hypot(distance, above) * frame.view.camera().ray(candidate.top).normalized()};
 }
 
-/// Compares a post with the image at some heights: its middle has the candidate's colour, what is beside it on either
-/// side has not, and somewhere above its top, in the image or above it, there is no more of it.
+/// Compares a post with the image at some heights. Its middle must have the candidate's color, and the pixels on both
+/// sides must not. At some height above its top, in the image or above it, the color must have ended.
 bool GoalPosts::outline_agrees(const FieldImage& frame, const Candidate& candidate, const Upright& upright) const {
   constexpr int kHeights = 12;
-  constexpr double kEnds[] = {1.03, 1.06, 1.09, 1.12, 1.16, 1.2};    // of a post's height; at one of them it has ended
-  constexpr double kLeastVisible = 0.6;                              // of its heights must be in the image
-  constexpr double kBelowBar = 0.86;                                 // of its height
-  constexpr double kLeastOfOneSide = 0.7, kLeastOfBothSides = 1.85;  // of the heights that must agree
+  constexpr double kEnds[] = {1.03, 1.06, 1.09, 1.12,
+                              1.16, 1.2};  // multiples of a post's height; the post must have ended at one of them
+  constexpr double kLeastVisible = 0.6;    // fraction of its heights that must be in the image
+  constexpr double kBelowBar = 0.86;       // fraction of its height
+  constexpr double kLeastOfOneSide = 0.7, kLeastOfBothSides = 1.85;  // fraction of the heights that must agree
   const Vector3d side_step = 0.5 * field_.goal_post_diameter * upright.foot.cross(upright.top).normalized();
   const auto point_at = [&](double share) -> Vector3d { return upright.foot + share * (upright.top - upright.foot); };
   const auto project = [&](const Vector3d& point) -> std::optional<Vector2d> {
@@ -289,7 +291,8 @@ bool GoalPosts::outline_agrees(const FieldImage& frame, const Candidate& candida
   }
   const double needed = parameters_.post_agreement * visible;
   if (visible < kLeastVisible * kHeights || in_post < needed) return false;
-  // Something as light as the post may be behind it on one side: a line, the net, a board. Far away that is too little.
+  // An object as bright as the post may be behind it on one side: a line, the net, a board. Far away, this is not
+  // enough.
   const bool is_near = upright.foot.norm() <= kFarAway;
   const double of_one = is_near ? kLeastOfOneSide : 1.0, of_both = is_near ? kLeastOfBothSides : 2.0;
   if (std::min(left_free, right_free) < of_one * needed || left_free + right_free < of_both * needed) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Goal posts: upright, bright (or yellow) and as thick and tall as a post must be where its foot stands on the carpet.
+// Goal posts: upright, bright (or yellow), and with the thickness and height of a post whose foot is on the carpet.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// Rather misses a post than reports one that is none: a false post would send pose particles astray.
+/// Prefers missing a post to reporting a false one, which would move particles of the pose to wrong positions.
 class GoalPosts {
  public:
   GoalPosts(const FieldFeatureParameters& parameters, const FieldDimensions& field);
@@ -25,7 +25,7 @@ class GoalPosts {
   void find(const FieldImage& frame, FieldPercept& percept);
 
  private:
-  /// A bright stretch of a row, and how far its colour goes on above and below.
+  /// A bright stretch of a row, and the extent of its color above and below.
   struct Candidate {
     Eigen::Vector2d pixel;
     double width = 0.0;  ///< pixels
@@ -33,7 +33,7 @@ class GoalPosts {
     Eigen::Vector2d foot, top;
   };
 
-  /// A post as it should be seen, in the camera frame, m.
+  /// The expected post in the camera frame, m.
   struct Upright {
     Eigen::Vector3d foot, top;
   };

@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::size_t kMostObstacles = 20;
 
-/// Whether what stands here is the ball.
+/// Whether the object here is the ball.
 bool is_ball(const FieldPercept& percept, double x, double row) {
   if (!percept.ball) return false;
-  constexpr double kMargin = 1.5;  // of the radius
+  constexpr double kMargin = 1.5;  // multiple of the radius
   return (percept.ball->pixel.cast<double>() - Eigen::Vector2d(x, row)).norm() <
          kMargin * static_cast<double>(percept.ball->radius);
 }
@@ -31,14 +31,14 @@ Obstacles::Obstacles(const FieldFeatureParameters& parameters) : parameters_(par
 
 void Obstacles::find(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, double least_height,
                      FieldPercept& percept) {
-  constexpr int kMostLines = 3;       // that are stepped over
-  constexpr double kSameThing = 2.0;  // a hand at half the camera's height seems to stand twice as far away as the feet
-  constexpr double kGap = 0.12;       // m of carpet seen between two legs
+  constexpr int kMostLines = 3;       // lines that are skipped
+  constexpr double kSameThing = 2.0;  // a hand at half of the camera's height seems to be twice as far away as the feet
+  constexpr double kGap = 0.12;       // m of carpet between two legs
   percept.obstacles.clear();
   for (int i = 0; i < CarpetMap::kColumns; ++i) {
     Foot& foot = feet_[static_cast<std::size_t>(i)];
     foot = foot_in(map, view, percept, i, map.rows() - 1, least_height);
-    // Cells of a line below a foot are no carpet either: look again from above the line.
+    // Cells of a line below a foot are not carpet either. Search again above the line.
     for (int again = 0; again < kMostLines && foot.row >= 0; ++again) {
       const int row = above_line(map, view, lines, i, foot.row / map.step() - 1);
       if (row >= foot.row / map.step() - 1) break;
@@ -67,9 +67,9 @@ void Obstacles::find(const CarpetMap& map, const GroundProjection& view, const K
 
 Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept,
                                    int column, int first_row, double least_height) const {
-  constexpr double kInside = 0.4;               // m, how far before the border of the carpet it must stand
-  const double most_gap = 0.05 / least_height;  // of carpet colour, which does not end an obstacle: noise, knees
-  constexpr double kLeastShare = 0.5;           // of its cells that are no carpet for sure
+  constexpr double kInside = 0.4;               // m, smallest distance to the border of the carpet
+  const double most_gap = 0.05 / least_height;  // carpet color that does not end an obstacle: noise, knees
+  constexpr double kLeastShare = 0.5;           // fraction of its cells that certainly are not carpet
   const double x = map.column_pixel(column);
   const double border = percept.boundary[static_cast<std::size_t>(column)];
   if (is_post(percept, x, map.column_width())) return {};
@@ -103,7 +103,7 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
   return {};
 }
 
-/// The first row of cells, from this one up, that lies on none of the lines.
+/// The first row of cells, from this one up, that is on none of the lines.
 int Obstacles::above_line(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, int column,
                           int row) const {
   const double x = map.column_pixel(column);
@@ -114,8 +114,8 @@ int Obstacles::above_line(const CarpetMap& map, const GroundProjection& view, co
   return row;
 }
 
-/// Of what is as narrow as a ball: whether it is taller than anything round, and well before the border, which may have
-/// a dent.
+/// For an object as narrow as a ball: whether it is taller than any ball, and well inside the border, which may have a
+/// dent.
 bool Obstacles::is_sure(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int first,
                         int last) const {
   constexpr double kTall = 0.3;    // m
@@ -137,7 +137,7 @@ bool Obstacles::is_sure(const CarpetMap& map, const GroundProjection& view, cons
 void Obstacles::add(const CarpetMap& map, const GroundProjection& view, int first, int last,
                     FieldPercept& percept) const {
   constexpr double kWidest = 2.5;   // m
-  constexpr double kNarrow = 0.16;  // m; what is narrower must be sure
+  constexpr double kNarrow = 0.16;  // m; narrower objects need the check is_sure()
   if (percept.obstacles.size() >= kMostObstacles) return;
   const auto lowest = std::max_element(feet_.begin() + first, feet_.begin() + last + 1,
                                        [](const Foot& a, const Foot& b) { return a.row < b.row; });

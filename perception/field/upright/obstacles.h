@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands on the carpet and is neither line nor post: robots, people.
+// Objects on the carpet that are neither lines nor posts: robots, people.
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@ class Obstacles {
   explicit Obstacles(const FieldFeatureParameters& parameters);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// Reads the percept's boundary, goal posts and ball, and fills in its obstacles. What stands on one of the known
-  /// lines does not begin where the line does. What is lower than `least_height` (m) is no obstacle.
+  /// Reads the percept's boundary, goal posts and ball, and sets its obstacles. An obstacle on a known line does not
+  /// begin where the line does. Objects lower than `least_height` (m) are not obstacles.
   void find(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, double least_height,
             FieldPercept& percept);
 
  private:
-  /// The lowest stretch of a column that carpet does not explain.
+  /// The lowest stretch of a column that is not carpet.
   struct Foot {
-    int row = -1;           ///< pixels, where it stands; below 0: there is none
+    int row = -1;           ///< pixels, lowest row of the object; negative: no object
     double distance = 0.0;  ///< m
   };
   Foot foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int column,
