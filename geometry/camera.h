@@ -13,10 +13,9 @@ namespace reorient {
 
 /// Intrinsics of one camera at one resolution. Pixel (0, 0) is the center of the top left pixel, u right, v down.
 struct CameraModel : Lens {
-  int width = 640;   ///< pixels
-  int height = 480;  ///< pixels
-  Eigen::Vector2d focal{617.0,
-                        616.0};  ///< horizontal and vertical, pixels (pinhole) or pixels per radian (other lenses)
+  int width = 640;                       ///< pixels
+  int height = 480;                      ///< pixels
+  Eigen::Vector2d focal{617.0, 616.0};   ///< (horizontal, vertical), pixels or, for other lenses, pixels per radian
   Eigen::Vector2d center{319.5, 239.5};  ///< principal point, pixels
 
   /// A pinhole without distortion with these fields of view (radians) and the principal point at the image center.

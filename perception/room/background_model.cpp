@@ -11,7 +11,7 @@
 namespace reorient {
 namespace {
 
-/// It could have been learned from images: their bytes are levels up to 255, their shares sum up to 1.
+/// Whether the tile could result from training: light in byte range up to 255, and histogram fractions with the sum 1.
 bool could_be_learned(const TileModel& tile) {
   constexpr float kRounding = 1e-3f;
   constexpr double kMost = 255.0;
@@ -41,7 +41,7 @@ int BackgroundModel::known_tiles() const {
       std::count_if(tiles_.begin(), tiles_.end(), [](const TileModel& tile) { return tile.visits > 0; }));
 }
 
-/// After reading.
+/// Checks values after reading.
 void BackgroundModel::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "background model: expected one entry for each tile of the wall");
   check_bytes(std::all_of(tiles_.begin(), tiles_.end(), could_be_learned),

@@ -35,15 +35,15 @@ struct MovingAverage {
   double variance = 0.0;
 };
 
-/// Eq. (1) and (2) of the paper: the average after a measurement that weighs 1 against N.
+/// Eq. (1) and (2) of the paper: the average after a measurement with weight 1 against N.
 MovingAverage updated(const MovingAverage& last, double n, double measured);
 
-/// How one measurement enters a tile.
+/// How one measurement updates a tile.
 struct TrainingStep {
-  double step = 0.0;            ///< s that this measurement stands for
+  double step = 0.0;            ///< s, time that this measurement represents
   double n = 100.0;             ///< N
-  bool true_mean_start = true;  ///< N grows with the visits until it reaches n; otherwise it is n from the second on
-  double prior_variance = 0.0;  ///< of each bin at the first visit, which is copied
+  bool true_mean_start = true;  ///< N grows with the visits up to n; otherwise it is n from the second visit on
+  double prior_variance = 0.0;  ///< of each bin at the first visit, at which the mean is copied
 };
 
 struct TileModel {
@@ -52,9 +52,9 @@ struct TileModel {
   int visits = 0;        ///< 0: never seen
   double trained = 0.0;  ///< s
   RelativeLight light;   ///< mean
-  int light_visits = 0;  ///< those with enough pixels that are neither too dark nor too bright
+  int light_visits = 0;  ///< visits with enough pixels that are neither too dark nor too bright
 
-  /// Whether it was seen, and trained for at least so many seconds.
+  /// Whether the tile was seen and trained for at least this many seconds.
   bool is_trained_for(double seconds) const { return visits > 0 && trained >= seconds; }
 };
 template <typename Visit, ConstOr<TileModel> T>
@@ -62,7 +62,7 @@ void fields(Visit&& visit, T& tile) {
   visit(tile.mean, tile.variance, tile.visits, tile.trained, tile.light, tile.light_visits);
 }
 
-/// No robot looks at a tile for longer: thirty years, s.
+/// Limit of a valid training time: thirty years, s.
 inline constexpr double kLongestTraining = 1e9;
 
 class BackgroundModel {
@@ -74,11 +74,11 @@ class BackgroundModel {
   void forget(int tiles);
   void train(int tile, const ColorHistogram& measured, const TrainingStep& how);
   void train_light(int tile, const RelativeLight& measured, const TrainingStep& how);
-  /// The wall's tiles are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees: exchanges each tile with its reflection.
   void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
 
   std::span<const TileModel> tiles() const { return tiles_; }
-  /// How many of them were ever seen.
+  /// Number of tiles that were ever seen.
   int known_tiles() const;
 
   /// Throws BadBytes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The background model, made ready to be compared with.
+// The background model, prepared for comparisons.
 #pragma once
 
 #include <optional>
@@ -11,52 +11,52 @@
 
 namespace reorient {
 
-/// How two histograms are compared in the mode that is on.
+/// How two histograms are compared in the current mode.
 struct Comparison {
   Distance measure = Distance::hellinger;
-  double cap = 0.5;            ///< no tile counts as more different than this
-  double trusted_after = 0.3;  ///< s of training that a tile needs
+  double cap = 0.5;            ///< largest distance of a tile; greater distances are reduced to it
+  double trusted_after = 0.3;  ///< s of training before a tile is used for comparisons
   bool operator==(const Comparison&) const = default;
 };
 
 class ComparedModel {
  public:
-  /// Takes over the tiles that were trained since the last call.
+  /// Copies the tiles that were trained since the last call.
   void prepare(const BackgroundModel& model, const Wall& wall, const Comparison& comparison);
-  /// The next prepare() takes over all tiles: where the model was not trained, but replaced.
+  /// Makes the next prepare() copy all tiles, after the model was replaced and not trained.
   void clear() { tiles_.clear(); }
 
   bool trusted(int tile) const { return tiles_[static_cast<std::size_t>(tile)].trusted; }
   const ComparedHistogram& operator[](int tile) const { return tiles_[static_cast<std::size_t>(tile)].histogram; }
-  /// How much two tiles that are trusted differ, in [0, 1]: the Hellinger distance, the same scale in every mode and
-  /// for every measure.
+  /// Difference of two trusted tiles, in [0, 1]. It is the Hellinger distance, so the scale is the same in each mode
+  /// and for each measure.
   double difference(int tile, int other) const {
     return distance(Distance::hellinger, tiles_[static_cast<std::size_t>(tile)].roots,
                     tiles_[static_cast<std::size_t>(other)].roots);
   }
-  /// The same of a tile and its reflection; nothing where one of the two is not trusted.
+  /// The same for a tile and its reflection. Empty if one of the two is not trusted.
   std::optional<double> difference_to_reflection(int tile) const {
     return tiles_[static_cast<std::size_t>(tile)].difference;
   }
 
-  /// For how long a tile was trained, and its reflection, s.
+  /// Training time of a tile and of its reflection, s.
   double trained(int tile) const { return tiles_[static_cast<std::size_t>(tile)].trained; }
   double reflection_trained(int tile) const { return tiles_[static_cast<std::size_t>(tile)].reflection_trained; }
 
-  /// Share of all tiles that are trusted.
+  /// Fraction of all tiles that are trusted.
   double coverage() const { return coverage_; }
-  /// Share of all tiles that are trusted together with their reflections.
+  /// Fraction of all tiles that are trusted together with their reflections.
   double paired() const { return paired_; }
-  /// Whether the room can tell a pose from its reflection at all: the mean difference over the tiles that are trusted
-  /// on both sides; 0 where there are none, and where the room looks the same after half a turn.
+  /// Whether the room distinguishes a pose from its reflection: the mean difference over the tiles that are trusted on
+  /// both sides. It is 0 if there are no such tiles, and if the room looks the same after a rotation by 180 degrees.
   double distinctiveness() const { return distinctiveness_; }
 
  private:
   struct Tile {
     ComparedHistogram histogram;
     ComparedHistogram roots;          // for the Hellinger distance
-    int visits = -1;                  // of the model's tile that it was made from
-    double trained = 0.0;             // s, the same
+    int visits = -1;                  // of the tile of the model from which it was copied
+    double trained = 0.0;             // s, of that tile
     double reflection_trained = 0.0;  // s
     std::optional<double> difference;
     bool trusted = false;

@@ -7,7 +7,7 @@ namespace reorient {
 
 bool offered(Instructions instructions) {
 #if defined(__x86_64__) || defined(__i386__)
-  // Both ask the processor once, when the program starts.
+  // Both read the processor's features once, at the start of the program.
   if (instructions == Instructions::sse4) return __builtin_cpu_supports("sse4.2") != 0;
   if (instructions == Instructions::avx2) return __builtin_cpu_supports("avx2") != 0;
 #elif defined(__aarch64__)

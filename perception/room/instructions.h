@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What the widest loops of room awareness ask of the processor: they exist in several versions with the same results,
-// and the fastest that the processor offers is taken when the program runs.
+// Processor features that the inner loops of room awareness use. The loops have several versions with the same results.
+// The fastest version that the processor supports is selected at run time.
 #pragma once
 
 namespace reorient {
 
 enum class Instructions {
-  portable,  ///< nothing
+  portable,  ///< no optional instructions
   sse4,      ///< SSE4.2
   avx2,      ///< AVX2
-  neon       ///< NEON, which every 64-bit ARM has
+  neon       ///< NEON, part of every 64-bit ARM processor
 };
 
-/// Whether this program has such versions, and this processor runs them.
+/// Whether this program contains such versions and this processor supports them.
 bool offered(Instructions instructions);
-/// The widest that is offered.
+/// The widest supported version.
 Instructions widest_instructions();
 
 }  // namespace reorient

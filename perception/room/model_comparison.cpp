@@ -20,7 +20,7 @@ int sum_of(int a, int b) {
   return static_cast<int>(std::min<std::int64_t>(sum, std::numeric_limits<int>::max()));
 }
 
-/// Shares of two models in what is made of both.
+/// Weights of two models in their merged model.
 struct Weights {
   Weights(int first, int second)
       : a(static_cast<double>(first) / (static_cast<double>(first) + second)),
@@ -35,7 +35,7 @@ void merge_colors(TileModel& tile, const TileModel& a, const TileModel& b) {
   const Weights weights(a.visits, b.visits);
   for (std::size_t bin = 0; bin < tile.mean.size(); ++bin) {
     const double mean = weights.of(a.mean[bin], b.mean[bin]);
-    // What each varies, and how far they are apart.
+    // Variance within each model, and the difference of their means.
     const double apart = a.mean[bin] - static_cast<double>(b.mean[bin]);
     const double variance = weights.of(a.variance[bin], b.variance[bin]) + weights.a * weights.b * apart * apart;
     tile.mean[bin] = static_cast<float>(std::clamp(mean, 0.0, 1.0));

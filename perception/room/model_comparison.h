@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two models of one room: where they differ, whether they count the wall from the same end of the field, and one that
-// is made of both.
+// Comparison of two models of one room: where they differ, and whether their axes have the same direction. Also merges
+// two models.
 #pragma once
 
 #include <optional>
@@ -15,38 +15,39 @@ struct TileDifference {
   double distance = 0.0;  ///< Hellinger, in [0, 1]
 };
 
-/// A tile is known to a model that was trained on it for BackgroundParameters::trusted_after, by default.
+/// A tile is known to a model that was trained on it for at least the default of BackgroundParameters::trusted_after.
 struct ModelComparison {
-  std::vector<TileDifference> tiles;  ///< that both know, by how much they differ, the most first
-  int only_first = 0;                 ///< tiles that the one knows and the other does not
+  std::vector<TileDifference> tiles;  ///< tiles that both know, sorted by their difference, largest first
+  int only_first = 0;                 ///< tiles that only one of them knows
   int only_second = 0;
-  std::optional<double> mean;  ///< over those that both know; nothing where there are none
+  std::optional<double> mean;  ///< mean over the tiles that both know; empty if there are no such tiles
 
-  /// The mean differences over the tiles of which the second one knows the reflection, too: as it is, and turned by
-  /// half a turn. Nothing where there are no such tiles.
+  /// Mean differences over the tiles whose reflection the second model also knows: unrotated, and rotated by 180
+  /// degrees. Empty if there are no such tiles.
   struct Sides {
     double as_it_is = 0.0;
     double turned = 0.0;
   };
   std::optional<Sides> sides;
 
-  /// The second looks like the first, turned by half a turn.
+  /// Whether the second model matches the first one after a rotation by 180 degrees.
   bool is_turned() const { return sides && is_clear(sides->turned, sides->as_it_is); }
-  /// As it is, it looks like the first. Of two rooms it does neither.
+  /// Whether the second model matches the first one without rotation. For two different rooms, both are false.
   bool is_same_way() const { return sides && is_clear(sides->as_it_is, sides->turned); }
 
  private:
-  /// By as little as by which a room must differ from its reflection to be told from it
-  /// (RoomStatusParameters::distinctiveness), and by more than chance makes of two rooms that have nothing in common:
-  /// of one hall on two days the one mean is 0.2 to 0.65 of the other, of two halls 0.9.
+  /// The difference between the two means must be as large as the smallest difference between a distinguishable room
+  /// and its reflection (RoomStatusParameters::distinctiveness). It must also be larger than chance produces for two
+  /// unrelated rooms. For one hall on two days, the smaller mean is 0.2 to 0.65 of the larger one; for two halls, it is
+  /// 0.9.
   static bool is_clear(double nearer, double farther) { return farther - nearer > 0.05 && nearer < 0.8 * farther; }
 };
 
-/// Both have the same basis.
+/// Both models must have the same basis.
 ModelComparison compare(const SavedModel& first, const SavedModel& second);
 
-/// Of both together: each tile as if it had been looked at as often as the two were, one look weighing as much as
-/// another. Both have the same basis.
+/// Merges both models: each tile as if one model had seen all visits of both, with the same weight for each visit. Both
+/// models must have the same basis.
 SavedModel merged(const SavedModel& first, const SavedModel& second);
 
 }  // namespace reorient

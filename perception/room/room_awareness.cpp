@@ -121,8 +121,8 @@ void RoomAwareness::evaluate(const RoomObservation& view, double step) {
   smooth(confidences_, smoothing_share(parameters_.confidence, step, confidences_.smoothed_for));
 }
 
-/// How far the view centre moved along the wall because head and body turned: the turn, linearised at the current view
-/// centre. The belief's own jumps do not count.
+/// Movement of the view center along the wall due to rotations of head and body, linearized at the current view center.
+/// Jumps of the belief do not count.
 double RoomAwareness::turn_since_last(const RoomObservation& view) {
   const Eigen::Vector3d axis = view.robot_from_camera.linear().col(0);
   const double yaw = direction_of(axis.head<2>());
@@ -225,7 +225,7 @@ bool RoomAwareness::set_parameters(const RoomParameters& parameters) {
   return false;
 }
 
-/// After reading.
+/// Checks values after reading.
 void RoomAwareness::complete() {
   for (const std::optional<double>& value : {last_time_, last_direction_, view_center_})
     check_bytes(!value || std::isfinite(*value), "room awareness: a time or an angle is not finite");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room awareness (the paper's Section 3): from images and the believed pose to confidences in that pose and in its
-// reflection. Pure: time and seed are arguments.
+// Room awareness (the paper's Section 3): computes confidences in the believed pose and in its reflection from images
+// and the believed pose. It has no clock and no random device: time and seed are arguments.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@
 
 namespace reorient {
 
-/// Each part has its own describe(). The defaults adapt to the light and start from true means; the recipe as it was
-/// published is another set of values (assets/parameters/paper.toml).
+/// Each part has its own describe(). The defaults adapt to the light and start from true means. The published method is
+/// another set of values (assets/parameters/paper.toml).
 struct RoomParameters {
   WallParameters wall;
   ColorParameters color;
@@ -59,68 +59,70 @@ void for_each_part(RoomParameters& p, Visit&& visit) {
   visit("views", p.views);
 }
 
-/// s between two images; a longer gap is not time in which anything was seen.
+/// s between two images. A longer gap does not count as observation time.
 inline constexpr double kLongestLook = 0.2;
 
 /// How tiles are compared.
 Comparison comparison_of(const RoomParameters& parameters);
-/// The fraction of the log-odds that counts as evidence: none in a symmetric room, unless the parameters say otherwise.
+/// The fraction of the log-odds that counts as evidence. It is 0 in a symmetric room, except if the parameters disable
+/// this.
 double evidence_weight(const RoomParameters& parameters, const Separability& separability);
 
 class RoomAwareness {
  public:
   explicit RoomAwareness(const RoomParameters& parameters = {}, std::uint64_t seed = 0);
 
-  /// One frame, in the paper's order: tiles, histograms, background model, view filter, confidences. Views with
-  /// anything that is not finite, or from outside of the wall, show no tiles; then the filter rests too.
+  /// Processes one frame in the paper's order: tiles, histograms, background model, view filter, confidences. Views
+  /// with values that are not finite, or from outside of the wall, show no tiles and do not update the view filter.
   const Confidences& update(const RoomObservation& view);
 
-  /// What a granted command means here: the confidences restart, after a purge only if the parameters say so. A flip
-  /// turns the belief and not the robot: the belief of the view stays. It is a flip, too, if the belief goes over to
-  /// its reflection by itself, or another localization turns it.
+  /// Handles a granted command. The confidences restart, after a purge only if the parameters require it. A flip
+  /// changes the believed pose but not the robot, so the view filter's belief is unchanged. Call on_flip() also if the
+  /// belief changes to its reflection without a command, or if an external localization flips it.
   void on_flip();
   void on_purge();
   void on_reset();
 
-  /// The robot may stand elsewhere now, or was told where it stands: what was seen before says nothing any more. The
-  /// confidences begin anew, the belief of the view is all around.
+  /// The robot may be at another position, or its pose was set from outside, so earlier observations have no evidence.
+  /// The confidences restart, and the view filter's belief becomes uniform.
   void restart();
 
-  /// The teams change sides: the axes turn by half a turn, and with them the belief. Everything is known of the same
-  /// places as before, under their new coordinates; the confidences stay. Done twice, it is the identity. Also for a
-  /// room that was learned mirrored; restart() follows then, since the belief does not turn with it.
+  /// The teams change sides: the axes rotate by 180 degrees, and the belief with them. All observations refer to the
+  /// same positions under their new coordinates. The confidences are unchanged. Applying it twice is the identity. Also
+  /// used if a room was learned with the axes mirrored; then restart() follows, since the belief does not rotate.
   void turn_half();
 
-  /// Forgets the model, the belief of the view, the confidences and the light; the random numbers go on.
+  /// Forgets the model, the view filter's belief, the confidences and the light. The random number generator continues.
   void forget();
 
-  /// Goes on with what was learned before, instead of what there is; all else begins anew, as in forget(). Throws
-  /// UnfitModel, with one line, where it was learned on another basis.
+  /// Replaces the model with one that was learned before. Everything else restarts, as in forget(). Throws UnfitModel,
+  /// with one line, if the model has another basis.
   void take_model(const SavedModel& saved);
 
-  /// From the next frame on. Another wall (or another way of counting colours) makes the model void: then true, and the
-  /// room is forgotten.
+  /// Takes effect with the next frame. Another wall, or another way to count colors, makes the model invalid. Then the
+  /// room is forgotten and the result is true.
   bool set_parameters(const RoomParameters& parameters);
   const RoomParameters& parameters() const { return parameters_; }
 
   const Confidences& confidences() const { return confidences_; }
   const Wall& wall() const { return wall_; }
   const BackgroundModel& model() const { return model_; }
-  /// What the model's numbers mean.
+  /// The parameters that define the meaning of the model's numbers.
   ModelBasis basis() const;
   std::span<const PerceivedTile> perceived() const { return perceived_.tiles(); }
   const ViewFilter& view_filter() const { return filter_; }
   const ViewpointScores& scores() const { return scores_; }
   const Light& light() const { return light_.light(); }
-  /// Where on the wall the belief says that the camera looked in the last frame, rad; nothing if nowhere.
+  /// Azimuth of the wall at which the camera pointed in the last frame according to the belief, rad. Empty if it
+  /// pointed nowhere.
   std::optional<double> center_of_view() const { return view_center_; }
-  /// In which direction the camera looked in the last frame that was evaluated: rad, in the frame of the odometry.
+  /// Direction of the camera in the last evaluated frame: rad, in the odometry frame.
   std::optional<double> last_direction() const { return last_direction_; }
-  /// Which way to turn the camera, as of the last frame.
+  /// Informative directions for the camera, as of the last frame.
   const InformativeViews& informative_views() const { return views_.views(); }
 
-  /// All that decides what comes next: model, belief of the view, confidences, light, random numbers; parameters are as
-  /// they are. Throws BadBytes.
+  /// Everything that decides later frames: model, view filter's belief, confidences, light, random numbers. Does not
+  /// contain the parameters. Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.light_, self.pose_lights_, self.model_, self.separability_, self.filter_, self.evidence_, self.views_,
@@ -130,7 +132,7 @@ class RoomAwareness {
 
  private:
   void complete();
-  double seconds_since_last(double time);  // 0 where time does not go on
+  double seconds_since_last(double time);  // 0 if the time does not increase
   void perceive(const RoomObservation& view, double elapsed);
   void train(double step);
   void evaluate(const RoomObservation& view, double step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one frame tells room awareness.
+// The input of room awareness for one frame.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace reorient {
 
-/// A part of the image that does not show the room: a robot, a goal. Pixels, all four sides included.
+/// A part of the image that does not show the room: a robot, a goal. Pixels, all four sides inclusive.
 struct CoveredArea {
   int left = 0;
   int top = 0;
@@ -19,7 +19,7 @@ struct CoveredArea {
   int bottom = 0;
 };
 
-/// What one frame tells the module.
+/// The input of room awareness for one frame.
 struct RoomObservation {
   double time = 0.0;  ///< s
   ImageView image;
@@ -27,14 +27,14 @@ struct RoomObservation {
   Isometry3 robot_from_camera = Isometry3::Identity();
   Pose2 belief;  ///< believed pose, field_from_robot
   double odometry_rotation =
-      0.0;  ///< rad turned to the left since the start, by dead reckoning; only its change counts
+      0.0;  ///< rad, rotation to the left since the start, by dead reckoning; only its change is used
   std::span<const CoveredArea> covered;
-  bool train = true;     ///< false: the background model is left as it is
-  bool evaluate = true;  ///< false: the view filter rests and the confidences stay as they are
+  bool train = true;     ///< false: the background model is not updated
+  bool evaluate = true;  ///< false: the view filter and the confidences are not updated
 };
 
-/// The observation's camera at its image's resolution. Nothing where there is no image to speak of, or where numbers of
-/// the camera or of the poses make no sense.
+/// The observation's camera at its image's resolution. Empty if the image is missing, or if values of the camera or of
+/// the poses are invalid.
 std::optional<CameraModel> camera_of(const RoomObservation& view);
 
 }  // namespace reorient

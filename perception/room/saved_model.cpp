@@ -14,8 +14,8 @@ namespace reorient {
 namespace {
 
 constexpr std::uint64_t kModelMagic = 0x6C65646F4D6D5252ull;  // "RRmModel"
-constexpr std::uint32_t kModelVersion = 2;                    // another number with each change of what a model holds
-constexpr std::uint32_t kWithoutBias = 1;                     // an older one, which is read as well
+constexpr std::uint32_t kModelVersion = 2;                    // increases with each change of the content of a model
+constexpr std::uint32_t kWithoutBias = 1;                     // an older version, which can be read, too
 constexpr std::size_t kHead = sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
 constexpr std::size_t kChecksum = sizeof(std::uint64_t);
 
@@ -33,7 +33,7 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
-/// Of one part of a basis, by its describe(): its settings, and whether each is one that a parameter can have.
+/// One part of a basis by its describe(): its settings, and whether each value is possible for its parameter.
 struct Described {
   std::string part;
   std::vector<Setting> settings;

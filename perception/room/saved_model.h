@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has been learned of a room, as it outlasts the day: as a value, and as the bytes of a file.
+// A model of a room that is saved for later days: as a value, and as the bytes of a file.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@
 
 namespace reorient {
 
-/// What gives the numbers of a model their meaning: learned with another wall, or with colours counted otherwise, they
-/// say nothing.
+/// The parameters that define the meaning of a model's numbers. With another wall, or with colors counted differently,
+/// the numbers have no meaning.
 struct ModelBasis {
   WallParameters wall;
   ColorParameters color;
@@ -31,35 +31,35 @@ void fields(Visit&& visit, T& basis) {
         basis.light_adaptation, basis.pose_light);
 }
 
-/// The parameters in which two of them differ, with what `wanted` has, as "wall.radius=8 wall.columns=48"; empty where
-/// the one's numbers mean what the other's do.
+/// The parameters in which two bases differ, with the values of `wanted`, as "wall.radius=8 wall.columns=48". Empty if
+/// the numbers of both have the same meaning.
 std::string differences(const ModelBasis& given, const ModelBasis& wanted);
 
-/// What is no part of it is what another day changes: the belief, the confidences, and the light of the room, against
-/// which the light of each tile is told.
+/// Does not contain what differs on another day: the belief, the confidences, and the light of the room, relative to
+/// which the light of each tile is stored.
 struct SavedModel {
   ModelBasis basis;
-  double learned = 0.0;  ///< s for which it was trained
+  double learned = 0.0;  ///< s, training time
   BackgroundModel model;
-  /// How the robot that learned it measures its camera's angles; nothing: that was not known, or not asked.
+  /// Errors of the camera angles of the robot that learned the model. Empty if they were unknown or not requested.
   std::optional<KnownBias> camera_bias{};
 
-  /// The field's axes turn by half a turn.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half() { model.turn_half(Wall(basis.wall)); }
 };
 
-/// A model that was learned on another basis than the one on which it should be used.
+/// The error for a model that was learned on another basis than the required one.
 struct UnfitModel : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// No model takes more bytes than that.
+/// Largest size of a model, bytes.
 inline constexpr std::size_t kLongestModel = 1 << 20;
 
-/// Appended: magic number, version, length, content, checksum; little-endian, the same on every computer.
+/// Appends magic number, version, length, content, checksum. Little-endian, the same on every computer.
 void write_model(const SavedModel& model, std::vector<std::byte>& bytes);
 
-/// Throws BadBytes, which says what is wrong with them.
+/// Throws BadBytes with the reason.
 SavedModel read_model(std::span<const std::byte> bytes);
 
 }  // namespace reorient

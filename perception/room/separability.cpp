@@ -12,36 +12,36 @@
 namespace reorient {
 namespace {
 
-constexpr double kExpected = 0.8;     // of s, where nothing is known
-constexpr double kLeast = 0.03;       // t: how much of what differs is worth as much as experience
+constexpr double kExpected = 0.8;     // expected s without data
+constexpr double kLeast = 0.03;       // t: amount of difference that has the same weight as the expected value
 constexpr double kMisfitShare = 0.7;  // the nearest of several tiles differs by less than the misfit
 constexpr double kUsualMisfit = 0.15;
 constexpr std::size_t kParts = 8;
-constexpr int kFewestTiles = 20;   // of fewer, some may look like their reflections by chance
-constexpr int kFewestColumns = 8;  // of a wall with eighths
+constexpr int kFewestTiles = 20;   // with fewer tiles, some may look like their reflections by chance
+constexpr int kFewestColumns = 8;  // of a wall that can be rotated by eighths
 constexpr int kMostRows = 1000;
-constexpr int kTolerance = 48;  // of a turn: 7.5 degrees
-constexpr int kAbout = 24;      // of a turn: 15 degrees around an eighth
-// That are asked for at once, with those beside them.
+constexpr int kTolerance = 48;  // 1/48 of a turn: 7.5 degrees
+constexpr int kAbout = 24;      // 1/24 of a turn: 15 degrees around an eighth
+// Largest number of rotations that are compared at once, with those beside them.
 constexpr int kMostTurns = 2 * (kMostColumns / kAbout) + 1 + 2 * (kMostColumns / kTolerance);
 
 int wrapped(int column, int columns) { return (column % columns + columns) % columns; }
 
-/// Sum of differences, and how many there are.
+/// Sum and number of differences.
 struct Differences {
   double sum = 0.0;
   int known = 0;
 };
 
-/// Adds those of a tile to the nearest tile around where each turn from `first` to `last` leads, in columns; none where
-/// the tile to which it leads is not known.
+/// For each rotation from `first` to `last` (columns), adds the difference between a tile and the nearest tile around
+/// its rotated position. Adds nothing if the tile at that position is unknown.
 void add_differences(int tile, int first, int last, const ComparedModel& model, const Wall& wall, Differences& all) {
   const int columns = wall.columns();
   const int within = columns / kTolerance;
   const int row = wall.row_of(tile);
   const int begin = wall.column_of(tile) + first - within;
   const int count = last - first + 1 + 2 * within;
-  constexpr double kUnknown = 2.0;  // more than any difference
+  constexpr double kUnknown = 2.0;  // greater than any difference
   std::array<double, kMostTurns> single{};
   for (int i = 0; i < count; ++i) {
     const int other = wall.tile(row, wrapped(begin + i, columns));
@@ -103,7 +103,7 @@ void Separability::observe(const ComparedModel& model, const Wall& wall) {
   summarize();
 }
 
-/// s of the class's comment.
+/// s of the comment of the class.
 double Separability::share(const Column& sums) const {
   if (sums.tiles == 0) return kExpected;
   const auto beyond = [&](double sum) { return std::max(sum / sums.tiles - kMisfitShare * misfit_, 0.0); };
@@ -111,10 +111,10 @@ double Separability::share(const Column& sums) const {
 }
 
 void Separability::summarize() {
-  constexpr double kOfATile = 0.08;      // variance, one tile being known
-  constexpr double kOfExperience = 0.3;  // standard deviation, nothing being known
+  constexpr double kOfATile = 0.08;      // variance with one known tile
+  constexpr double kOfExperience = 0.3;  // standard deviation without data
   constexpr double kLimit = 0.6;
-  constexpr double kLogistic = 1.7;  // the normal distribution is near the logistic one of this steepness
+  constexpr double kLogistic = 1.7;  // the normal distribution is close to the logistic distribution with this slope
   Column all;
   std::array<Column, kParts> parts;
   const std::size_t half = columns_.size() / 2;
@@ -147,13 +147,13 @@ void Separability::summarize() {
 }
 
 void Separability::turn_half() {
-  // Each column as well as its reflection is compared with all others, so their sums only trade places.
+  // Each column and its reflection are compared with all others, so only their sums are exchanged.
   std::rotate(columns_.begin(), columns_.begin() + static_cast<std::ptrdiff_t>(columns_.size() / 2), columns_.end());
   const int columns = static_cast<int>(columns_.size());
   if (columns > 0) next_ = (next_ + columns / 2) % columns;
 }
 
-/// After reading.
+/// Checks values after reading.
 void Separability::check(std::size_t columns) const {
   check_bytes(columns_.size() == columns && next_ >= 0 && next_ < static_cast<int>(columns),
               "separability: expected one entry for each column of the wall");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the room look the same after half a turn? Then nothing in it can tell a pose from its reflection.
+// Tests whether the room looks the same after a rotation by 180 degrees. Then it cannot distinguish a pose from its
+// reflection.
 #pragma once
 
 #include <vector>
@@ -11,38 +12,38 @@
 namespace reorient {
 
 /// A statistical test of the model of the wall against the same model, rotated. The difference between a tile and its
-/// reflection is not enough: from where the robot stood, the two ends of a symmetric room looked different, too, and in
-/// a colorless room all tiles are similar. But a room that repeats itself after half a turn differs less from itself
-/// after half a turn than after one or three eighths of a turn, at which no room with two or four equal sides repeats
-/// itself.
+/// reflection is not sufficient. From the robot's position, the two ends of a symmetric room look different, too, and
+/// in a colorless room all tiles are similar. But a symmetric room differs less from itself after a rotation by 180
+/// degrees than after 45 or 135 degrees, at which no room with two or four equal sides repeats itself.
 ///
-/// With H and O the mean differences after half a turn and after the odd eighths of a turn, and m the misfit, by which
-/// a tile differs from its own next look although the pose is known, the test is about the share of what differs beyond
-/// the misfit:
+/// With H and O the mean differences after a rotation by 180 degrees and by odd multiples of 45 degrees, and m the
+/// misfit, which is the difference between a tile and its next view from a known pose, the test uses the ratio of the
+/// differences beyond the misfit:
 ///
 ///     s = (max(H - 0.7 m, 0) + 0.8 t) / (max(O - 0.7 m, 0) + t),   t = 0.03
 ///
-/// It is 1 in a room in which nothing is repeated, and 0.8, as experience has it, in one of which nothing is known. Its
-/// variance is that of a jackknife over eight parts of the wall, and of the number of tiles and of the share of
-/// experience in it. docs/decisions.md says how the numbers were found.
+/// It is 1 in a room without repetition, and 0.8 (a value from experience) in an unknown room. Its variance consists of
+/// a jackknife over eight parts of the wall, a term for the number of tiles, and a term for the weight of experience in
+/// it. docs/decisions.md explains how the numbers were found.
 ///
-/// Each tile is compared with the nearest of the tiles within 7.5 degrees of where the turn leads, since what lies
-/// behind the virtual wall is seen elsewhere on it from another place.
+/// Each tile is compared with the nearest of the tiles within 7.5 degrees of its rotated position, since from another
+/// position, objects behind the virtual wall appear at another azimuth of it.
 class Separability {
  public:
-  /// Nothing is known of a wall with this many columns, nor of the misfit.
+  /// Initially nothing is known of a wall with this many columns, nor of the misfit.
   void restart(int columns);
-  /// A look at known tiles from a known pose, before it is learned: their mean difference to the model (Hellinger), and
-  /// for how long it was looked, s.
+  /// Adds a view of known tiles from a known pose, before they are learned: their mean difference to the model
+  /// (Hellinger) and its duration, s.
   void note_misfit(double difference, double step);
-  /// Once a frame: compares the next column of the wall, in turn. The result is at most a few seconds old.
+  /// Must be called once for each frame. Compares the next column of the wall, cyclically. The result is at most a few
+  /// seconds old.
   void observe(const ComparedModel& model, const Wall& wall);
-  /// The wall's tiles are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half();
 
-  /// Probability, 0 to 1, that the room can tell a pose from its reflection: that s is above 0.6.
+  /// Probability, 0 to 1, that the room distinguishes a pose from its reflection: that s is above 0.6.
   double probability() const { return probability_; }
-  /// What the evidence is worth then: 0 where it is as likely that the room cannot, 1 where it certainly can.
+  /// Weight of the evidence at this probability: 0 if it is at most one half, 1 if it is 1.
   double weight() const { return probability_ > 0.5 ? 2.0 * probability_ - 1.0 : 0.0; }
 
   /// Throws BadBytes.
@@ -56,8 +57,8 @@ class Separability {
  private:
   /// Sums over the tiles of a column that are known together with their reflections.
   struct Column {
-    double half = 0.0;     // of the differences after half a turn
-    double eighths = 0.0;  // of the mean differences of a tile after the odd eighths
+    double half = 0.0;     // of the differences after 180 degrees
+    double eighths = 0.0;  // of the mean differences of a tile after odd multiples of 45 degrees
     int tiles = 0;
     Column& operator+=(const Column& other);
   };
@@ -73,7 +74,7 @@ class Separability {
   std::vector<Column> columns_;
   int next_ = 0;
   double misfit_ = 0.0;
-  double misfit_age_ = 0.0;  // s of looks that it is the mean of, up to its time constant
+  double misfit_age_ = 0.0;  // s of views in this mean, at most its time constant
   double probability_ = 0.0;
 };
 

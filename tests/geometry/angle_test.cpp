@@ -23,17 +23,17 @@ TEST(Angle, DifferenceTakesTheShortWayAcrossTheSeam) {
   EXPECT_NEAR(angle_difference(from_degrees(179.0), from_degrees(-179.0)), from_degrees(-2.0), 1e-12);
 }
 
-RC_GTEST_PROP(Angle, NormalisedKeepsItsDirectionAndItsRange, ()) {
+RC_GTEST_PROP(Angle, NormalizedKeepsItsDirectionAndItsRange, ()) {
   const double angle = *rc::gen::inRange(-1'000'000, 1'000'000) * 1e-3;
-  const double normalised = normalize_angle(angle);
-  RC_ASSERT(normalised > -kPi);
-  RC_ASSERT(normalised <= kPi);
-  RC_ASSERT(std::abs(std::sin(normalised) - std::sin(angle)) < 1e-9);
-  RC_ASSERT(std::abs(std::cos(normalised) - std::cos(angle)) < 1e-9);
+  const double normalized = normalize_angle(angle);
+  RC_ASSERT(normalized > -kPi);
+  RC_ASSERT(normalized <= kPi);
+  RC_ASSERT(std::abs(std::sin(normalized) - std::sin(angle)) < 1e-9);
+  RC_ASSERT(std::abs(std::cos(normalized) - std::cos(angle)) < 1e-9);
 }
 
 /// Bits: digests depend on it.
-RC_GTEST_PROP(Angle, NormalisedIsTheRemainderToTheLastBit, (std::uint64_t seed)) {
+RC_GTEST_PROP(Angle, NormalizedIsTheRemainderToTheLastBit, (std::uint64_t seed)) {
   const auto by_remainder = [](double angle) {
     const double turned = std::remainder(angle, 2.0 * kPi);
     return turned <= -kPi ? kPi : turned;

@@ -46,8 +46,7 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   constexpr double kBlur = 1.2;                                 // pixels
   constexpr double kLeastSure = 0.4, kDark = 0.7;
   constexpr int kInside = 2 * kPlaces, kMostCarpetInside = 1;
-  constexpr int kLeastCarpet = 7, kLeastOpen = 15,
-                kMostInRow = 3;  // of the positions around; consecutive ones on the line
+  constexpr int kLeastCarpet = 7, kLeastOpen = 15, kMostInRow = 3;  // positions around; on the line in a row
   const auto pixel_at = [&](double radius, int place) {
     return Vector2d(circle.center + radius * directions_around<kPlaces>()[static_cast<std::size_t>(place)]);
   };

@@ -254,10 +254,10 @@ GoalPosts::Upright GoalPosts::upright_between(const FieldImage& frame, const Can
 /// sides must not. At some height above its top, in the image or above it, the color must have ended.
 bool GoalPosts::outline_agrees(const FieldImage& frame, const Candidate& candidate, const Upright& upright) const {
   constexpr int kHeights = 12;
-  constexpr double kEnds[] = {1.03, 1.06, 1.09, 1.12,
-                              1.16, 1.2};  // multiples of a post's height; the post must have ended at one of them
-  constexpr double kLeastVisible = 0.6;    // fraction of its heights that must be in the image
-  constexpr double kBelowBar = 0.86;       // fraction of its height
+  constexpr double kEnds[] = {1.03, 1.06, 1.09,
+                              1.12, 1.16, 1.2};  // of a post's height; at one of them, the post has ended
+  constexpr double kLeastVisible = 0.6;          // fraction of its heights that must be in the image
+  constexpr double kBelowBar = 0.86;             // fraction of its height
   constexpr double kLeastOfOneSide = 0.7, kLeastOfBothSides = 1.85;  // fraction of the heights that must agree
   const Vector3d side_step = 0.5 * field_.goal_post_diameter * upright.foot.cross(upright.top).normalized();
   const auto point_at = [&](double share) -> Vector3d { return upright.foot + share * (upright.top - upright.foot); };

@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-/// The block as far as it lies in the image.
+/// The part of the block inside of the image.
 PixelBlock within(const ImageView& image, const PixelBlock& block) {
   if (image.empty()) return {};
   return {std::max(block.left, 0), std::max(block.top, 0), std::min(block.right, image.width & ~1),
@@ -44,7 +44,7 @@ void count_colors(const ImageView& image, const PixelBlock& block, int row_step,
   if (instructions != Instructions::avx2 && rows.width < 8) instructions = Instructions::portable;
   if (instructions == Instructions::portable) return count_one_by_one(rows, part.left, part.right, thresholds, counts);
 
-  // Pairs of pixels share their chroma: half a pair is counted by itself.
+  // Two pixels share their chroma. A single pixel of a pair is counted separately.
   const int begin = part.left + part.left % 2;
   const int end = part.right - part.right % 2;
   count_one_by_one(rows, part.left, begin, thresholds, counts);

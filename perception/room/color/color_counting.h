@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counting the colours of a block of pixels: the one loop of room awareness that goes through the image. It exists in
-// three versions with the same results (perception/room/instructions.h).
+// Counts the colors of a block of pixels. This is the only loop of room awareness over the image. It has several
+// versions with the same results (perception/room/instructions.h).
 #pragma once
 
 #include "geometry/image.h"
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// Part of an image: columns left...right - 1 and of the rows top...bottom - 1 every row_step-th, from the top one on.
+/// Part of an image: columns left...right - 1, and every row_step-th of the rows top...bottom - 1, starting at the top.
 struct PixelBlock {
   int left = 0;
   int top = 0;
@@ -17,9 +17,9 @@ struct PixelBlock {
   int bottom = 0;
 };
 
-/// Adds the pixels of a block to `counts`. What lies outside of the image does not count. `instructions`: must be
-/// offered; the wide versions take 16 and 32 pixels at a time, the portable one, by the definition (color_bin), one.
-/// Images that are narrower than the registers are counted by a narrower version.
+/// Adds the pixels of a block to `counts`. Pixels outside of the image do not count. The processor must support
+/// `instructions`. The wide versions process 16 and 32 pixels at a time, the portable one processes single pixels by
+/// the definition (color_bin). For images narrower than the registers, a narrower version is used.
 void count_colors(const ImageView& image, const PixelBlock& block, int row_step, const ColorThresholds& thresholds,
                   ColorCounts& counts, Instructions instructions = widest_instructions());
 

@@ -29,17 +29,17 @@ ColorThresholds color_thresholds(const ColorParameters& parameters, const Light&
   thresholds.white = to_byte(std::ceil(0.5 * (dark + parameters.bright_above) * gain));
   thresholds.cb_neutral = to_byte(std::ceil(light.cb));
   thresholds.cr_neutral = to_byte(std::ceil(light.cr));
-  thresholds.cb_grey_first = to_byte(std::floor(light.cb - parameters.grey_within) + 1.0);
-  thresholds.cb_grey_last = to_byte(std::ceil(light.cb + parameters.grey_within) - 1.0);
-  thresholds.cr_grey_first = to_byte(std::floor(light.cr - parameters.grey_within) + 1.0);
-  thresholds.cr_grey_last = to_byte(std::ceil(light.cr + parameters.grey_within) - 1.0);
+  thresholds.cb_gray_first = to_byte(std::floor(light.cb - parameters.grey_within) + 1.0);
+  thresholds.cb_gray_last = to_byte(std::ceil(light.cb + parameters.grey_within) - 1.0);
+  thresholds.cr_gray_first = to_byte(std::floor(light.cr - parameters.grey_within) + 1.0);
+  thresholds.cr_gray_last = to_byte(std::ceil(light.cr + parameters.grey_within) - 1.0);
   return thresholds;
 }
 
 int color_bin(const Ycbcr& pixel, const ColorThresholds& t) {
-  const bool grey = pixel.cb >= t.cb_grey_first && pixel.cb <= t.cb_grey_last && pixel.cr >= t.cr_grey_first &&
-                    pixel.cr <= t.cr_grey_last;
-  if (grey) return pixel.y >= t.white ? 1 : 0;
+  const bool gray = pixel.cb >= t.cb_gray_first && pixel.cb <= t.cb_gray_last && pixel.cr >= t.cr_gray_first &&
+                    pixel.cr <= t.cr_gray_last;
+  if (gray) return pixel.y >= t.white ? 1 : 0;
   const int slice = (pixel.y >= t.medium ? 1 : 0) + (pixel.y >= t.bright ? 1 : 0);
   const int quadrant = (pixel.cb >= t.cb_neutral ? 1 : 0) + (pixel.cr >= t.cr_neutral ? 2 : 0);
   return 2 + 4 * slice + quadrant;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's colour histogram (Section 3.2, Fig. 3): black, white, and 3 slices of luma x 4 quadrants of chroma.
+// The paper's color histogram (Section 3.2, Fig. 3): black, white, and 3 slices of luma x 4 quadrants of chroma.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace reorient {
 
-/// Bin 0 is black, bin 1 white, bin 2 + 4 * slice + quadrant a colour; slice 0 is the darkest, and quadrant is
+/// Bin 0 is black, bin 1 white, bin 2 + 4 * slice + quadrant a color; slice 0 is the darkest, and quadrant is
 /// (Cb above neutral ? 1 : 0) + (Cr above neutral ? 2 : 0).
 inline constexpr int kColorBins = 14;
 
-/// Shares of the bins: they sum up to 1, or are all 0 where nothing was counted.
+/// Fractions of the bins. Their sum is 1, or all are 0 if nothing was counted.
 using ColorHistogram = std::array<float, kColorBins>;
-/// Numbers of pixels.
+/// Numbers of pixels in the bins.
 using ColorCounts = std::array<std::uint32_t, kColorBins>;
 
 struct ColorParameters {
@@ -35,7 +35,7 @@ void describe(ColorParameters& p, Visit&& visit) {
   visit("blur", p.blur, 0.0, 0.25, "", "fraction of a bin that each of its four neighbors gets");
 }
 
-/// What the camera makes of the room's light: the means over the wall that count as medium grey.
+/// The room's light as the camera shows it: means over the wall, which are assumed to be medium gray.
 struct Light {
   double luma = 115.0;
   double cb = 128.0;
@@ -45,14 +45,13 @@ template <typename Visit, ConstOr<Light> T>
 void fields(Visit&& visit, T& light) {
   visit(light.luma, light.cb, light.cr);
 }
-/// All three are levels of a byte.
+/// Whether all three values are possible for a byte.
 bool is_sound(const Light& light);
 
-/// What is left of the light on one place when that of the room is taken off: it stays when exposure and white balance
-/// change.
+/// The light at one position relative to the light of the room. It does not change with exposure and white balance.
 struct RelativeLight {
-  double luma = 1.0;  ///< share of the room's
-  double cb = 0.0;    ///< less the room's
+  double luma = 1.0;  ///< fraction of the room's
+  double cb = 0.0;    ///< difference from the room's
   double cr = 0.0;    ///< the same
 };
 template <typename Visit, ConstOr<RelativeLight> T>
@@ -61,30 +60,30 @@ void fields(Visit&& visit, T& light) {
 }
 RelativeLight relative(const Light& place, const Light& room);
 
-/// The 14 regions for the bytes of an image. Thresholds move with the light so that pixels need not.
+/// Thresholds of the 14 regions for image bytes. They follow the light, so that pixels need no correction.
 struct ColorThresholds {
-  std::uint8_t medium = 85;          ///< from this luma on a colour is in slice 1
-  std::uint8_t bright = 170;         ///< and from this one on in slice 2
-  std::uint8_t white = 128;          ///< grey from this luma on is white
-  std::uint8_t cb_neutral = 128;     ///< from this Cb on a colour is in quadrant 1 or 3
-  std::uint8_t cr_neutral = 128;     ///< from this Cr on in quadrant 2 or 3
-  std::uint8_t cb_grey_first = 124;  ///< both chroma values within first...last: grey
-  std::uint8_t cb_grey_last = 132;
-  std::uint8_t cr_grey_first = 124;
-  std::uint8_t cr_grey_last = 132;
+  std::uint8_t medium = 85;          ///< luma at and above which a color is in slice 1
+  std::uint8_t bright = 170;         ///< luma at and above which a color is in slice 2
+  std::uint8_t white = 128;          ///< luma at and above which a gray pixel is white
+  std::uint8_t cb_neutral = 128;     ///< Cb at and above which a color is in quadrant 1 or 3
+  std::uint8_t cr_neutral = 128;     ///< Cr at and above which a color is in quadrant 2 or 3
+  std::uint8_t cb_gray_first = 124;  ///< gray: both chroma values are within first...last
+  std::uint8_t cb_gray_last = 132;
+  std::uint8_t cr_gray_first = 124;
+  std::uint8_t cr_gray_last = 132;
   bool operator==(const ColorThresholds&) const = default;
 };
 
 /// Thresholds under a given light: luma scaled by light.luma / 115, chroma relative to the light's.
 ColorThresholds color_thresholds(const ColorParameters& parameters, const Light& light = {});
 
-/// The bin of one pixel: what the definition says, for readers and tests.
+/// The bin of one pixel by the definition, for readers and tests.
 int color_bin(const Ycbcr& pixel, const ColorThresholds& thresholds);
 
 ColorHistogram normalized(const ColorCounts& counts);
 
-/// Hands `share` of each bin to each of its four neighbours: the slices above and below (black below the darkest, white
-/// above the brightest) and the two quadrants that differ in one sign. Keeps the sum.
+/// Moves the fraction `share` of each bin to each of its four neighbors: the slices above and below (black below the
+/// darkest slice, white above the brightest) and the two quadrants that differ in one sign. The sum is unchanged.
 ColorHistogram blurred(const ColorHistogram& histogram, double share);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled for AVX2, whatever the rest is compiled for (../CMakeLists.txt).
+// Compiled for AVX2, independent of the rest of the program (../CMakeLists.txt).
 #include "perception/room/color/counting_kernels.h"
 
 #ifdef __AVX2__
@@ -18,7 +18,7 @@ struct Avx2 {
   static Register load(const std::uint8_t* bytes) {
     return _mm256_loadu_si256(reinterpret_cast<const Register*>(bytes));
   }
-  /// In both halves, as each is looked up for itself.
+  /// The table is in both halves, since each half has its own lookup.
   static Register table(const std::uint8_t* bytes) {
     return _mm256_broadcastsi128_si256(_mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes)));
   }
@@ -30,10 +30,10 @@ struct Avx2 {
   static Register both(Register a, Register b) { return _mm256_and_si256(a, b); }
   static Register either(Register a, Register b) { return _mm256_or_si256(a, b); }
   static Register at_least(Register a, Register b) { return _mm256_cmpeq_epi8(_mm256_max_epu8(a, b), a); }
-  /// b where the mask says so.
+  /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return _mm256_blendv_epi8(a, b, mask); }
   static Register looked_up(Register table, Register indices) { return _mm256_shuffle_epi8(table, indices); }
-  static Register neighbours_swapped(Register a) {
+  static Register neighbors_swapped(Register a) {
     const __m128i swap = _mm_setr_epi8(1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
     return _mm256_shuffle_epi8(a, _mm256_broadcastsi128_si256(swap));
   }
@@ -48,7 +48,7 @@ struct Avx2 {
     return _mm256_permute4x64_epi64(_mm256_inserti128_si256(one, other, 1), 0b11'01'10'00);
   }
 
-  /// Adds the sum of all bytes of each to one of four counts.
+  /// Adds the sums of the bytes of each register to four counts.
   static void add_sums(Register a, Register b, Register c, Register d, std::uint32_t* counts) {
     const Register zero = _mm256_setzero_si256();
     const Register low = _mm256_or_si256(_mm256_sad_epu8(a, zero), _mm256_slli_epi64(_mm256_sad_epu8(b, zero), 16));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The versions of color_counting.h that need more than every processor has. Each is a source that is compiled for its
-// instructions. To keep code of a newer processor out of everything else, such a source calls no inline function that
-// another source may call, too: the linker keeps just one copy of it.
+// The versions of color_counting.h that need optional instructions of processors. Each is a source file that is
+// compiled for its instructions. Such a file must not call inline functions that other files may also call. The linker
+// keeps only one copy of each, and instructions of newer processors would reach the rest of the program.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@ namespace reorient {
 /// Some rows of an image, as bytes Y0 Cb Y1 Cr.
 struct PixelRows {
   const std::uint8_t* first = nullptr;
-  std::ptrdiff_t step = 0;  ///< bytes from one to the next
+  std::ptrdiff_t step = 0;  ///< bytes from one row to the next
   int count = 0;
   int width = 0;  ///< pixels
 };
 
-/// Adds pixels begin...end - 1 of each row to `counts`, one for each bin. Both are even, begin is less than end, and
-/// the rows are at least half as wide as the registers.
+/// Adds pixels begin...end - 1 of each row to `counts`, one for each bin. Both numbers are even, begin is less than
+/// end, and the rows are at least half as wide as the registers.
 using CountingKernel = void(const PixelRows& rows, int begin, int end, const ColorThresholds& thresholds,
                             std::uint32_t* counts);
 
-/// Null where the program is compiled for another kind of processor.
+/// Null if the program is compiled for another type of processor.
 CountingKernel* sse4_kernel();
 CountingKernel* avx2_kernel();
 CountingKernel* neon_kernel();

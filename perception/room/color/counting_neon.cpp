@@ -25,19 +25,19 @@ struct Neon {
   static Register both(Register a, Register b) { return vandq_u8(a, b); }
   static Register either(Register a, Register b) { return vorrq_u8(a, b); }
   static Register at_least(Register a, Register b) { return vcgeq_u8(a, b); }
-  /// b where the mask says so.
+  /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return vbslq_u8(mask, b, a); }
-  /// 0 for indices from 16 on; x86 asks only whether the highest bit is set, and no others are looked up.
+  /// 0 for indices of 16 and above. x86 only tests the highest bit. No other indices occur.
   static Register looked_up(Register table, Register indices) { return vqtbl1q_u8(table, indices); }
-  static Register neighbours_swapped(Register a) { return vrev16q_u8(a); }
+  static Register neighbors_swapped(Register a) { return vrev16q_u8(a); }
   static Register high_bytes(Register a) { return vreinterpretq_u8_u16(vshrq_n_u16(vreinterpretq_u16_u8(a), 8)); }
   static Register high_nibbles(Register a) { return vshrq_n_u8(a, 4); }
 
-  /// The low bytes of a, then those of b; their high bytes are 0.
+  /// The low bytes of a, then those of b. Their high bytes are 0.
   static Register packed(Register a, Register b) { return vuzp1q_u8(a, b); }
   static Register halves(const std::uint8_t* a, const std::uint8_t* b) { return vcombine_u8(vld1_u8(a), vld1_u8(b)); }
 
-  /// Adds the sum of all bytes of each to one of four counts.
+  /// Adds the sums of the bytes of each register to four counts.
   static void add_sums(Register a, Register b, Register c, Register d, std::uint32_t* counts) {
     const uint16x8_t halves = vpaddq_u16(vpaddlq_u8(a), vpaddlq_u8(b));
     const uint16x8_t more = vpaddq_u16(vpaddlq_u8(c), vpaddlq_u8(d));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled for SSE4.2, whatever the rest is compiled for (../CMakeLists.txt).
+// Compiled for SSE4.2, independent of the rest of the program (../CMakeLists.txt).
 #include "perception/room/color/counting_kernels.h"
 
 #ifdef __SSE4_2__
@@ -25,10 +25,10 @@ struct Sse4 {
   static Register both(Register a, Register b) { return _mm_and_si128(a, b); }
   static Register either(Register a, Register b) { return _mm_or_si128(a, b); }
   static Register at_least(Register a, Register b) { return _mm_cmpeq_epi8(_mm_max_epu8(a, b), a); }
-  /// b where the mask says so.
+  /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return _mm_blendv_epi8(a, b, mask); }
   static Register looked_up(Register table, Register indices) { return _mm_shuffle_epi8(table, indices); }
-  static Register neighbours_swapped(Register a) {
+  static Register neighbors_swapped(Register a) {
     return _mm_shuffle_epi8(a, _mm_setr_epi8(1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
   }
   static Register high_bytes(Register a) { return _mm_srli_epi16(a, 8); }
@@ -40,7 +40,7 @@ struct Sse4 {
                               _mm_loadl_epi64(reinterpret_cast<const Register*>(b)));
   }
 
-  /// Adds the sum of all bytes of each to one of four counts.
+  /// Adds the sums of the bytes of each register to four counts.
   static void add_sums(Register a, Register b, Register c, Register d, std::uint32_t* counts) {
     const Register zero = _mm_setzero_si128();
     const Register low = _mm_or_si128(_mm_sad_epu8(a, zero), _mm_slli_epi64(_mm_sad_epu8(b, zero), 16));

@@ -30,7 +30,7 @@ double hellinger(const ComparedHistogram& a, const ComparedHistogram& b) {
   return hellinger(overlap);
 }
 
-/// Four sums side by side: each adds in the same order as one alone, but none waits for the others.
+/// Four sums in parallel. Each adds in the same order as a single one, but does not wait for the others.
 void four_hellinger(const ComparedHistogram& a, const ComparedHistogram* const* b, double* results) {
   std::array<float, 4> overlaps{};
   for (std::size_t i = 0; i < kColorBins; ++i) {

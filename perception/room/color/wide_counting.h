@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The counting of colours many pixels at a time, for registers of any width. Included by the sources of
-// counting_kernels.h alone, each of which brings its Lanes: a register and what can be done with it. Nothing here has a
-// name outside of the source that includes it.
+// Counts colors many pixels at a time, for registers of any width. Only the sources of counting_kernels.h include it.
+// Each defines its Lanes: a register and its operations. All names here are local to the including source.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +11,16 @@
 namespace reorient {
 namespace {
 
-/// Within these sources a bin has a code of four bits: 3 * quadrant + slice for a colour, 12 for black, 14 for white.
+/// Within these sources, the code of a bin has four bits: 3 * quadrant + slice for a color, 12 for black, 14 for white.
 inline constexpr int kBlack = 12;
 constexpr int code_of_bin(int bin) { return bin < 2 ? kBlack + 2 * bin : 3 * ((bin - 2) % 4) + (bin - 2) / 4; }
 
-/// Tables of 16 bytes, one in each register.
+/// Tables of 16 bytes, each in one register.
 struct alignas(16) Table {
   std::uint8_t values[16] = {};
 };
 
-/// Loaded from somewhere in it: bytes that are set before a place or after it.
+/// Source of masks: bytes that are set before or after a position, depending on the offset of the load.
 struct Ramp {
   constexpr Ramp() {
     for (int i = 0; i < 48; ++i) values[i] = i >= 16 && i < 32 ? 0 : 0xFF;
@@ -29,21 +28,21 @@ struct Ramp {
   std::uint8_t values[48] = {};
 };
 
-/// What is known of a pair of pixels from its chroma: 1: Cb is above neutral, 2: Cr is, 4: Cb is near neutral, 8: Cr
-/// is. These two together are grey.
-inline constexpr int kGrey = 12;
+/// Bits for a pair of pixels from its chroma: 1: Cb is above neutral, 2: Cr is above neutral, 4: Cb is near neutral, 8:
+/// Cr is near neutral. Bits 4 and 8 together mean gray.
+inline constexpr int kGray = 12;
 constexpr Table first_codes() {
   Table table;
   for (int chroma = 0; chroma < 16; ++chroma)
-    table.values[chroma] = static_cast<std::uint8_t>(chroma >= kGrey ? kBlack : 3 * (chroma % 4));
+    table.values[chroma] = static_cast<std::uint8_t>(chroma >= kGray ? kBlack : 3 * (chroma % 4));
   return table;
 }
-constexpr Table greys() {
+constexpr Table grays() {
   Table table;
-  for (int chroma = kGrey; chroma < 16; ++chroma) table.values[chroma] = 0xFF;
+  for (int chroma = kGray; chroma < 16; ++chroma) table.values[chroma] = 0xFF;
   return table;
 }
-/// Turns the code of bin 2 * pair into 0x01, that of the next bin into 0x10 and every other one into 0.
+/// Maps the code of bin 2 * pair to 0x01, that of the next bin to 0x10 and every other code to 0.
 constexpr Table increments(int pair) {
   Table table;
   table.values[code_of_bin(2 * pair)] = 0x01;
@@ -52,11 +51,11 @@ constexpr Table increments(int pair) {
 }
 inline constexpr int kPairs = kColorBins / 2;
 inline constexpr Table kFirstCodes = first_codes();
-inline constexpr Table kGreys = greys();
+inline constexpr Table kGrays = grays();
 inline constexpr Table kIncrements[kPairs] = {increments(0), increments(1), increments(2), increments(3),
                                               increments(4), increments(5), increments(6)};
 
-/// Finds the codes of as many pixels as a register has bytes.
+/// Computes the codes of as many pixels as a register has bytes.
 template <typename Lanes>
 class Classifier {
  public:
@@ -64,30 +63,31 @@ class Classifier {
 
   explicit Classifier(const ColorThresholds& t)
       : neutral_(alternating(t.cb_neutral, t.cr_neutral)),
-        grey_first_(alternating(t.cb_grey_first, t.cr_grey_first)),
-        grey_width_(alternating(t.cb_grey_last - t.cb_grey_first, t.cr_grey_last - t.cr_grey_first)),
-        // A range that ends before it begins holds nothing.
-        near_bits_(alternating(t.cb_grey_first <= t.cb_grey_last ? 4 : 0, t.cr_grey_first <= t.cr_grey_last ? 8 : 0)),
+        gray_first_(alternating(t.cb_gray_first, t.cr_gray_first)),
+        gray_width_(alternating(t.cb_gray_last - t.cb_gray_first, t.cr_gray_last - t.cr_gray_first)),
+        // A range with its end before its begin is empty.
+        near_bits_(alternating(t.cb_gray_first <= t.cb_gray_last ? 4 : 0, t.cr_gray_first <= t.cr_gray_last ? 8 : 0)),
         first_codes_(Lanes::table(kFirstCodes.values)) {
-    const Register grey = Lanes::table(kGreys.values);
+    const Register gray = Lanes::table(kGrays.values);
     const Register white = Lanes::all(t.white);
-    lower_ = Lanes::choose(Lanes::all(t.medium), white, grey);
-    upper_ = Lanes::choose(Lanes::all(t.bright), white, grey);
+    lower_ = Lanes::choose(Lanes::all(t.medium), white, gray);
+    upper_ = Lanes::choose(Lanes::all(t.bright), white, gray);
   }
 
-  /// Of as many pixels as half a register has bytes from each of two places; in the order of Lanes::packed.
+  /// Input: pixels from two positions, as many from each as half of a register has bytes. Order of the result:
+  /// Lanes::packed.
   Register codes(const std::uint8_t* one, const std::uint8_t* other) const {
     const Register first = Lanes::load(one);
     const Register second = Lanes::load(other);
     const Register low_byte = Lanes::all16(0x00FF);
     const Register luma = Lanes::packed(Lanes::both(first, low_byte), Lanes::both(second, low_byte));
-    // Cb Cr Cb Cr...: the two bytes of a pair lie where the luma of its two pixels lies.
+    // Cb Cr Cb Cr...: the two bytes of a pair are at the same positions as the luma of its two pixels.
     const Register chroma = Lanes::packed(Lanes::high_bytes(first), Lanes::high_bytes(second));
     const Register above = Lanes::both(Lanes::at_least(chroma, neutral_), Lanes::all16(0x0201));
-    const Register near = Lanes::both(Lanes::at_least(grey_width_, Lanes::minus(chroma, grey_first_)), near_bits_);
+    const Register near = Lanes::both(Lanes::at_least(gray_width_, Lanes::minus(chroma, gray_first_)), near_bits_);
     const Register half = Lanes::either(above, near);
-    const Register pair = Lanes::either(half, Lanes::neighbours_swapped(half));
-    // A comparison that holds is -1. Greys are compared with white twice.
+    const Register pair = Lanes::either(half, Lanes::neighbors_swapped(half));
+    // A true comparison is -1. Grays are compared with white twice.
     const Register slice = Lanes::plus(Lanes::at_least(luma, Lanes::looked_up(lower_, pair)),
                                        Lanes::at_least(luma, Lanes::looked_up(upper_, pair)));
     return Lanes::minus(Lanes::looked_up(first_codes_, pair), slice);
@@ -96,11 +96,12 @@ class Classifier {
  private:
   static Register alternating(int even, int odd) { return Lanes::all16((even & 0xFF) | (odd & 0xFF) << 8); }
 
-  Register neutral_, grey_first_, grey_width_, near_bits_;  // Cb in the even bytes, Cr in the odd ones
-  Register first_codes_, lower_, upper_;                    // tables, by what is known from the chroma
+  Register neutral_, gray_first_, gray_width_, near_bits_;  // Cb in the even bytes, Cr in the odd ones
+  Register first_codes_, lower_, upper_;                    // tables, indexed by the chroma bits
 };
 
-/// Counts codes in nibbles: seven registers, in each byte two bins' counts (of at most 15) for that byte's pixels.
+/// Counts codes in nibbles: seven registers, in which each byte has the counts (at most 15) of two bins for the pixels
+/// at this byte.
 template <typename Lanes>
 class NibbleCounters {
  public:
@@ -112,7 +113,7 @@ class NibbleCounters {
     for (Register& pair : nibbles_) pair = Lanes::all(0);
   }
 
-  /// Before that many are added, at most kMost.
+  /// Must be called before more than kMost codes are added.
   void make_room_for(int additions) {
     if (additions_ + additions > kMost) widen();
     additions_ += additions;
@@ -124,7 +125,7 @@ class NibbleCounters {
       nibbles_[pair] = Lanes::plus(nibbles_[pair], Lanes::looked_up(Lanes::table(kIncrements[pair].values), codes));
   }
 
-  /// The same as one after the other, with each table loaded once.
+  /// Same result as single calls, but each table is loaded only once.
   void add(Register codes, Register more) {
     for (int pair = 0; pair < kPairs; ++pair) {
       const Register table = Lanes::table(kIncrements[pair].values);
@@ -133,7 +134,7 @@ class NibbleCounters {
     }
   }
 
-  /// Adds what was counted to the counts.
+  /// Adds the collected counts to `counts`.
   void finish() {
     widen();
     sum_up();
@@ -165,22 +166,23 @@ class NibbleCounters {
 
   std::uint32_t* counts_;
   Register nibbles_[kPairs];
-  Register bytes_[kColorBins];  // as long as there were spills
+  Register bytes_[kColorBins];  // valid if there were spills
   int additions_ = 0;
   int spills_ = 0;
 };
 
-/// Pixels of a row whose halves the nibbles can hold.
+/// Number of pixels of a row whose halves fit into the nibbles.
 template <typename Lanes>
 inline constexpr int kWidest = (2 * NibbleCounters<Lanes>::kMost - 4) * Lanes::kPixels / 2;
 
-/// At most kWidest columns.
+/// Counts at most kWidest columns.
 template <typename Lanes>
 void count_strip(const PixelRows& rows, int begin, int end, const ColorThresholds& thresholds, std::uint32_t* counts) {
   using Register = typename Lanes::Register;
   constexpr int kHalf = Lanes::kPixels / 2;
   static constexpr Ramp kRamp;
-  // What does not fill half a register is taken from one that reaches beyond it, to where the image goes on.
+  // The last part, which does not fill half of a register, is taken from a load that extends to where the image
+  // continues.
   const int halves = (end - begin + kHalf - 1) / kHalf;
   const int rest = begin + (halves - 1) * kHalf;
   const int last = rest + kHalf <= rows.width ? rest : rows.width - kHalf;

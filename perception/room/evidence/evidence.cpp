@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-/// w of the class's comment.
+/// w of the comment of the class.
 double weight_of(int tile, const ComparedModel& model, const EvidenceParameters& parameters) {
   const std::optional<double> difference = model.difference_to_reflection(tile);
   if (!difference) return 1.0;
@@ -41,8 +41,8 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
   for (const ComparedPlace& place : places) {
     const bool both = place.believed_known && place.reflected_known;
     if (!both && !can_tell) continue;
-    // Where only one of the two is known: its distance against what lies between a tile that is right and one that is
-    // not.
+    // If only one of the two is known, its distance is compared with a value between those of a correct and of a wrong
+    // tile.
     double say = both                   ? place.as_believed - place.as_reflected
                  : place.believed_known ? parameters.unknown * (place.as_believed - between)
                                         : parameters.unknown * (between - place.as_reflected);
@@ -66,7 +66,7 @@ void Evidence::reflect(const Wall& wall) {
   log_odds_ = -log_odds_;
 }
 
-/// After reading.
+/// Checks values after reading.
 void Evidence::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "evidence: expected one entry for each tile of the wall");
   check_bytes(std::isfinite(log_odds_), "evidence: the log-odds are not finite");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How strongly the room speaks for the reflection of the believed pose against that pose itself, as log-odds.
+// Evidence of the room for the reflection of the believed pose against that pose, as log-odds.
 #pragma once
 
 #include <span>
@@ -52,30 +52,31 @@ void describe(EvidenceParameters& p, Visit&& visit) {
 /// EvidenceParameters::tolerance, in columns.
 int tolerated_columns(const EvidenceParameters& parameters, const Wall& wall);
 
-/// Each tile has one say, however long it is looked at: what is wrong with it, because the light or the wall has
-/// changed, stays wrong from frame to frame. So a look at another tile is new evidence, and more of the same is not.
+/// Each tile counts once, for however long it is in view. An error of a tile, caused by a change of the light or the
+/// wall, remains from frame to frame. So a view of another tile is new evidence, and a longer view of the same tile is
+/// not.
 ///
-/// The say of a tile is gain * w * (how much nearer the reflected tile of the model is than the tile itself), and the
-/// log-odds are the sum over the tiles. With d the distance between those two tiles of the model and t1, t2 the times
-/// for which they were trained,
+/// A tile contributes gain * w * (distance to the model's tile - distance to the model's reflected tile). The log-odds
+/// are the sum over the tiles. With d the distance between these two tiles of the model and t1, t2 their training
+/// times,
 ///
 ///     w = d^2 / (d^2 + distinct^2) * t1 / (t1 + half_trained) * t2 / (t2 + half_trained)
 ///
-/// since a tile that was seen for a moment only may look otherwise the next time. A tile of which only one of the two
-/// is known says, with the weight `unknown`, how well that one fits.
+/// since a tile that was seen for only a moment may look different the next time. For a tile of which only one of the
+/// two is known, the fit of that one counts with the weight `unknown`.
 class Evidence {
  public:
-  /// Nothing was seen yet of a wall with this many tiles.
+  /// Initially nothing was seen of a wall with this many tiles.
   void restart(int tiles);
   /// One frame of `step` seconds.
   void observe(std::span<const ComparedPlace> places, const ComparedModel& model, double step,
                const EvidenceParameters& parameters);
-  /// The belief went over to its reflection: the tiles trade places, and what spoke for the one speaks for the other.
+  /// After a flip, the tiles exchange their roles, and the evidence changes its sign.
   void reflect(const Wall& wall);
-  /// The wall's tiles are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
 
-  /// 0: nothing is known; log(99): 99 in 100 that the reflection is right.
+  /// 0: no evidence; log(99): 99 in 100 for the reflection.
   double log_odds() const { return log_odds_; }
 
   /// Throws BadBytes.
@@ -88,8 +89,8 @@ class Evidence {
 
  private:
   struct SeenTile {
-    double say = 0.0;   // the mean, per gain; positive: for the reflection
-    double time = 0.0;  // s in view, at most `settle`; fading
+    double say = 0.0;   // mean, divided by the gain; positive: for the reflection
+    double time = 0.0;  // s in view, at most `settle`; fades out of view
   };
   template <typename Visit, ConstOr<SeenTile> T>
   friend void fields(Visit&& visit, T& tile) {

@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kStep = 0.087;  // rad between directions that are looked at
+constexpr double kStep = 0.087;  // rad between the directions that are evaluated
 
 int directions_within(double outermost) { return static_cast<int>(2.0 * outermost / kStep) + 1; }
 
@@ -40,7 +40,7 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
   views_ = {};
   const Eigen::Vector2d axis = robot_from_camera.linear().col(0).head<2>();
   const Eigen::Vector2d camera = belief * Eigen::Vector2d(robot_from_camera.translation().head<2>());
-  // A body may be set up with a neck that turns by less than nothing, or by what is not a number.
+  // The body may have a neck with a range that is negative or not a number.
   const double outermost = std::max(0.0, parameters.reach) + parameters.half_width;
   if (!axis.allFinite() || !std::isfinite(belief.rotation) ||
       !look_around(wall, belief, camera, outermost, least_incidence))
@@ -60,7 +60,7 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
     int last = -1;
     for (int i = first; i <= first + width; ++i) {
       const int column = columns_[static_cast<std::size_t>(i)];
-      if (column < 0 || column == last) continue;  // it counts once in a view, however wide it is
+      if (column < 0 || column == last) continue;  // a column counts once in a view, for however many directions it has
       last = column;
       const Worth& worth = worths_[static_cast<std::size_t>(i)];
       sum.difference += worth.difference;
@@ -81,7 +81,7 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
   return views_;
 }
 
-/// False: the camera stands outside of the wall.
+/// Returns false if the camera is outside of the wall.
 bool ViewChooser::look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost,
                               double least_incidence) {
   if (!wall.surrounds(camera)) return false;
@@ -122,7 +122,7 @@ ViewChooser::Worth ViewChooser::worth_of(int column, const Wall& wall, const Com
     if (!model.trusted(tile) && !model.trusted(wall.reflected(tile))) continue;
     worth.difference += model.difference_to_reflection(tile).value_or(parameters.half_known);
   }
-  // What was looked at lately and is still unknown cannot be learned from here.
+  // Columns that were in view recently and are still unknown cannot be learned from here.
   const double fresh = parameters.look / (parameters.look + looked_at_[static_cast<std::size_t>(column)]);
   worth.difference *= fresh;
   worth.unknown *= fresh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way to turn the camera: where the wall tells most about which pose is right, and where least is known of it.
+// Directions for the camera: where the wall best distinguishes the two poses, and where it is least known.
 #pragma once
 
 #include <vector>
@@ -32,9 +32,10 @@ void describe(ViewParameters& p, Visit&& visit) {
   visit("half_known", p.half_known, 0.0, 1.0, "", "score of a tile that is known for only one of the two poses");
 }
 
-/// Directions of the camera in the robot's frame, rad; worth in tiles that count fully, 0: nowhere is anything to see.
+/// Directions of the camera in the robot's frame, rad. Scores in tiles with full weight; 0: no direction shows
+/// anything.
 struct InformativeViews {
-  double best_yaw = 0.0;  ///< where the room differs most from its reflection
+  double best_yaw = 0.0;  ///< where the room and its reflection differ most
   double best_score = 0.0;
   double unknown_yaw = 0.0;  ///< where most tiles are not trusted yet
   double unknown_score = 0.0;
@@ -46,16 +47,15 @@ void fields(Visit&& visit, T& views) {
 
 class ViewChooser {
  public:
-  /// Nothing was looked at yet of a wall with this many columns.
+  /// Initially nothing was seen of a wall with this many columns.
   void restart(int columns);
-  /// One frame of `step` seconds. Each of the two is the view of the greatest worth per time that it takes to turn
-  /// there and to look at it; what is seen of the wall at a cosine of incidence below `least_incidence` has none. All
-  /// zero where the believed camera stands outside of the wall, or is not finite.
+  /// Processes one frame of `step` seconds. Each of the two directions has the greatest score per time, where the time
+  /// includes turning there and looking. Parts of the wall with a cosine of incidence below `least_incidence` have no
+  /// score. All values are zero if the believed camera is outside of the wall or not finite.
   const InformativeViews& choose(const Wall& wall, const ComparedModel& model, const Pose2& belief,
                                  const Isometry3& robot_from_camera, double step, double least_incidence,
                                  const ViewParameters& parameters);
-  /// The belief went over to its reflection, or the wall is counted from the other end: what was looked at is called
-  /// otherwise now.
+  /// Renumbers the columns after a flip, or after a rotation of the field's axes by 180 degrees.
   void turn_half();
 
   const InformativeViews& views() const { return views_; }
@@ -71,7 +71,7 @@ class ViewChooser {
  private:
   struct Worth {
     double difference = 0.0;  // between the tiles and their reflections
-    double unknown = 0.0;     // tiles
+    double unknown = 0.0;     // number of tiles
   };
 
   void check(std::size_t columns) const;
@@ -80,11 +80,11 @@ class ViewChooser {
   void note_look(double yaw, double outermost, double step, const ViewParameters& parameters);
   Worth worth_of(int column, const Wall& wall, const ComparedModel& model, const ViewParameters& parameters) const;
 
-  std::vector<double> looked_at_;  // s, of each column, fading
-  std::vector<double> angles_;     // rad, of the directions, then of the wall there; from the right to the left
+  std::vector<double> looked_at_;  // s, of each column; fades
+  std::vector<double> angles_;     // rad, of the directions, then of the wall there; from right to left
   std::vector<Eigen::Vector2d> headings_, normals_;  // the same as unit vectors
-  std::vector<int> columns_;   // that lie in each direction, from the right to the left; -1: none that counts
-  std::vector<Worth> worths_;  // of those
+  std::vector<int> columns_;                         // column in each direction, from right to left; -1: does not count
+  std::vector<Worth> worths_;                        // of these columns
   InformativeViews views_;
 };
 

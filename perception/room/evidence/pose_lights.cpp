@@ -27,10 +27,10 @@ void PoseLights::observe(std::span<const TileLight> frame, const Light& mean, co
   if_reflected_ = estimate(mean, model, wall, true, parameters);
 }
 
-/// The mean of what the tiles say, each within the bounds around the mean light, and of that.
+/// The mean of the tiles' lights, each limited to the bounds around the mean light, and of the mean light itself.
 Light PoseLights::estimate(const Light& mean, const BackgroundModel& model, const Wall& wall, bool reflected,
                            const PoseLightParameters& parameters) const {
-  constexpr double kDarkest = 0.02;  // of the room's luma: a tile beyond all doubt
+  constexpr double kDarkest = 0.02;  // fraction of the room's luma, lower limit for a tile
   const auto within = [](double value, double most) { return std::clamp(value, -most, most); };
   double luma = 0.0, cb = 0.0, cr = 0.0;
   int count = 0;
@@ -56,7 +56,7 @@ void PoseLights::reflect(const Wall& wall) {
   std::swap(if_believed_, if_reflected_);
 }
 
-/// After reading.
+/// Checks values after reading.
 void PoseLights::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "pose light: expected one entry for each tile of the wall");
   check_bytes(is_sound(if_believed_) && is_sound(if_reflected_) && std::isfinite(until_next_),

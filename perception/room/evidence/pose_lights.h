@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The light of the room as it would have to be if the believed pose were right, and if its reflection were: each of the
-// two is judged in the light that suits it best, so that a change of the light speaks for neither.
+// The light of the room that the believed pose implies, and the light that its reflection implies. Each pose is
+// evaluated in the light that fits it best, so that a change of the light is no evidence for either.
 #pragma once
 
 #include <span>
@@ -36,14 +36,16 @@ void describe(PoseLightParameters& p, Visit&& visit) {
 
 class PoseLights {
  public:
-  /// Forgets what was seen of a wall with this many tiles; both lights are the mean light until something is.
+  /// Forgets all observations of a wall with this many tiles. Both lights are the mean light until the next
+  /// observation.
   void restart(int tiles);
-  /// One frame: the light on the tiles where the belief says that they are. `mean`: of all that was seen lately.
+  /// Processes one frame: the light on the tiles at their believed positions. `mean`: mean light of the recent
+  /// observations.
   void observe(std::span<const TileLight> frame, const Light& mean, const BackgroundModel& model, const Wall& wall,
                double elapsed, const PoseLightParameters& parameters);
-  /// The belief went over to its reflection.
+  /// Exchanges the two lights after a flip.
   void reflect(const Wall& wall);
-  /// The wall's tiles are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
 
   const Light& if_believed() const { return if_believed_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Azimuths of the wall: multiples of 2^-51 rad, the spacing of numbers near pi, so that half a turn is exact and done
-// twice is the identity.
+// Azimuths of the wall are multiples of 2^-51 rad, the spacing of numbers near pi. So a rotation by 180 degrees is
+// exact, and two of them are the identity.
 #pragma once
 
 #include <cmath>
@@ -9,13 +9,13 @@
 
 namespace reorient {
 
-/// The azimuth next to an angle, rad in (-pi, pi].
+/// The azimuth nearest to an angle, rad in (-pi, pi].
 inline double to_azimuth(double angle) {
   constexpr double kSteps = 0x1p51;                                       // a radian
   return std::nearbyint(normalize_angle(angle) * kSteps) / kSteps + 0.0;  // no negative zero
 }
 
-/// Half a turn away, exactly.
+/// The opposite azimuth, exactly.
 inline double opposite(double azimuth) { return azimuth > 0.0 ? azimuth - kPi : azimuth + kPi; }
 
 }  // namespace reorient

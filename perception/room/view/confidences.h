@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Confidences (the paper's Section 3.4): how far the belief of the view supports the believed pose and its reflection.
+// Confidences (the paper's Section 3.4): how far the view filter's belief supports the believed pose and its
+// reflection.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +12,22 @@
 
 namespace reorient {
 
-/// All in [0, 1], except the evidence; `current` and `opposite` are smoothed, their raw values are this frame's.
+/// All in [0, 1], except the evidence. `current` and `opposite` are smoothed; their raw values belong to this frame.
 struct Confidences {
   double current = 0.0;
   double opposite = 0.0;
   double raw_current = 0.0;
   double raw_opposite = 0.0;
-  double goal_opponent = 0.0;    ///< share of the belief of the view on the wall behind the goal at +x
-  double goal_own = 0.0;         ///< the same, behind the goal at -x
-  double coverage = 0.0;         ///< share of the wall's tiles that are trained well enough to be compared with
-  double paired = 0.0;           ///< the same, together with their reflections
-  double distinctiveness = 0.0;  ///< how much the model differs from itself turned by 180 degrees: 0 is the same
-  double separability = 1.0;     ///< probability that the room can tell a pose from its reflection (separability.h)
-  double evidence = 0.0;         ///< log-odds for the opposite pose against the current one (evidence/evidence.h)
-  double age = 0.0;              ///< s of views of known tiles since the confidences began anew
-  double smoothed_for = 0.0;     ///< s of those of them that the smoothed ones are made of
-  int visible_tiles = 0;         ///< tiles that counted in this frame
+  double goal_opponent = 0.0;    ///< fraction of the view filter's belief on the wall behind the goal at +x
+  double goal_own = 0.0;         ///< the same for the goal at -x
+  double coverage = 0.0;         ///< fraction of the wall's tiles that are trained well enough for comparisons
+  double paired = 0.0;           ///< the same for tiles together with their reflections
+  double distinctiveness = 0.0;  ///< difference between the model and its rotation by 180 degrees; 0: no difference
+  double separability = 1.0;  ///< probability that the room distinguishes a pose from its reflection (separability.h)
+  double evidence = 0.0;      ///< log-odds for the opposite pose against the current one (evidence/evidence.h)
+  double age = 0.0;           ///< s of views of known tiles since the confidences restarted
+  double smoothed_for = 0.0;  ///< s of those views in the smoothed values
+  int visible_tiles = 0;      ///< tiles that counted in this frame
 };
 
 template <typename Visit, ConstOr<Confidences> T>
@@ -53,22 +54,23 @@ void describe(ConfidenceParameters& p, Visit&& visit) {
   visit("restart_on_purge", p.restart_on_purge, "whether the confidences also restart after a purge");
 }
 
-/// Weight of a frame of `step` seconds in the smoothing, when it ends the first `age` seconds.
+/// Weight of a frame of `step` seconds in the smoothing, at the end of the first `age` seconds.
 double smoothing_share(const ConfidenceParameters& parameters, double step, double age);
 
-/// This frame's own: the filter's shares around the current and the opposite view centre and behind the goals.
+/// Sets the values of this frame: the filter's weight around the current and the opposite view center and behind the
+/// goals.
 void take_shares(Confidences& confidences, const ViewFilter& filter, double view_center,
                  const ConfidenceParameters& parameters);
-/// Takes them into the smoothed ones.
+/// Updates the smoothed values with those of this frame.
 void smooth(Confidences& confidences, double share);
 
-/// They restart: as if nothing had been seen. The evidence stays.
+/// Restarts as if nothing had been observed. The evidence is unchanged.
 void restart(Confidences& confidences);
-/// The believed pose was flipped: what spoke for its reflection speaks for it.
+/// After a flip: restarts, and changes the sign of the evidence.
 void flip(Confidences& confidences);
-/// Nothing is known of the believed pose: what was seen before says nothing about it.
+/// Restarts and resets the evidence, since nothing is known about the believed pose.
 void reset(Confidences& confidences);
-/// The robot may stand elsewhere: not even what was seen last says anything.
+/// Also resets the last frame's values, since the robot may be at another position.
 void clear_views(Confidences& confidences);
 
 }  // namespace reorient

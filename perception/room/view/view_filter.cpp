@@ -49,7 +49,7 @@ void ViewFilter::find_clusters() {
             [](const ViewCluster& a, const ViewCluster& b) { return a.share > b.share; });
 }
 
-/// After reading.
+/// Checks values after reading.
 void ViewFilter::check(ViewMethod method) const {
   check_bytes(method == method_, "view filter: expected the method of the parameters, found another one");
   check_bytes(clusters_.size() <= particles().size() + grid_.cells(),

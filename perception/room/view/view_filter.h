@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The view filter (the paper's Section 3.4): a belief of where on the wall the camera looks, by particles as in the
-// paper or on a grid.
+// The view filter (the paper's Section 3.4): a belief where on the wall the camera looks, represented by particles as
+// in the paper, or by a grid.
 #pragma once
 
 #include <cstdint>
@@ -16,31 +16,30 @@
 
 namespace reorient {
 
-/// Azimuths (azimuth.h) are in the field frame, rad in (-pi, pi]; the height follows the camera.
+/// Azimuths (azimuth.h) are in the field frame, rad in (-pi, pi]. The height follows the camera.
 class ViewFilter {
  public:
   explicit ViewFilter(std::uint64_t seed) : particles_(seed) {}
 
-  /// Nothing is known: a belief all around, evenly, by the method and as fine as the parameters say.
+  /// Resets the belief to a uniform one, with the method and the resolution of the parameters.
   void spread(const ViewFilterParameters& parameters);
-  /// Whether the belief is by that method, and as fine.
+  /// Whether the belief has the method and the resolution of the parameters.
   bool is_made_for(const ViewFilterParameters& parameters) const;
-  /// The wall's azimuths are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half();
-  /// The camera turned by `motion` (rad), as far as anybody knows: the belief follows, and blurs by the noise of `step`
-  /// seconds.
+  /// Moves the belief by the camera's measured rotation `motion` (rad), and blurs it by the noise of `step` seconds.
   void predict(double motion, double step, const ViewFilterParameters& parameters);
-  /// The belief goes to where the scores are good. `view_center`: where the pose filter's belief says that the camera
-  /// looks, rad. Without evidence in the scores it stays.
+  /// Moves the belief toward good scores. `view_center`: azimuth of the camera according to the believed pose, rad.
+  /// Without evidence in the scores, the belief is unchanged.
   void correct(const ViewpointScores& scores, double view_center, double step, const ViewFilterParameters& parameters);
 
-  /// Share of the belief within `half_width` of an azimuth; both rad.
+  /// Fraction of the belief within `half_width` of an azimuth; both rad.
   double share_near(double azimuth, double half_width) const;
-  /// Where it gathers, heaviest first.
+  /// The clusters of the belief, largest first.
   std::span<const ViewCluster> clusters() const { return clusters_; }
   void find_clusters();
 
-  /// What the belief is made of; of the method that is not used, empty.
+  /// The representation of the belief. Empty for the method that is not used.
   std::span<const ViewParticle> particles() const { return particles_.particles(); }
   const ViewGrid& grid() const { return grid_; }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the view filter is, and how it is tuned.
+// Method and parameters of the view filter.
 #pragma once
 
 namespace reorient {
 
 enum class ViewMethod {
-  particles,  ///< the paper's: hypotheses, weighed and resampled
-  grid        ///< cells all around, each with its share of the belief
+  particles,  ///< the paper's method: weighted and resampled hypotheses
+  grid        ///< cells all around, each with a fraction of the belief
 };
 constexpr int enum_count(ViewMethod) { return 2; }
 

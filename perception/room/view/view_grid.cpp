@@ -27,7 +27,7 @@ ViewCell ViewGrid::cell(std::size_t i) const {
 
 void ViewGrid::turn_half() { first_ = opposite(first_); }
 
-/// After reading.
+/// Checks values after reading.
 void ViewGrid::check(std::size_t count) const {
   check_bytes(shares_.size() == count, "view filter: the number of cells differs from the parameters");
   check_bytes(std::abs(first_) <= kPi, "view filter: the azimuth of the first cell is invalid");
@@ -42,9 +42,9 @@ void ViewGrid::predict(double motion, double step, const ViewFilterParameters& p
   blur(deviation * deviation * step);
 }
 
-/// A random walk of a variance in cells squared, in steps to the next cells.
+/// A random walk with a variance in cells squared, in steps to the neighboring cells.
 void ViewGrid::blur(double variance) {
-  constexpr double kMost = 0.5;  // variance of a step: a quarter to either side
+  constexpr double kMost = 0.5;  // variance of a step: a quarter to each side
   const double steps = std::ceil(variance / kMost);
   const double aside = steps > 0.0 ? 0.5 * variance / steps : 0.0;
   for (int step = 0; step < static_cast<int>(steps); ++step) {
@@ -71,7 +71,7 @@ void ViewGrid::correct(const ViewpointScores& scores, double view_center, double
   pinned::exp(weights_);
   for (std::size_t i = 0; i < shares_.size(); ++i) weights_[i] *= shares_[i];
   const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
-  // An underflow of all weights says that the belief is nowhere near: then the leak alone goes on.
+  // If all weights underflow, the belief is nowhere near. Then only the leak applies.
   if (sum > 0.0) {
     for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i] = weights_[i] / sum;
   }
@@ -82,7 +82,7 @@ void ViewGrid::correct(const ViewpointScores& scores, double view_center, double
 
 double ViewGrid::share_near(double azimuth, double half_width) const {
   const auto count = static_cast<double>(shares_.size());
-  // In cells from the right edge of the first one.
+  // In cells from the right edge of the first cell.
   double position = angle_difference(azimuth - half_width, first_) / width() + 0.5;
   if (position < 0.0) position += count;
   double left = std::min(2.0 * half_width / width(), count);
@@ -101,7 +101,8 @@ void ViewGrid::find_clusters(std::vector<ViewCluster>& clusters) const {
   const std::size_t count = shares_.size();
   const double least = 2.0 / static_cast<double>(count);
   const auto stands_out = [&](std::size_t i) { return shares_[i % count] > least; };
-  // The circle is cut open where nothing stands out, which is in half of it at least, so that no cluster is cut.
+  // The circle is opened at a cell with little weight, so that no cluster is cut. At least half of the circle has such
+  // cells.
   std::size_t begin = 0;
   while (begin < count && stands_out(begin)) ++begin;
   for (const std::size_t stop = begin + count; begin < stop;) {
@@ -117,7 +118,7 @@ void ViewGrid::find_clusters(std::vector<ViewCluster>& clusters) const {
       const double mean = first_moment / share;
       const double variance = std::max(0.0, second_moment / share - mean * mean);
       clusters.push_back({to_azimuth(first_ + (static_cast<double>(begin) + mean) * width()),
-                          std::sqrt(variance + 1.0 / 12.0) * width(), share});  // a cell itself is a twelfth wide
+                          std::sqrt(variance + 1.0 / 12.0) * width(), share});  // variance within a cell: 1/12
     }
     begin = end + 1;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The view filter on a grid (Markov localization over the azimuth; Fox, Burgard and Thrun, 1999): cells all around the
-// wall, each with its share of the belief.
+// wall, each with a fraction of the belief.
 #pragma once
 
 #include <cstddef>
@@ -14,38 +14,38 @@
 
 namespace reorient {
 
-/// A cell, as others see it.
+/// A cell in the form that other parts use.
 struct ViewCell {
-  double azimuth = 0.0;  ///< of its middle, rad in (-pi, pi]
-  double share = 0.0;    ///< of the whole belief
+  double azimuth = 0.0;  ///< of its center, rad in (-pi, pi]
+  double share = 0.0;    ///< fraction of the whole belief
 };
 template <typename Visit, ConstOr<ViewCell> T>
 void fields(Visit&& visit, T& cell) {
   visit(cell.azimuth, cell.share);
 }
 
-/// The cells ride along with the camera: a turn moves the first cell's azimuth and leaves the shares as they are. Cells
-/// that stood still would have to be interpolated in every frame, which blurs the belief more than its noise does, and
-/// half a turn would be exact for an even number of them only.
+/// The cells move with the camera: a rotation changes the first cell's azimuth and no cell's fraction. Fixed cells
+/// would need interpolation in each frame, which would blur the belief more than its noise does. A rotation by 180
+/// degrees would be exact only for an even number of fixed cells.
 class ViewGrid {
  public:
-  /// So many cells with the same share each.
+  /// This number of cells, all with the same fraction.
   void spread(int cells);
-  /// The wall's azimuths are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half();
   /// Moves the belief by `motion` (rad) and blurs it by the noise of `step` seconds.
   void predict(double motion, double step, const ViewFilterParameters& parameters);
-  /// Bayes' rule with the likelihood exp(-sharpness step (distance - least)), then the leak: with a small probability
-  /// the camera looks anywhere. `view_center`: where the belief says that the camera looks, rad. Without evidence in
-  /// the scores the shares stay.
+  /// Applies Bayes' rule with the likelihood exp(-sharpness step (distance - least)), then the leak: with a small
+  /// probability the camera looks anywhere. `view_center`: azimuth of the camera according to the belief, rad. Without
+  /// evidence in the scores, the fractions are unchanged.
   void correct(const ViewpointScores& scores, double view_center, double step, const ViewFilterParameters& parameters);
 
   std::size_t cells() const { return shares_.size(); }
   /// Cells count to the left.
   ViewCell cell(std::size_t i) const;
-  /// Share of the belief within `half_width` of an azimuth, both rad: even within a cell.
+  /// Fraction of the belief within `half_width` of an azimuth, both rad. It is assumed uniform within a cell.
   double share_near(double azimuth, double half_width) const;
-  /// Appends each run of cells that hold more than twice what they would if nothing were known.
+  /// Appends each run of cells with more than twice their fraction in a uniform belief.
   void find_clusters(std::vector<ViewCluster>& clusters) const;
 
   /// Throws BadBytes.
@@ -61,7 +61,7 @@ class ViewGrid {
   void check(std::size_t count) const;
   void blur(double variance);
 
-  double first_ = 0.0;  // azimuth of the middle of the first cell (azimuth.h), rad
+  double first_ = 0.0;  // azimuth of the center of the first cell (azimuth.h), rad
   std::vector<double> shares_;
   std::vector<double> weights_;
 };

@@ -13,7 +13,7 @@
 namespace reorient {
 namespace {
 
-/// Circular mean and standard deviation of azimuths, whose sines and cosines are given.
+/// Circular mean and standard deviation of azimuths, from their sines and cosines.
 ViewCluster cluster_of(std::span<const double> azimuths, std::span<const double> sines, std::span<const double> cosines,
                        std::size_t of) {
   const double x = std::accumulate(cosines.begin(), cosines.end(), 0.0);
@@ -51,7 +51,7 @@ void ViewParticles::turn_half() {
   for (ViewParticle& particle : particles_) particle.azimuth = opposite(particle.azimuth);
 }
 
-/// After reading.
+/// Checks values after reading.
 void ViewParticles::check(std::size_t count) const {
   check_bytes(particles_.size() == count, "view filter: the number of particles differs from the parameters");
   for (const ViewParticle& particle : particles_)
@@ -80,11 +80,11 @@ void ViewParticles::correct(const ViewpointScores& scores, double view_center, d
   }
   pinned::exp(weights_);
   const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
-  // An underflow of all weights says that no particle is anywhere near: then none is better than another.
+  // If all weights underflow, no particle is near. Then all have the same weight.
   for (std::size_t i = 0; i < particles_.size(); ++i)
     particles_[i].weight = sum > 0.0 ? weights_[i] / sum : 1.0 / count;
   resample();
-  // Where all viewpoints look the same, the best of them is chance: nothing is injected.
+  // If all viewpoints have the same score, the best one is random, so nothing is injected.
   const double clear = parameters.clear_lead > 0.0 ? std::clamp(scores.lead() / parameters.clear_lead, 0.0, 1.0) : 1.0;
   inject(view_center + scores.best() * column_width, 0.5 * column_width, clear * parameters.injection * step * count);
 }
@@ -127,7 +127,7 @@ void ViewParticles::find_clusters(std::vector<ViewCluster>& clusters) {
   for (const ViewParticle& particle : particles_) sorted_.push_back(particle.azimuth);
   std::sort(sorted_.begin(), sorted_.end());
   const std::size_t count = sorted_.size();
-  // The circle is cut open at its first gap and laid out as two turns, so that no cluster is cut.
+  // The circle is opened at its first gap and laid out as two turns, so that no cluster is cut.
   for (std::size_t i = 0; i < count; ++i) sorted_.push_back(sorted_[i] + 2.0 * kPi);
   std::size_t start = 0;
   while (start < count && sorted_[start + 1] - sorted_[start] < kGap) ++start;

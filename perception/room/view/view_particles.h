@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The view filter as in the paper (Section 3.4): particles that are hypotheses of where on the wall the camera looks.
+// The view filter as in the paper (Section 3.4): its particles are hypotheses where on the wall the camera looks.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace reorient {
 /// A viewpoint: an azimuth of the wall (azimuth.h), rad in (-pi, pi], field frame. The height follows the camera.
 struct ViewParticle {
   double azimuth = 0.0;
-  double weight = 0.0;  ///< of this frame, before resampling; the weights sum up to 1
+  double weight = 0.0;  ///< of this frame, before resampling; the sum of all weights is 1
 };
 template <typename Visit, ConstOr<ViewParticle> T>
 void fields(Visit&& visit, T& particle) {
@@ -28,18 +28,18 @@ class ViewParticles {
  public:
   explicit ViewParticles(std::uint64_t seed) : random_(seed, 0x766965775F66696Cull) {}
 
-  /// So many particles all around, evenly.
+  /// This number of particles, evenly distributed over all azimuths.
   void spread(int particles);
-  /// The wall's azimuths are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half();
-  /// Moves all of them by `motion` (rad) and scatters them by the noise of `step` seconds.
+  /// Moves all particles by `motion` (rad) and scatters them by the noise of `step` seconds.
   void predict(double motion, double step, const ViewFilterParameters& parameters);
-  /// Weighs, resamples (systematically) and injects at the best match. `view_center`: where the belief says that the
-  /// camera looks, rad. Without evidence in the scores all weights are the same.
+  /// Weights, resamples (systematically) and injects particles at the best match. `view_center`: azimuth of the camera
+  /// according to the belief, rad. Without evidence in the scores, all weights are the same.
   void correct(const ViewpointScores& scores, double view_center, double step, const ViewFilterParameters& parameters);
 
   std::span<const ViewParticle> particles() const { return particles_; }
-  /// Share of the particles that lie within `half_width` of an azimuth; both rad.
+  /// Fraction of the particles within `half_width` of an azimuth; both rad.
   double share_near(double azimuth, double half_width) const;
   /// Appends the groups that are separated by gaps.
   void find_clusters(std::vector<ViewCluster>& clusters);

@@ -48,7 +48,7 @@ void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const Co
     known_distance += cell.distance;
     ++known;
   }
-  // What nothing is known about is neither better nor worse than the rest.
+  // Unknown cells get the average score, since they are neither better nor worse.
   average_ = known > 0 ? known_distance / known : 0.0;
   for (ViewpointScore& cell : cells_) {
     if (!cell.known) cell.distance = average_;
@@ -61,7 +61,7 @@ void ViewpointScores::compute(std::span<const PerceivedTile> perceived, const Co
   find_places(tolerance);
 }
 
-/// The cell in which the view fits best, the nearest one of several.
+/// The cell with the best fit of the view; of several, the nearest one.
 int ViewpointScores::best_about(int turn, int tolerance) const {
   int best = turn;
   for (int aside = 1; aside <= tolerance; ++aside) {
@@ -88,7 +88,7 @@ void ViewpointScores::find_places(int tolerance) {
   }
 }
 
-/// One perceived tile with the whole of its row.
+/// Compares one perceived tile with its whole row.
 void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& model, const Wall& wall,
                               const Comparison& comparison) {
   const int columns = wall.columns();
@@ -108,7 +108,7 @@ void ViewpointScores::compare(const Perceived& perceived, const ComparedModel& m
   turns_.resize(known);
   models_.resize(known);
   if (turns_.empty()) return;
-  // From a quarter turn on, short of three of them, a viewpoint is nearer to the reflection.
+  // Viewpoints more than 90 and less than 270 degrees away are nearer to the reflection.
   const auto first_behind = std::upper_bound(turns_.begin(), turns_.end(), columns / 4) - turns_.begin();
   const auto last_behind = std::lower_bound(turns_.begin(), turns_.end(), (3 * columns + 3) / 4) - turns_.begin();
   distances_.resize(turns_.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How well each viewpoint on the wall would explain what is perceived (the paper's Section 3.4).
+// How well each viewpoint on the wall explains the perceived tiles (the paper's Section 3.4).
 #pragma once
 
 #include <span>
@@ -11,48 +11,48 @@
 
 namespace reorient {
 
-/// One viewpoint cell: the camera looks `turn` columns further to the left than the belief says.
+/// One viewpoint cell: the camera looks `turn` columns farther to the left than in the belief.
 struct ViewpointScore {
-  double distance = 0.0;  ///< mean over the tiles that were compared; that of the known cells where `known` is false
+  double distance = 0.0;  ///< mean over the compared tiles; the mean of the known cells if `known` is false
   int compared = 0;       ///< perceived tiles with a trusted model tile
-  bool known = false;     ///< enough of them
+  bool known = false;     ///< whether enough tiles were compared
 };
 
-/// A perceived tile, compared with what is known of the wall. Distances are not capped.
+/// A perceived tile with its distances to the model of the wall. Distances are not capped.
 struct ComparedPlace {
-  int tile = 0;                  ///< where the belief says that it is
-  double as_believed = 0.0;      ///< distance to the model's tile there, in the light of the believed pose
+  int tile = 0;                  ///< position according to the belief
+  double as_believed = 0.0;      ///< distance to the model's tile at this position, in the light of the believed pose
   double as_reflected = 0.0;     ///< distance to the reflected tile, in the light of the reflection
   bool believed_known = false;   ///< the model's tile is trusted; otherwise the distance is 0
-  bool reflected_known = false;  ///< the same of the reflected tile
+  bool reflected_known = false;  ///< the same for the reflected tile
 };
 
-/// A score for every whole number of columns by which the believed direction may be wrong, each in the light of the
+/// One score for each integer number of columns by which the believed direction may be wrong. It uses the light of the
 /// pose or of its reflection, whichever is nearer.
 ///
-/// From another place than where it was learned, a part of the room that is not as far away as the virtual wall appears
-/// beside its tile (parallax). A camera sees a small part of the room, whose tiles move together. So the places are
-/// compared where all of the view fits best, at most `tolerance` columns beside the believed direction, and where it
-/// fits best beside the opposite one.
+/// From another position than during training, an object that is not at the distance of the virtual wall appears beside
+/// its tile (parallax). A camera sees a small part of the room, whose tiles move together. So the two tiles are
+/// compared at the best fit of the whole view: at most `tolerance` columns from the believed direction, and from the
+/// opposite one.
 class ViewpointScores {
  public:
   void compute(std::span<const PerceivedTile> perceived, const ComparedModel& model, const Wall& wall,
                const Comparison& comparison, int tolerance);
   void clear();
 
-  /// The cell `turn` columns to the left of the belief; any whole number.
+  /// The cell `turn` columns to the left of the belief; any integer.
   const ViewpointScore& at(int turn) const;
   /// Interpolated between the two nearest cells. `turn`: columns, any number.
   double distance(double turn) const;
-  /// The perceived tiles that count and of which the model's tile or its reflection is trusted.
+  /// The perceived tiles that count and whose model tile, or its reflection, is trusted.
   std::span<const ComparedPlace> places() const { return places_; }
   int columns() const { return static_cast<int>(cells_.size()); }
   int best() const { return best_; }
   double least() const { return columns() > 0 ? at(best_).distance : 0.0; }
-  /// How far the best cell is ahead of the average of the known ones: 0 where all look the same.
+  /// Lead of the best cell over the average of the known cells. 0 if all are the same.
   double lead() const { return average_ - least(); }
-  /// Whether this frame can tell the believed direction from the opposite one: a view that predicts nothing is
-  /// no evidence, so both must be known.
+  /// Whether this frame can distinguish the believed direction from the opposite one. An unknown view is no evidence,
+  /// so both must be known.
   bool evidence() const { return evidence_; }
 
  private:
@@ -69,9 +69,9 @@ class ViewpointScores {
 
   std::vector<ViewpointScore> cells_;
   std::vector<ComparedPlace> places_;
-  std::vector<int> compared_tiles_;     // where the belief says that they are
-  std::vector<double> tile_distances_;  // of each of them the distance in each cell, or kUnknown
-  std::vector<int> turns_;  // of the tiles in a row that are trusted, their histograms, and how far they are away
+  std::vector<int> compared_tiles_;     // positions according to the belief
+  std::vector<double> tile_distances_;  // for each of them, the distance in each cell, or kUnknown
+  std::vector<int> turns_;              // trusted tiles of a row, their histograms, and their distances in columns
   std::vector<const ComparedHistogram*> models_;
   std::vector<double> distances_;
   int best_ = 0;

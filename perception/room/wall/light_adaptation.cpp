@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// `share` of `b` and the rest of `a`.
+/// Weighted mean: the fraction `share` of `b`, and the rest of `a`.
 Light mixed(const Light& a, const Light& b, double share) {
   return {a.luma + share * (b.luma - a.luma), a.cb + share * (b.cb - a.cb), a.cr + share * (b.cr - a.cr)};
 }
@@ -47,7 +47,7 @@ void check(const SeenLight& tile) {
   check_bytes(is_sound(tile.light) && std::isfinite(tile.unseen), "light: a tile has an invalid value");
 }
 
-/// After reading.
+/// Checks values after reading.
 void LightAdaptation::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "light adaptation: expected one entry for each tile of the wall");
   check_bytes(is_sound(light_) && std::isfinite(unseen_), "light adaptation: the light of the room is invalid");
@@ -64,7 +64,7 @@ void LightAdaptation::restart(int tiles) {
 }
 
 void LightAdaptation::observe(std::span<const TileLight> frame, double elapsed, const LightParameters& parameters) {
-  constexpr int kFewest = 10;  // pixels of a tile; fewer say nothing about it
+  constexpr int kFewest = 10;  // pixels of a tile; fewer do not give a reliable mean
   unseen_ += elapsed;
   if (unseen_ > parameters.fresh_after) forget_tiles();
   for (SeenLight& tile : tiles_) {

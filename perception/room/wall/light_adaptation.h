@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The room's light as the camera shows it, so that thresholds can follow exposure and white balance instead of
-// losing the model with them.
+// The room's light as the camera shows it. The thresholds follow exposure and white balance, so that their changes do
+// not invalidate the model.
 #pragma once
 
 #include <span>
@@ -48,7 +48,7 @@ struct LightSums {
     pixels += other.pixels;
     return *this;
   }
-  Light mean() const;  ///< neutral where there are no pixels
+  Light mean() const;  ///< neutral without pixels
 };
 
 /// Every eighth pixel of one row, columns left...right - 1, that is neither too dark nor too bright.
@@ -59,34 +59,34 @@ struct TileLight {
   int tile = 0;
   LightSums sums;
 
-  /// Enough pixels to compare its light with what is known of the tile.
+  /// Whether there are enough pixels to compare its light with the tile's model.
   bool counts() const { return sums.pixels >= 5; }
 };
 
-/// What is remembered of the light on one tile.
+/// The stored light of one tile.
 struct SeenLight {
   Light light;
-  double unseen = 0.0;  ///< s since it was in view
+  double unseen = 0.0;  ///< s since it was last in view
   bool known = false;
 };
 template <typename Visit, ConstOr<SeenLight> T>
 void fields(Visit&& visit, T& tile) {
   visit(tile.light, tile.unseen, tile.known);
 }
-/// Of one that was read: throws BadBytes where there cannot be such.
+/// Checks a value that was read: throws BadBytes if it is impossible.
 void check(const SeenLight& tile);
 
-/// The mean over what was seen of the wall lately, each tile with the same weight: it does not depend on where the
-/// camera looks at the moment, nor on how long it has been looking there.
+/// The mean over the recently seen parts of the wall, with the same weight for each tile. So it depends neither on the
+/// camera's current direction nor on the duration of a view.
 class LightAdaptation {
  public:
-  /// One frame. `elapsed`: s since the frame before, however long that is.
+  /// Processes one frame. `elapsed`: s since the frame before, of any length.
   void observe(std::span<const TileLight> frame, double elapsed, const LightParameters& parameters);
-  /// Forgets the light of a wall of this many tiles.
+  /// Resets the light for a wall with this many tiles.
   void restart(int tiles);
-  /// The wall's tiles are counted from the other end of the field.
+  /// Rotates the field's axes by 180 degrees.
   void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
-  /// Neutral as long as nothing was seen.
+  /// Neutral until something was seen.
   const Light& light() const { return light_; }
 
   /// Throws BadBytes.

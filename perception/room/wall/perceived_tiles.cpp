@@ -9,13 +9,14 @@
 namespace reorient {
 namespace {
 
-constexpr int kCells = kBandCells;  // per band: between their borders, places on the wall are interpolated
+constexpr int kCells = kBandCells;  // per band: between their borders, positions on the wall are interpolated
 
 int row_step(int height, const PerceptionParameters& parameters) {
   return std::max(1, height / std::max(parameters.sampled_rows, 1));
 }
 
-/// Where between 0 and 1 the values from `a` to `b` first cross a whole number after `t`; 1 if they do not.
+/// The position, between 0 and 1, at which the values from `a` to `b` first cross an integer after `t`. 1 if they do
+/// not.
 double next_crossing(double a, double b, double t) {
   const double slope = b - a;
   if (std::abs(slope) < 1e-12) return 1.0;
@@ -69,7 +70,7 @@ void PerceivedTiles::prepare_rays(const CameraModel& camera, int bands) {
   for (std::size_t first = 0; first < rays_.size(); first += kCells + 1)
     rough_rays_.push_back(BandRays::of(std::span(rays_).subspan(first, kCells + 1)));
   covered_.assign(static_cast<std::size_t>(camera.width / 2 + 1), 0);
-  // Every cell may show a new tile, and covered areas may cut each of them: enough for all but contrived cases.
+  // Every cell may show a new tile, and covered areas may split each. This is enough except for extreme cases.
   blocks_.reserve(static_cast<std::size_t>(bands) * kCells);
 }
 
@@ -129,11 +130,11 @@ void PerceivedTiles::cut_exactly(int ray, const Isometry3& field_from_camera, co
     directions[i] = field_from_camera.linear() * rays_[static_cast<std::size_t>(ray) + i];
   wall.meet(field_from_camera.translation(), directions, borders);
   const auto& [left, right] = borders;
-  constexpr double kSteepest = 64.0;  // rows across one cell: a view along the wall, where interpolation ends
+  constexpr double kSteepest = 64.0;  // rows across one cell; steeper views along the wall are not interpolated
   const bool misses = !left || !right || std::max(left->row, right->row) < 0.0 ||
                       std::min(left->row, right->row) >= wall.rows() || std::abs(left->row - right->row) > kSteepest;
   if (misses) return enter(-1, cell * cell_width);
-  // Unwrapped, so that interpolation takes the short way round.
+  // Unwrapped, so that interpolation uses the shorter arc.
   const double right_column = left->column + std::remainder(right->column - left->column, wall.columns());
   double t = 0.0;
   while (t < 1.0) {
@@ -163,7 +164,7 @@ void PerceivedTiles::add_block(const TileBlock& block) {
   }
 }
 
-/// Where a corner of a tile is in the image, or the middle of an edge; neighbours share theirs.
+/// Position in the image of a corner of a tile, or of the middle of an edge. Adjacent tiles share them.
 const std::optional<Eigen::Vector2d>& PerceivedTiles::outline_point(int half_column, int row, const CameraModel& camera,
                                                                     const Isometry3& camera_from_field,
                                                                     const Wall& wall) {
@@ -172,7 +173,8 @@ const std::optional<Eigen::Vector2d>& PerceivedTiles::outline_point(int half_col
   return point.pixel;
 }
 
-/// The area that a tile fills in the image, beyond its borders too: a hexagon, since the upper and lower edge are arcs.
+/// The area of a tile in the image, including the part beyond the image's borders: a hexagon, since the upper and lower
+/// edges are arcs.
 double PerceivedTiles::projected_area(int tile, const CameraModel& camera, const Isometry3& camera_from_field,
                                       const Wall& wall) {
   constexpr std::size_t kPoints = 6;
@@ -238,7 +240,7 @@ void PerceivedTiles::count(const ImageView& image, const ColorThresholds& if_bel
   const bool both = if_reflected != if_believed;
   const int step = row_step(image.height, parameters);
   for (const TileBlock& block : blocks_) {
-    // Every step-th row of the image, whatever band it is in.
+    // Every step-th row of the image, independent of its band.
     PixelBlock sampled = block.pixels;
     sampled.top = (block.pixels.top + step - 1) / step * step;
     TileCount& count = counts_[static_cast<std::size_t>(block.tile)];

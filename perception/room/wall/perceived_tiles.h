@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tiles of the wall that one frame shows, and their colour histograms (the paper's Section 3.2).
+// The tiles of the wall in one frame, and their color histograms (the paper's Section 3.2).
 #pragma once
 
 #include <optional>
@@ -43,14 +43,14 @@ void describe(PerceptionParameters& p, Visit&& visit) {
 
 struct PerceivedTile {
   int tile = 0;
-  int samples = 0;                       ///< pixels that were counted
+  int samples = 0;                       ///< number of counted pixels
   double area = 0.0;                     ///< pixels in view and not covered
-  double expected_area = 0.0;            ///< pixels that the whole tile would fill, in view or not; 0: unknown
-  double distance = 0.0;                 ///< m from the camera to the tile's centre
-  double incidence = 0.0;                ///< cosine there
-  bool counts = false;                   ///< all of the limits are kept
+  double expected_area = 0.0;            ///< pixels of the whole tile, in view or not; 0: unknown
+  double distance = 0.0;                 ///< m from the camera to the tile's center
+  double incidence = 0.0;                ///< cosine at the center
+  bool counts = false;                   ///< whether the tile satisfies all limits
   ColorHistogram histogram{};            ///< in the light that the believed pose implies
-  ColorHistogram reflected_histogram{};  ///< in that which its reflection implies
+  ColorHistogram reflected_histogram{};  ///< in the light that its reflection implies
 
   double coverage() const { return expected_area > 0.0 ? area / expected_area : 0.0; }
 };
@@ -67,29 +67,30 @@ struct TileBlock {
   PixelBlock pixels;
 };
 
-/// Finds where in the image which tile is. Keeps its memory from frame to frame.
+/// Finds the tiles in the image. Reuses its memory from frame to frame.
 class PerceivedTiles {
  public:
-  /// Finds the tiles from the believed pose. None if the camera stands outside of the wall, or if anything is not
-  /// finite.
+  /// Finds the tiles from the believed pose. There are no tiles if the camera is outside of the wall, or if any value
+  /// is not finite.
   void find(const RoomObservation& view, const Wall& wall, const PerceptionParameters& parameters);
 
-  /// The light on each tile of which enough is in view. After find() with the same image; valid until the next call.
+  /// The light on each tile that is sufficiently in view. Call it after find() with the same image. Valid until the
+  /// next call.
   std::span<const TileLight> light(const ImageView& image, const LightParameters& parameters,
                                    const PerceptionParameters& perception);
 
-  /// What light() found in this frame.
+  /// The result of light() in this frame.
   std::span<const TileLight> lights() const { return lights_; }
 
-  /// Counts the colours of each tile, once for each of the two lights, and decides which tiles count. After find() with
-  /// the same image.
+  /// Counts the colors of each tile, once for each of the two lights, and decides which tiles count. Call it after
+  /// find() with the same image.
   void count(const ImageView& image, const ColorThresholds& if_believed, const ColorThresholds& if_reflected,
              const PerceptionParameters& parameters);
 
   /// Blurs all histograms.
   void blur(double share);
 
-  /// In order of the tile's number.
+  /// Sorted by the tile's number.
   std::span<const PerceivedTile> tiles() const { return tiles_; }
   std::span<const TileBlock> blocks() const { return blocks_; }
   void clear();
@@ -99,7 +100,7 @@ class PerceivedTiles {
   void find_in_band(int band, const Isometry3& field_from_camera, const Wall& wall,
                     std::span<const CoveredArea> covered);
   void cut_exactly(int ray, const Isometry3& field_from_camera, const Wall& wall);
-  /// From x on (pixels) the band shows another tile, or none (-1).
+  /// From x on (pixels), the band shows another tile, or no tile (-1).
   void enter(int tile, double x);
   void add_block(const TileBlock& block);
   const std::optional<Eigen::Vector2d>& outline_point(int half_column, int row, const CameraModel& camera,
@@ -119,12 +120,12 @@ class PerceivedTiles {
     double area = 0.0;
   };
 
-  CameraModel camera_;  // that rays_ was made for
+  CameraModel camera_;  // for which rays_ was computed
   int bands_ = 0;
   std::vector<Eigen::Vector3d> rays_;  // camera frame; at the borders of evenly spaced cells, band by band
-  std::vector<std::optional<BandRays>> rough_rays_;  // the same, for the sketch, band by band
+  std::vector<std::optional<BandRays>> rough_rays_;  // the same for the sketch, band by band
   WallSketch sketch_;
-  TileBlock run_;                      // of the current band, as far as it has got
+  TileBlock run_;                      // of the current band, so far
   std::vector<std::uint8_t> covered_;  // for each pair of pixels of the current band
   bool any_covered_ = false;
   std::vector<TileBlock> blocks_;

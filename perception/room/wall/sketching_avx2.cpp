@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled for AVX2, whatever the rest is compiled for (../CMakeLists.txt).
+// Compiled for AVX2, independent of the rest of the program (../CMakeLists.txt).
 #include "perception/room/wall/sketching_kernels.h"
 
 #ifdef __AVX2__
@@ -17,7 +17,7 @@ struct Avx2 {
 
   static Register load(const float* numbers) { return _mm256_loadu_ps(numbers); }
   static void store(Register a, float* numbers) { _mm256_storeu_ps(numbers, a); }
-  /// Cut off after the point.
+  /// Truncated toward zero.
   static void store_whole(Register a, int* numbers) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(numbers), _mm256_cvttps_epi32(a));
   }
@@ -29,7 +29,7 @@ struct Avx2 {
   static Register lesser_of(Register a, Register b) { return _mm256_min_ps(a, b); }
   static Register less(Register a, Register b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
   static Register both(Register a, Register b) { return _mm256_and_ps(a, b); }
-  /// b where the mask says so.
+  /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return _mm256_blendv_ps(a, b, mask); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled for SSE4.2, whatever the rest is compiled for (../CMakeLists.txt).
+// Compiled for SSE4.2, independent of the rest of the program (../CMakeLists.txt).
 #include "perception/room/wall/sketching_kernels.h"
 
 #ifdef __SSE4_2__
@@ -17,7 +17,7 @@ struct Sse4 {
 
   static Register load(const float* numbers) { return _mm_loadu_ps(numbers); }
   static void store(Register a, float* numbers) { _mm_storeu_ps(numbers, a); }
-  /// Cut off after the point.
+  /// Truncated toward zero.
   static void store_whole(Register a, int* numbers) {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(numbers), _mm_cvttps_epi32(a));
   }
@@ -29,7 +29,7 @@ struct Sse4 {
   static Register lesser_of(Register a, Register b) { return _mm_min_ps(a, b); }
   static Register less(Register a, Register b) { return _mm_cmplt_ps(a, b); }
   static Register both(Register a, Register b) { return _mm_and_ps(a, b); }
-  /// b where the mask says so.
+  /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return _mm_blendv_ps(a, b, mask); }
 };
 

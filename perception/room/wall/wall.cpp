@@ -11,9 +11,9 @@
 namespace reorient {
 namespace {
 
-constexpr double kSteepest = 1e-3;  // horizontal share of a direction below which it has no azimuth
+constexpr double kSteepest = 1e-3;  // horizontal part of a direction, below which it has no azimuth
 
-/// How many `direction`s it is from a point inside a circle around the origin to the circle.
+/// Distance, in multiples of `direction`, from a point inside a circle around the origin to the circle.
 double steps_to_circle(const Eigen::Vector2d& from, const Eigen::Vector2d& direction, double radius) {
   const double a = direction.squaredNorm();
   const double b = from.dot(direction);
@@ -45,7 +45,7 @@ double Wall::column_at(double azimuth) const {
   return column < columns_ ? column : 0.0;
 }
 
-/// Unit vector from the centre.
+/// Unit vector from the center.
 Eigen::Vector2d Wall::direction(double column) const {
   const double half = 2.0 * column;
   const bool is_known = half >= 0.0 && half < static_cast<double>(directions_.size()) && half == std::floor(half);

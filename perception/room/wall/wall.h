@@ -17,7 +17,7 @@
 
 namespace reorient {
 
-/// Of tiles around the field.
+/// Limit of the number of columns.
 constexpr int kMostColumns = 128;
 
 struct WallParameters {
@@ -41,14 +41,14 @@ void fields(Visit&& visit, T& p) {
   describe(p, [&](const char*, auto& value, const auto&...) { visit(value); });
 }
 
-/// A place on the wall in units of tiles: column in [0, columns), row in [0, rows) if the place lies on a tile.
+/// A position on the wall in units of tiles: column in [0, columns), and row in [0, rows) on a tile.
 struct WallPoint {
   double column = 0.0;
   double row = 0.0;
 };
 
-/// Column 0 begins at azimuth 0 (the +x axis, the opponent goal) and columns count to the left; row 0 is the lowest.
-/// Tile row * columns + column. The reflection of a tile is the tile half the columns further on.
+/// Column 0 begins at azimuth 0 (the +x axis, the opponent goal), and columns count to the left; row 0 is the lowest.
+/// The number of a tile is row * columns + column. The reflection of a tile is half of the columns further.
 class Wall {
  public:
   explicit Wall(const WallParameters& parameters = {});
@@ -59,7 +59,7 @@ class Wall {
   int rows() const { return rows_; }
   int columns() const { return columns_; }
   int tiles() const { return rows_ * columns_; }
-  /// That make the same wall.
+  /// Parameters that make the same wall.
   WallParameters parameters() const { return {radius_, bottom_, top_, rows_, columns_}; }
   double column_width() const { return 2.0 * kPi / columns_; }    ///< rad
   double row_height() const { return (top_ - bottom_) / rows_; }  ///< m
@@ -68,7 +68,8 @@ class Wall {
   int row_of(int tile) const { return tile / columns_; }
   int column_of(int tile) const { return tile % columns_; }
   int reflected(int tile) const;
-  /// What belongs to each tile goes to its reflection; done twice, it is back. `of_tiles`: one element for each tile.
+  /// Exchanges the element of each tile with that of its reflection. Applying it twice is the identity. `of_tiles`: one
+  /// element for each tile.
   template <typename T>
   void turn_half(std::span<T> of_tiles) const {
     for (int tile = 0; tile < tiles(); ++tile) {
@@ -84,21 +85,21 @@ class Wall {
   Eigen::Vector3d center(int tile) const { return point(column_of(tile) + 0.5, row_of(tile) + 0.5); }
   /// Bottom left, bottom right, top right, top left, as seen from inside; m.
   std::array<Eigen::Vector3d, 4> corners(int tile) const;
-  /// Outwards, horizontal, of unit length.
+  /// The outward normal: horizontal, of unit length.
   Eigen::Vector3d normal(int tile) const;
 
   bool surrounds(const Eigen::Vector2d& position) const;
 
-  /// Where a ray from a point inside meets the wall, which goes on above and below the tiles; nothing for a vertical
-  /// ray, and none from outside.
+  /// The position where a ray from a point inside meets the wall, which continues above and below the tiles. Empty for
+  /// a vertical ray or a point outside.
   std::optional<WallPoint> meet(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
-  /// The same for many rays from one point, at half the time. As many points as directions.
+  /// The same for many rays from one point, in half of the time. As many positions as directions.
   void meet(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> directions,
             std::span<std::optional<WallPoint>> points) const;
 
-  /// Azimuth of the wall where a horizontal ray meets it, rad in (-pi, pi]; nothing from outside.
+  /// Azimuth of the wall where a horizontal ray meets it, rad in (-pi, pi]. Empty for a point outside.
   std::optional<double> azimuth_seen(const Eigen::Vector2d& from, double direction) const;
-  /// The same for many headings of unit length from a point inside. As many azimuths as headings; in less time.
+  /// The same for many unit vectors from a point inside, in less time. As many azimuths as vectors.
   void azimuths_seen(const Eigen::Vector2d& from, std::span<const Eigen::Vector2d> headings,
                      std::span<double> azimuths) const;
 
@@ -112,10 +113,10 @@ class Wall {
   double top_;
   int rows_;
   int columns_;
-  std::vector<Eigen::Vector2d> directions_;  // from the centre to each half column, beyond the last one too
+  std::vector<Eigen::Vector2d> directions_;  // from the center to each half column, also beyond the last one
 };
 
-/// The azimuth of the wall at which the camera looks; nothing if it looks straight up or down, or from outside.
+/// The azimuth of the wall at which the camera looks. Empty if it looks straight up or down, or is outside.
 std::optional<double> view_center(const Wall& wall, const Pose2& belief, const Isometry3& robot_from_camera);
 
 }  // namespace reorient

@@ -45,11 +45,11 @@ float BandRays::highest(float from, float by_y, float by_z) const {
 WallSketch::WallSketch(Instructions instructions) : kernel_(sketching_of(instructions)) {}
 
 void WallSketch::prepare(const Wall& wall, const Isometry3& field_from_camera) {
-  // Near the wall, and where the camera looks up or down, small errors of a ray are large ones on the wall.
-  constexpr double kFarthest = 0.9;     // of the radius
-  constexpr double kSteepest = 0.3;     // horizontal share of the camera's axis
-  constexpr double kAngleError = 1e-5;  // rad, of a place on the wall; a few times the greatest that was found
-  constexpr double kRowError = 2e-6;    // of the greatest height that takes part
+  // Near the wall, and if the camera looks up or down, small errors of a ray are large errors on the wall.
+  constexpr double kFarthest = 0.9;     // fraction of the radius
+  constexpr double kSteepest = 0.3;     // horizontal part of the camera's axis
+  constexpr double kAngleError = 1e-5;  // rad, of a position on the wall; a few times the greatest error that was found
+  constexpr double kRowError = 2e-6;    // fraction of the greatest height that is used
   const Eigen::Vector3d eye = field_from_camera.translation();
   const Eigen::Vector2d axis = field_from_camera.linear().col(0).head<2>();
   leave_blank();
@@ -70,7 +70,7 @@ void WallSketch::prepare(const Wall& wall, const Isometry3& field_from_camera) {
   camera_.first_column = static_cast<float>(wall.column_at(*azimuth));
   camera_.columns = static_cast<float>(wall.columns());
   camera_.rows = static_cast<float>(wall.rows());
-  camera_.rows_per_metre = 1.0f / static_cast<float>(wall.row_height());
+  camera_.rows_per_meter = 1.0f / static_cast<float>(wall.row_height());
   camera_.column_error = static_cast<float>(kAngleError / wall.column_width());
   const double highest = 4.0 * wall.radius() + std::abs(eye.z()) + std::abs(wall.bottom());
   camera_.row_error = static_cast<float>(kRowError * highest / wall.row_height());
@@ -80,7 +80,7 @@ bool WallSketch::draw(const BandRays& rays) {
   if (!holds_) return true;
   constexpr float kRounding = 1e-4f;  // of a slope
   const float highest = rays.highest(camera_.rotation[6], camera_.rotation[7], camera_.rotation[8]);
-  if (highest < -kRounding && camera_.eye[2] * camera_.rows_per_metre < -camera_.row_error) return false;
+  if (highest < -kRounding && camera_.eye[2] * camera_.rows_per_meter < -camera_.row_error) return false;
   kernel_(camera_, rays.y(), rays.z(), kBandCells + 1,
           {columns_.data(), rows_.data(), column_floors_.data(), row_floors_.data(), places_.data()});
   return true;
@@ -114,7 +114,7 @@ std::optional<double> WallSketch::border(int ray, double width) const {
     to_border = std::max(row_floors_[left], row_floors_[right]) - rows_[left];
     error = camera_.row_error;
   }
-  constexpr double kFarthest = 32.0;  // rows; far more are a view along the wall, which is not interpolated
+  constexpr double kFarthest = 32.0;  // rows; views along the wall have far more and are not interpolated
   if (std::abs(across) < 16.0 * error || std::abs(across) > kFarthest || across == 0.0) return std::nullopt;
   const double place = to_border / across;
   const double pairs = 0.5 * (ray + place) * width;

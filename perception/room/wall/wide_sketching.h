@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The sketch of a band's rays many at a time, for registers of any width. Included by the sources of
-// sketching_kernels.h alone, each of which brings its Lanes: a register of numbers and what can be done with it.
-// Nothing here has a name outside of the source that includes it.
+// Computes the sketch of a band many rays at a time, for registers of any width. Only the sources of
+// sketching_kernels.h include it. Each defines its Lanes: a register of numbers and its operations. All names here are
+// local to the including source.
 #pragma once
 
 #include "perception/room/wall/sketching_kernels.h"
@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// Within 2e-8 of the arc tangent of -1...1 (Abramowitz and Stegun, 4.4.49).
+/// Error below 2e-8 for the arc tangent of -1...1 (Abramowitz and Stegun, 4.4.49).
 template <typename Lanes>
 typename Lanes::Register arc_tangent(typename Lanes::Register x) {
   constexpr float kCoefficients[] = {0.0028662257f, -0.0161657367f, 0.0429096138f, -0.0752896400f,
@@ -29,7 +29,7 @@ void sketch_wide(const SketchedCamera& camera, const float* ray_ys, const float*
   const float* rotation = camera.rotation;
   const float* eye = camera.eye;
 
-  // In two loops, each so short that the processor works on several of its rounds at a time.
+  // Two loops, each short enough for the processor to execute several iterations in parallel.
   float half_tangents[kSketchedRays], level[kSketchedRays];
   for (int i = 0; i < rays; i += Lanes::kRays) {
     const Register y = Lanes::load(ray_ys + i);
@@ -40,11 +40,11 @@ void sketch_wide(const SketchedCamera& camera, const float* ray_ys, const float*
     const Register a = Lanes::greater_of(forward * forward + left * left, all(1e-6f));
     const Register b = all(eye[0]) * forward + all(eye[1]) * left;
     const Register steps = (Lanes::root(b * b - all(camera.outside) * a) - b) / a;
-    // On a circle the tangent of half the azimuth needs no more than this.
+    // On a circle, the tangent of half of the azimuth is sufficient.
     const Register before = Lanes::greater_of(all(camera.radius + eye[0]) + steps * forward, all(1e-6f));
     Lanes::store((all(eye[1]) + steps * left) / before, half_tangents + i);
-    Lanes::store((all(eye[2]) + steps * up) * all(camera.rows_per_metre), band.rows + i);
-    // The bounds hold up to twice as far up or down as ahead.
+    Lanes::store((all(eye[2]) + steps * up) * all(camera.rows_per_meter), band.rows + i);
+    // The bounds hold for slopes up to 2.
     Lanes::store(Lanes::less(up * up, all(4.0f) * a), level + i);
   }
 
@@ -64,7 +64,7 @@ void sketch_wide(const SketchedCamera& camera, const float* ray_ys, const float*
     const Register from_column = Lanes::absolute(column - column_floor - all(0.5f));
     const Register is_level = Lanes::load(level + i);
     const Register row_sure = Lanes::both(is_level, Lanes::less(from_row, all(0.5f - camera.row_error)));
-    // They hold a quarter turn to either side.
+    // The bounds hold up to 90 degrees to each side.
     const Register column_sure =
         Lanes::both(Lanes::both(is_level, Lanes::less(from_column, all(0.5f - camera.column_error))),
                     Lanes::less(Lanes::absolute(half_tangent), all(1.0f)));

@@ -37,7 +37,7 @@ TEST(FieldFeatures, TellCarpetFromAGrayWallInTintedLight) {
   EXPECT_GE(percept.line_points.size(), 30u);
 }
 
-TEST(FieldFeatures, KeepTheCarpetsColourWhenTheyLookAway) {
+TEST(FieldFeatures, KeepTheCarpetsColorWhenTheyLookAway) {
   const FlatField scene = FlatField::with_goals();
   const Stand down(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   const Stand up(320, 240, {-2.0, 0.0, 0.0}, {0.0, -0.6});
@@ -50,7 +50,7 @@ TEST(FieldFeatures, KeepTheCarpetsColourWhenTheyLookAway) {
   EXPECT_EQ(features.carpet_color().surface(160, 200, {190, 126, 130}), Surface::other);
 }
 
-TEST(FieldFeatures, DoNotTakeAGreyHallForTheCarpet) {
+TEST(FieldFeatures, DoNotTakeAGrayHallForTheCarpet) {
   const FlatField scene = FlatField::with_goals();
   const Stand down(160, 120, {3.0, 0.8, 0.0}, {0.0, 0.25});
   const Stand close(160, 120, {3.6, 0.8, 0.0}, {0.0, -0.05});

@@ -41,7 +41,7 @@ TEST(HostileImages, WithoutPixelsShowNothing) {
   expect_sane(percept, 0, 0);
 }
 
-TEST(HostileImages, OfOneColourShowNothing) {
+TEST(HostileImages, OfOneColorShowNothing) {
   for (const Ycbcr& color : {Ycbcr{0, 128, 128}, Ycbcr{255, 128, 128}, Ycbcr{255, 255, 255}, Ycbcr{0, 0, 0}}) {
     FieldFeatures features({}, {});
     const Image image = filled(640, 480, color);

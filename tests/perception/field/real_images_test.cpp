@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Images of real NAOs on real fields (SOURCES.md beside them). Where the cameras were was not recorded: the pitch of
-// each was estimated from what is in the image (the centre circle's size, a goal's height, a robot's height).
+// each was estimated from what is in the image (the center circle's size, a goal's height, a robot's height).
 #include <cmath>
 #include <filesystem>
 
@@ -42,7 +42,7 @@ class RealImages : public SharedDataTest {
   RealImages() : SharedDataTest("images") {}
 };
 
-TEST_F(RealImages, ShowTheCentreCircleInADimHall) {
+TEST_F(RealImages, ShowTheCenterCircleInADimHall) {
   const RealImage real = old_robot(folder() / "nao-v4-top-640x480-a.png", 20.7);
   FieldFeatures features({}, {});
   const FieldPercept percept = percept_in(features, real.image.view(), real.camera, real.robot_from_camera);
@@ -63,7 +63,7 @@ TEST_F(RealImages, ShowTouchlineHalfwayLineAndTheGoalBehind) {
   const FieldPercept percept = percept_in(features, real.image.view(), real.camera, real.robot_from_camera);
   EXPECT_GE(points_along(percept, 20, 266, 150, 196, 8), 15);   // touchline
   EXPECT_GE(points_along(percept, 150, 201, 480, 219, 5), 10);  // halfway line
-  EXPECT_GE(points_along(percept, 490, 222, 640, 251, 8), 10);  // centre circle
+  EXPECT_GE(points_along(percept, 490, 222, 640, 251, 8), 10);  // center circle
   ASSERT_FALSE(percept.goal_posts.empty());
   for (const GoalPost& post : percept.goal_posts) {
     EXPECT_TRUE(std::abs(post.base.x() - 367.0f) < 8.0f || std::abs(post.base.x() - 477.0f) < 8.0f) << post.base.x();

@@ -30,7 +30,7 @@ TEST(ColorHistogram, HasTheFourteenRegionsOfTheDefinition) {
   EXPECT_EQ(color_bin({85, 100, 100}, thresholds), 6);
   EXPECT_EQ(color_bin({169, 100, 100}, thresholds), 6);
   EXPECT_EQ(color_bin({170, 100, 100}, thresholds), 10);
-  EXPECT_EQ(color_bin({40, 128, 133}, thresholds), 5) << "one chroma value alone is not enough for grey";
+  EXPECT_EQ(color_bin({40, 128, 133}, thresholds), 5) << "one chroma value alone is not enough for gray";
 }
 
 TEST(ColorHistogram, OfNothingIsAllZero) { EXPECT_EQ(normalized(ColorCounts{}), ColorHistogram{}); }
@@ -41,10 +41,10 @@ TEST(ColorHistogram, ThresholdsMoveWithTheLight) {
   EXPECT_EQ(dim.bright, 85);
   EXPECT_EQ(dim.cb_neutral, 120);
   EXPECT_EQ(dim.cr_neutral, 141);
-  EXPECT_EQ(dim.cb_grey_first, 116);
-  EXPECT_EQ(dim.cb_grey_last, 124);
-  EXPECT_EQ(dim.cr_grey_first, 136);
-  EXPECT_EQ(dim.cr_grey_last, 145);
+  EXPECT_EQ(dim.cb_gray_first, 116);
+  EXPECT_EQ(dim.cb_gray_last, 124);
+  EXPECT_EQ(dim.cr_gray_first, 136);
+  EXPECT_EQ(dim.cr_gray_last, 145);
 }
 
 TEST(ColorHistogram, ThresholdsStayBytesUnderAbsurdLight) {
@@ -65,21 +65,21 @@ RC_GTEST_PROP(ColorHistogram, BlurringKeepsTheSumAndLeavesAnEvenHistogramAsItIs,
   for (const float value : blurred(even, share)) RC_ASSERT(std::abs(value - 1.0f / 14.0f) < 1e-6f);
 }
 
-TEST(ColorHistogram, EveryBinHasFourNeighboursInBothDirections) {
-  bool neighbours[kColorBins][kColorBins];
+TEST(ColorHistogram, EveryBinHasFourNeighborsInBothDirections) {
+  bool neighbors[kColorBins][kColorBins];
   for (int from = 0; from < kColorBins; ++from) {
     ColorHistogram one{};
     one[static_cast<std::size_t>(from)] = 1.0f;
     const ColorHistogram spread = blurred(one, 0.1);
     int count = 0;
     for (int to = 0; to < kColorBins; ++to) {
-      neighbours[from][to] = to != from && spread[static_cast<std::size_t>(to)] > 0.0f;
-      count += neighbours[from][to] ? 1 : 0;
+      neighbors[from][to] = to != from && spread[static_cast<std::size_t>(to)] > 0.0f;
+      count += neighbors[from][to] ? 1 : 0;
     }
     EXPECT_EQ(count, 4) << "bin " << from;
   }
   for (int a = 0; a < kColorBins; ++a) {
-    for (int b = 0; b < kColorBins; ++b) EXPECT_EQ(neighbours[a][b], neighbours[b][a]);
+    for (int b = 0; b < kColorBins; ++b) EXPECT_EQ(neighbors[a][b], neighbors[b][a]);
   }
 }
 

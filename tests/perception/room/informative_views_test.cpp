@@ -21,9 +21,9 @@ Isometry3 camera_at(double yaw) {
   return camera;
 }
 
-/// A grey room, with red on the wall where it is told, all of it known. The robot stands in the middle.
-struct GreyRoom {
-  explicit GreyRoom(double red_from, double red_to) {
+/// A gray room, with red on the wall where it is told, all of it known. The robot stands in the middle.
+struct GrayRoom {
+  explicit GrayRoom(double red_from, double red_to) {
     model.forget(wall.tiles());
     views.restart(wall.columns());
     for (int tile = 0; tile < wall.tiles(); ++tile) {
@@ -46,21 +46,21 @@ struct GreyRoom {
 };
 
 TEST(ViewChooser, LooksWhereTheRoomDiffersFromItsReflection) {
-  GreyRoom room(0.8, 1.4);
+  GrayRoom room(0.8, 1.4);
   EXPECT_NEAR(room.choose(0.0).best_yaw, 1.1, 0.2);
   EXPECT_GT(room.choose(0.0).best_score, 5.0);
 }
 
 TEST(ViewChooser, LooksAheadWhereItsReachIsNegativeOrNotANumber) {
   for (const double reach : {0.0, -1.0, -1e300, std::nan("")}) {
-    GreyRoom room(0.0, 0.4);
+    GrayRoom room(0.0, 0.4);
     room.parameters.reach = reach;
     EXPECT_LE(std::abs(room.choose(0.0).best_yaw), room.parameters.half_width) << reach;
   }
 }
 
 TEST(ViewChooser, LooksElsewhereOnceAPlaceWasLookedAt) {
-  GreyRoom room(-2.0, 2.0);
+  GrayRoom room(-2.0, 2.0);
   const double first = room.choose(0.0).best_yaw;
   double second = first;
   for (int frame = 0; frame < 30; ++frame) second = room.choose(first).best_yaw;
@@ -70,7 +70,7 @@ TEST(ViewChooser, LooksElsewhereOnceAPlaceWasLookedAt) {
 }
 
 TEST(ViewChooser, PrefersWhatIsNear) {
-  GreyRoom room(-2.0, 2.0);
+  GrayRoom room(-2.0, 2.0);
   room.parameters.speed = 0.2;
   EXPECT_NEAR(room.choose(0.9).best_yaw, 0.9, 0.1);
   room.views.restart(room.wall.columns());
@@ -78,13 +78,13 @@ TEST(ViewChooser, PrefersWhatIsNear) {
 }
 
 TEST(ViewChooser, FindsNothingToTellInARoomThatIsTheSameAllAround) {
-  GreyRoom room(9.0, 9.0);
+  GrayRoom room(9.0, 9.0);
   EXPECT_EQ(room.choose(0.3).best_score, 0.0);
   EXPECT_EQ(room.choose(0.3).unknown_score, 0.0);
 }
 
 TEST(ViewChooser, LooksForWhatIsNotKnownYet) {
-  GreyRoom room(9.0, 9.0);
+  GrayRoom room(9.0, 9.0);
   room.model.forget(room.wall.tiles());
   for (int tile = 0; tile < room.wall.tiles(); ++tile) {
     const double azimuth = normalize_angle((room.wall.column_of(tile) + 0.5) * room.wall.column_width());
@@ -100,8 +100,8 @@ TEST(ViewChooser, LooksForWhatIsNotKnownYet) {
 }
 
 TEST(ViewChooser, KnowsWhatWasLookedAtByItsNewNameAfterHalfATurn) {
-  GreyRoom room(-3.2, 3.2);
-  GreyRoom turned = room;
+  GrayRoom room(-3.2, 3.2);
+  GrayRoom turned = room;
   for (int frame = 0; frame < 60; ++frame) {
     room.choose(0.4);
     turned.choose(0.4);
@@ -114,7 +114,7 @@ TEST(ViewChooser, KnowsWhatWasLookedAtByItsNewNameAfterHalfATurn) {
 }
 
 TEST(ViewChooser, SaysNothingFromOutsideOfTheWallOrNowhere) {
-  GreyRoom room(0.8, 1.4);
+  GrayRoom room(0.8, 1.4);
   for (const Pose2& belief : {Pose2(20.0, 0.0, 0.0), Pose2(0.0, 0.0, std::numeric_limits<double>::quiet_NaN()),
                               Pose2(std::numeric_limits<double>::infinity(), 0.0, 0.0)}) {
     const InformativeViews& views =

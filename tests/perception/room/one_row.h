@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// A wall of one row whose every column has colours of its own, and what a camera sees of it.
+/// A wall of one row whose every column has colors of its own, and what a camera sees of it.
 struct OneRow {
   static constexpr double kTrained = 60.0;  // s, each column
   OneRow() {

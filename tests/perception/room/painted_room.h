@@ -11,7 +11,7 @@
 
 namespace reorient::test {
 
-/// What the hall's light and the camera's settings do to a colour.
+/// What the hall's light and the camera's settings do to a color.
 struct Exposure {
   double gain = 1.0;
   double cb_shift = 0.0;

@@ -61,7 +61,7 @@ class KnownWall {
 double one_wave(double turns) { return 0.5 + 0.4 * std::sin(2.0 * kPi * turns); }
 double two_waves(double turns) { return 0.5 + 0.4 * std::sin(4.0 * kPi * turns); }
 double four_waves(double turns) { return 0.5 + 0.4 * std::sin(8.0 * kPi * turns); }
-double grey(double) { return 0.5; }
+double gray(double) { return 0.5; }
 
 constexpr double kUnknown = 0.756;  // as experience has it
 
@@ -101,7 +101,7 @@ TEST(Separability, KnowsTwoAndFourEqualSides) {
 }
 
 TEST(Separability, IsAsExpectedWhereNothingDiffersOrTooLittleIsKnown) {
-  EXPECT_NEAR(KnownWall(48, grey).probability(), kUnknown, 0.01);
+  EXPECT_NEAR(KnownWall(48, gray).probability(), kUnknown, 0.01);
   EXPECT_NEAR(KnownWall(4, two_waves).probability(), kUnknown, 0.01) << "a wall without eighths";
   KnownWall few(48, two_waves);
   for (int column = 0; column < 9; ++column) few.separability.observe(few.compared, few.wall);

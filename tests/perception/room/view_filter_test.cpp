@@ -286,7 +286,7 @@ TEST(Confidences, GrowFromZeroWhereTheyAreToldTo) {
   EXPECT_EQ(smoothing_share(paper, 0.1, 0.1), smoothing_share(paper, 0.1, 1000.0));
 }
 
-TEST(Confidences, AreSharesAroundBothViewCentresAndBehindTheGoals) {
+TEST(Confidences, AreSharesAroundBothViewCentersAndBehindTheGoals) {
   ViewFilter filter(1);
   filter.spread({.particles = 3600});
   Confidences confidences;
