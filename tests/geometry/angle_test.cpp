@@ -12,13 +12,13 @@
 namespace reorient {
 namespace {
 
-TEST(Angle, OfHalfATurnIsPositivePi) {
+TEST(Angle, Of180DegreesIsPositivePi) {
   EXPECT_DOUBLE_EQ(normalize_angle(kPi), kPi);
   EXPECT_DOUBLE_EQ(normalize_angle(-kPi), kPi);
   EXPECT_DOUBLE_EQ(normalize_angle(3.0 * kPi), kPi);
 }
 
-TEST(Angle, DifferenceTakesTheShortWayAcrossTheSeam) {
+TEST(Angle, DifferenceIsTheShorterArcAcrossTheSeam) {
   EXPECT_NEAR(angle_difference(from_degrees(-179.0), from_degrees(179.0)), from_degrees(2.0), 1e-12);
   EXPECT_NEAR(angle_difference(from_degrees(179.0), from_degrees(-179.0)), from_degrees(-2.0), 1e-12);
 }

@@ -67,7 +67,7 @@ std::vector<std::byte> bytes_of(const Everything& value) {
   return bytes;
 }
 
-TEST(Bytes, ComeBackAsTheSameValues) {
+TEST(Bytes, AreReadBackAsTheSameValues) {
   Everything before;
   before.counter.add(7);
   const std::vector<std::byte> bytes = bytes_of(before);
@@ -94,7 +94,7 @@ TEST(Bytes, ComeBackAsTheSameValues) {
   EXPECT_EQ(bytes_of(after), bytes);
 }
 
-TEST(Bytes, ThatAreCutShortAnywhereAreRefused) {
+TEST(Bytes, AreRefusedIfTruncatedAtAnyPosition) {
   const std::vector<std::byte> bytes = bytes_of({});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     Everything value;
@@ -103,7 +103,7 @@ TEST(Bytes, ThatAreCutShortAnywhereAreRefused) {
   }
 }
 
-TEST(Bytes, ThatAreTooManyAreRefused) {
+TEST(Bytes, AreRefusedIfSomeAreLeftOver) {
   std::vector<std::byte> bytes = bytes_of({});
   bytes.push_back({});
   Everything value;
@@ -112,7 +112,7 @@ TEST(Bytes, ThatAreTooManyAreRefused) {
   EXPECT_THROW(reader.finish(), BadBytes);
 }
 
-TEST(Bytes, RefuseAnEnumThatIsNoneAndALengthThatCannotBe) {
+TEST(Bytes, AreRefusedWithAnUnknownEnumValueOrAnImpossibleLength) {
   const std::array<std::byte, 1> three{std::byte{3}};
   Color color{};
   EXPECT_THROW(ByteReader{three}(color), BadBytes);
@@ -123,7 +123,7 @@ TEST(Bytes, RefuseAnEnumThatIsNoneAndALengthThatCannotBe) {
   EXPECT_THROW(ByteReader{huge}(doubles), BadBytes);
 }
 
-RC_GTEST_PROP(Bytes, ThatAreMadeUpNeverDoHarm, (const std::vector<std::uint8_t>& noise)) {
+RC_GTEST_PROP(Bytes, ThatAreRandomNeverCrashTheReader, (const std::vector<std::uint8_t>& noise)) {
   Everything value;
   ByteReader reader(std::as_bytes(std::span(noise)));
   try {

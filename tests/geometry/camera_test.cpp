@@ -18,7 +18,7 @@ TEST(Camera, SeesAPointOnItsAxisAtThePrincipalPoint) {
   EXPECT_NEAR(pixel->y(), 239.5, 1e-9);
 }
 
-TEST(Camera, SeesWhatIsLeftOnTheLeftAndWhatIsHighAtTheTop) {
+TEST(Camera, SeesLeftPointsOnTheLeftAndHighPointsAtTheTop) {
   const auto pixel = nao_camera().project({2.0, 0.5, 0.5});
   ASSERT_TRUE(pixel);
   EXPECT_LT(pixel->x(), 319.5);
@@ -33,17 +33,15 @@ TEST(Camera, DoesNotProjectWhereTheDistortionFoldsBack) {
   EXPECT_FALSE(camera.project({1.0, 2.0, 0.0}));
 }
 
-TEST(Camera, HasTheFieldOfViewThatItWasMadeFrom) {
-  EXPECT_NEAR(to_degrees(nao_camera().horizontal_field_of_view()), 56.3, 1e-6);
-}
+TEST(Camera, HasTheGivenFieldsOfView) { EXPECT_NEAR(to_degrees(nao_camera().horizontal_field_of_view()), 56.3, 1e-6); }
 
-TEST(Camera, ScaledDownLooksThroughTheSameWindow) {
+TEST(Camera, ScaledDownHasTheSameFieldOfView) {
   const CameraModel half = nao_camera().scaled_to(320, 240);
   EXPECT_NEAR(half.horizontal_field_of_view(), nao_camera().horizontal_field_of_view(), 1e-9);
   EXPECT_NEAR(half.center.x(), 159.5, 1e-9);
 }
 
-RC_GTEST_PROP(Camera, LooksAlongTheRayOfThePixelThatItProjectsTo, ()) {
+RC_GTEST_PROP(Camera, ProjectsTheRayOfAPixelToThatPixel, ()) {
   CameraModel camera = nao_camera();
   camera.k1 = *rc::gen::inRange(-100, 100) * 1e-3;
   camera.k2 = *rc::gen::inRange(-20, 20) * 1e-3;

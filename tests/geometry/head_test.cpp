@@ -7,14 +7,14 @@
 namespace reorient {
 namespace {
 
-TEST(Head, OfAStandingRobotCarriesItsCameraHalfAMetreUp) {
+TEST(Head, OfAStandingRobotHasItsCameraAtHalfAMeter) {
   const RobotDimensions nao;
   const Isometry3 camera = robot_from_camera(nao, {}, {}, nao.torso_height);
   EXPECT_NEAR(camera.translation().z(), 0.523, 0.001);
   EXPECT_NEAR(camera.translation().x(), 0.0587, 0.001);
 }
 
-TEST(Head, TurnedLeftLooksLeft) {
+TEST(Head, WithYawToTheLeftLooksLeft) {
   const RobotDimensions nao;
   const Isometry3 camera = robot_from_camera(nao, {kPi / 2.0, 0.0}, {}, nao.torso_height);
   EXPECT_GT(camera.linear().col(0).y(), 0.99);
@@ -26,7 +26,7 @@ TEST(Head, PitchedForwardLooksDown) {
   EXPECT_LT(robot_from_camera(nao, {}, {0.0, 0.3}, nao.torso_height).linear().col(0).z(), -0.29);
 }
 
-TEST(Head, PitchRangeMeetsTheTableAndTheMiddleBetweenItsRows) {
+TEST(Head, PitchRangeMatchesTheTableAndIsInterpolatedBetweenItsRows) {
   const NeckReach nao;
   EXPECT_DOUBLE_EQ(nao.pitch_at(0.0).max, 0.515);
   EXPECT_DOUBLE_EQ(nao.pitch_at(-0.756).min, -0.548);
@@ -34,7 +34,7 @@ TEST(Head, PitchRangeMeetsTheTableAndTheMiddleBetweenItsRows) {
   EXPECT_DOUBLE_EQ(nao.pitch_at(9.0).min, -0.449);
 }
 
-TEST(Head, OfANeckWithOneRangeHasItAtEveryAngle) {
+TEST(Head, OfANeckWithOneRangeHasThisRangeAtEveryYaw) {
   const NeckReach reach{1.0, {{0.0, -0.349, 0.855}}};
   for (const double yaw : {-2.0, -0.5, 0.0, 0.3, 1.0}) {
     EXPECT_EQ(reach.pitch_at(yaw).min, -0.349);
@@ -44,7 +44,7 @@ TEST(Head, OfANeckWithOneRangeHasItAtEveryAngle) {
   EXPECT_EQ(reach.clamp({-1.5, 1.0}).pitch, 0.855);
 }
 
-TEST(Head, WhoseNeckPitchesFirstLooksElsewhereWithTheSameAngles) {
+TEST(Head, WithPitchBeforeYawLooksElsewhereWithTheSameAngles) {
   RobotDimensions robot;
   robot.second_axis = {0.0, 0.0, 0.1};
   const HeadAngles aside{0.5 * kPi, 0.5};
@@ -58,7 +58,7 @@ TEST(Head, WhoseNeckPitchesFirstLooksElsewhereWithTheSameAngles) {
   EXPECT_GT(pitch_first.translation().x(), 0.04) << "and in front of it, where the neck is bent";
 }
 
-RC_GTEST_PROP(Head, ClampedIsWithinReachAndClampsNoFurther, ()) {
+RC_GTEST_PROP(Head, ClampedIsWithinLimitsAndClampingAgainChangesNothing, ()) {
   const HeadAngles wanted{*rc::gen::inRange(-4000, 4000) * 1e-3, *rc::gen::inRange(-2000, 2000) * 1e-3};
   const NeckReach nao;
   const HeadAngles reached = nao.clamp(wanted);

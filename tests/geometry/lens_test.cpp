@@ -45,7 +45,7 @@ void expect_agreement(const CameraModel& camera) {
   }
 }
 
-RC_GTEST_PROP(Lens, OfFiveCoefficientsProjectsARayToItsPixel, ()) {
+RC_GTEST_PROP(Lens, WithFiveCoefficientsProjectsARayToItsPixel, ()) {
   const double k1 = between(-0.3, 0.1);
   CameraModel camera = camera_with(
       CameraProjection::pinhole,
@@ -54,7 +54,7 @@ RC_GTEST_PROP(Lens, OfFiveCoefficientsProjectsARayToItsPixel, ()) {
   expect_agreement(camera);
 }
 
-RC_GTEST_PROP(Lens, OfEightCoefficientsProjectsARayToItsPixel, ()) {
+RC_GTEST_PROP(Lens, WithEightCoefficientsProjectsARayToItsPixel, ()) {
   const double k4 = between(0.2, 3.0), k5 = between(0.0, 1.5), k6 = between(0.0, 0.3);
   CameraModel camera = camera_with(CameraProjection::pinhole,
                                    {k4 + between(-0.25, 0.0), 0.5 * k5 + between(0.02, 0.3), between(-0.003, 0.003),
@@ -64,7 +64,7 @@ RC_GTEST_PROP(Lens, OfEightCoefficientsProjectsARayToItsPixel, ()) {
   expect_agreement(camera);
 }
 
-RC_GTEST_PROP(Lens, OfAFisheyeProjectsARayToItsPixelAlsoBeyondAQuarterTurn, ()) {
+RC_GTEST_PROP(Lens, OfAFisheyeProjectsARayToItsPixelAlsoBeyond90Degrees, ()) {
   const double span = between(100.0, 200.0);
   Lens lens;
   lens.projection = CameraProjection::fisheye;
@@ -104,7 +104,7 @@ void expect_golden(CameraProjection projection, const std::vector<double>& coeff
 }
 
 // Values of OpenCV 4.6.0, cv::projectPoints and cv::fisheye::projectPoints.
-TEST(Lens, OfFiveCoefficientsIsOpenCvs) {
+TEST(Lens, WithFiveCoefficientsMatchesOpenCv) {
   expect_golden(CameraProjection::pinhole, {-0.32, 0.11, 0.0012, -0.0008, -0.017},
                 {{{0, 0, 2}, {271.25, 223.75}},
                  {{1, 0, 2}, {414.91980546874998, 223.84247500000001}},
@@ -116,7 +116,7 @@ TEST(Lens, OfFiveCoefficientsIsOpenCvs) {
                  {{0.01, -0.02, 0.5}, {277.45473665155544, 211.43020381647688}}});
 }
 
-TEST(Lens, OfEightCoefficientsIsOpenCvs) {
+TEST(Lens, WithEightCoefficientsMatchesOpenCv) {
   expect_golden(CameraProjection::pinhole, {2.3, 0.7, -0.0009, 0.0006, 0.04, 2.65, 1.35, 0.21},
                 {{{0, 0, 2}, {271.25, 223.75}},
                  {{1, 0, 2}, {415.03859563655033, 223.68064375}},
@@ -128,7 +128,7 @@ TEST(Lens, OfEightCoefficientsIsOpenCvs) {
                  {{0.01, -0.02, 0.5}, {277.45662863167848, 211.42687882623255}}});
 }
 
-TEST(Lens, OfAFisheyeIsOpenCvs) {
+TEST(Lens, OfAFisheyeMatchesOpenCv) {
   expect_golden(CameraProjection::fisheye, {-0.021, 0.0045, -0.0031, 0.00042},
                 {{{0, 0, 2}, {271.25, 223.75}},
                  {{1, 0, 2}, {414.58831804340446, 223.75}},
@@ -142,7 +142,7 @@ TEST(Lens, OfAFisheyeIsOpenCvs) {
                  {{-3, -4, 0.5}, {9.9455258750356847, -122.13128459053252}}});
 }
 
-TEST(Lens, WithTwoCoefficientsIsTheSameThroughBothFormulas) {
+TEST(Lens, WithTwoCoefficientsIsTheSameByBothFormulas) {
   CameraModel plain = camera_with(CameraProjection::pinhole, {-0.12, 0.03});
   CameraModel other = plain;
   other.p1 = 1e-300;  // no longer plain
@@ -169,7 +169,7 @@ TEST(Lens, ScalesWithTheImage) {
   EXPECT_LT((half.ray({10.0, 20.0}) - camera.ray({20.5, 40.5})).norm(), 1e-12);
 }
 
-TEST(Lens, TakesAsManyCoefficientsAsItsProjectionHas) {
+TEST(Lens, AcceptsOnlyTheNumbersOfCoefficientsOfItsProjection) {
   Lens lens;
   for (const std::size_t count : {1u, 3u, 6u, 7u, 9u})
     EXPECT_NE(lens.set_coefficients(std::vector<double>(count, 0.0)).find("0, 2, 4, 5 or 8 coefficients"),
@@ -226,7 +226,7 @@ TEST(Lens, WithHostileNumbersIsRefusedAndNeverCrashes) {
   }
 }
 
-TEST(Lens, ThatIsPlainIsWrittenAsBeforeThereWereOthers) {
+TEST(Lens, ThatIsPlainIsWrittenInTheOldFormat) {
   CameraModel camera = camera_with(CameraProjection::pinhole, {0.03, -0.01});
   std::vector<std::byte> bytes, as_before;
   ByteWriter{bytes}(camera);

@@ -52,7 +52,7 @@ TEST(PinnedMath, IsWithinOneUnitInTheLastPlace) {
   }
 }
 
-TEST(PinnedMath, KnowsTheEndsOfTheNumbers) {
+TEST(PinnedMath, HandlesTheLimitsOfTheNumberRange) {
   const double infinite = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(pinned::exp(-infinite), 0.0);
@@ -113,7 +113,7 @@ TEST(PinnedMath, GivesTheSameBitsForManyAsForOne) {
 }
 
 /// If this number differs on a machine, so will every digest.
-TEST(PinnedMath, GivesTheBitsThatEveryMachineGives) {
+TEST(PinnedMath, GivesTheSameBitsOnEveryMachine) {
   Random random(3);
   std::uint64_t hash = 0;
   const auto add = [&hash](double value) {

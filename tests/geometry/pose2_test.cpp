@@ -24,7 +24,7 @@ TEST(Pose2, MapsAPointAheadOfARobotThatLooksLeft) {
   EXPECT_NEAR(point.y(), 5.0, 1e-12);
 }
 
-TEST(Pose2, ReflectionOfTheStartPositionIsThePositionOfTheOtherTeam) {
+TEST(Pose2, ReflectionOfTheStartPositionIsThatOfTheOtherTeam) {
   const Pose2 reflected = reflect(Pose2(-3.2, 3.5, from_degrees(-90.0)));
   EXPECT_NEAR(reflected.position.x(), 3.2, 1e-12);
   EXPECT_NEAR(reflected.position.y(), -3.5, 1e-12);

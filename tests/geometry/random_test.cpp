@@ -14,7 +14,7 @@ TEST(Random, RepeatsASeedAndDiffersBetweenSeedsAndStreams) {
   EXPECT_NE(value, other_stream());
 }
 
-TEST(Random, KnowsItsFirstNumbers) {
+TEST(Random, BeginsWithTheRecordedNumbers) {
   // Recorded once: a change of these is a change of every digest.
   Random random(1);
   EXPECT_EQ(random(), 14971601782005023387ull);

@@ -16,7 +16,7 @@ namespace {
 
 const int kPatience = FieldFeatureParameters().carpet_patience;
 
-TEST(FieldFeatures, TakeNothingBeyondTheBorderForTheCarpetWhateverItsColor) {
+TEST(FieldFeatures, DoNotMistakeAnythingBeyondTheBorderForCarpetWhateverItsColor) {
   FlatField scene;
   const Stand here(640, 480, {0.0, 0.0, 0.0}, {0.0, 0.0});
   const FieldPercept bare = percept_of(scene, here);
@@ -26,7 +26,7 @@ TEST(FieldFeatures, TakeNothingBeyondTheBorderForTheCarpetWhateverItsColor) {
   for (std::size_t i = 0; i < bare.boundary.size(); ++i) EXPECT_NEAR(percept.boundary[i], bare.boundary[i], 8.0) << i;
 }
 
-TEST(FieldFeatures, TellCarpetFromAGrayWallInTintedLight) {
+TEST(FieldFeatures, DistinguishCarpetFromAGrayWallInTintedLight) {
   FlatField scene;
   scene.colors = {{60, 116, 106}, {200, 128, 88}, {60, 128, 116}, {200, 128, 88}};  // cyan: white is -40, gray -12
   const Stand here(640, 480, {0.0, 0.0, 0.0}, {0.0, 0.1});
@@ -37,7 +37,7 @@ TEST(FieldFeatures, TellCarpetFromAGrayWallInTintedLight) {
   EXPECT_GE(percept.line_points.size(), 30u);
 }
 
-TEST(FieldFeatures, KeepTheCarpetsColorWhenTheyLookAway) {
+TEST(FieldFeatures, KeepTheCarpetsColorWhileNoCarpetIsInView) {
   const FlatField scene = FlatField::with_goals();
   const Stand down(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   const Stand up(320, 240, {-2.0, 0.0, 0.0}, {0.0, -0.6});
@@ -50,7 +50,7 @@ TEST(FieldFeatures, KeepTheCarpetsColorWhenTheyLookAway) {
   EXPECT_EQ(features.carpet_color().surface(160, 200, {190, 126, 130}), Surface::other);
 }
 
-TEST(FieldFeatures, DoNotTakeAGrayHallForTheCarpet) {
+TEST(FieldFeatures, DoNotMistakeAGrayHallForCarpet) {
   const FlatField scene = FlatField::with_goals();
   const Stand down(160, 120, {3.0, 0.8, 0.0}, {0.0, 0.25});
   const Stand close(160, 120, {3.6, 0.8, 0.0}, {0.0, -0.05});
@@ -86,7 +86,7 @@ TEST(FieldFeatures, SeeTheSameLinesOnACarpetOfAnyColor) {
   }
 }
 
-TEST(FieldFeatures, TakeNoBrightCarpetForALineOnceTheyKnowWhite) {
+TEST(FieldFeatures, DoNotMistakeBrightCarpetForALineAfterLearningWhite) {
   const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   FlatField scene;
   FieldFeatures features({}, scene.field);
@@ -97,7 +97,7 @@ TEST(FieldFeatures, TakeNoBrightCarpetForALineOnceTheyKnowWhite) {
   EXPECT_TRUE(percept_in(features, sunlit.view(), here.camera, here.robot_from_camera).line_points.empty());
 }
 
-TEST(FieldFeatures, TakeNoFloorForACarpetThatWasNeverSeenUntilAWhileHasPassed) {
+TEST(FieldFeatures, AcceptAFloorAsCarpetOnlyAfterSomeImagesWithoutCarpet) {
   const Stand here(160, 120, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   FlatField scene;
   scene.colors.carpet = {110, 108, 150};  // wood
@@ -105,7 +105,7 @@ TEST(FieldFeatures, TakeNoFloorForACarpetThatWasNeverSeenUntilAWhileHasPassed) {
   EXPECT_FALSE(is_empty(percept_after(scene, here, kPatience)));
 }
 
-TEST(FieldFeatures, GiveUpTheirCarpetForAnotherGreenAtOnceAndForAFloorAfterAWhile) {
+TEST(FieldFeatures, ReplaceTheirCarpetByAnotherGreenAtOnceAndByAFloorLater) {
   const Stand here(160, 120, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   FlatField scene;
   FieldFeatures features({}, scene.field);
@@ -124,7 +124,7 @@ TEST(FieldFeatures, GiveUpTheirCarpetForAnotherGreenAtOnceAndForAFloorAfterAWhil
   EXPECT_EQ(look(kGreen, 1), Surface::carpet);
 }
 
-TEST(FieldFeatures, ThatWereSavedGoOnTheSameWhereNoGroundIsInView) {
+TEST(FieldFeatures, ThatWereSavedContinueTheSameWithoutGroundInView) {
   const Stand here(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25}), up(320, 240, {-2.0, 0.0, 0.0}, {0.0, -0.6});
   FlatField scene;
   scene.colors.carpet = {75, 110, 116};

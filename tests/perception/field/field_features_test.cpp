@@ -31,7 +31,7 @@ TEST_P(FieldFeaturesAtEveryResolution, PutLinePointsOnTheLinesAround) {
   }
 }
 
-TEST_P(FieldFeaturesAtEveryResolution, SeeNoLinePointsWhereThereAreNoLines) {
+TEST_P(FieldFeaturesAtEveryResolution, SeeNoLinePointsOnCarpetWithoutLines) {
   FlatField scene = FlatField::with_goals();
   scene.lines = false;
   for (const Pose2& pose : {Pose2{-2.0, 0.0, 0.0}, Pose2{2.5, 0.5, 0.1}, Pose2{3.0, 0.0, -0.2}}) {
@@ -78,11 +78,11 @@ TEST_P(FieldFeaturesAtEveryResolution, SeeARobotAsAnObstacleAndNotAsAPost) {
   }
 }
 
-TEST_P(FieldFeaturesAtEveryResolution, SeeNothingWhenTheyLookUpAtTheRoom) {
+TEST_P(FieldFeaturesAtEveryResolution, SeeNothingWhenTheCameraLooksUpAtTheRoom) {
   EXPECT_TRUE(is_empty(percept_of(FlatField::with_goals(), stand({4.0, 0.0, 0.0}, {0.0, -0.67}))));
 }
 
-TEST_P(FieldFeaturesAtEveryResolution, KeepTheLinesUnderDimAndTintedLight) {
+TEST_P(FieldFeaturesAtEveryResolution, SeeTheLinesUnderDimAndTintedLight) {
   FlatField scene;
   for (const auto& [gain, tint] : {std::pair{0.45, 0.0}, {1.2, 0.0}, {0.9, 0.06}, {0.9, -0.06}}) {
     const auto lit = [&, g = gain, t = tint](const Ycbcr& c) {
@@ -108,7 +108,7 @@ TEST_P(FieldFeaturesAtEveryResolution, SeeTheYellowGoalsOf2013) {
   EXPECT_TRUE(percept_of(scene, here).goal_posts.empty());
 }
 
-TEST_P(FieldFeaturesAtEveryResolution, GuessWhereAPostStandsWhoseFootIsBelowTheImage) {
+TEST_P(FieldFeaturesAtEveryResolution, EstimateThePositionOfAPostWithItsFootBelowTheImage) {
   const FlatField scene = FlatField::with_goals();
   const Stand down = stand({3.0, 0.8, 0.0}, {0.0, 0.25});
   const Stand close = stand({3.6, 0.8, 0.0}, {0.0, -0.05});
@@ -125,7 +125,7 @@ TEST_P(FieldFeaturesAtEveryResolution, GuessWhereAPostStandsWhoseFootIsBelowTheI
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, FieldFeaturesAtEveryResolution, testing::Values(640, 320, 160));
 
-TEST(FieldFeatures, SeePostsFarAwayWithACameraWhoseTiltIsNotAsTheyThink) {
+TEST(FieldFeatures, SeePostsFarAwayDespiteAnErrorOfTheCamerasTilt) {
   const FlatField scene = FlatField::with_goals();
   for (const double x : {-1.5, -3.0, -4.2}) {
     for (const double tilt : {-1.5, 0.0, 1.5}) {
@@ -146,7 +146,7 @@ TEST(FieldFeatures, SeePostsFarAwayWithACameraWhoseTiltIsNotAsTheyThink) {
   }
 }
 
-TEST(FieldFeatures, TakeNoPoleFarAwayForAPost) {
+TEST(FieldFeatures, DoNotMistakeAPoleFarAwayForAPost) {
   FlatField scene;
   scene.boxes = {{{4.5, 0.8}, 0.1, 2.5, scene.colors.post}, {{4.5, -0.8}, 0.1, 1.3, scene.colors.post}};
   for (const double x : {-1.5, -3.0}) {
@@ -155,7 +155,7 @@ TEST(FieldFeatures, TakeNoPoleFarAwayForAPost) {
   }
 }
 
-TEST(FieldFeatures, TakeNoLetterOnAGreenBannerForAPost) {
+TEST(FieldFeatures, DoNotMistakeALetterOnAGreenBannerForAPost) {
   const Stand here(640, 480, {3.6, 0.0, 0.0}, {0.0, 0.0});  // close to the border, and a floor of wood behind it
   const FlatField field;
   Image image = here.see(field);
@@ -182,7 +182,7 @@ TEST(FieldFeatures, TakeNoLetterOnAGreenBannerForAPost) {
   EXPECT_EQ(posts_on(field.colors.carpet), 2u) << "on carpet they are posts";
 }
 
-TEST(FieldFeatures, SeeLinesWithATorsoThatSways) {
+TEST(FieldFeatures, SeeLinesWhileTheTorsoSways) {
   const FlatField scene;
   for (const double roll : {-0.15, 0.1}) {
     const Stand here(640, 480, {-2.0, 0.3, 0.1}, {0.3, 0.2}, {roll, 0.05});

@@ -58,7 +58,7 @@ TEST(HostileImages, OfPlainCarpetShowOnlyCarpet) {
   EXPECT_LT(percept.boundary.front(), 120.0f);
 }
 
-TEST(HostileImages, OfAnySizeAreSurvived) {
+TEST(HostileImages, OfAnySizeDoNoHarm) {
   FieldFeatures features({}, {});
   for (const auto& [width, height] :
        {std::pair{2, 2}, {2, 480}, {640, 1}, {4, 3}, {16, 16}, {18, 17}, {98, 31}, {1280, 960}, {1024, 7}, {6, 1000}}) {
@@ -71,7 +71,7 @@ TEST(HostileImages, OfAnySizeAreSurvived) {
   }
 }
 
-RC_GTEST_PROP(HostileImages, OfNoiseAreSurvivedInEveryAttitude, ()) {
+RC_GTEST_PROP(HostileImages, OfNoiseDoNoHarmInAnyAttitude, ()) {
   const Image image = noise(160, 120, *rc::gen::arbitrary<std::uint64_t>());
   const Image green = filled(160, 120, {75, 105, 108});
   const auto angle = [] { return *rc::gen::inRange(-314, 315) * 0.01; };
@@ -85,7 +85,7 @@ RC_GTEST_PROP(HostileImages, OfNoiseAreSurvivedInEveryAttitude, ()) {
   RC_ASSERT(!testing::Test::HasFailure());
 }
 
-TEST(HostileImages, OfNoiseShowNoPostsAndHardlyAnyLines) {
+TEST(HostileImages, OfNoiseShowNoPostsAndFewLines) {
   std::size_t points = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     FieldFeatures features({}, {});
@@ -99,7 +99,7 @@ TEST(HostileImages, OfNoiseShowNoPostsAndHardlyAnyLines) {
   EXPECT_LE(points, 10u);
 }
 
-TEST(HostileImages, WithACameraThatIsNowhereShowNothing) {
+TEST(HostileImages, WithAnInvalidCameraPoseShowNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
   FieldFeatures features({}, {});

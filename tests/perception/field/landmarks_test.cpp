@@ -20,7 +20,7 @@ void expect_within(const Vector2d& error, const Eigen::Matrix2d& covariance) {
   EXPECT_GT(covariance.determinant(), 0.0);
 }
 
-TEST(Landmarks, OfAFieldAreTheReflectionsOfEachOther) {
+TEST(Landmarks, OfAFieldAreReflectionsOfEachOther) {
   FieldDimensions field;
   field.corner_arc_radius = 0.5;
   const std::vector<FieldIntersection> all = field_intersections(field);
@@ -43,7 +43,7 @@ TEST(Landmarks, AreFewerOnAFieldWithoutAreasCircleAndArcs) {
   EXPECT_TRUE(penalty_marks(field).empty());
 }
 
-TEST(Landmarks, AreIntersectionsOfTheirKindWhereTheyAre) {
+TEST(Landmarks, AreIntersectionsWithTheCorrectTypeAndPosition) {
   const FlatField scene;
   struct Case {
     const char* name;
@@ -75,7 +75,7 @@ TEST(Landmarks, AreIntersectionsOfTheirKindWhereTheyAre) {
   }
 }
 
-TEST(Landmarks, AreCornersOfTheFieldByTheirArcs) {
+TEST(Landmarks, AreCornersOfTheFieldIfTheyHaveArcs) {
   FlatField scene;
   scene.field.corner_arc_radius = 0.5;
   const Stand here = at({2.9, 1.5, 0.8});
@@ -98,7 +98,7 @@ TEST(Landmarks, AreCornersOfTheFieldByTheirArcs) {
   EXPECT_EQ(of_area, 1);
 }
 
-TEST(Landmarks, AreNoIntersectionsWhereALineEndsAtARobot) {
+TEST(Landmarks, IncludeNoIntersectionWhereALineEndsAtARobot) {
   FlatField scene;
   scene.field.center_circle_radius = 0.0;
   scene.boxes.push_back({{0.0, 0.9}, 0.35, 0.55, {200, 126, 130}});
@@ -106,7 +106,7 @@ TEST(Landmarks, AreNoIntersectionsWhereALineEndsAtARobot) {
     EXPECT_TRUE(percept_of(scene, at(pose)).intersections.empty());
 }
 
-TEST(Landmarks, AreTheCenterCircleAndItsHalfwayLine) {
+TEST(Landmarks, IncludeTheCenterCircleAndItsHalfwayLine) {
   const FlatField scene;
   for (const Pose2& pose :
        {Pose2{-2.0, 0.0, 0.0}, Pose2{-1.5, 0.8, -0.4}, Pose2{1.6, -0.6, 2.7}, Pose2{0.2, -2.2, 1.5}}) {
@@ -123,13 +123,13 @@ TEST(Landmarks, AreTheCenterCircleAndItsHalfwayLine) {
   }
 }
 
-TEST(Landmarks, AreNoCenterCircleInTheCornerOfAnArea) {
+TEST(Landmarks, IncludeNoCenterCircleInTheCornerOfAnArea) {
   const FlatField scene;
   for (const Pose2& pose : {Pose2{1.6, 0.8, 0.6}, Pose2{3.2, 0.4, 0.5}, Pose2{3.4, 2.0, 0.6}})
     EXPECT_FALSE(percept_of(scene, at(pose)).center_circle) << pose.position.transpose();
 }
 
-TEST(Landmarks, ArePenaltyMarksAndNoOtherWhiteSpots) {
+TEST(Landmarks, IncludePenaltyMarksAndNoOtherWhiteSpots) {
   FlatField scene;
   scene.marks = true;
   for (const Pose2& pose : {Pose2{1.9, 0.2, 0.0}, Pose2{1.0, -0.3, 0.1}, Pose2{3.0, -1.2, 1.4}}) {
@@ -146,7 +146,7 @@ TEST(Landmarks, ArePenaltyMarksAndNoOtherWhiteSpots) {
     EXPECT_TRUE(percept_of(scene, at(pose)).penalty_marks.empty()) << pose.position.transpose();
 }
 
-TEST(Landmarks, AreTheBallOnTheCarpetAndOnLines) {
+TEST(Landmarks, IncludeTheBallOnTheCarpetAndOnLines) {
   FlatField scene;
   const Stand here = at({-1.0, 0.3, 0.0});
   for (const Vector2d& place : {Vector2d(0.4, 0.5), Vector2d(1.5, 0.0), Vector2d(0.0, 0.3), Vector2d(0.53, 0.53)}) {
@@ -162,7 +162,7 @@ TEST(Landmarks, AreTheBallOnTheCarpetAndOnLines) {
   }
 }
 
-TEST(Landmarks, AreNoBallWhereThereIsNone) {
+TEST(Landmarks, IncludeNoBallWithoutABall) {
   FlatField scene = FlatField::with_goals();
   scene.marks = true;
   scene.boxes.push_back({{0.5, 0.4}, 0.12, 0.5, scene.colors.post});  // a leg

@@ -30,7 +30,7 @@ RC_GTEST_PROP(ScanLine, FindsAStripeBetweenItsEdges, ()) {
   RC_ASSERT(luma[static_cast<std::size_t>(segments[0].after)] == 100);
 }
 
-TEST(ScanLine, PassesOverStripesThatAreTooLongTooFaintOrCutOff) {
+TEST(ScanLine, SkipsStripesThatAreTooLongTooFaintOrTruncated) {
   std::vector<BrightSegment> segments;
   find_bright_segments(stripe(100, 20, 60, 100, 300), 20, 40, 30.0, segments);
   EXPECT_TRUE(segments.empty());
@@ -42,7 +42,7 @@ TEST(ScanLine, PassesOverStripesThatAreTooLongTooFaintOrCutOff) {
   EXPECT_TRUE(segments.empty());
 }
 
-TEST(ScanLine, NeedsNoLength) {
+TEST(ScanLine, FindsNothingInAShortLine) {
   std::vector<BrightSegment> segments;
   for (int length = 0; length < 4; ++length) {
     find_bright_segments(stripe(length, 0, length, 0, 500), 1, 1, 10.0, segments);

@@ -97,7 +97,7 @@ RobotBody with_usual_pinhole(RobotBody body) {
 
 class WideLens : public testing::TestWithParam<const char*> {};
 
-TEST_P(WideLens, GivesFourFifthsOfAPinholesLinePointsPerMeter) {
+TEST_P(WideLens, GivesFourFifthsOfThePinholesLinePointsPerMeter) {
   const RobotBody body = body_named(GetParam());
   const FieldDimensions field =
       load_field(std::filesystem::path(kSourceFolder) / "assets/fields" / (body.field + ".toml"));

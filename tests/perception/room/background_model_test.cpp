@@ -11,7 +11,7 @@
 namespace reorient {
 namespace {
 
-TEST(BackgroundModel, FollowsEquationsOneAndTwoByHand) {
+TEST(BackgroundModel, MatchesEquationsOneAndTwo) {
   // N = 3: mu = (3 * 0.2 + 0.6) / 4, sigma^2 = (3 * 0.01 + 3/4 * 0.4^2) / 4.
   const MovingAverage first = updated({0.2, 0.01}, 3.0, 0.6);
   EXPECT_NEAR(first.mean, 0.3, 1e-12);
@@ -22,7 +22,7 @@ TEST(BackgroundModel, FollowsEquationsOneAndTwoByHand) {
   EXPECT_NEAR(second.variance, 0.035625, 1e-12);
 }
 
-RC_GTEST_PROP(BackgroundModel, WithNGrowingFromOneItIsTheTrueMeanAndVariance, ()) {
+RC_GTEST_PROP(BackgroundModel, WithGrowingNIsTheTrueMeanAndVariance, ()) {
   const auto values = *rc::gen::container<std::vector<int>>(12, rc::gen::inRange(0, 1001));
   MovingAverage average{values[0] / 1000.0, 0.0};
   double sum = values[0] / 1000.0;
@@ -38,7 +38,7 @@ RC_GTEST_PROP(BackgroundModel, WithNGrowingFromOneItIsTheTrueMeanAndVariance, ()
   }
 }
 
-RC_GTEST_PROP(BackgroundModel, AverageStaysBetweenWhatWasMeasuredAndVarianceIsNotNegative, ()) {
+RC_GTEST_PROP(BackgroundModel, AverageStaysBetweenTheMeasurementsAndVarianceIsNotNegative, ()) {
   const double n = *rc::gen::inRange(1, 1000);
   const double last = *rc::gen::inRange(0, 1001) / 1000.0;
   const double measured = *rc::gen::inRange(0, 1001) / 1000.0;
@@ -58,7 +58,7 @@ TEST(BackgroundModel, CopiesATileThatIsSeenForTheFirstTime) {
   EXPECT_EQ(model[1].visits, 0);
 }
 
-TEST(BackgroundModel, ThePaperWeighsTheSecondViewLittleAndTheTrueMeanHalf) {
+TEST(BackgroundModel, SecondViewHasLittleWeightInThePaperAndHalfWithTrueMeans) {
   BackgroundModel model;
   model.forget(2);
   for (const int bin : {5, 6}) {

@@ -61,12 +61,12 @@ ColorCounts counts_by_definition(const ImageView& image, const PixelBlock& block
   return counts;
 }
 
-TEST(ColorCounting, ThePortableVersionIsOfferedEverywhere) {
+TEST(ColorCounting, ThePortableVersionIsSupportedEverywhere) {
   EXPECT_TRUE(offered(Instructions::portable));
   EXPECT_TRUE(offered(widest_instructions()));
 }
 
-TEST(ColorCounting, TheWidestThatTheProcessorOffersIsTaken) {
+TEST(ColorCounting, TheWidestSupportedVersionIsSelected) {
   EXPECT_EQ(widest_instructions(), offered_here().back());
 #ifdef __x86_64__
   EXPECT_TRUE(offered(Instructions::sse4)) << "the rest of the program needs it, too";
@@ -77,7 +77,7 @@ TEST(ColorCounting, TheWidestThatTheProcessorOffersIsTaken) {
 #endif
 }
 
-RC_GTEST_PROP(ColorCounting, EveryVersionCountsWhatTheDefinitionSays, ()) {
+RC_GTEST_PROP(ColorCounting, EveryVersionCountsByTheDefinition, ()) {
   const int width = *rc::gen::inRange(1, 180);
   const int height = *rc::gen::inRange(1, 40);
   const Noise image(width, height, *rc::gen::inRange(0, 9) + width % 2 * 2, *rc::gen::arbitrary<std::uint64_t>());
@@ -94,7 +94,7 @@ RC_GTEST_PROP(ColorCounting, EveryVersionCountsWhatTheDefinitionSays, ()) {
 }
 
 /// A block may be counted in any number of parts, and what is there already stays.
-RC_GTEST_PROP(ColorCounting, AddsWhatItCountsToWhatIsThere, (std::uint64_t seed)) {
+RC_GTEST_PROP(ColorCounting, AddsToTheCounts, (std::uint64_t seed)) {
   const Noise image(128, 16, 0, seed);
   const int border = *rc::gen::inRange(0, 129);
   for (const Instructions instructions : offered_here()) {
@@ -107,7 +107,7 @@ RC_GTEST_PROP(ColorCounting, AddsWhatItCountsToWhatIsThere, (std::uint64_t seed)
   }
 }
 
-TEST(ColorCounting, EveryColorThereIsHasTheSameBinInEveryVersion) {
+TEST(ColorCounting, EveryColorHasTheSameBinInEveryVersion) {
   for (const ColorThresholds& thresholds : {ColorThresholds{}, color_thresholds({}, {57.5, 120.0, 140.5})}) {
     Image image(512, 256);  // for each luma all of Cb and Cr
     for (int luma = 0; luma < 256; luma += 5) {

@@ -33,7 +33,7 @@ TEST(ColorHistogram, HasTheFourteenRegionsOfTheDefinition) {
   EXPECT_EQ(color_bin({40, 128, 133}, thresholds), 5) << "one chroma value alone is not enough for gray";
 }
 
-TEST(ColorHistogram, OfNothingIsAllZero) { EXPECT_EQ(normalized(ColorCounts{}), ColorHistogram{}); }
+TEST(ColorHistogram, WithoutPixelsIsAllZero) { EXPECT_EQ(normalized(ColorCounts{}), ColorHistogram{}); }
 
 TEST(ColorHistogram, ThresholdsMoveWithTheLight) {
   const ColorThresholds dim = color_thresholds({}, {57.5, 120.0, 140.5});
@@ -47,7 +47,7 @@ TEST(ColorHistogram, ThresholdsMoveWithTheLight) {
   EXPECT_EQ(dim.cr_gray_last, 145);
 }
 
-TEST(ColorHistogram, ThresholdsStayBytesUnderAbsurdLight) {
+TEST(ColorHistogram, ThresholdsStayInByteRangeUnderExtremeLight) {
   const ColorThresholds bright = color_thresholds({}, {1e9, 1e9, -1e9});
   EXPECT_EQ(bright.bright, 255);
   EXPECT_EQ(bright.cb_neutral, 255);
@@ -55,7 +55,7 @@ TEST(ColorHistogram, ThresholdsStayBytesUnderAbsurdLight) {
 }
 
 /// Shares that sum up to 1.
-RC_GTEST_PROP(ColorHistogram, BlurringKeepsTheSumAndLeavesAnEvenHistogramAsItIs, ()) {
+RC_GTEST_PROP(ColorHistogram, BlurringKeepsTheSumAndDoesNotChangeAUniformHistogram, ()) {
   const ColorHistogram histogram = any_histogram();
   const double share = *rc::gen::inRange(0, 26) / 100.0;
   const ColorHistogram result = blurred(histogram, share);

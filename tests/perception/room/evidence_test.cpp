@@ -33,7 +33,7 @@ class Looking {
 
 constexpr int kReflected = 8;  // columns
 
-TEST(Evidence, SpeaksForThePoseThatExplainsTheView) {
+TEST(Evidence, SupportsThePoseThatExplainsTheView) {
   Looking robot;
   EXPECT_EQ(robot.evidence.log_odds(), 0.0);
   robot.look(3, kReflected, 1.0);
@@ -43,7 +43,7 @@ TEST(Evidence, SpeaksForThePoseThatExplainsTheView) {
   EXPECT_LT(other.evidence.log_odds(), -5.0);
 }
 
-TEST(Evidence, GrowsWithOtherTilesAndNotWithMoreOfTheSame) {
+TEST(Evidence, GrowsWithOtherTilesButNotWithLongerViews) {
   Looking robot;
   robot.look(0, kReflected, 1.0);
   const double once = robot.evidence.log_odds();
@@ -53,7 +53,7 @@ TEST(Evidence, GrowsWithOtherTilesAndNotWithMoreOfTheSame) {
   EXPECT_GT(robot.evidence.log_odds(), 1.7 * once);
 }
 
-TEST(Evidence, IsAskedOfNoPlaceOfWhichNeitherTileIsKnown) {
+TEST(Evidence, IgnoresPositionsWithTwoUnknownTiles) {
   OneRow room;
   room.model.forget(16);
   room.model.train(3, OneRow::colors_of(3), {1.0, 100.0, true, 0.0});
@@ -83,7 +83,7 @@ double log_odds_after(double one, double other) {
   return robot.evidence.log_odds();
 }
 
-TEST(Evidence, IsLessOfTilesThatWereSeenForAMoment) {
+TEST(Evidence, IsSmallerForTilesThatWereSeenForAMoment) {
   const double half = EvidenceParameters{}.half_trained;
   const double full = log_odds_after(1e6, 1e6);
   EXPECT_NEAR(log_odds_after(half, 1e6) / full, 0.5, 1e-3);
@@ -110,14 +110,14 @@ TEST(Evidence, FadesWhileOtherTilesAreInViewAndStaysWhileNoneAre) {
   EXPECT_NEAR(robot.evidence.log_odds(), only_the_others.evidence.log_odds(), 0.01);
 }
 
-TEST(Evidence, ChangesItsMindWithinSecondsWhereTheSameTilesShowSomethingElse) {
+TEST(Evidence, FollowsAChangeOfTheSameTilesWithinSeconds) {
   Looking robot;
   robot.look(0, 0, 300.0);
   robot.look(0, kReflected, 3.0);
   EXPECT_GT(robot.evidence.log_odds(), 2.0);
 }
 
-TEST(Evidence, OfAWallThatIsTheSameAfterHalfATurnIsNone) {
+TEST(Evidence, OfASymmetricWallIsZero) {
   Looking robot;
   robot.room.model.forget(16);
   for (int column = 0; column < 16; ++column)
@@ -140,7 +140,7 @@ struct HalfKnown : Looking {
   }
 };
 
-TEST(Evidence, OfTilesThatAreKnownForOnePoseOnlyIsWorthLess) {
+TEST(Evidence, HasLessWeightForTilesThatAreKnownForOnePoseOnly) {
   Looking robot;
   HalfKnown half;
   robot.look(2, 0, 1.0);
@@ -149,13 +149,13 @@ TEST(Evidence, OfTilesThatAreKnownForOnePoseOnlyIsWorthLess) {
   EXPECT_GT(half.evidence.log_odds(), 0.5 * robot.evidence.log_odds());
 }
 
-TEST(Evidence, SpeaksAgainstAPoseThatDoesNotFitWhateverTheOtherLooksLike) {
+TEST(Evidence, OpposesAPoseThatDoesNotFitWithoutKnowledgeOfTheOther) {
   HalfKnown half;
   half.look(2, kReflected, 1.0);
   EXPECT_GT(half.evidence.log_odds(), 0.0);
 }
 
-TEST(Evidence, OfOnePoseOnlyIsNoneWhereTheRoomIsNotKnownToDiffer) {
+TEST(Evidence, OfOnePoseOnlyIsZeroInARoomThatMayBeSymmetric) {
   HalfKnown half;
   half.room.model.forget(16);
   for (int column = 0; column < 8; ++column)
@@ -166,7 +166,7 @@ TEST(Evidence, OfOnePoseOnlyIsNoneWhereTheRoomIsNotKnownToDiffer) {
   EXPECT_EQ(half.evidence.log_odds(), 0.0);
 }
 
-RC_GTEST_PROP(Evidence, SpeaksForTheOtherPoseOnceTheBeliefIsReflected, ()) {
+RC_GTEST_PROP(Evidence, SupportsTheOtherPoseAfterAFlip, ()) {
   Looking robot;
   robot.look(*rc::gen::inRange(0, 16), *rc::gen::inRange(0, 16), 0.01 * *rc::gen::inRange(1, 500));
   const double before = robot.evidence.log_odds();
@@ -176,7 +176,7 @@ RC_GTEST_PROP(Evidence, SpeaksForTheOtherPoseOnceTheBeliefIsReflected, ()) {
   RC_ASSERT(robot.evidence.log_odds() == before);
 }
 
-RC_GTEST_PROP(Evidence, GoesOnFromAReflectionAsIfItHadBeenThatAllAlong, ()) {
+RC_GTEST_PROP(Evidence, ContinuesAfterAFlipAsIfTheBeliefHadAlwaysBeenThePresentOne, ()) {
   const int first = *rc::gen::inRange(0, 16);
   const int turn = *rc::gen::inRange(0, 16);
   Looking robot, other;

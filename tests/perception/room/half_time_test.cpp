@@ -25,7 +25,7 @@ std::vector<std::byte> bytes_of(const RoomAwareness& room) {
   return bytes;
 }
 
-RC_GTEST_PROP(Azimuth, HalfATurnIsExactThereAndBack, ()) {
+RC_GTEST_PROP(Azimuth, RotationBy180DegreesIsExact, ()) {
   const double azimuth = to_azimuth(*rc::gen::arbitrary<double>());
   RC_PRE(std::isfinite(azimuth));
   RC_ASSERT(azimuth > -kPi && azimuth <= kPi);
@@ -36,7 +36,7 @@ RC_GTEST_PROP(Azimuth, HalfATurnIsExactThereAndBack, ()) {
   RC_ASSERT(opposite(other) == azimuth && std::signbit(opposite(other)) == std::signbit(azimuth));
 }
 
-TEST(Azimuth, OfEachOfTheFourSidesHasItsOpposite) {
+TEST(Azimuth, OfEachOfTheFourSidesHasAnExactOpposite) {
   EXPECT_EQ(opposite(to_azimuth(0.0)), kPi);
   EXPECT_EQ(opposite(to_azimuth(-0.0)), kPi);
   EXPECT_EQ(opposite(to_azimuth(kPi)), 0.0);
@@ -61,7 +61,7 @@ RC_GTEST_PROP(HalfTime, DoneTwiceIsTheIdentityBitForBit, ()) {
   RC_ASSERT(bytes_of(robot.awareness) == before);
 }
 
-TEST(HalfTime, MakesTheModelThatIsLearnedFromTurnedPoses) {
+TEST(HalfTime, GivesTheModelThatIsLearnedFromRotatedPoses) {
   ScanningRobot robot(PaintedRoom::colorful(3), {}, 3), turned = robot;
   turned.belief = reflect(turned.truth);
   robot.run(10.0);
@@ -78,7 +78,7 @@ TEST(HalfTime, MakesTheModelThatIsLearnedFromTurnedPoses) {
   }
 }
 
-TEST(HalfTime, LeavesTheConfidencesOfParticlesAsIfNothingHadHappened) {
+TEST(HalfTime, DoesNotChangeTheConfidencesWithParticles) {
   RoomParameters parameters;
   parameters.view_filter.method = ViewMethod::particles;
   ScanningRobot robot(PaintedRoom::colorful(4), parameters, 4);
@@ -106,7 +106,7 @@ TEST(HalfTime, LeavesTheConfidencesOfParticlesAsIfNothingHadHappened) {
   }
 }
 
-TEST(HalfTime, LeavesTheConfidencesOfAGridAsIfNothingHadHappened) {
+TEST(HalfTime, DoesNotChangeTheConfidencesWithAGrid) {
   ScanningRobot robot(PaintedRoom::colorful(4), {}, 4);
   robot.run(15.0);
   robot.train = false;
@@ -125,7 +125,7 @@ TEST(HalfTime, LeavesTheConfidencesOfAGridAsIfNothingHadHappened) {
   }
 }
 
-TEST(HalfTime, TurnsTheViewParticlesWithTheWall) {
+TEST(HalfTime, RotatesTheViewParticlesWithTheWall) {
   RoomParameters parameters;
   parameters.view_filter.method = ViewMethod::particles;
   ScanningRobot robot(PaintedRoom::colorful(5), parameters, 5);

@@ -25,7 +25,7 @@ RC_GTEST_PROP(HistogramDistance, IsZeroToItselfAndNeverNegative, ()) {
   }
 }
 
-RC_GTEST_PROP(HistogramDistance, IsSymmetricButForTheDominantBins, ()) {
+RC_GTEST_PROP(HistogramDistance, IsSymmetricExceptForTheDominantBins, ()) {
   const ColorHistogram a = any_histogram();
   const ColorHistogram b = any_histogram();
   for (const Distance measure : kAll) {
@@ -35,13 +35,13 @@ RC_GTEST_PROP(HistogramDistance, IsSymmetricButForTheDominantBins, ()) {
   RC_ASSERT(distance(Distance::chi_square, a, b) == distance(Distance::chi_square, b, a));
 }
 
-RC_GTEST_PROP(HistogramDistance, IsAtMostOneForAllThatShareACap, ()) {
+RC_GTEST_PROP(HistogramDistance, IsAtMostOneForAllNormalizedMeasures, ()) {
   const ColorHistogram a = any_histogram();
   const ColorHistogram b = any_histogram();
   for (const Distance measure : kBounded) RC_ASSERT(distance(measure, a, b) <= 1.0 + 1e-6);
 }
 
-RC_GTEST_PROP(HistogramDistance, IsNoShorterByADetourForAllThatShareACap, ()) {
+RC_GTEST_PROP(HistogramDistance, SatisfiesTheTriangleInequalityForAllNormalizedMeasures, ()) {
   const ColorHistogram a = any_histogram();
   const ColorHistogram b = any_histogram();
   const ColorHistogram between = any_histogram();
@@ -52,7 +52,7 @@ RC_GTEST_PROP(HistogramDistance, IsNoShorterByADetourForAllThatShareACap, ()) {
 }
 
 /// Bits: digests depend on it.
-RC_GTEST_PROP(HistogramDistance, ManyAreThoseOfOneByOne, ()) {
+RC_GTEST_PROP(HistogramDistance, ToManyIsTheSameAsOneByOne, ()) {
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, 14);
   for (const Distance measure : kAll) {
     const ComparedHistogram perceived = prepared(measure, any_histogram());
@@ -71,7 +71,7 @@ TEST(HistogramDistance, IsOneBetweenHistogramsWithNothingInCommon) {
   EXPECT_NEAR(distance(Distance::ssd14, all_in(1), all_in(9)), 2.0, 1e-6);
 }
 
-TEST(HistogramDistance, SsdOverThreeBinsLooksAtThePerceivedHistogramsGreatest) {
+TEST(HistogramDistance, SsdOverThreeBinsUsesTheLargestBinsOfThePerceivedHistogram) {
   ColorHistogram perceived{};
   perceived[4] = 0.4f;
   perceived[7] = 0.3f;
@@ -85,7 +85,7 @@ TEST(HistogramDistance, SsdOverThreeBinsLooksAtThePerceivedHistogramsGreatest) {
   EXPECT_NEAR(distance(Distance::ssd14, perceived, model), 0.09 + 0.04 + 0.01 + 0.36, 1e-6);
 }
 
-TEST(HistogramDistance, ByHand) {
+TEST(HistogramDistance, MatchesExamples) {
   ColorHistogram half{};
   half[2] = 0.5f;
   half[3] = 0.5f;

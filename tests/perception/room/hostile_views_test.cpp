@@ -22,7 +22,7 @@ void expect_sound(const Confidences& confidences) {
   ASSERT_TRUE(std::isfinite(confidences.evidence));
 }
 
-TEST(HostileViews, LeaveTheConfidencesSoundAndTheModelAsItWas) {
+TEST(HostileViews, KeepTheConfidencesValidAndTheModelUnchanged) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   test::ScanningRobot robot(test::PaintedRoom::colorful(1), {}, 1);
   robot.run(6.0);
@@ -52,7 +52,7 @@ TEST(HostileViews, LeaveTheConfidencesSoundAndTheModelAsItWas) {
   EXPECT_GT(robot.awareness.confidences().visible_tiles, 3) << "and it goes on as if nothing had been";
 }
 
-TEST(HostileViews, TimeThatStandsStillJumpsOrIsNoNumberIsNoTime) {
+TEST(HostileViews, InvalidTimesDoNotCountAsTime) {
   test::ScanningRobot robot(test::PaintedRoom::colorful(1), {}, 1);
   robot.run(6.0);
   for (const double time : {robot.time, robot.time, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN(),
@@ -69,7 +69,7 @@ TEST(HostileViews, TimeThatStandsStillJumpsOrIsNoNumberIsNoTime) {
   expect_sound(robot.awareness.confidences());
 }
 
-RC_GTEST_PROP(HostileViews, AnyParametersGiveSoundConfidences, (std::uint64_t seed)) {
+RC_GTEST_PROP(HostileViews, AnyParametersGiveValidConfidences, (std::uint64_t seed)) {
   const auto number = [](double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; };
   RoomParameters parameters = *rc::gen::arbitrary<bool>() ? test::paper_recipe() : RoomParameters{};
   parameters.distance.measure = *rc::gen::element(Distance::ssd3, Distance::ssd14, Distance::hellinger,

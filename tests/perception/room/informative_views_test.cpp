@@ -45,13 +45,13 @@ struct GrayRoom {
   ViewChooser views;
 };
 
-TEST(ViewChooser, LooksWhereTheRoomDiffersFromItsReflection) {
+TEST(ViewChooser, ChoosesTheViewThatDiffersFromItsReflection) {
   GrayRoom room(0.8, 1.4);
   EXPECT_NEAR(room.choose(0.0).best_yaw, 1.1, 0.2);
   EXPECT_GT(room.choose(0.0).best_score, 5.0);
 }
 
-TEST(ViewChooser, LooksAheadWhereItsReachIsNegativeOrNotANumber) {
+TEST(ViewChooser, ChoosesStraightAheadIfTheReachIsNegativeOrNotANumber) {
   for (const double reach : {0.0, -1.0, -1e300, std::nan("")}) {
     GrayRoom room(0.0, 0.4);
     room.parameters.reach = reach;
@@ -59,7 +59,7 @@ TEST(ViewChooser, LooksAheadWhereItsReachIsNegativeOrNotANumber) {
   }
 }
 
-TEST(ViewChooser, LooksElsewhereOnceAPlaceWasLookedAt) {
+TEST(ViewChooser, ChoosesAnotherViewAfterAViewWasUsed) {
   GrayRoom room(-2.0, 2.0);
   const double first = room.choose(0.0).best_yaw;
   double second = first;
@@ -69,7 +69,7 @@ TEST(ViewChooser, LooksElsewhereOnceAPlaceWasLookedAt) {
   EXPECT_LT(room.choose(1.5).best_yaw, 0.8) << "the first place was forgotten meanwhile";
 }
 
-TEST(ViewChooser, PrefersWhatIsNear) {
+TEST(ViewChooser, PrefersNearViews) {
   GrayRoom room(-2.0, 2.0);
   room.parameters.speed = 0.2;
   EXPECT_NEAR(room.choose(0.9).best_yaw, 0.9, 0.1);
@@ -77,13 +77,13 @@ TEST(ViewChooser, PrefersWhatIsNear) {
   EXPECT_NEAR(room.choose(-0.5).best_yaw, -0.5, 0.1);
 }
 
-TEST(ViewChooser, FindsNothingToTellInARoomThatIsTheSameAllAround) {
+TEST(ViewChooser, FindsNoInformativeViewInAUniformRoom) {
   GrayRoom room(9.0, 9.0);
   EXPECT_EQ(room.choose(0.3).best_score, 0.0);
   EXPECT_EQ(room.choose(0.3).unknown_score, 0.0);
 }
 
-TEST(ViewChooser, LooksForWhatIsNotKnownYet) {
+TEST(ViewChooser, FindsUnknownParts) {
   GrayRoom room(9.0, 9.0);
   room.model.forget(room.wall.tiles());
   for (int tile = 0; tile < room.wall.tiles(); ++tile) {
@@ -99,7 +99,7 @@ TEST(ViewChooser, LooksForWhatIsNotKnownYet) {
   EXPECT_GE(room.choose(0.5).unknown_score, 3.0 * room.wall.rows());
 }
 
-TEST(ViewChooser, KnowsWhatWasLookedAtByItsNewNameAfterHalfATurn) {
+TEST(ViewChooser, KeepsViewingTimesAfterARotationBy180Degrees) {
   GrayRoom room(-3.2, 3.2);
   GrayRoom turned = room;
   for (int frame = 0; frame < 60; ++frame) {
@@ -113,7 +113,7 @@ TEST(ViewChooser, KnowsWhatWasLookedAtByItsNewNameAfterHalfATurn) {
       room.choose(0.4).best_yaw);
 }
 
-TEST(ViewChooser, SaysNothingFromOutsideOfTheWallOrNowhere) {
+TEST(ViewChooser, GivesNoViewOutsideOfTheWallOrAtAnInvalidPose) {
   GrayRoom room(0.8, 1.4);
   for (const Pose2& belief : {Pose2(20.0, 0.0, 0.0), Pose2(0.0, 0.0, std::numeric_limits<double>::quiet_NaN()),
                               Pose2(std::numeric_limits<double>::infinity(), 0.0, 0.0)}) {

@@ -30,7 +30,7 @@ TEST_F(RoomLight, IsNeutralBeforeAnythingWasSeen) {
   EXPECT_EQ(adaptation.light().cb, 128.0);
 }
 
-TEST_F(RoomLight, IsTheMeanOverTheTilesHoweverLongEachWasInView) {
+TEST_F(RoomLight, IsTheMeanOverTheTilesIndependentOfTheirTimeInView) {
   observe(adaptation, {0, 1, 2}, {100, 120, 130});
   for (int i = 0; i < 50; ++i) observe(adaptation, {3}, {140, 124, 134});
   EXPECT_NEAR(adaptation.light().luma, 110.0, 1e-9);
@@ -52,7 +52,7 @@ TEST_F(RoomLight, ForgetsTilesThatWereNotSeenForLong) {
   EXPECT_NEAR(adaptation.light().luma, 140.0, 1e-9);
 }
 
-TEST_F(RoomLight, BeginsAfreshAfterATimeWithoutWallInViewOrWithoutFrames) {
+TEST_F(RoomLight, RestartsAfterATimeWithoutWallInViewOrWithoutFrames) {
   observe(adaptation, {0, 1}, {100, 128, 128});
   for (int i = 0; i < 30; ++i) observe(adaptation, {}, {});
   EXPECT_NEAR(adaptation.light().luma, 100.0, 1e-9) << "nothing new is known yet";
@@ -62,7 +62,7 @@ TEST_F(RoomLight, BeginsAfreshAfterATimeWithoutWallInViewOrWithoutFrames) {
   EXPECT_NEAR(adaptation.light().luma, 70.0, 1e-9);
 }
 
-TEST(LightAdaptation, LeavesSaturatedAndBlackPixelsOut) {
+TEST(LightAdaptation, IgnoresSaturatedAndBlackPixels) {
   Image image(64, 1);
   for (int x = 0; x < 64; x += 8) {
     const std::uint8_t luma = x == 0 ? 255 : x == 8 ? 5 : 90;

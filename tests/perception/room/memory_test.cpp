@@ -25,7 +25,7 @@ void* operator new(std::size_t size) {
 namespace reorient {
 namespace {
 
-TEST(Memory, TheSteadyStateAllocatesNothing) {
+TEST(Memory, FramesAllocateNothingInTheSteadyState) {
   RoomParameters by_particles;
   by_particles.view_filter.method = ViewMethod::particles;
   for (const RoomParameters& parameters : {RoomParameters{}, test::paper_recipe(), by_particles}) {

@@ -27,7 +27,7 @@ TEST(ModelComparison, OfAModelWithItselfShowsNoDifference) {
   EXPECT_FALSE(comparison.is_turned());
 }
 
-TEST(ModelComparison, NamesTheTileThatWasPaintedOver) {
+TEST(ModelComparison, ListsTheTileThatWasPaintedOver) {
   const SavedModel before = some_model(1);
   std::vector<TileModel> tiles(before.model.tiles().begin(), before.model.tiles().end());
   tiles[77].mean = {};
@@ -40,7 +40,7 @@ TEST(ModelComparison, NamesTheTileThatWasPaintedOver) {
   EXPECT_NEAR(comparison.tiles[1].distance, 0.0, 1e-3);
 }
 
-RC_GTEST_PROP(ModelComparison, KnowsTheSameRoomOfAnotherDayTurnedOrNot, ()) {
+RC_GTEST_PROP(ModelComparison, RecognizesTheSameRoomOnAnotherDayRotatedOrNot, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const SavedModel first = some_model(seed, 0);
   SavedModel second = some_model(seed, 1);
@@ -49,7 +49,7 @@ RC_GTEST_PROP(ModelComparison, KnowsTheSameRoomOfAnotherDayTurnedOrNot, ()) {
   RC_ASSERT(compare(first, second).is_turned() && !compare(first, second).is_same_way());
 }
 
-TEST(ModelComparison, DoesNotGuessWhereNothingShowsIt) {
+TEST(ModelComparison, IsUndecidedWithoutEvidence) {
   const SavedModel symmetric = [] {
     SavedModel model = some_model(1);
     std::vector<TileModel> tiles(model.model.tiles().begin(), model.model.tiles().end());
@@ -73,7 +73,7 @@ TEST(ModelComparison, DoesNotGuessWhereNothingShowsIt) {
   EXPECT_FALSE(rooms.is_turned() || rooms.is_same_way()) << rooms.sides->as_it_is << " " << rooms.sides->turned;
 }
 
-RC_GTEST_PROP(MergedModel, IsTheSameWhoeverIsFirst, ()) {
+RC_GTEST_PROP(MergedModel, IsIndependentOfTheOrder, ()) {
   const SavedModel a = some_model(*rc::gen::arbitrary<std::uint64_t>(), 0, 0.1, *rc::gen::inRange(0, 48), 30);
   const SavedModel b = some_model(*rc::gen::arbitrary<std::uint64_t>(), 1, 0.1, *rc::gen::inRange(0, 48), 30);
   const SavedModel both = merged(a, b);
@@ -85,7 +85,7 @@ RC_GTEST_PROP(MergedModel, IsTheSameWhoeverIsFirst, ()) {
   }
 }
 
-TEST(MergedModel, IsTheMeanOverAllLooksAndTheirSpread) {
+TEST(MergedModel, HasTheMeanAndVarianceOfAllViews) {
   const auto one_tile = [](float share, int visits, double luma) {
     SavedModel model;
     model.basis.wall = {8.0, 0.7, 3.1, 1, 4};
@@ -110,7 +110,7 @@ TEST(MergedModel, IsTheMeanOverAllLooksAndTheirSpread) {
   EXPECT_EQ(both.model[1].visits, 0);
 }
 
-TEST(MergedModel, OfLooksWithoutNumberIsStillOne) {
+TEST(MergedModel, OfHugeNumbersOfViewsIsValid) {
   SavedModel model = some_model(1);
   std::vector<TileModel> tiles(model.model.tiles().begin(), model.model.tiles().end());
   for (TileModel& tile : tiles) {
@@ -124,7 +124,7 @@ TEST(MergedModel, OfLooksWithoutNumberIsStillOne) {
   EXPECT_EQ(bytes_of(read_model(bytes_of(both))), bytes_of(both));
 }
 
-TEST(MergedModel, OfTwoRobotsTellsMoreThanEither) {
+TEST(MergedModel, OfTwoRobotsGivesMoreEvidenceThanEither) {
   const test::PaintedRoom room = test::PaintedRoom::colorful(3);
   const auto learned_from = [&](const Pose2& place, std::uint64_t seed) {
     test::ScanningRobot robot(room, {}, seed);

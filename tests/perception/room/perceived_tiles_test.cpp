@@ -104,7 +104,7 @@ TEST(PerceivedTiles, PixelsBelongToTheTileThatTheirRayMeets) {
   }
 }
 
-TEST(PerceivedTiles, ATileWhollyInViewHasTheAreaThatIsExpected) {
+TEST(PerceivedTiles, ATileFullyInViewHasTheExpectedArea) {
   Scene scene;
   const PerceivedTiles tiles = scene.perceive();
   int whole = 0;
@@ -128,7 +128,7 @@ TEST(PerceivedTiles, TheReflectedBeliefSeesTheReflectedTiles) {
   for (const PerceivedTile& tile : tiles.tiles()) EXPECT_EQ(areas[wall.reflected(tile.tile)], tile.area);
 }
 
-TEST(PerceivedTiles, CoveredAreasAreLeftOut) {
+TEST(PerceivedTiles, CoveredAreasDoNotCount) {
   Scene scene;
   const std::vector<CoveredArea> covered = {
       {100, 50, 299, 400}, {280, 0, 330, 100}, {-50, -50, 3, 3}, {639, 0, 9999, 9999}};
@@ -177,7 +177,7 @@ TEST(PerceivedTiles, NearAndSlantingTilesDoNotCount) {
   EXPECT_GT(slanting, 0);
 }
 
-TEST(PerceivedTiles, SamplesAreEverySoManiethRow) {
+TEST(PerceivedTiles, SamplesAreEvenlySpacedRows) {
   Scene scene;
   PerceptionParameters parameters;
   parameters.sampled_rows = 480;
@@ -191,7 +191,7 @@ TEST(PerceivedTiles, SamplesAreEverySoManiethRow) {
   }
 }
 
-TEST(PerceivedTiles, ASmallerImageThanTheCamerasIsSeenThroughTheSameWindow) {
+TEST(PerceivedTiles, ASmallerImageThanTheCamerasHasTheSameFieldOfView) {
   Scene scene;
   const PerceivedTiles full = scene.perceive();
   Image small(320, 240);
@@ -203,7 +203,7 @@ TEST(PerceivedTiles, ASmallerImageThanTheCamerasIsSeenThroughTheSameWindow) {
   for (const PerceivedTile& tile : half.tiles()) EXPECT_NEAR(tile.coverage(), coverages[tile.tile], 0.1);
 }
 
-TEST(PerceivedTiles, NonsenseShowsNoTiles) {
+TEST(PerceivedTiles, InvalidInputShowsNoTiles) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const auto expect_none = [](const char* what, auto&& spoil) {

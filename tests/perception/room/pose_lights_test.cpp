@@ -47,7 +47,7 @@ struct TwoHalves {
   Light mean;
 };
 
-TEST(PoseLights, AreTheMeanLightWhereNothingIsKnown) {
+TEST(PoseLights, AreTheMeanLightWithoutKnownTiles) {
   TwoHalves room;
   room.model.forget(12);
   room.mean = {90.0, 131.0, 122.0};
@@ -56,7 +56,7 @@ TEST(PoseLights, AreTheMeanLightWhereNothingIsKnown) {
   EXPECT_EQ(room.lights.if_reflected().cr, 122.0);
 }
 
-TEST(PoseLights, FindTheLightThatThePoseImplies) {
+TEST(PoseLights, AreTheLightThatThePoseImplies) {
   TwoHalves room;
   room.parameters.caution = 0.0;
   const Light now{92.0, 131.0, 124.0};
@@ -67,14 +67,14 @@ TEST(PoseLights, FindTheLightThatThePoseImplies) {
   EXPECT_GT(room.lights.if_reflected().luma, 1.5 * now.luma) << "the dark half would have to be in a bright light";
 }
 
-TEST(PoseLights, BelieveTheMeanLightAsMuchAsSomeTiles) {
+TEST(PoseLights, WeightTheMeanLightAsSomeTiles) {
   TwoHalves room;
   room.parameters.caution = 6.0;
   room.look(0, 5, {230.0 / std::exp(0.5), 128.0, 128.0}, true);
   EXPECT_NEAR(std::log(room.lights.if_believed().luma / 115.0), 0.5 * (std::log(2.0) - 0.5), 1e-6);
 }
 
-TEST(PoseLights, StayWithinTheirBoundsAroundTheMeanLight) {
+TEST(PoseLights, StayWithinTheLimitsAroundTheMeanLight) {
   TwoHalves room;
   room.parameters.caution = 0.0;
   room.look(0, 5, {10.0, 20.0, 240.0}, true);
@@ -83,7 +83,7 @@ TEST(PoseLights, StayWithinTheirBoundsAroundTheMeanLight) {
   EXPECT_LE(room.lights.if_believed().cr, 128.0 + room.parameters.most_chroma);
 }
 
-TEST(PoseLights, TradePlacesWhenTheBeliefIsReflected) {
+TEST(PoseLights, AreExchangedWhenTheBeliefIsReflected) {
   TwoHalves room;
   room.look(0, 5, {100.0, 130.0, 126.0}, false);
   const Light believed = room.lights.if_believed();

@@ -48,7 +48,7 @@ class EachRecipe : public testing::TestWithParam<Recipe> {};
 INSTANTIATE_TEST_SUITE_P(RoomAwareness, EachRecipe, testing::Values(Recipe::adapted, Recipe::paper),
                          [](const auto& each) { return each.param == Recipe::paper ? "paper" : "adapted"; });
 
-TEST_P(EachRecipe, ARightBeliefWins) {
+TEST_P(EachRecipe, ACorrectBeliefGetsHighConfidence) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), parameters_of(GetParam()), seed);
     robot.awareness.on_flip();
@@ -58,7 +58,7 @@ TEST_P(EachRecipe, ARightBeliefWins) {
   }
 }
 
-TEST_P(EachRecipe, AReflectedBeliefLosesWithinSeconds) {
+TEST_P(EachRecipe, AReflectedBeliefGetsLowConfidenceWithinSeconds) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     ScanningRobot robot = trained_robot(PaintedRoom::colorful(seed), parameters_of(GetParam()), seed);
     turn_the_belief(robot);
@@ -69,7 +69,7 @@ TEST_P(EachRecipe, AReflectedBeliefLosesWithinSeconds) {
   }
 }
 
-TEST_P(EachRecipe, AFlipOfAReflectedBeliefMakesItWin) {
+TEST_P(EachRecipe, AFlipOfAReflectedBeliefGivesHighConfidence) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(5), parameters_of(GetParam()));
   turn_the_belief(robot);
   robot.run(6.0);
@@ -80,7 +80,7 @@ TEST_P(EachRecipe, AFlipOfAReflectedBeliefMakesItWin) {
   EXPECT_LT(robot.awareness.confidences().evidence, -5.0);
 }
 
-TEST(RoomAwareness, NoticesAReflectedBeliefUnderAnotherLight) {
+TEST(RoomAwareness, DetectsAReflectedBeliefUnderAnotherLight) {
   const Exposure lights[] = {{1.35, 0, 0}, {0.74, 0, 0}, {1.0, 12, -10}, {1.2, -10, 12}};
   for (const Exposure& light : lights) {
     ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), parameters_of(Recipe::adapted));
@@ -91,7 +91,7 @@ TEST(RoomAwareness, NoticesAReflectedBeliefUnderAnotherLight) {
   }
 }
 
-TEST(RoomAwareness, KeepsTrustInARightBeliefWhenTheLightChanges) {
+TEST(RoomAwareness, KeepsHighConfidenceInACorrectBeliefWhenTheLightChanges) {
   const Exposure lights[] = {{1.35, 0, 0}, {0.74, 0, 0}, {1.0, 12, -10}, {1.2, -10, 12}};
   for (const Exposure& light : lights) {
     ScanningRobot robot = trained_robot(PaintedRoom::colorful(4), parameters_of(Recipe::adapted));
@@ -104,14 +104,14 @@ TEST(RoomAwareness, KeepsTrustInARightBeliefWhenTheLightChanges) {
   }
 }
 
-TEST(RoomAwareness, TellsInformativeRoomsFromOthers) {
+TEST(RoomAwareness, DistinguishesInformativeRoomsFromOthers) {
   const RoomParameters parameters;
   EXPECT_GT(trained_robot(PaintedRoom::colorful(2), parameters).awareness.confidences().distinctiveness, 0.3);
   EXPECT_LT(trained_robot(PaintedRoom::symmetric(2), parameters).awareness.confidences().distinctiveness, 0.15);
   EXPECT_LT(trained_robot(PaintedRoom::plain(), parameters).awareness.confidences().distinctiveness, 0.05);
 }
 
-TEST(RoomAwareness, AWhiteRoomConvincesOfNothing) {
+TEST(RoomAwareness, AWhiteRoomGivesNoEvidence) {
   ScanningRobot robot = trained_robot(PaintedRoom::plain(), parameters_of(Recipe::adapted));
   turn_the_belief(robot);
   for (int i = 0; i < 20; ++i) {
@@ -122,7 +122,7 @@ TEST(RoomAwareness, AWhiteRoomConvincesOfNothing) {
   }
 }
 
-TEST(RoomAwareness, CoverageGrowsWithWhatWasSeen) {
+TEST(RoomAwareness, CoverageGrowsWithTheKnownTiles) {
   ScanningRobot robot(PaintedRoom::colorful(1), RoomParameters{}, 1);
   EXPECT_EQ(robot.awareness.confidences().coverage, 0.0);
   robot.run(1.0);
@@ -142,7 +142,7 @@ TEST(RoomAwareness, AnUntrainedRoomIsNoEvidence) {
   EXPECT_LT(robot.awareness.confidences().opposite, 0.35);
 }
 
-TEST(RoomAwareness, WithoutTrainingTheModelStaysAsItIs) {
+TEST(RoomAwareness, WithoutTrainingTheModelIsUnchanged) {
   ScanningRobot robot(PaintedRoom::colorful(1), RoomParameters{}, 1);
   robot.train = false;
   robot.run(1.0);
@@ -150,7 +150,7 @@ TEST(RoomAwareness, WithoutTrainingTheModelStaysAsItIs) {
   EXPECT_GT(robot.awareness.confidences().visible_tiles, 3);
 }
 
-TEST(RoomAwareness, LearnsTilesOfWhichMostIsInViewAndComparesOthersToo) {
+TEST(RoomAwareness, LearnsTilesThatAreMostlyInViewAndComparesOthersToo) {
   const PaintedRoom room = PaintedRoom::colorful(9);
   ScanningRobot robot(room, RoomParameters{}, 9);
   robot.awareness.update(robot.look());
@@ -171,7 +171,7 @@ TEST(RoomAwareness, LearnsTilesOfWhichMostIsInViewAndComparesOthersToo) {
   EXPECT_GT(compared_only, 0);
 }
 
-TEST(RoomAwareness, WithoutEvaluationFilterAndConfidencesRest) {
+TEST(RoomAwareness, WithoutEvaluationFilterAndConfidencesAreUnchanged) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), by_particles());
   const Confidences before = robot.awareness.confidences();
   const double azimuth = robot.awareness.view_filter().particles()[0].azimuth;
@@ -193,7 +193,7 @@ TEST(RoomAwareness, AdaptedConfidencesSurviveAPurgeButNotAFlip) {
   EXPECT_EQ(robot.awareness.confidences().current, 0.0);
 }
 
-TEST(RoomAwareness, ThePapersConfidencesStartFromZeroOnEverySignal) {
+TEST(RoomAwareness, ThePapersConfidencesStartFromZeroAfterEachCommand) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), parameters_of(Recipe::paper));
   for (void (RoomAwareness::*signal)() :
        {&RoomAwareness::on_flip, &RoomAwareness::on_purge, &RoomAwareness::on_reset}) {
@@ -205,7 +205,7 @@ TEST(RoomAwareness, ThePapersConfidencesStartFromZeroOnEverySignal) {
   }
 }
 
-TEST(RoomAwareness, AnotherWallForgetsTheModelAndAnotherNumberDoesNot) {
+TEST(RoomAwareness, AnotherWallResetsTheModelAndOtherChangesDoNot) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
   RoomParameters parameters = robot.awareness.parameters();
   parameters.view_filter.noise *= 2.0;
@@ -229,7 +229,7 @@ TEST(RoomAwareness, AnotherNumberOfParticlesTakesEffectAtOnce) {
   EXPECT_GT(robot.awareness.confidences().current, 0.5);
 }
 
-TEST(RoomAwareness, AnotherViewFilterTakesOverAtOnce) {
+TEST(RoomAwareness, AnotherViewFilterTakesEffectAtOnce) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(1), RoomParameters{});
   RoomParameters parameters = robot.awareness.parameters();
   for (const ViewMethod method : {ViewMethod::particles, ViewMethod::grid}) {
@@ -275,7 +275,7 @@ TEST(RoomAwareness, AJumpOfTheBeliefDoesNotMoveTheParticles) {
   EXPECT_NEAR(robot.awareness.view_filter().particles()[0].azimuth, before, 1e-9);
 }
 
-TEST(RoomAwareness, ParticlesTurnWithTheBody) {
+TEST(RoomAwareness, ParticlesRotateWithTheBody) {
   RoomParameters parameters = by_particles();
   parameters.view_filter.noise = 0.0;
   parameters.view_filter.injection = 0.0;

@@ -31,7 +31,7 @@ std::string refusal_of(const ModelBytes& bytes) {
   }
 }
 
-RC_GTEST_PROP(SavedModel, ComesBackFromItsBytesAsItWas, ()) {
+RC_GTEST_PROP(SavedModel, IsReadBackUnchanged, ()) {
   const SavedModel model = some_model(*rc::gen::arbitrary<std::uint64_t>(), 0, *rc::gen::inRange(0, 100) / 100.0,
                                       *rc::gen::inRange(0, 48), *rc::gen::inRange(0, 49));
   const ModelBytes bytes = bytes_of(model);
@@ -50,7 +50,7 @@ CameraBias some_bias() {
   return bias;
 }
 
-TEST(SavedModel, KeepsTheAnglesOfTheRobotThatLearnedIt) {
+TEST(SavedModel, ContainsTheAnglesOfTheRobotThatLearnedIt) {
   SavedModel model = some_model(1);
   model.camera_bias = KnownBias{1234, some_bias()};
   const SavedModel read = read_model(bytes_of(model));
@@ -83,7 +83,7 @@ TEST(SavedModel, OfTheFirstFormatIsReadWithoutAngles) {
   EXPECT_EQ(read.model.known_tiles(), model.model.known_tiles());
 }
 
-RC_GTEST_PROP(SavedModel, RotatedTwiceByHalfATurnIsUnchanged, ()) {
+RC_GTEST_PROP(SavedModel, RotatedTwiceBy180DegreesIsUnchanged, ()) {
   SavedModel model = some_model(*rc::gen::arbitrary<std::uint64_t>());
   const ModelBytes before = bytes_of(model);
   model.turn_half();

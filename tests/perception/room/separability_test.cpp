@@ -65,12 +65,12 @@ double gray(double) { return 0.5; }
 
 constexpr double kUnknown = 0.756;  // as experience has it
 
-TEST(Separability, IsAlmostCertainWhereNothingIsRepeated) {
+TEST(Separability, IsAlmostCertainInARoomWithoutRepetition) {
   for (const std::uint64_t seed : {1, 2, 3})
     EXPECT_GT(scanned(PaintedRoom::colorful(seed)).awareness.confidences().separability, 0.95) << seed;
 }
 
-TEST(Separability, IsImprobableInASymmetricRoomAndThenNothingIsEvidence) {
+TEST(Separability, IsImprobableInASymmetricRoomWhichThenGivesNoEvidence) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     ScanningRobot robot = scanned(PaintedRoom::symmetric(seed));
     EXPECT_LT(robot.awareness.confidences().separability, 0.1) << seed;
@@ -79,7 +79,7 @@ TEST(Separability, IsImprobableInASymmetricRoomAndThenNothingIsEvidence) {
   }
 }
 
-TEST(Separability, DoesNotScaleTheEvidenceWhereTheParametersSaySo) {
+TEST(Separability, DoesNotScaleTheEvidenceIfDisabled) {
   RoomParameters parameters;
   parameters.evidence.use_separability = false;
   ScanningRobot without = scanned(PaintedRoom::symmetric(1), parameters), with = scanned(PaintedRoom::symmetric(1));
@@ -90,7 +90,7 @@ TEST(Separability, DoesNotScaleTheEvidenceWhereTheParametersSaySo) {
   EXPECT_EQ(with.awareness.confidences().evidence, 0.0);
 }
 
-TEST(Separability, KnowsTwoAndFourEqualSides) {
+TEST(Separability, DetectsTwoAndFourEqualSides) {
   for (const int columns : {16, 32, 48, 64, 128}) {
     EXPECT_GT(KnownWall(columns, one_wave).probability(), 0.95) << columns;
     EXPECT_LT(KnownWall(columns, two_waves).probability(), 0.05) << columns;
@@ -100,7 +100,7 @@ TEST(Separability, KnowsTwoAndFourEqualSides) {
   }
 }
 
-TEST(Separability, IsAsExpectedWhereNothingDiffersOrTooLittleIsKnown) {
+TEST(Separability, HasThePriorValueIfNothingDiffersOrTooLittleIsKnown) {
   EXPECT_NEAR(KnownWall(48, gray).probability(), kUnknown, 0.01);
   EXPECT_NEAR(KnownWall(4, two_waves).probability(), kUnknown, 0.01) << "a wall without eighths";
   KnownWall few(48, two_waves);
@@ -110,14 +110,14 @@ TEST(Separability, IsAsExpectedWhereNothingDiffersOrTooLittleIsKnown) {
   EXPECT_LT(few.separability.probability(), 0.1);
 }
 
-TEST(Separability, IsAsExpectedWhereLooksAtOneTileDifferAsMuchAsTiles) {
+TEST(Separability, HasThePriorValueIfViewsOfOneTileDifferAsMuchAsTiles) {
   KnownWall wall(48, one_wave);
   EXPECT_GT(wall.probability(), 0.95);
   for (int i = 0; i < 600; ++i) wall.separability.note_misfit(0.9, 0.1);
   EXPECT_NEAR(wall.probability(), kUnknown, 0.01);
 }
 
-TEST(Separability, IsAboutTheMisfitOfTheLastTwentySeconds) {
+TEST(Separability, UsesTheMisfitOfTheLastTwentySeconds) {
   KnownWall wall(48, one_wave), other(48, one_wave);
   wall.separability.note_misfit(0.9, 1.0);
   for (int i = 0; i < 2000; ++i) {
@@ -127,14 +127,14 @@ TEST(Separability, IsAboutTheMisfitOfTheLastTwentySeconds) {
   EXPECT_NEAR(wall.probability(), other.probability(), 1e-3);
 }
 
-TEST(Separability, IsWorthNothingBelowOneHalf) {
+TEST(Separability, HasNoWeightBelowOneHalf) {
   KnownWall symmetric(48, two_waves);
   EXPECT_NEAR(symmetric.separability.weight(), 2.0 * kUnknown - 1.0, 0.01) << "before anything was seen";
   static_cast<void>(symmetric.probability());
   EXPECT_EQ(symmetric.separability.weight(), 0.0);
 }
 
-RC_GTEST_PROP(Separability, GoesOnFromItsBytes, ()) {
+RC_GTEST_PROP(Separability, ContinuesFromItsBytes, ()) {
   KnownWall wall(48, one_wave);
   const int columns = *rc::gen::inRange(0, 100);
   for (int i = 0; i < columns; ++i) {

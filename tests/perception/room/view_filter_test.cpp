@@ -36,7 +36,7 @@ RC_GTEST_PROP(ViewpointScores, TheBestCellIsTheTurnBetweenBeliefAndTruth, ()) {
   RC_ASSERT(std::abs(scores.distance(turn - 16.0) - scores.at(turn).distance) < 1e-9);
 }
 
-TEST(ViewpointScores, AViewThatPredictsNothingIsNoEvidence) {
+TEST(ViewpointScores, AnUnknownViewIsNoEvidence) {
   OneRow room;
   room.model.forget(16);
   for (int column = 0; column < 6; ++column) room.model.train(column, OneRow::colors_of(column), {1.0, 9.0, true, 0.0});
@@ -48,7 +48,7 @@ TEST(ViewpointScores, AViewThatPredictsNothingIsNoEvidence) {
   EXPECT_NEAR(room.compared.coverage(), 6.0 / 16.0, 1e-9);
 }
 
-RC_GTEST_PROP(ViewpointScores, WhatAppearsBesideItsTileIsFoundWithinTheTolerance, ()) {
+RC_GTEST_PROP(ViewpointScores, AViewBesideItsTileIsFoundWithinTheTolerance, ()) {
   const OneRow room;
   const int first = *rc::gen::inRange(0, 16), aside = *rc::gen::inRange(-1, 2), tolerance = *rc::gen::inRange(0, 3);
   for (const bool reflected : {false, true}) {
@@ -61,7 +61,7 @@ RC_GTEST_PROP(ViewpointScores, WhatAppearsBesideItsTileIsFoundWithinTheTolerance
   }
 }
 
-TEST(ViewpointScores, TilesOfAViewAreNotFoundEachOnAnotherSide) {
+TEST(ViewpointScores, TilesOfAViewAreMatchedTogether) {
   const OneRow room;
   std::vector<PerceivedTile> perceived;
   for (const auto& [tile, shown] : {std::pair{3, 2}, {4, 5}}) {
@@ -97,14 +97,14 @@ class ViewFilterBy : public ::testing::TestWithParam<ViewMethod> {
   ViewFilter filter{1};
 };
 
-TEST_P(ViewFilterBy, KnowsNothingAtFirst) {
+TEST_P(ViewFilterBy, StartsWithAUniformBelief) {
   for (double azimuth = -3.0; azimuth < 3.0; azimuth += 0.5)
     EXPECT_NEAR(filter.share_near(azimuth, from_degrees(30.0)), 1.0 / 6.0, 0.02);
   EXPECT_NEAR(filter.share_near(1.0, kPi), 1.0, 1e-9);
   EXPECT_TRUE(filter.is_made_for(parameters));
 }
 
-TEST_P(ViewFilterBy, FindsTheTurnAndForgetsTheRest) {
+TEST_P(ViewFilterBy, FindsTheRotationAndForgetsTheRest) {
   const double center = 0.4, truth = center + 6 * 2 * kPi / 16;
   look(6, center, 60);
   EXPECT_GT(filter.share_near(truth, from_degrees(20.0)), 0.8);
@@ -115,14 +115,14 @@ TEST_P(ViewFilterBy, FindsTheTurnAndForgetsTheRest) {
   EXPECT_GT(filter.clusters()[0].share, 0.8);
 }
 
-TEST_P(ViewFilterBy, FindsTheTurnFromAWrongBelief) {
+TEST_P(ViewFilterBy, FindsTheRotationFromAWrongBelief) {
   look(0, 0.0, 60);
   ASSERT_GT(filter.share_near(0.0, 0.5), 0.9);
   look(8, 0.0, 60);
   EXPECT_GT(filter.share_near(kPi, 0.5), 0.9);
 }
 
-TEST_P(ViewFilterBy, FollowsTheCameraRoundTheCircle) {
+TEST_P(ViewFilterBy, FollowsTheCameraAroundTheCircle) {
   look(0, 3.0, 60);
   const double before = filter.share_near(3.0, 0.5);
   ViewFilterParameters still = parameters;
@@ -131,7 +131,7 @@ TEST_P(ViewFilterBy, FollowsTheCameraRoundTheCircle) {
   EXPECT_NEAR(filter.share_near(3.0 + 3.71, 0.5), before, 1e-9);
 }
 
-TEST_P(ViewFilterBy, StaysWhereAViewSaysNothing) {
+TEST_P(ViewFilterBy, IsUnchangedByAViewWithoutEvidence) {
   look(0, 0.0, 60);
   const double before = filter.share_near(0.0, 0.5);
   OneRow unknown;
@@ -152,7 +152,7 @@ TEST_P(ViewFilterBy, HasAClusterThatIsNotCutAtTheBackOfTheCircle) {
   EXPECT_NEAR(std::abs(filter.clusters()[0].azimuth), kPi, 0.2);
 }
 
-TEST_P(ViewFilterBy, BeginsAnewWithAnotherMethodOrSize) {
+TEST_P(ViewFilterBy, RestartsWithAnotherMethodOrSize) {
   look(0, 0.0, 60);
   ViewFilterParameters others = parameters;
   others.particles = 30;
@@ -166,7 +166,7 @@ TEST_P(ViewFilterBy, BeginsAnewWithAnotherMethodOrSize) {
   EXPECT_FALSE(filter.is_made_for(others));
 }
 
-TEST_P(ViewFilterBy, TurnsByHalfATurnAndBackBitForBit) {
+TEST_P(ViewFilterBy, RotatedTwiceBy180DegreesHasTheSameBits) {
   look(3, 0.7, 20);
   filter.find_clusters();
   const std::vector<std::byte> before = bytes_of(filter);
@@ -178,7 +178,7 @@ TEST_P(ViewFilterBy, TurnsByHalfATurnAndBackBitForBit) {
   EXPECT_EQ(bytes_of(filter), before);
 }
 
-TEST_P(ViewFilterBy, GoesOnFromItsBytesAsIfItHadNeverStopped) {
+TEST_P(ViewFilterBy, ContinuesFromItsBytesWithoutDifference) {
   look(3, 0.7, 20);
   const std::vector<std::byte> bytes = bytes_of(filter);
   ViewFilter other(99);
@@ -193,7 +193,7 @@ TEST_P(ViewFilterBy, GoesOnFromItsBytesAsIfItHadNeverStopped) {
   EXPECT_EQ(bytes_of(filter), expected);
 }
 
-TEST_P(ViewFilterBy, RefusesBytesOfAnotherMethodOrSizeAndThoseThatAreSpoiled) {
+TEST_P(ViewFilterBy, RefusesBytesOfAnotherMethodOrSizeAndDamagedBytes) {
   look(3, 0.7, 20);
   filter.find_clusters();
   const std::vector<std::byte> bytes = bytes_of(filter);
@@ -258,7 +258,7 @@ TEST(ViewParticles, AreAllInClusters) {
   EXPECT_NEAR(share, 1.0, 1e-9);
 }
 
-TEST(Confidences, SmoothByATimeConstantOnceTheyAreOld) {
+TEST(Confidences, AreSmoothedWithTheTimeConstantLongAfterARestart) {
   const ConfidenceParameters parameters;
   constexpr double kOld = 1000.0;
   EXPECT_NEAR(smoothing_share(parameters, 3.0, kOld), 1.0 - std::exp(-1.0), 1e-12);
@@ -268,7 +268,7 @@ TEST(Confidences, SmoothByATimeConstantOnceTheyAreOld) {
   EXPECT_EQ(smoothing_share({.time_constant = 0.0}, 0.1, kOld), 1.0);
 }
 
-TEST(Confidences, ThatBeginAnewAreTheMeanOfWhatWasSeenSince) {
+TEST(Confidences, AreTheMeanSinceTheRestart) {
   constexpr double kStep = 0.1;
   Confidences confidences;
   const double raw[] = {0.9, 0.5, 0.7};
@@ -280,13 +280,13 @@ TEST(Confidences, ThatBeginAnewAreTheMeanOfWhatWasSeenSince) {
   EXPECT_NEAR(confidences.current, (0.9 + 0.5 + 0.7) / 3.0, 0.01) << "the later ones weigh a little more";
 }
 
-TEST(Confidences, GrowFromZeroWhereTheyAreToldTo) {
+TEST(Confidences, GrowFromZeroIfTheParametersRequireIt) {
   ConfidenceParameters paper;
   paper.true_mean_start = false;
   EXPECT_EQ(smoothing_share(paper, 0.1, 0.1), smoothing_share(paper, 0.1, 1000.0));
 }
 
-TEST(Confidences, AreSharesAroundBothViewCentersAndBehindTheGoals) {
+TEST(Confidences, AreTheWeightAroundBothViewCentersAndBehindTheGoals) {
   ViewFilter filter(1);
   filter.spread({.particles = 3600});
   Confidences confidences;

@@ -31,7 +31,7 @@ ViewGrid sure_of(double center, int cells, const OneRow& room) {
   return grid;
 }
 
-RC_GTEST_PROP(ViewGrid, NeitherLosesNorMakesBelief, (std::uint64_t seed)) {
+RC_GTEST_PROP(ViewGrid, KeepsTheSumOfTheBelief, (std::uint64_t seed)) {
   const OneRow room;
   const auto number = [](double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; };
   ViewGrid grid;
@@ -53,7 +53,7 @@ RC_GTEST_PROP(ViewGrid, NeitherLosesNorMakesBelief, (std::uint64_t seed)) {
   }
 }
 
-RC_GTEST_PROP(ViewGrid, HasTheShareOfAnArcOfItsTwoPartsTogether, ()) {
+RC_GTEST_PROP(ViewGrid, HasTheFractionOfAnArcAsTheSumOfItsTwoParts, ()) {
   const OneRow room;
   const int cells = *rc::gen::inRange(8, 200);
   const ViewGrid grid = sure_of(*rc::gen::inRange(-300, 301) / 100.0, cells, room);
@@ -67,7 +67,7 @@ RC_GTEST_PROP(ViewGrid, HasTheShareOfAnArcOfItsTwoPartsTogether, ()) {
   RC_ASSERT(std::abs(grid.share_near(middle, half) + grid.share_near(middle + kPi, kPi - half) - 1.0) < 1e-9);
 }
 
-RC_GTEST_PROP(ViewGrid, SpreadsByItsNoiseHoweverLongTheSteps, ()) {
+RC_GTEST_PROP(ViewGrid, SpreadsByItsNoiseIndependentOfTheSteps, ()) {
   const OneRow room;
   ViewGrid grid = sure_of(1.0, 96, room);
   std::vector<ViewCluster> before, after;
@@ -84,7 +84,7 @@ RC_GTEST_PROP(ViewGrid, SpreadsByItsNoiseHoweverLongTheSteps, ()) {
   RC_ASSERT(std::abs(angle_difference(after[0].azimuth, before[0].azimuth + 0.1 * steps)) < 0.02);
 }
 
-TEST(ViewGrid, IsNoBlurrierForTurns) {
+TEST(ViewGrid, IsNotBlurredByRotations) {
   const OneRow room;
   ViewGrid grid = sure_of(1.0, 96, room);
   ViewFilterParameters still;
@@ -98,7 +98,7 @@ TEST(ViewGrid, IsNoBlurrierForTurns) {
   }
 }
 
-TEST(ViewGrid, NeverForgetsAPlaceForGood) {
+TEST(ViewGrid, NeverExcludesAPositionForever) {
   const OneRow room;
   const ViewpointScores believed = room.scores(0, 0), opposite = room.scores(0, 8);
   ViewGrid grid;
@@ -115,7 +115,7 @@ TEST(ViewGrid, NeverForgetsAPlaceForGood) {
   EXPECT_GT(grid.share_near(kPi, 0.5), 0.95);
 }
 
-TEST(ViewGrid, HasAClusterForEachPeakAndNoneWhereNothingIsKnown) {
+TEST(ViewGrid, HasAClusterForEachPeakAndNoneInAUniformBelief) {
   const OneRow room;
   const ViewpointScores believed = room.scores(0, 0), opposite = room.scores(0, 8);
   ViewGrid grid;

@@ -71,7 +71,7 @@ struct SketchedView {
   bool drawn = false;
 };
 
-RC_GTEST_PROP(WallSketch, WhatItIsSureOfIsTrue, (std::uint64_t seed)) {
+RC_GTEST_PROP(WallSketch, CertainResultsAreCorrect, (std::uint64_t seed)) {
   const SketchedView view(seed);
   for (int ray = 0; ray <= kBandCells; ++ray) {
     if (!view.drawn) {
@@ -84,7 +84,7 @@ RC_GTEST_PROP(WallSketch, WhatItIsSureOfIsTrue, (std::uint64_t seed)) {
 }
 
 /// So that there is something to spare.
-RC_GTEST_PROP(WallSketch, ErrorsStayWithinHalfOfTheirBounds, (std::uint64_t seed)) {
+RC_GTEST_PROP(WallSketch, ErrorsStayWithinHalfOfTheBounds, (std::uint64_t seed)) {
   const SketchedView view(seed);
   for (int ray = 0; view.drawn && ray <= kBandCells; ++ray) {
     if (view.sketch.place(ray) < 0) continue;
@@ -96,7 +96,7 @@ RC_GTEST_PROP(WallSketch, ErrorsStayWithinHalfOfTheirBounds, (std::uint64_t seed
   }
 }
 
-RC_GTEST_PROP(WallSketch, ABorderItTellsRoundsAsTheExactOneDoes, (std::uint64_t seed)) {
+RC_GTEST_PROP(WallSketch, ACertainBorderRoundsToTheExactPixels, (std::uint64_t seed)) {
   const SketchedView view(seed);
   constexpr double kWidth = 16.0;
   for (int ray = 0; view.drawn && ray < kBandCells; ++ray) {
@@ -119,7 +119,7 @@ RC_GTEST_PROP(WallSketch, ABorderItTellsRoundsAsTheExactOneDoes, (std::uint64_t 
   }
 }
 
-TEST(WallSketch, IsSureOfNearlyAllThatARobotSees) {
+TEST(WallSketch, IsCertainOfNearlyAllThatARobotSees) {
   int sure = 0;
   int told = 0;
   int all = 0;
@@ -149,7 +149,7 @@ TEST(WallSketch, IsSureOfNearlyAllThatARobotSees) {
   EXPECT_GT(changes, all / 10);
 }
 
-TEST(WallSketch, IsNotDrawnForTooFewRaysNorForOnesFarOffTheAxis) {
+TEST(WallSketch, IsNotUsedForTooFewRaysOrRaysFarOffTheAxis) {
   std::vector<Eigen::Vector3d> rays(kBandCells, Eigen::Vector3d::UnitX());
   EXPECT_FALSE(BandRays::of(rays));
   for (const double far : {1e3, -1e3, std::nan("")}) {
@@ -160,7 +160,7 @@ TEST(WallSketch, IsNotDrawnForTooFewRaysNorForOnesFarOffTheAxis) {
   }
 }
 
-TEST(WallSketch, IsSureOfNothingWithoutWideInstructions) {
+TEST(WallSketch, IsCertainOfNothingWithoutWideInstructions) {
   const std::vector<Eigen::Vector3d> rays(kBandCells + 1, Eigen::Vector3d::UnitX());
   Isometry3 field_from_camera = Isometry3::Identity();
   field_from_camera.translation().z() = 1.0;
@@ -170,7 +170,7 @@ TEST(WallSketch, IsSureOfNothingWithoutWideInstructions) {
   EXPECT_EQ(sketch.place(0), WallSketch::kUnsure);
 }
 
-TEST(WallSketch, IsSureOfNothingNearTheWallNorWhereTheCameraLooksUp) {
+TEST(WallSketch, IsCertainOfNothingNearTheWallOrIfTheCameraLooksUp) {
   const Wall wall;
   const std::vector<Eigen::Vector3d> rays(kBandCells + 1, Eigen::Vector3d::UnitX());
   for (const bool is_near : {true, false}) {

@@ -45,7 +45,7 @@ RC_GTEST_PROP(Wall, ARayToAPointOfTheWallMeetsItThere, ()) {
   RC_ASSERT(std::abs(met->row - row) < 1e-6);
 }
 
-RC_GTEST_PROP(Wall, TheReflectedPoseLooksAtTheReflectedTile, ()) {
+RC_GTEST_PROP(Wall, TheReflectedPoseSeesTheReflectedTile, ()) {
   const Wall wall;
   const Pose2 pose = any_pose();
   const Isometry3 camera = test::standing_camera(any_number(-2, 2));
@@ -59,7 +59,7 @@ RC_GTEST_PROP(Wall, TheReflectedPoseLooksAtTheReflectedTile, ()) {
   RC_ASSERT(wall.reflected(wall.reflected(tile)) == tile);
 }
 
-TEST(Wall, CornersGoRoundTheTileAsSeenFromInside) {
+TEST(Wall, CornersAreInOrderAsSeenFromInside) {
   const Wall wall;
   const auto corners = wall.corners(wall.tile(1, 0));
   EXPECT_GT(corners[0].y(), corners[1].y()) << "left is left";
@@ -68,7 +68,7 @@ TEST(Wall, CornersGoRoundTheTileAsSeenFromInside) {
   EXPECT_NEAR(corners[2].y(), 0.0, 1e-9);
 }
 
-TEST(Wall, FromOutsideOrStraightUpNothingIsMet) {
+TEST(Wall, ARayFromOutsideOrStraightUpDoesNotMeetIt) {
   const Wall wall;
   EXPECT_FALSE(wall.meet({9, 0, 0.5}, {1, 0, 0}));
   EXPECT_FALSE(wall.meet({0, 0, 0.5}, {0, 0, 1}));
@@ -81,7 +81,7 @@ TEST(Wall, FromOutsideOrStraightUpNothingIsMet) {
   EXPECT_FALSE(view_center(wall, {0, 0, nan}, Isometry3::Identity()));
 }
 
-TEST(Wall, ManyAzimuthsAreThoseOfOneByOne) {
+TEST(Wall, ManyAzimuthsAreTheSameAsOneByOne) {
   const Wall wall;
   const Eigen::Vector2d from(2.5, -1.5);
   std::vector<double> angles(37);
@@ -96,7 +96,7 @@ TEST(Wall, ManyAzimuthsAreThoseOfOneByOne) {
   }
 }
 
-TEST(Wall, PointsOfTilesAreThoseOfTheirAzimuth) {
+TEST(Wall, PointsOfTilesMatchTheirAzimuth) {
   const Wall wall;
   for (const double column : {0.0, 0.5, 1.0, 7.3, 23.5, 47.5, 48.0, -1.0, 60.25}) {
     const Eigen::Vector2d expected = wall.radius() * unit_vector(column * wall.column_width());
@@ -104,7 +104,7 @@ TEST(Wall, PointsOfTilesAreThoseOfTheirAzimuth) {
   }
 }
 
-TEST(Wall, AbsurdNumbersStillMakeAWall) {
+TEST(Wall, ExtremeNumbersStillGiveAWall) {
   WallParameters parameters;
   parameters.radius = -1.0;
   parameters.columns = 0;
