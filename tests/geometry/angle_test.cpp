@@ -32,7 +32,7 @@ RC_GTEST_PROP(Angle, NormalizedKeepsItsDirectionAndItsRange, ()) {
   RC_ASSERT(std::abs(std::cos(normalized) - std::cos(angle)) < 1e-9);
 }
 
-/// Bits: digests depend on it.
+/// The bits must be equal, since digests depend on them.
 RC_GTEST_PROP(Angle, NormalizedIsTheRemainderToTheLastBit, (std::uint64_t seed)) {
   const auto by_remainder = [](double angle) {
     const double turned = std::remainder(angle, 2.0 * kPi);

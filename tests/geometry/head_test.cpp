@@ -51,11 +51,11 @@ TEST(Head, WithPitchBeforeYawLooksElsewhereWithTheSameAngles) {
   const Isometry3 yaw_first = robot_from_camera(robot, aside, {}, robot.torso_height);
   robot.neck_order = NeckOrder::pitch_then_yaw;
   const Isometry3 pitch_first = robot_from_camera(robot, aside, {}, robot.torso_height);
-  // Turned to the left and then nodded it looks down; nodded and then turned to the left it looks along its ears.
+  // With yaw first, the camera looks left and down; with pitch first, it looks left and level.
   EXPECT_LT(yaw_first.linear().col(0).z(), -0.4);
   EXPECT_NEAR(pitch_first.linear().col(0).z(), -robot.upper.tilt * std::cos(0.5), 0.01);
-  EXPECT_NEAR(yaw_first.translation().x(), 0.0, 1e-9) << "the second axis is above the first one";
-  EXPECT_GT(pitch_first.translation().x(), 0.04) << "and in front of it, where the neck is bent";
+  EXPECT_NEAR(yaw_first.translation().x(), 0.0, 1e-9) << "the second axis is directly above the first one";
+  EXPECT_GT(pitch_first.translation().x(), 0.04) << "the bent neck moves the second axis forward";
 }
 
 RC_GTEST_PROP(Head, ClampedIsWithinLimitsAndClampingAgainChangesNothing, ()) {

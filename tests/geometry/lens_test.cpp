@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lens models: projection and ray agree over the whole image, and with OpenCV's numbers.
+// Lens models: projection and ray agree over the whole image, and with the numbers of OpenCV.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -27,7 +27,7 @@ CameraModel camera_with(CameraProjection projection, const std::vector<double>& 
   return camera;
 }
 
-/// Principal point and aspect as a calibration finds them.
+/// Typical principal point and aspect of a calibration.
 void vary(CameraModel& camera) {
   camera.focal.y() *= between(0.98, 1.02);
   camera.center += Eigen::Vector2d(between(-15.0, 15.0), between(-15.0, 15.0));
@@ -212,8 +212,8 @@ TEST(Lens, WithHostileNumbersIsRefusedAndNeverCrashes) {
   folded.p1 = 1e-4;
   EXPECT_NE(mistake_in(folded).find("the distortion folds back"), std::string::npos);
   EXPECT_NE(mistake_in(camera_with(CameraProjection::fisheye, {-0.5, 0.0, 0.0, 0.0}, 190.0)), "");
-  EXPECT_NE(mistake_in(camera_with(CameraProjection::fisheye, {}, 60.0)), "") << "its corners look all around";
-  EXPECT_NE(mistake_in(camera_with(CameraProjection::equirectangular, {}, 60.0)), "") << "more than a turn";
+  EXPECT_NE(mistake_in(camera_with(CameraProjection::fisheye, {}, 60.0)), "") << "more than 360 degrees in the corners";
+  EXPECT_NE(mistake_in(camera_with(CameraProjection::equirectangular, {}, 60.0)), "") << "more than 360 degrees";
   cameras.push_back(folded);
   for (const CameraModel& camera : cameras) {
     for (const double u : {0.0, 271.5, 543.0, 1e9, -1e300, nan}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same bits everywhere: how near they are to the truth, and that many at once are the same as one by one.
+// Pinned functions: their accuracy, and the equality of single and vectorized calls.
 #include "geometry/pinned_math.h"
 
 #include <cmath>
@@ -112,7 +112,7 @@ TEST(PinnedMath, GivesTheSameBitsForManyAsForOne) {
   }
 }
 
-/// If this number differs on a machine, so will every digest.
+/// If this number differs on a machine, every digest differs, too.
 TEST(PinnedMath, GivesTheSameBitsOnEveryMachine) {
   Random random(3);
   std::uint64_t hash = 0;

@@ -8,9 +8,9 @@ namespace reorient {
 namespace {
 
 Pose2 any_pose() {
-  const auto metres = [] { return *rc::gen::inRange(-8000, 8000) * 1e-3; };
-  const double x = metres();
-  const double y = metres();
+  const auto meters = [] { return *rc::gen::inRange(-8000, 8000) * 1e-3; };
+  const double x = meters();
+  const double y = meters();
   return {x, y, *rc::gen::inRange(-7000, 7000) * 1e-3};
 }
 

@@ -15,7 +15,7 @@ TEST(Random, RepeatsASeedAndDiffersBetweenSeedsAndStreams) {
 }
 
 TEST(Random, BeginsWithTheRecordedNumbers) {
-  // Recorded once: a change of these is a change of every digest.
+  // Recorded once. A change of these numbers changes every digest.
   Random random(1);
   EXPECT_EQ(random(), 14971601782005023387ull);
 }

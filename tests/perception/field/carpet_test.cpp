@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which color the carpet has, and where it ends.
+// The color of the carpet, and its border.
 #include <array>
 #include <cstddef>
 #include <utility>

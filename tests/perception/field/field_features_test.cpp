@@ -156,10 +156,10 @@ TEST(FieldFeatures, DoNotMistakeAPoleFarAwayForAPost) {
 }
 
 TEST(FieldFeatures, DoNotMistakeALetterOnAGreenBannerForAPost) {
-  const Stand here(640, 480, {3.6, 0.0, 0.0}, {0.0, 0.0});  // close to the border, and a floor of wood behind it
+  const Stand here(640, 480, {3.6, 0.0, 0.0}, {0.0, 0.0});  // close to the border, with a wooden floor behind it
   const FlatField field;
   Image image = here.see(field);
-  // Letters as tall as a post at 6 m, with their feet where it would stand.
+  // Letters as tall as a post at 6 m, with their feet at the base of such a post.
   const auto pixel = [&](double x, double y, double z) {
     return *here.camera.project(here.robot_from_camera.inverse() * Eigen::Vector3d(x, y, z));
   };
@@ -174,12 +174,12 @@ TEST(FieldFeatures, DoNotMistakeALetterOnAGreenBannerForAPost) {
   };
   FieldFeatures features({}, field.field);
   const auto posts_on = [&](const Ycbcr& floor) {
-    percept_in(features, here.see(field).view(), here.camera, here.robot_from_camera);  // the carpet
+    percept_in(features, here.see(field).view(), here.camera, here.robot_from_camera);  // learns the carpet
     draw(floor);
     return percept_in(features, image.view(), here.camera, here.robot_from_camera).goal_posts.size();
   };
   EXPECT_EQ(posts_on({110, 108, 150}), 0u);
-  EXPECT_EQ(posts_on(field.colors.carpet), 2u) << "on carpet they are posts";
+  EXPECT_EQ(posts_on(field.colors.carpet), 2u) << "the same letters on carpet are posts";
 }
 
 TEST(FieldFeatures, SeeLinesWhileTheTorsoSways) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images and parts of images of one color.
+// Images, or parts of images, with one color.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// From a left and top pixel to before a right and bottom one, as far as they are in the image; `left` and `right` are
+/// Fills the part of the rectangle inside of the image, excluding the right and bottom pixels. `left` and `right` are
 /// rounded down to even numbers.
 inline void fill(Image& image, int left, int top, int right, int bottom, const Ycbcr& color) {
   for (int y = std::max(top, 0); y < std::min(bottom, image.height()); ++y) {

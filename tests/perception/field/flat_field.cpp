@@ -22,7 +22,7 @@ void nearer(NearestLine& best, const NearestLine& other) {
   if (other.distance < best.distance) best = other;
 }
 
-/// An area open towards its goal line, on the goal's side `side` (+1 or -1).
+/// An area that is open toward its goal line, on the side `side` (+1 or -1).
 void area(NearestLine& best, const FieldDimensions& f, double side, double depth, double width, const Vector2d& point) {
   if (depth <= 0.0) return;
   const double goal_line = side * 0.5 * f.length;
@@ -37,7 +37,7 @@ bool is_carpet(const FieldDimensions& f, const Vector2d& point) {
   return std::abs(point.x()) < 0.5 * f.length + f.border && std::abs(point.y()) < 0.5 * f.width + f.border;
 }
 
-/// Where a ray enters a box (slab method); nothing: infinity.
+/// Distance at which a ray enters a box (slab method). Infinity if it does not.
 double enter(const Box& box, const Vector3d& origin, const Vector3d& ray) {
   const double half = 0.5 * box.width;
   const std::array<double, 3> low{box.position.x() - half, box.position.y() - half, 0.0};
@@ -54,7 +54,7 @@ double enter(const Box& box, const Vector3d& origin, const Vector3d& ray) {
   return in <= out ? in : std::numeric_limits<double>::infinity();
 }
 
-/// The same of a sphere on the ground.
+/// The same for a sphere on the ground.
 double enter(const Sphere& sphere, const Vector3d& origin, const Vector3d& ray) {
   const Vector3d out = origin - Vector3d(sphere.position.x(), sphere.position.y(), sphere.radius);
   const double a = ray.squaredNorm(), b = out.dot(ray), c = out.squaredNorm() - sphere.radius * sphere.radius;

@@ -20,7 +20,7 @@ struct Colors {
   Ycbcr post{200, 126, 130};
 };
 
-/// Something upright on the field that fills a square footprint.
+/// An upright object on the field with a square footprint.
 struct Box {
   Eigen::Vector2d position;
   double width = 0.1;
@@ -28,7 +28,7 @@ struct Box {
   Ycbcr color;
 };
 
-/// It touches the ground.
+/// A ball that touches the ground.
 struct Sphere {
   Eigen::Vector2d position;
   double radius = 0.05;

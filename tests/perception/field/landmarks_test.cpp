@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 
 Stand at(const Pose2& pose, const HeadAngles& head = {0.0, 0.25}) { return {640, 480, pose, head}; }
 
-/// The mean squared error, normalized by the covariance, must not be beyond what a covariance of two dimensions allows.
+/// The squared error, normalized by the covariance, must be possible for a covariance of two dimensions.
 void expect_within(const Vector2d& error, const Eigen::Matrix2d& covariance) {
   EXPECT_LT(error.dot(covariance.inverse() * error), 9.2);  // 99 %
   EXPECT_GT(covariance.determinant(), 0.0);

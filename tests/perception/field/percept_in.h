@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one image shows, as a value.
+// The percept of one image, as a value.
 #pragma once
 
 #include "geometry/transform.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Picture files for tests: PNG in and out, and a raw YUYV dump. For tests alone: they throw on any trouble.
+// Picture files for tests: reads and writes PNG, reads raw YUYV. They throw on any error.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// An RGB picture as a camera would have delivered it (full range BT.601); the width is cut to an even number.
+/// An RGB picture converted to the format of a camera (full range BT.601). The width is reduced to an even number.
 Image read_png(const std::filesystem::path& file);
 
 /// `header` bytes, then rows of 2 * width bytes.

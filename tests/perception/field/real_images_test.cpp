@@ -48,7 +48,7 @@ TEST_F(RealImages, ShowTheCenterCircleInADimHall) {
   const FieldPercept percept = percept_in(features, real.image.view(), real.camera, real.robot_from_camera);
   EXPECT_GE(points_along(percept, 0, 103, 150, 95, 4), 5);  // halfway line
   EXPECT_GE(points_along(percept, 0, 127, 90, 124, 4), 6);  // the circle's near arc
-  for (const LinePoint& point : percept.line_points) {      // and nothing on the plain carpet, the ball, the boards
+  for (const LinePoint& point : percept.line_points) {      // nothing on the plain carpet, the ball, the boards
     EXPECT_LT(point.pixel.y(), 140.0f);
     EXPECT_GT(point.pixel.y(), 80.0f);
   }

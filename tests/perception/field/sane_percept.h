@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds for every percept, whatever the image shows.
+// Invariants of every percept, for any image.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ inline bool is_covariance(const Eigen::Matrix2d& matrix) {
          matrix.determinant() >= -kRounding * scale;
 }
 
-/// What of it cannot be, of an image of this size; empty: nothing.
+/// What is impossible in the percept of an image of this size. Empty if it is valid.
 inline std::string mistake_in(const FieldPercept& percept, int width, int height) {
   const auto is_inside = [&](const Eigen::Vector2f& pixel) {
     return pixel.x() >= 0.0f && pixel.x() < static_cast<float>(width) && pixel.y() >= 0.0f &&

@@ -67,7 +67,7 @@ RC_GTEST_PROP(GroundProjection, FindsTheGroundPointThatAPixelShows, ()) {
   RC_ASSERT((*again - pixel).norm() < 1e-2);
 }
 
-/// As above, through lenses whose horizon is a curve.
+/// The same for lenses whose horizon is a curve.
 RC_GTEST_PROP(GroundProjection, FindsGroundAndHorizonThroughAWideLens, (bool fisheye)) {
   Lens lens;
   lens.projection = fisheye ? CameraProjection::fisheye : CameraProjection::equirectangular;

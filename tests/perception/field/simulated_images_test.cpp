@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How good the field features are in the simulator's images, with its blur, noise, vignetting, people and other robots.
-// The camera's place is the true one, so that what is measured is the vision and not the inertial unit.
+// Quality of the field features in the simulator's images, with blur, noise, vignetting, people and other robots. The
+// camera's pose is the true one, so the tests measure the vision and not the inertial unit.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class SimulatedImages : public testing::TestWithParam<Look> {
 
 struct Bar {
   PerceptKind kind;
-  double distance;  ///< m, up to which it counts
+  double distance;  ///< m, largest distance that counts
   int least_in_view;
   double precision, recall;
 };

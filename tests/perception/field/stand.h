@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot that stands on the flat field of the tests, and what the field vision sees from there.
+// A robot that stands on the flat field of the tests, and its field features.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// A NAO that stands somewhere on the field, its camera, and where that really is.
+/// A NAO on the field, its camera, and the true pose of the camera.
 struct Stand {
   CameraModel camera;
   Isometry3 robot_from_camera;
@@ -34,7 +34,7 @@ inline FieldPercept percept_of(const FlatField& scene, const Stand& stand) {
   return percept_in(features, image.view(), stand.camera, stand.robot_from_camera);
 }
 
-/// What a field of these colors shows to a robot that has stood there for some images.
+/// The percept of a robot that has stood on a field of these colors for some images.
 inline FieldPercept percept_after(const FlatField& scene, const Stand& stand, int images) {
   FieldFeatures features({}, scene.field);
   const Image image = stand.see(scene);
@@ -47,7 +47,7 @@ inline bool is_empty(const FieldPercept& percept) {
   return percept.line_points.empty() && percept.goal_posts.empty() && percept.obstacles.empty();
 }
 
-/// Share of line points that lie on a true line, and of those whose normal is that line's.
+/// Checks the fraction of line points on a true line, and the fraction of them with the normal of that line.
 inline void expect_line_points_on_lines(const FieldPercept& percept, const FlatField& scene, const Stand& stand) {
   int misplaced = 0;
   int twisted = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many line points a wide lens gives for each meter of line that it sees, compared with a pinhole of the usual
-// field of view on the same body. The camera's place is the true one, so that what is measured is the vision and the
-// lens.
+// Number of line points per meter of visible line for a wide lens, compared with a pinhole of the usual field of view
+// on the same body. The camera's pose is the true one, so the test measures the vision and the lens.
 #include <cstdio>
 #include <filesystem>
 
@@ -29,7 +28,7 @@ struct LineScore {
   double points_per_meter() const { return (points - misplaced) / meters; }
 };
 
-/// All places on lines, kStep apart.
+/// All positions on lines, kStep apart.
 std::vector<Eigen::Vector2d> places_on_lines(const FieldDimensions& field) {
   std::vector<Eigen::Vector2d> places;
   for (const FieldLine& line : field_lines(field)) {
@@ -88,7 +87,7 @@ LineScore look_around(const RobotBody& body, const FieldDimensions& field, int w
 
 RobotBody body_named(const std::string& file) { return load_body(std::filesystem::path(kSourceFolder) / file); }
 
-/// The same body behind a pinhole of the NAO's fields of view.
+/// The same body with a pinhole camera that has the NAO's fields of view.
 RobotBody with_usual_pinhole(RobotBody body) {
   body.upper_camera = {};
   body.upper_camera.k1 = 0.0;

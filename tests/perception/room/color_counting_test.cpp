@@ -22,12 +22,12 @@ std::vector<Instructions> offered_here() {
   return result;
 }
 
-/// Random bytes in rows of any stride, without a byte to spare at the end: reading too far is an error under asan.
+/// Random bytes in rows of any stride. No spare byte at the end, so reading too far is an error under asan.
 struct Noise {
   Noise(int width, int height, int gap, std::uint64_t seed) : stride(2 * width + gap) {
     Random random(seed);
     bytes.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height) - static_cast<std::size_t>(gap));
-    // Half of the values near the thresholds, where mistakes would be.
+    // Half of the values are near the thresholds, where errors are most likely.
     for (std::uint8_t& value : bytes) {
       value = static_cast<std::uint8_t>(random.uniform() < 0.5 ? random.below(256) : 118 + random.below(20));
     }
@@ -38,7 +38,7 @@ struct Noise {
   ImageView view;
 };
 
-/// Those of some light, or any nine bytes: ranges that are empty and slices in the wrong order, too.
+/// Thresholds of some light, or any nine bytes, which include empty ranges and slices in the wrong order.
 ColorThresholds any_thresholds() {
   const auto byte = [] { return *rc::gen::arbitrary<std::uint8_t>(); };
   if (*rc::gen::arbitrary<bool>()) {
@@ -50,7 +50,7 @@ ColorThresholds any_thresholds() {
   return {byte(), byte(), byte(), byte(), byte(), byte(), byte(), byte(), byte()};
 }
 
-/// By the definition and by nothing else.
+/// The reference: counts by the definition only.
 ColorCounts counts_by_definition(const ImageView& image, const PixelBlock& block, int row_step,
                                  const ColorThresholds& thresholds) {
   ColorCounts counts{};
@@ -69,11 +69,11 @@ TEST(ColorCounting, ThePortableVersionIsSupportedEverywhere) {
 TEST(ColorCounting, TheWidestSupportedVersionIsSelected) {
   EXPECT_EQ(widest_instructions(), offered_here().back());
 #ifdef __x86_64__
-  EXPECT_TRUE(offered(Instructions::sse4)) << "the rest of the program needs it, too";
+  EXPECT_TRUE(offered(Instructions::sse4)) << "the whole program requires it";
   EXPECT_EQ(offered(Instructions::avx2), __builtin_cpu_supports("avx2") != 0);
 #endif
 #ifdef __aarch64__
-  EXPECT_TRUE(offered(Instructions::neon)) << "there is no such processor without";
+  EXPECT_TRUE(offered(Instructions::neon)) << "each 64-bit ARM processor has it";
 #endif
 }
 
@@ -93,7 +93,7 @@ RC_GTEST_PROP(ColorCounting, EveryVersionCountsByTheDefinition, ()) {
   }
 }
 
-/// A block may be counted in any number of parts, and what is there already stays.
+/// A block may be counted in any number of parts, and existing counts remain.
 RC_GTEST_PROP(ColorCounting, AddsToTheCounts, (std::uint64_t seed)) {
   const Noise image(128, 16, 0, seed);
   const int border = *rc::gen::inRange(0, 129);
@@ -109,7 +109,7 @@ RC_GTEST_PROP(ColorCounting, AddsToTheCounts, (std::uint64_t seed)) {
 
 TEST(ColorCounting, EveryColorHasTheSameBinInEveryVersion) {
   for (const ColorThresholds& thresholds : {ColorThresholds{}, color_thresholds({}, {57.5, 120.0, 140.5})}) {
-    Image image(512, 256);  // for each luma all of Cb and Cr
+    Image image(512, 256);  // for each luma, all Cb and Cr
     for (int luma = 0; luma < 256; luma += 5) {
       for (int cr = 0; cr < 256; ++cr) {
         for (int cb = 0; cb < 256; ++cb) {

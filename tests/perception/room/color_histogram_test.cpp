@@ -54,7 +54,7 @@ TEST(ColorHistogram, ThresholdsStayInByteRangeUnderExtremeLight) {
   EXPECT_EQ(bright.cr_neutral, 0);
 }
 
-/// Shares that sum up to 1.
+/// Fractions with the sum 1.
 RC_GTEST_PROP(ColorHistogram, BlurringKeepsTheSumAndDoesNotChangeAUniformHistogram, ()) {
   const ColorHistogram histogram = any_histogram();
   const double share = *rc::gen::inRange(0, 26) / 100.0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLook = 1.0 / 30.0;  // s
 
-/// Looks at columns first...first + 3 of a wall that is turned by `turn` columns against the belief.
+/// Adds a view of the columns first...first + 3 of a wall that is rotated by `turn` columns relative to the belief.
 class Looking {
  public:
   void look(int first, int turn, double seconds) {
@@ -66,7 +66,7 @@ TEST(Evidence, IgnoresPositionsWithTwoUnknownTiles) {
   EXPECT_TRUE(room.scores(5, 0).places().empty());
 }
 
-/// The log-odds after a look at four tiles that were trained for `one` s, and their reflections for `other` s.
+/// The log-odds after a view of four tiles that were trained for `one` s, and their reflections for `other` s.
 double log_odds_after(double one, double other) {
   constexpr int kSeen = 4;  // columns
   const auto trained = [&](int column) {
@@ -129,7 +129,7 @@ TEST(Evidence, OfASymmetricWallIsZero) {
   EXPECT_EQ(robot.room.compared.distinctiveness(), 0.0);
 }
 
-/// Ten of sixteen columns are known: two pairs with their reflections, and six for one of the poses only.
+/// Ten of sixteen columns are known: two pairs with their reflections, and six for only one of the poses.
 struct HalfKnown : Looking {
   HalfKnown() {
     room.model.forget(16);

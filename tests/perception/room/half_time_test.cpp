@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Half-time: the axes turn, and what is known of the room turns with them.
+// Half-time: the axes rotate by 180 degrees, and everything known about the room with them.
 #include <cmath>
 #include <cstddef>
 #include <vector>

@@ -47,11 +47,11 @@ RC_GTEST_PROP(HistogramDistance, SatisfiesTheTriangleInequalityForAllNormalizedM
   const ColorHistogram between = any_histogram();
   for (const Distance measure : kBounded) {
     const double detour = distance(measure, a, between) + distance(measure, between, b);
-    RC_ASSERT(distance(measure, a, b) <= detour + 2e-3);  // roots of what single precision rounds off
+    RC_ASSERT(distance(measure, a, b) <= detour + 2e-3);  // square roots of rounding errors in single precision
   }
 }
 
-/// Bits: digests depend on it.
+/// The bits must be equal, since digests depend on them.
 RC_GTEST_PROP(HistogramDistance, ToManyIsTheSameAsOneByOne, ()) {
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, 14);
   for (const Distance measure : kAll) {

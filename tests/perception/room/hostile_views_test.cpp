@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Views that no healthy robot delivers, in any order: nothing may crash, no confidence may leave its range.
+// Invalid views in any order. They must not crash the program or move a confidence out of its range.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -49,7 +49,7 @@ TEST(HostileViews, KeepTheConfidencesValidAndTheModelUnchanged) {
   });
   try_view([](RoomObservation& view) { view.camera.height = 0; });
   robot.run(3.0);
-  EXPECT_GT(robot.awareness.confidences().visible_tiles, 3) << "and it goes on as if nothing had been";
+  EXPECT_GT(robot.awareness.confidences().visible_tiles, 3) << "valid views are processed as before";
 }
 
 TEST(HostileViews, InvalidTimesDoNotCountAsTime) {

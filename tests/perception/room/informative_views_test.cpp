@@ -21,7 +21,7 @@ Isometry3 camera_at(double yaw) {
   return camera;
 }
 
-/// A gray room, with red on the wall where it is told, all of it known. The robot stands in the middle.
+/// A gray room with red on the wall between two azimuths, all of it known. The robot stands in the center.
 struct GrayRoom {
   explicit GrayRoom(double red_from, double red_to) {
     model.forget(wall.tiles());
@@ -66,7 +66,7 @@ TEST(ViewChooser, ChoosesAnotherViewAfterAViewWasUsed) {
   for (int frame = 0; frame < 30; ++frame) second = room.choose(first).best_yaw;
   EXPECT_GT(std::abs(second - first), 0.3);
   for (int frame = 0; frame < 600; ++frame) room.choose(1.5);
-  EXPECT_LT(room.choose(1.5).best_yaw, 0.8) << "the first place was forgotten meanwhile";
+  EXPECT_LT(room.choose(1.5).best_yaw, 0.8) << "the viewing time of the first view has faded";
 }
 
 TEST(ViewChooser, PrefersNearViews) {

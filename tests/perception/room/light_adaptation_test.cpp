@@ -55,7 +55,7 @@ TEST_F(RoomLight, ForgetsTilesThatWereNotSeenForLong) {
 TEST_F(RoomLight, RestartsAfterATimeWithoutWallInViewOrWithoutFrames) {
   observe(adaptation, {0, 1}, {100, 128, 128});
   for (int i = 0; i < 30; ++i) observe(adaptation, {}, {});
-  EXPECT_NEAR(adaptation.light().luma, 100.0, 1e-9) << "nothing new is known yet";
+  EXPECT_NEAR(adaptation.light().luma, 100.0, 1e-9) << "the new light is not known yet";
   observe(adaptation, {2}, {50, 128, 128});
   EXPECT_NEAR(adaptation.light().luma, 50.0, 1e-9);
   observe(adaptation, {3}, {70, 128, 128}, 5.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts allocations: a frame of room awareness makes none once it has seen a few.
+// Counts allocations: room awareness allocates nothing after a few frames.
 #include <cmath>
 #include <cstdlib>
 #include <new>
@@ -18,7 +18,7 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-// Not inlined: the compiler would see a pointer of operator new be freed, and warn.
+// Not inlined: otherwise the compiler sees that a pointer of operator new is freed, and warns.
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two models: of one room on two days, of two halves of it, of two rooms, and one of them turned by half a turn.
+// Two models: of one room on two days, of two parts of it, of two rooms, and with one of them rotated by 180 degrees.
 #include "perception/room/model_comparison.h"
 
 #include <algorithm>

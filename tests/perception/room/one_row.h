@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small wall that is known.
+// A small wall that is fully known.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// A wall of one row whose every column has colors of its own, and what a camera sees of it.
+/// A wall with one row in which each column has different colors, and the tiles that a camera perceives.
 struct OneRow {
   static constexpr double kTrained = 60.0;  // s, each column
   OneRow() {
@@ -26,7 +26,7 @@ struct OneRow {
     histogram[static_cast<std::size_t>((3 * column + 1) % 14)] += 0.3f;
     return histogram;
   }
-  /// The scores if the belief says that columns first...first + 3 are in view, and they are `turn` further left.
+  /// The scores if the believed view shows columns first...first + 3, and the true view is `turn` columns to the left.
   ViewpointScores scores(int first, int turn, int tolerance = 0) const {
     std::vector<PerceivedTile> perceived;
     for (int column = first; column < first + 4; ++column) {

@@ -72,7 +72,7 @@ Image PaintedRoom::render(const CameraModel& camera, const Isometry3& field_from
 }
 
 RoomObservation ScanningRobot::look() {
-  constexpr double kPeriod = 5.0;  // s for a sweep to and fro
+  constexpr double kPeriod = 5.0;  // s for a sweep to both sides and back
   const double phase = std::fmod(time, kPeriod) / kPeriod;
   const double yaw = from_degrees(110.0) * (std::abs(4.0 * phase - 2.0) - 1.0);
   RoomObservation view;

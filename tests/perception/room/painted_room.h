@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A round hall with painted panels, and a robot in it that scans with its head: the closed loop for tests.
+// A round hall with painted panels, and a robot in it that scans with its head: a closed loop for tests.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace reorient::test {
 
-/// What the hall's light and the camera's settings do to a color.
+/// Effect of the hall's light and the camera's settings on a color.
 struct Exposure {
   double gain = 1.0;
   double cb_shift = 0.0;
@@ -21,7 +21,7 @@ struct Exposure {
 class PaintedRoom {
  public:
   static PaintedRoom colorful(std::uint64_t seed);
-  static PaintedRoom symmetric(std::uint64_t seed);  ///< the same after half a turn
+  static PaintedRoom symmetric(std::uint64_t seed);  ///< the same after a rotation by 180 degrees
   static PaintedRoom plain();                        ///< white all around
 
   Image render(const CameraModel& camera, const Isometry3& field_from_camera, const Exposure& exposure,
@@ -37,7 +37,7 @@ class PaintedRoom {
   std::vector<Ycbcr> panels_;
 };
 
-/// The recipe as it was published: what assets/parameters/paper.toml sets, as far as it is the room's.
+/// The published method: the values of assets/parameters/paper.toml that belong to the room.
 inline RoomParameters paper_recipe() {
   RoomParameters paper;
   paper.perception.min_coverage = 0.6;
@@ -68,7 +68,7 @@ inline Isometry3 standing_camera(double yaw, double pitch = 0.0) {
   return robot_from_camera(dimensions, {yaw, pitch}, {}, dimensions.torso_height);
 }
 
-/// A robot that stands somewhere and scans with its head, with a belief of its own.
+/// A robot that stands in the room and scans with its head, with a belief that may be wrong.
 class ScanningRobot {
  public:
   ScanningRobot(const PaintedRoom& where, const RoomParameters& parameters, std::uint64_t seed)
@@ -76,7 +76,7 @@ class ScanningRobot {
 
   /// Scans for some seconds; frames at 15 Hz.
   void run(double seconds);
-  /// The frame that the robot sees now; the image lives until the next call.
+  /// The current frame of the robot. The image is valid until the next call.
   RoomObservation look();
 
   PaintedRoom room;

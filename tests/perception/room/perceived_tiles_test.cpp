@@ -80,7 +80,7 @@ TEST(PerceivedTiles, PixelsBelongToTheTileThatTheirRayMeets) {
           found.push_back(pixel == pixels.end() ? -1 : pixel->second);
         }
       }
-      // A pixel may only be given to another tile that is close by. The wider the lens, the more borders there are.
+      // A pixel may be assigned to another tile only if that tile is close. A wider lens shows more borders.
       const int reach = std::max(2, height / 30);
       int differ = 0, far = 0;
       for (int y = 0; y < height; ++y) {

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// A wall of twelve tiles whose front half is bright and reddish, whose back half is dark and bluish.
+/// A wall of twelve tiles. Its front half is bright and reddish, its back half dark and bluish.
 struct TwoHalves {
   TwoHalves() {
     WallParameters shape;
@@ -23,7 +23,7 @@ struct TwoHalves {
   static RelativeLight own(int tile) {
     return tile < 6 ? RelativeLight{1.4, -4.0, 6.0} : RelativeLight{0.6, 4.0, -6.0};
   }
-  /// What tiles first...last look like in a light, one of them being its reflection in truth where the belief is wrong.
+  /// The tiles first...last as seen in a light. With a wrong belief, each of them is its reflection.
   std::vector<TileLight> view(int first, int last, const Light& room, bool belief_is_right) const {
     std::vector<TileLight> frame;
     for (int tile = first; tile <= last; ++tile) {
@@ -64,7 +64,7 @@ TEST(PoseLights, AreTheLightThatThePoseImplies) {
   EXPECT_NEAR(room.lights.if_believed().luma, now.luma, 1e-6);
   EXPECT_NEAR(room.lights.if_believed().cb, now.cb, 1e-6);
   EXPECT_NEAR(room.lights.if_believed().cr, now.cr, 1e-6);
-  EXPECT_GT(room.lights.if_reflected().luma, 1.5 * now.luma) << "the dark half would have to be in a bright light";
+  EXPECT_GT(room.lights.if_reflected().luma, 1.5 * now.luma) << "the dark half implies a bright light";
 }
 
 TEST(PoseLights, WeightTheMeanLightAsSomeTiles) {
@@ -92,7 +92,7 @@ TEST(PoseLights, AreExchangedWhenTheBeliefIsReflected) {
   EXPECT_EQ(room.lights.if_believed().luma, reflected.luma);
   EXPECT_EQ(room.lights.if_reflected().cb, believed.cb);
   room.look(6, 11, {100.0, 130.0, 126.0}, true);
-  EXPECT_NEAR(room.lights.if_believed().luma, reflected.luma, 1e-6) << "the same tiles, as they are called now";
+  EXPECT_NEAR(room.lights.if_believed().luma, reflected.luma, 1e-6) << "the same tiles with their new numbers";
 }
 
 TEST(PoseLights, ForgetTilesThatWereNotInViewForLong) {

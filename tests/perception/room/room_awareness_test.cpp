@@ -31,7 +31,7 @@ RoomParameters by_particles() {
   return parameters;
 }
 
-/// A robot that has learned the room for 20 s from where it knows that it stands, and learns no more.
+/// A robot that has learned the room for 20 s from a known pose and does not train any more.
 ScanningRobot trained_robot(const PaintedRoom& room, const RoomParameters& parameters, std::uint64_t seed = 1) {
   ScanningRobot robot(room, parameters, seed);
   robot.run(20.0);
@@ -41,7 +41,7 @@ ScanningRobot trained_robot(const PaintedRoom& room, const RoomParameters& param
 
 void turn_the_belief(ScanningRobot& robot) {
   robot.belief = reflect(robot.truth);
-  robot.awareness.on_flip();  // the confidences start afresh, as after any correction
+  robot.awareness.on_flip();  // the confidences restart, as after any correction
 }
 
 class EachRecipe : public testing::TestWithParam<Recipe> {};
@@ -238,8 +238,8 @@ TEST(RoomAwareness, AnotherViewFilterTakesEffectAtOnce) {
     const ViewFilter& filter = robot.awareness.view_filter();
     EXPECT_EQ(filter.grid().cells(), method == ViewMethod::grid ? 96u : 0u);
     EXPECT_EQ(filter.particles().size(), method == ViewMethod::grid ? 0u : 100u);
-    EXPECT_NEAR(filter.share_near(1.0, 0.5), 0.5 / kPi, 0.02) << "all around, evenly";
-    EXPECT_GT(robot.awareness.confidences().coverage, 0.5) << "the model stays";
+    EXPECT_NEAR(filter.share_near(1.0, 0.5), 0.5 / kPi, 0.02) << "the belief is uniform";
+    EXPECT_GT(robot.awareness.confidences().coverage, 0.5) << "the model is unchanged";
     robot.run(6.0);
     EXPECT_GT(robot.awareness.confidences().current, 0.5);
   }

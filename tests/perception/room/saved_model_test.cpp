@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was learned of a room yesterday: bytes and back, bytes that are none, and a robot that wakes up with it.
+// Saved models of rooms: written and read, damaged, and used by a robot on another day.
 #include "perception/room/saved_model.h"
 
 #include <cmath>

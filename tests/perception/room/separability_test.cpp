@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the room looks the same after half a turn.
+// Tests whether a room looks the same after a rotation by 180 degrees.
 #include "perception/room/separability.h"
 
 #include <cmath>
@@ -17,10 +17,10 @@ namespace {
 using test::PaintedRoom;
 using test::ScanningRobot;
 
-/// A robot that looked all around from one place, its pose being known.
+/// A robot that has seen the whole room from one known pose.
 ScanningRobot scanned(const PaintedRoom& room, const RoomParameters& parameters = {}) {
   ScanningRobot robot(room, parameters, 1);
-  for (int quarter = 0; quarter < 4; ++quarter) {  // a head alone does not see all of the walls
+  for (int quarter = 0; quarter < 4; ++quarter) {  // the head alone does not reach all walls
     robot.run(4.0);
     robot.truth.rotation += kPi / 2;
     robot.belief = robot.truth;
@@ -28,7 +28,7 @@ ScanningRobot scanned(const PaintedRoom& room, const RoomParameters& parameters 
   return robot;
 }
 
-/// A wall whose tiles are all known, each with its share of black and the rest of white.
+/// A wall of known tiles, each with a fraction of black; the rest is white.
 class KnownWall {
  public:
   explicit KnownWall(int columns, double (*black_at)(double turns)) : wall({8.0, 0.7, 3.1, 2, columns}) {
@@ -63,7 +63,7 @@ double two_waves(double turns) { return 0.5 + 0.4 * std::sin(4.0 * kPi * turns);
 double four_waves(double turns) { return 0.5 + 0.4 * std::sin(8.0 * kPi * turns); }
 double gray(double) { return 0.5; }
 
-constexpr double kUnknown = 0.756;  // as experience has it
+constexpr double kUnknown = 0.756;  // the value from experience
 
 TEST(Separability, IsAlmostCertainInARoomWithoutRepetition) {
   for (const std::uint64_t seed : {1, 2, 3})
@@ -102,7 +102,7 @@ TEST(Separability, DetectsTwoAndFourEqualSides) {
 
 TEST(Separability, HasThePriorValueIfNothingDiffersOrTooLittleIsKnown) {
   EXPECT_NEAR(KnownWall(48, gray).probability(), kUnknown, 0.01);
-  EXPECT_NEAR(KnownWall(4, two_waves).probability(), kUnknown, 0.01) << "a wall without eighths";
+  EXPECT_NEAR(KnownWall(4, two_waves).probability(), kUnknown, 0.01) << "a wall that cannot be rotated by eighths";
   KnownWall few(48, two_waves);
   for (int column = 0; column < 9; ++column) few.separability.observe(few.compared, few.wall);
   EXPECT_NEAR(few.separability.probability(), kUnknown, 0.01) << "18 tiles";
@@ -129,7 +129,7 @@ TEST(Separability, UsesTheMisfitOfTheLastTwentySeconds) {
 
 TEST(Separability, HasNoWeightBelowOneHalf) {
   KnownWall symmetric(48, two_waves);
-  EXPECT_NEAR(symmetric.separability.weight(), 2.0 * kUnknown - 1.0, 0.01) << "before anything was seen";
+  EXPECT_NEAR(symmetric.separability.weight(), 2.0 * kUnknown - 1.0, 0.01) << "without observations";
   static_cast<void>(symmetric.probability());
   EXPECT_EQ(symmetric.separability.weight(), 0.0);
 }

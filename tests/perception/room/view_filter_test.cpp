@@ -84,7 +84,7 @@ class ViewFilterBy : public ::testing::TestWithParam<ViewMethod> {
     parameters.method = GetParam();
     filter.spread(parameters);
   }
-  /// The camera looks `turn` columns further to the left than the belief says, at `center`.
+  /// The camera looks `turn` columns farther to the left than in the belief, at `center`.
   void look(int turn, double center, int frames) {
     for (int i = 0; i < frames; ++i) {
       filter.predict(0.0, kFrame, parameters);
@@ -218,7 +218,7 @@ TEST_P(ViewFilterBy, RefusesBytesOfAnotherMethodOrSizeAndDamagedBytes) {
   for (std::size_t size = 0; size < bytes.size(); size += 7)
     EXPECT_TRUE(refuses({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}, parameters)) << size;
   std::vector<std::byte> spoiled = bytes;
-  std::fill(spoiled.end() - 8, spoiled.end(), std::byte{0xFF});  // the share of the last cluster: not a number
+  std::fill(spoiled.end() - 8, spoiled.end(), std::byte{0xFF});  // the fraction of the last cluster: NaN
   EXPECT_TRUE(refuses(spoiled, parameters));
 }
 
@@ -262,7 +262,7 @@ TEST(Confidences, AreSmoothedWithTheTimeConstantLongAfterARestart) {
   const ConfidenceParameters parameters;
   constexpr double kOld = 1000.0;
   EXPECT_NEAR(smoothing_share(parameters, 3.0, kOld), 1.0 - std::exp(-1.0), 1e-12);
-  // Two halves of a step smooth as much as the whole step does.
+  // Two half steps smooth as much as one whole step.
   const double half = smoothing_share(parameters, 0.05, kOld);
   EXPECT_NEAR((1 - half) * (1 - half), 1 - smoothing_share(parameters, 0.1, kOld), 1e-12);
   EXPECT_EQ(smoothing_share({.time_constant = 0.0}, 0.1, kOld), 1.0);
@@ -277,7 +277,7 @@ TEST(Confidences, AreTheMeanSinceTheRestart) {
     confidences.age += kStep;
     smooth(confidences, smoothing_share({}, kStep, confidences.age));
   }
-  EXPECT_NEAR(confidences.current, (0.9 + 0.5 + 0.7) / 3.0, 0.01) << "the later ones weigh a little more";
+  EXPECT_NEAR(confidences.current, (0.9 + 0.5 + 0.7) / 3.0, 0.01) << "later values have slightly more weight";
 }
 
 TEST(Confidences, GrowFromZeroIfTheParametersRequireIt) {

@@ -20,7 +20,7 @@ double whole(const ViewGrid& grid) {
   return sum;
 }
 
-/// All of the belief in a cell or two around `center`.
+/// The whole belief in one or two cells around `center`.
 ViewGrid sure_of(double center, int cells, const OneRow& room) {
   ViewGrid grid;
   grid.spread(cells);
@@ -78,7 +78,7 @@ RC_GTEST_PROP(ViewGrid, SpreadsByItsNoiseIndependentOfTheSteps, ()) {
   for (int i = 0; i < steps; ++i) grid.predict(0.1, 1.0 / steps, parameters);
   grid.find_clusters(after);
   RC_ASSERT(before.size() == 1u && after.size() == 1u);
-  // Variances add up; what lies beside the cluster is not counted.
+  // Variances add up. Cells outside of the cluster are not counted.
   const double spread = std::sqrt(0.166 * 0.166 + before[0].spread * before[0].spread);
   RC_ASSERT(after[0].spread > 0.8 * spread && after[0].spread < 1.01 * spread);
   RC_ASSERT(std::abs(angle_difference(after[0].azimuth, before[0].azimuth + 0.1 * steps)) < 0.02);
@@ -125,7 +125,7 @@ TEST(ViewGrid, HasAClusterForEachPeakAndNoneInAUniformBelief) {
   EXPECT_TRUE(clusters.empty());
   ViewFilterParameters blunt;
   blunt.sharpness = 50.0;
-  for (int i = 0; i < 200; ++i) {  // two directions look the same
+  for (int i = 0; i < 200; ++i) {  // two directions with the same score
     grid.correct(i % 2 == 0 ? believed : opposite, 0.0, 1.0 / 30.0, blunt);
     grid.predict(0.0, 1.0 / 30.0, blunt);
   }

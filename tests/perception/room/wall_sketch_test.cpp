@@ -15,12 +15,12 @@
 namespace reorient {
 namespace {
 
-/// The least that the processor offers beside the portable one.
+/// The least optional instructions that the processor supports.
 Instructions narrowest_wide_instructions() {
   return offered(Instructions::sse4) ? Instructions::sse4 : widest_instructions();
 }
 
-/// Some wall, and a camera somewhere in it that looks somewhere, mostly ahead.
+/// A random wall, and a camera inside it with a random direction, mostly forward.
 struct SketchedView {
   explicit SketchedView(std::uint64_t seed)
       : random(seed), sketch(random.uniform() < 0.5 ? widest_instructions() : narrowest_wide_instructions()) {
@@ -83,7 +83,7 @@ RC_GTEST_PROP(WallSketch, CertainResultsAreCorrect, (std::uint64_t seed)) {
   }
 }
 
-/// So that there is something to spare.
+/// The bounds need a margin.
 RC_GTEST_PROP(WallSketch, ErrorsStayWithinHalfOfTheBounds, (std::uint64_t seed)) {
   const SketchedView view(seed);
   for (int ray = 0; view.drawn && ray <= kBandCells; ++ray) {

@@ -62,7 +62,7 @@ RC_GTEST_PROP(Wall, TheReflectedPoseSeesTheReflectedTile, ()) {
 TEST(Wall, CornersAreInOrderAsSeenFromInside) {
   const Wall wall;
   const auto corners = wall.corners(wall.tile(1, 0));
-  EXPECT_GT(corners[0].y(), corners[1].y()) << "left is left";
+  EXPECT_GT(corners[0].y(), corners[1].y()) << "corner 0 is on the left";
   EXPECT_NEAR(corners[0].z(), 1.9, 1e-9);
   EXPECT_NEAR(corners[3].z(), 3.1, 1e-9);
   EXPECT_NEAR(corners[2].y(), 0.0, 1e-9);
