@@ -245,10 +245,10 @@ class ByteReader : public NestedBytes {
     read_alternative<0>(read_index(static_cast<int>(sizeof...(T))), value);
   }
   template <std::size_t Index, typename... T>
-  void read_alternative(int wanted, std::variant<T...>& value) {
+  void read_alternative(int selected, std::variant<T...>& value) {
     if constexpr (Index < sizeof...(T)) {
-      if (wanted == static_cast<int>(Index)) return read(value.template emplace<Index>());
-      read_alternative<Index + 1>(wanted, value);
+      if (selected == static_cast<int>(Index)) return read(value.template emplace<Index>());
+      read_alternative<Index + 1>(selected, value);
     }
   }
   template <typename Scalar, int Rows, int Columns, int Options>

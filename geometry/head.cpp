@@ -16,10 +16,10 @@ PitchLimit NeckReach::pitch_at(double angle) const {
   return {turned, std::lerp(lower->min, upper->min, share), std::lerp(lower->max, upper->max, share)};
 }
 
-HeadAngles NeckReach::clamp(const HeadAngles& wanted) const {
-  const double turned = std::clamp(wanted.yaw, -yaw, yaw);
+HeadAngles NeckReach::clamp(const HeadAngles& requested) const {
+  const double turned = std::clamp(requested.yaw, -yaw, yaw);
   const PitchLimit limit = pitch_at(turned);
-  return {turned, std::clamp(wanted.pitch, limit.min, limit.max)};
+  return {turned, std::clamp(requested.pitch, limit.min, limit.max)};
 }
 
 Isometry3 robot_from_camera(const RobotDimensions& dimensions, const HeadAngles& head, const TorsoAttitude& torso,

@@ -92,7 +92,7 @@ struct NeckReach {
                                 {2.086, -0.449, 0.330}};
 
   PitchLimit pitch_at(double angle) const;
-  HeadAngles clamp(const HeadAngles& wanted) const;
+  HeadAngles clamp(const HeadAngles& requested) const;
 };
 template <typename Visit, ConstOr<NeckReach> T>
 void fields(Visit&& visit, T& reach) {

@@ -49,14 +49,14 @@ bool is_one_to_one(const Lens& lens, double radius) {
   return true;
 }
 
-/// The radius whose distorted radius is `wanted`, on the branch that begins at the axis. The end of that branch if it
-/// does not reach `wanted`.
-double undistorted(const Lens& lens, double wanted) {
+/// The radius whose distorted radius is `target`, on the branch that begins at the axis. The end of that branch if it
+/// does not reach `target`.
+double undistorted(const Lens& lens, double target) {
   constexpr double kFirstStep = 0.05;
   constexpr double kGrowth = 0.1;  // fraction of the radius; steps farther out may be longer
   constexpr int kBisections = 50;
   constexpr int kIterations = 60;
-  if (!(wanted > 0.0)) return 0.0;
+  if (!(target > 0.0)) return 0.0;
   const double most = farthest(lens);
   double low = 0.0;
   double high = 0.0;
@@ -70,10 +70,10 @@ double undistorted(const Lens& lens, double wanted) {
         (distorted(lens, middle).slope > 0.0 ? rising : falling) = middle;
       }
       high = rising;
-      if (distorted(lens, high).value < wanted) return high;
+      if (distorted(lens, high).value < target) return high;
       break;
     }
-    if (at.value >= wanted) break;
+    if (at.value >= target) break;
     if (high >= most) return most;
     low = high;
   }
@@ -81,7 +81,7 @@ double undistorted(const Lens& lens, double wanted) {
   double radius = 0.5 * (low + high);
   for (int i = 0; i < kIterations; ++i) {
     const Radius at = distorted(lens, radius);
-    const double error = at.value - wanted;
+    const double error = at.value - target;
     (error > 0.0 ? high : low) = radius;
     double next = at.slope > 0.0 ? radius - error / at.slope : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
@@ -117,16 +117,16 @@ Place distorted(const Lens& lens, const Eigen::Vector2d& ideal) {
 double determinant(const Eigen::Matrix2d& m) { return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0); }
 
 /// Newton's method, started at the inverse of the radial distortion.
-Eigen::Vector2d undistorted_place(const Lens& lens, const Eigen::Vector2d& wanted) {
+Eigen::Vector2d undistorted_place(const Lens& lens, const Eigen::Vector2d& target) {
   constexpr int kIterations = 20;
-  const double distance = wanted.norm();
+  const double distance = target.norm();
   if (!(distance > 0.0)) return Eigen::Vector2d::Zero();
-  Eigen::Vector2d start = wanted * (undistorted(lens, distance) / distance);
+  Eigen::Vector2d start = target * (undistorted(lens, distance) / distance);
   if (lens.p1 == 0.0 && lens.p2 == 0.0) return start;
   Eigen::Vector2d ideal = start;
   for (int i = 0; i < kIterations; ++i) {
     const Place at = distorted(lens, ideal);
-    const Eigen::Vector2d error = at.value - wanted;
+    const Eigen::Vector2d error = at.value - target;
     const double scale = determinant(at.slope);
     if (!(scale > 1e-6)) return start;
     const Eigen::Vector2d step(at.slope(1, 1) * error.x() - at.slope(0, 1) * error.y(),

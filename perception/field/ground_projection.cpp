@@ -105,8 +105,8 @@ double GroundProjection::horizon(double column) const {
   }
   // Rays (1, -u, -v) at right angles to gravity. u follows from the column after the distortion is removed.
   constexpr int kIterations = 3;
-  const double wanted = (column - camera_.center.x()) / camera_.focal.x();
-  double u = wanted;
+  const double target = (column - camera_.center.x()) / camera_.focal.x();
+  double u = target;
   double row = 0.0;
   for (int i = 0; i < kIterations; ++i) {
     const double v = (down_.x() - u * down_.y()) / down_.z();
@@ -114,7 +114,7 @@ double GroundProjection::horizon(double column) const {
     const auto seen = camera_.project({1.0, -u, -v});
     if (!seen) break;
     row = seen->y();
-    u += wanted - (seen->x() - camera_.center.x()) / camera_.focal.x();
+    u += target - (seen->x() - camera_.center.x()) / camera_.focal.x();
   }
   return row;
 }

@@ -67,12 +67,12 @@ bool is_sound(const CameraBias& bias) {
 
 }  // namespace
 
-std::string differences(const ModelBasis& given, const ModelBasis& wanted) {
-  const std::vector<Setting> has = described(given).settings, wants = described(wanted).settings;
+std::string differences(const ModelBasis& given, const ModelBasis& expected) {
+  const std::vector<Setting> found = described(given).settings, needed = described(expected).settings;
   std::string different;
-  for (std::size_t i = 0; i < has.size(); ++i) {
-    if (has[i] == wants[i]) continue;
-    different += (different.empty() ? "" : " ") + wants[i].name + "=" + wants[i].value;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] == needed[i]) continue;
+    different += (different.empty() ? "" : " ") + needed[i].name + "=" + needed[i].value;
   }
   return different;
 }

@@ -31,9 +31,9 @@ void fields(Visit&& visit, T& basis) {
         basis.light_adaptation, basis.pose_light);
 }
 
-/// The parameters in which two bases differ, with the values of `wanted`, as "wall.radius=8 wall.columns=48". Empty if
-/// the numbers of both have the same meaning.
-std::string differences(const ModelBasis& given, const ModelBasis& wanted);
+/// The parameters in which two bases differ, with the values of `expected`, as "wall.radius=8 wall.columns=48". Empty
+/// if the numbers of both have the same meaning.
+std::string differences(const ModelBasis& given, const ModelBasis& expected);
 
 /// Does not contain what differs on another day: the belief, the confidences, and the light of the room, relative to
 /// which the light of each tile is stored.

@@ -59,9 +59,9 @@ TEST(Head, WithPitchBeforeYawLooksElsewhereWithTheSameAngles) {
 }
 
 RC_GTEST_PROP(Head, ClampedIsWithinLimitsAndClampingAgainChangesNothing, ()) {
-  const HeadAngles wanted{*rc::gen::inRange(-4000, 4000) * 1e-3, *rc::gen::inRange(-2000, 2000) * 1e-3};
+  const HeadAngles requested{*rc::gen::inRange(-4000, 4000) * 1e-3, *rc::gen::inRange(-2000, 2000) * 1e-3};
   const NeckReach nao;
-  const HeadAngles reached = nao.clamp(wanted);
+  const HeadAngles reached = nao.clamp(requested);
   const PitchLimit range = nao.pitch_at(reached.yaw);
   RC_ASSERT(std::abs(reached.yaw) <= nao.yaw);
   RC_ASSERT(reached.pitch >= range.min);

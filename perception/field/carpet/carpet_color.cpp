@@ -53,11 +53,11 @@ void CarpetColor::learn() {
   if (samples_.size() < kFewestSamples) return;
   const auto share_of = [this](int count) { return static_cast<double>(count) / static_cast<double>(samples_.size()); };
   Learned seen = learned_;
-  const bool goes_on = known_ && goes_on_with(seen);
-  if (!goes_on) {
+  const bool is_same_carpet = known_ && is_same_carpet_as(seen);
+  if (!is_same_carpet) {
     const auto dominant = find_dominant();
     if (!dominant || (known_ && share_of(dominant->count) < kShareOfAnother)) return;
-    doubted_ = std::min(doubted_ + 1, parameters_.carpet_patience);
+    other_color_images_ = std::min(other_color_images_ + 1, parameters_.carpet_patience);
     seen = {};
     seen.blue[0] = dominant->b;
     seen.red[0] = dominant->r;
@@ -67,17 +67,18 @@ void CarpetColor::learn() {
       if (fitted.near == 0) return;
     }
     const bool is_green = is_greenish(fitted.chroma.x(), fitted.chroma.y());
-    if (!is_green && (doubted_ < parameters_.carpet_patience || share_of(fitted.near) < kShareOfAnyColor)) return;
+    if (!is_green && (other_color_images_ < parameters_.carpet_patience || share_of(fitted.near) < kShareOfAnyColor))
+      return;
     white_known_ = false;
   }
-  doubted_ = 0;
-  mix(seen, goes_on ? parameters_.carpet_memory : 0.0);
+  other_color_images_ = 0;
+  mix(seen, is_same_carpet ? parameters_.carpet_memory : 0.0);
   known_ = true;
 }
 
 /// Whether enough carpet is in view and the samples are carpet. An area of similar color beside the carpet would shift
 /// the learned color step by step. Fits `seen`.
-bool CarpetColor::goes_on_with(Learned& seen) const {
+bool CarpetColor::is_same_carpet_as(Learned& seen) const {
   constexpr double kMostStep = 0.25, kLeastStep = 3.0;  // of the saturation; of chroma
   const Fit fitted = fit(seen);
   if (static_cast<double>(fitted.near) < kFewestShare * static_cast<double>(samples_.size())) return false;
@@ -198,8 +199,9 @@ void CarpetColor::check() const {
   const auto sound = [](double value, double most) { return value >= 0.0 && value <= most; };
   const auto is_chroma = [&](const auto& terms) { return (terms.array().abs() <= kMostChroma).all(); };
   check_bytes(sound(learned_.luma, kMostLuma) && sound(learned_.noise, kMostLuma) &&
-                  sound(learned_.deviation, kMostLuma) && doubted_ >= 0 && doubted_ <= kMostCarpetPatience &&
-                  is_chroma(learned_.blue) && is_chroma(learned_.red) && is_chroma(white_less_carpet_),
+                  sound(learned_.deviation, kMostLuma) && other_color_images_ >= 0 &&
+                  other_color_images_ <= kMostCarpetPatience && is_chroma(learned_.blue) && is_chroma(learned_.red) &&
+                  is_chroma(white_less_carpet_),
               "carpet color: a value is outside of the possible range");
 }
 

@@ -113,7 +113,7 @@ class CarpetColor {
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.known_, self.learned_.blue, self.learned_.red, self.learned_.luma, self.learned_.noise,
-            self.learned_.deviation, self.doubted_, self.white_known_, self.white_less_carpet_);
+            self.learned_.deviation, self.other_color_images_, self.white_known_, self.white_less_carpet_);
     if constexpr (Archive::kReads) self.check();
   }
 
@@ -150,7 +150,7 @@ class CarpetColor {
   void learn();
   std::optional<Dominant> find_dominant() const;
   Fit fit(Learned& color) const;
-  bool goes_on_with(Learned& seen) const;
+  bool is_same_carpet_as(Learned& seen) const;
   void mix(const Learned& seen, double kept);
   void prepare_parts();
   ChromaCone cone_for(const Eigen::Vector2d& carpet, const Eigen::Vector2d& no_color,
@@ -164,7 +164,7 @@ class CarpetColor {
   int width_ = 1, height_ = 1;  ///< of the last observed image
   bool known_ = false;
   Learned learned_;
-  int doubted_ = 0;  ///< consecutive images with another color
+  int other_color_images_ = 0;  ///< consecutive images with another color
   bool white_known_ = false;
   Eigen::Vector3d white_less_carpet_ = Eigen::Vector3d::Zero();  ///< (luma, blue, red)
   std::array<CarpetPart, static_cast<std::size_t>(kColumns) * kRows> parts_{};

@@ -53,13 +53,13 @@ void Obstacles::find(const CarpetMap& map, const GroundProjection& view, const K
     if (foot.row < 0) continue;
     const double scale = view.pixels_per_radian(Eigen::Vector2d(map.column_pixel(i), foot.row));
     const double gap = std::max(2.0, kGap * scale / (foot.distance * map.column_width()));
-    const bool goes_on =
+    const bool continues =
         last >= 0 && i - last <= gap && foot.distance < kSameThing * nearest && nearest < kSameThing * foot.distance;
-    if (!goes_on) {
+    if (!continues) {
       if (last >= 0) add(map, view, first, last, percept);
       first = i;
     }
-    nearest = goes_on ? std::min(nearest, foot.distance) : foot.distance;
+    nearest = continues ? std::min(nearest, foot.distance) : foot.distance;
     last = i;
   }
   if (last >= 0) add(map, view, first, last, percept);

@@ -32,7 +32,7 @@ struct Avx2 {
   static Register at_least(Register a, Register b) { return _mm256_cmpeq_epi8(_mm256_max_epu8(a, b), a); }
   /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return _mm256_blendv_epi8(a, b, mask); }
-  static Register looked_up(Register table, Register indices) { return _mm256_shuffle_epi8(table, indices); }
+  static Register lookup(Register table, Register indices) { return _mm256_shuffle_epi8(table, indices); }
   static Register neighbors_swapped(Register a) {
     const __m128i swap = _mm_setr_epi8(1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
     return _mm256_shuffle_epi8(a, _mm256_broadcastsi128_si256(swap));

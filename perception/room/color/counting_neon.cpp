@@ -28,7 +28,7 @@ struct Neon {
   /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return vbslq_u8(mask, b, a); }
   /// 0 for indices of 16 and above. x86 only tests the highest bit. No other indices occur.
-  static Register looked_up(Register table, Register indices) { return vqtbl1q_u8(table, indices); }
+  static Register lookup(Register table, Register indices) { return vqtbl1q_u8(table, indices); }
   static Register neighbors_swapped(Register a) { return vrev16q_u8(a); }
   static Register high_bytes(Register a) { return vreinterpretq_u8_u16(vshrq_n_u16(vreinterpretq_u16_u8(a), 8)); }
   static Register high_nibbles(Register a) { return vshrq_n_u8(a, 4); }

@@ -27,7 +27,7 @@ struct Sse4 {
   static Register at_least(Register a, Register b) { return _mm_cmpeq_epi8(_mm_max_epu8(a, b), a); }
   /// Elements of b where the mask is set.
   static Register choose(Register a, Register b, Register mask) { return _mm_blendv_epi8(a, b, mask); }
-  static Register looked_up(Register table, Register indices) { return _mm_shuffle_epi8(table, indices); }
+  static Register lookup(Register table, Register indices) { return _mm_shuffle_epi8(table, indices); }
   static Register neighbors_swapped(Register a) {
     return _mm_shuffle_epi8(a, _mm_setr_epi8(1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
   }

@@ -88,9 +88,9 @@ class Classifier {
     const Register half = Lanes::either(above, near);
     const Register pair = Lanes::either(half, Lanes::neighbors_swapped(half));
     // A true comparison is -1. Grays are compared with white twice.
-    const Register slice = Lanes::plus(Lanes::at_least(luma, Lanes::looked_up(lower_, pair)),
-                                       Lanes::at_least(luma, Lanes::looked_up(upper_, pair)));
-    return Lanes::minus(Lanes::looked_up(first_codes_, pair), slice);
+    const Register slice = Lanes::plus(Lanes::at_least(luma, Lanes::lookup(lower_, pair)),
+                                       Lanes::at_least(luma, Lanes::lookup(upper_, pair)));
+    return Lanes::minus(Lanes::lookup(first_codes_, pair), slice);
   }
 
  private:
@@ -122,14 +122,14 @@ class NibbleCounters {
   /// A lane with its highest bit set does not count.
   void add(Register codes) {
     for (int pair = 0; pair < kPairs; ++pair)
-      nibbles_[pair] = Lanes::plus(nibbles_[pair], Lanes::looked_up(Lanes::table(kIncrements[pair].values), codes));
+      nibbles_[pair] = Lanes::plus(nibbles_[pair], Lanes::lookup(Lanes::table(kIncrements[pair].values), codes));
   }
 
   /// Same result as single calls, but each table is loaded only once.
   void add(Register codes, Register more) {
     for (int pair = 0; pair < kPairs; ++pair) {
       const Register table = Lanes::table(kIncrements[pair].values);
-      const Register both = Lanes::plus(Lanes::looked_up(table, codes), Lanes::looked_up(table, more));
+      const Register both = Lanes::plus(Lanes::lookup(table, codes), Lanes::lookup(table, more));
       nibbles_[pair] = Lanes::plus(nibbles_[pair], both);
     }
   }

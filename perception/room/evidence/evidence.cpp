@@ -37,24 +37,24 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
   const double kept = pinned::exp(-step / parameters.leak);
   for (SeenTile& tile : tiles_) tile.time *= kept;
   const double between = 0.5 * (parameters.right + model.distinctiveness());
-  const bool can_tell = model.distinctiveness() > parameters.right;
+  const bool is_distinctive = model.distinctiveness() > parameters.right;
   for (const ComparedPlace& place : places) {
     const bool both = place.believed_known && place.reflected_known;
-    if (!both && !can_tell) continue;
+    if (!both && !is_distinctive) continue;
     // If only one of the two is known, its distance is compared with a value between those of a correct and of a wrong
     // tile.
-    double say = both                   ? place.as_believed - place.as_reflected
-                 : place.believed_known ? parameters.unknown * (place.as_believed - between)
-                                        : parameters.unknown * (between - place.as_reflected);
-    say = std::clamp(say, -parameters.cap, parameters.cap);
+    double score = both                   ? place.as_believed - place.as_reflected
+                   : place.believed_known ? parameters.unknown * (place.as_believed - between)
+                                          : parameters.unknown * (between - place.as_reflected);
+    score = std::clamp(score, -parameters.cap, parameters.cap);
     SeenTile& seen = tiles_[static_cast<std::size_t>(place.tile)];
-    seen.say += (say - seen.say) * step / (seen.time + step);
+    seen.score += (score - seen.score) * step / (seen.time + step);
     seen.time = std::min(seen.time + step, parameters.settle);
   }
   double sum = 0.0;
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
     if (tiles_[i].time <= 0.0) continue;
-    sum += weight_of(static_cast<int>(i), model, parameters) * tiles_[i].say * tiles_[i].time /
+    sum += weight_of(static_cast<int>(i), model, parameters) * tiles_[i].score * tiles_[i].time /
            (tiles_[i].time + parameters.look);
   }
   log_odds_ = parameters.gain * sum;
@@ -62,7 +62,7 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
 
 void Evidence::reflect(const Wall& wall) {
   turn_half(wall);
-  for (SeenTile& tile : tiles_) tile.say = -tile.say;
+  for (SeenTile& tile : tiles_) tile.score = -tile.score;
   log_odds_ = -log_odds_;
 }
 
@@ -71,7 +71,7 @@ void Evidence::check(std::size_t tiles) const {
   check_bytes(tiles_.size() == tiles, "evidence: expected one entry for each tile of the wall");
   check_bytes(std::isfinite(log_odds_), "evidence: the log-odds are not finite");
   for (const SeenTile& tile : tiles_)
-    check_bytes(std::isfinite(tile.say) && tile.time >= 0.0 && std::isfinite(tile.time),
+    check_bytes(std::isfinite(tile.score) && tile.time >= 0.0 && std::isfinite(tile.time),
                 "evidence: a tile has an invalid value");
 }
 

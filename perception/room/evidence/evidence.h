@@ -89,12 +89,12 @@ class Evidence {
 
  private:
   struct SeenTile {
-    double say = 0.0;   // mean, divided by the gain; positive: for the reflection
-    double time = 0.0;  // s in view, at most `settle`; fades out of view
+    double score = 0.0;  // mean, divided by the gain; positive: for the reflection
+    double time = 0.0;   // s in view, at most `settle`; fades out of view
   };
   template <typename Visit, ConstOr<SeenTile> T>
   friend void fields(Visit&& visit, T& tile) {
-    visit(tile.say, tile.time);
+    visit(tile.score, tile.time);
   }
 
   void check(std::size_t tiles) const;

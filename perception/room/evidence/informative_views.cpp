@@ -17,19 +17,20 @@ int directions_within(double outermost) { return static_cast<int>(2.0 * outermos
 }  // namespace
 
 void ViewChooser::restart(int columns) {
-  looked_at_.assign(static_cast<std::size_t>(columns), 0.0);
+  viewing_times_.assign(static_cast<std::size_t>(columns), 0.0);
   views_ = {};
 }
 
 void ViewChooser::turn_half() {
-  const auto half = looked_at_.begin() + static_cast<std::ptrdiff_t>(looked_at_.size() / 2);
-  std::swap_ranges(looked_at_.begin(), half, half);
+  const auto half = viewing_times_.begin() + static_cast<std::ptrdiff_t>(viewing_times_.size() / 2);
+  std::swap_ranges(viewing_times_.begin(), half, half);
 }
 
 /// After reading.
 void ViewChooser::check(std::size_t columns) const {
-  check_bytes(looked_at_.size() == columns, "informative views: expected one viewing time for each column of the wall");
-  for (const double seconds : looked_at_)
+  check_bytes(viewing_times_.size() == columns,
+              "informative views: expected one viewing time for each column of the wall");
+  for (const double seconds : viewing_times_)
     check_bytes(seconds >= 0.0 && std::isfinite(seconds),
                 "informative views: a viewing time is negative or not finite");
 }
@@ -47,8 +48,8 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
     return views_;
   const double yaw = direction_of(axis);
   note_look(yaw, outermost, step, parameters);
-  worths_.clear();
-  for (const int column : columns_) worths_.push_back(column < 0 ? Worth{} : worth_of(column, wall, model, parameters));
+  scores_.clear();
+  for (const int column : columns_) scores_.push_back(column < 0 ? Score{} : score_of(column, wall, model, parameters));
 
   double best_rate = 0.0;
   double best_unknown_rate = 0.0;
@@ -56,15 +57,15 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
   const int width = static_cast<int>(2.0 * parameters.half_width / kStep);
   for (int first = 0; first + width < directions; ++first) {
     const double view = -outermost + kStep * (first + 0.5 * width);
-    Worth sum;
+    Score sum;
     int last = -1;
     for (int i = first; i <= first + width; ++i) {
       const int column = columns_[static_cast<std::size_t>(i)];
       if (column < 0 || column == last) continue;  // a column counts once in a view, for however many directions it has
       last = column;
-      const Worth& worth = worths_[static_cast<std::size_t>(i)];
-      sum.difference += worth.difference;
-      sum.unknown += worth.unknown;
+      const Score& score = scores_[static_cast<std::size_t>(i)];
+      sum.difference += score.difference;
+      sum.unknown += score.unknown;
     }
     const double seconds = std::abs(view - yaw) / parameters.speed + parameters.dwell;
     if (sum.difference > best_rate * seconds) {
@@ -103,30 +104,30 @@ bool ViewChooser::look_around(const Wall& wall, const Pose2& belief, const Eigen
 void ViewChooser::note_look(double yaw, double outermost, double step, const ViewParameters& parameters) {
   if (step <= 0.0) return;
   const double kept = pinned::exp(-step / parameters.memory);
-  for (double& seconds : looked_at_) seconds *= kept;
+  for (double& seconds : viewing_times_) seconds *= kept;
   int last = -1;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double direction = -outermost + kStep * static_cast<double>(i);
     if (columns_[i] < 0 || columns_[i] == last || std::abs(direction - yaw) > parameters.half_width) continue;
     last = columns_[i];
-    looked_at_[static_cast<std::size_t>(last)] += step;
+    viewing_times_[static_cast<std::size_t>(last)] += step;
   }
 }
 
-ViewChooser::Worth ViewChooser::worth_of(int column, const Wall& wall, const ComparedModel& model,
+ViewChooser::Score ViewChooser::score_of(int column, const Wall& wall, const ComparedModel& model,
                                          const ViewParameters& parameters) const {
-  Worth worth;
+  Score score;
   for (int row = 0; row < wall.rows(); ++row) {
     const int tile = wall.tile(row, column);
-    if (!model.trusted(tile)) worth.unknown += 1.0;
+    if (!model.trusted(tile)) score.unknown += 1.0;
     if (!model.trusted(tile) && !model.trusted(wall.reflected(tile))) continue;
-    worth.difference += model.difference_to_reflection(tile).value_or(parameters.half_known);
+    score.difference += model.difference_to_reflection(tile).value_or(parameters.half_known);
   }
   // Columns that were in view recently and are still unknown cannot be learned from here.
-  const double fresh = parameters.look / (parameters.look + looked_at_[static_cast<std::size_t>(column)]);
-  worth.difference *= fresh;
-  worth.unknown *= fresh;
-  return worth;
+  const double fresh = parameters.look / (parameters.look + viewing_times_[static_cast<std::size_t>(column)]);
+  score.difference *= fresh;
+  score.unknown *= fresh;
+  return score;
 }
 
 }  // namespace reorient

@@ -63,13 +63,13 @@ class ViewChooser {
   /// Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    const std::size_t columns = self.looked_at_.size();
-    archive(self.looked_at_, self.views_);
+    const std::size_t columns = self.viewing_times_.size();
+    archive(self.viewing_times_, self.views_);
     if constexpr (Archive::kReads) self.check(columns);
   }
 
  private:
-  struct Worth {
+  struct Score {
     double difference = 0.0;  // between the tiles and their reflections
     double unknown = 0.0;     // number of tiles
   };
@@ -78,13 +78,13 @@ class ViewChooser {
   bool look_around(const Wall& wall, const Pose2& belief, const Eigen::Vector2d& camera, double outermost,
                    double least_incidence);
   void note_look(double yaw, double outermost, double step, const ViewParameters& parameters);
-  Worth worth_of(int column, const Wall& wall, const ComparedModel& model, const ViewParameters& parameters) const;
+  Score score_of(int column, const Wall& wall, const ComparedModel& model, const ViewParameters& parameters) const;
 
-  std::vector<double> looked_at_;  // s, of each column; fades
-  std::vector<double> angles_;     // rad, of the directions, then of the wall there; from right to left
+  std::vector<double> viewing_times_;  // s, of each column; fades
+  std::vector<double> angles_;         // rad, of the directions, then of the wall there; from right to left
   std::vector<Eigen::Vector2d> headings_, normals_;  // the same as unit vectors
   std::vector<int> columns_;                         // column in each direction, from right to left; -1: does not count
-  std::vector<Worth> worths_;                        // of these columns
+  std::vector<Score> scores_;                        // of these columns
   InformativeViews views_;
 };
 

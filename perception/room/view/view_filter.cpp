@@ -18,8 +18,8 @@ void ViewFilter::spread(const ViewFilterParameters& parameters) {
 
 bool ViewFilter::is_made_for(const ViewFilterParameters& parameters) const {
   const std::size_t parts = on_grid() ? grid_.cells() : particles().size();
-  const int wanted = on_grid() ? parameters.cells : parameters.particles;
-  return method_ == parameters.method && parts == static_cast<std::size_t>(wanted);
+  const int expected = on_grid() ? parameters.cells : parameters.particles;
+  return method_ == parameters.method && parts == static_cast<std::size_t>(expected);
 }
 
 void ViewFilter::turn_half() {

@@ -106,8 +106,8 @@ void ViewParticles::resample() {
 }
 
 void ViewParticles::inject(double azimuth, double half_width, double expected) {
-  const auto wanted = static_cast<std::size_t>(std::max(0.0, std::floor(expected + random_.uniform())));
-  for (std::size_t i = 0; i < std::min(wanted, particles_.size()); ++i) {
+  const auto injected = static_cast<std::size_t>(std::max(0.0, std::floor(expected + random_.uniform())));
+  for (std::size_t i = 0; i < std::min(injected, particles_.size()); ++i) {
     const auto replaced = static_cast<std::size_t>(random_.below(particles_.size()));
     particles_[replaced].azimuth = to_azimuth(azimuth + random_.uniform(-half_width, half_width));
   }

@@ -121,7 +121,7 @@ RC_GTEST_PROP(WallSketch, ACertainBorderRoundsToTheExactPixels, (std::uint64_t s
 
 TEST(WallSketch, IsCertainOfNearlyAllThatARobotSees) {
   int sure = 0;
-  int told = 0;
+  int certain = 0;
   int all = 0;
   int changes = 0;
   for (int turn = 0; turn < 100; ++turn) {
@@ -139,12 +139,12 @@ TEST(WallSketch, IsCertainOfNearlyAllThatARobotSees) {
       if (sketch.place(ray) != WallSketch::kUnsure) ++sure;
       if (sketch.place(ray) == sketch.place(ray + 1)) continue;
       ++changes;
-      if (sketch.border(ray, 16.0)) ++told;
+      if (sketch.border(ray, 16.0)) ++certain;
     }
   }
   if (widest_instructions() != Instructions::portable) {
     EXPECT_GT(sure, 0.99 * all);
-    EXPECT_GT(told, 0.8 * changes);
+    EXPECT_GT(certain, 0.8 * changes);
   }
   EXPECT_GT(changes, all / 10);
 }
