@@ -6,7 +6,7 @@
 
 namespace reorient {
 
-/// The pitch of a camera, rad downwards.
+/// The pitch of a camera, rad down.
 double pitch_of(const Isometry3& robot_from_camera);
 /// The roll of a camera, rad, left side up.
 double roll_of(const Isometry3& robot_from_camera);

@@ -7,10 +7,10 @@
 namespace reorient {
 
 struct CameraOffset {
-  double tilt = 0.0;    ///< rad, downwards
+  double tilt = 0.0;    ///< rad, down
   double pan = 0.0;     ///< rad, to the left
   double roll = 0.0;    ///< rad, left side up
-  double height = 0.0;  ///< m, upwards
+  double height = 0.0;  ///< m, up
 };
 
 /// The camera's pose, rotated about its own axes (first to the left, then down, then about the line of sight) and

@@ -44,7 +44,7 @@ constexpr int enum_count(HeadCamera) { return 2; }
 /// Pose of a camera in the head, whose origin is on the second axis of the neck.
 struct CameraMount {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
-  double tilt = 0.0;                                   ///< rad, downwards
+  double tilt = 0.0;                                   ///< rad, down
 };
 template <typename Visit, ConstOr<CameraMount> T>
 void fields(Visit&& visit, T& mount) {

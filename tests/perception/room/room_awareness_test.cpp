@@ -296,7 +296,7 @@ TEST(RoomAwareness, ParticlesRotateWithTheBody) {
 TEST(RoomAwareness, KnowsWhichGoalIsInView) {
   ScanningRobot robot = trained_robot(PaintedRoom::colorful(3), RoomParameters{});
   RoomObservation view = robot.look();
-  robot.belief = robot.truth = Pose2(-1.0, 0.0, 0.0);  // towards the opponent goal
+  robot.belief = robot.truth = Pose2(-1.0, 0.0, 0.0);  // toward the opponent goal
   view.robot_from_camera = test::standing_camera(0.0);
   view.belief = robot.belief;
   Random noise(1);
