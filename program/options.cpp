@@ -99,7 +99,7 @@ std::filesystem::path scripts_root(const std::filesystem::path& told, Scripts sc
   if (told.empty()) return find_home() / "scripts";
   std::error_code error;
   if (!std::filesystem::is_directory(told, error))
-    throw std::runtime_error("--scripts " + told.string() + ": there is no such folder of scripts");
+    throw std::runtime_error("--scripts " + told.string() + ": the folder of scripts does not exist");
   constexpr const char* kFolders[] = {"behaviors", "scenarios", "lib", "tests"};
   const bool has_any = std::any_of(std::begin(kFolders), std::end(kFolders), [&](const char* folder) {
     return std::filesystem::is_directory(told / folder, error);

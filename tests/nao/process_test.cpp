@@ -41,7 +41,7 @@ TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
       {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string()},
        "--places: the referee is heard with --team alone"},
       {{"run", "--robot", "nao", "--places", folder_.write("bad.toml", "player_0 = [1, 2, 3]").string(), "--team", "5"},
-       "there is no key 'player_0'"},
+       "unknown key 'player_0'"},
       {{"run", "--robot", "nao", "--calibration", file("nowhere.toml")}, "there is no such calibration"},
       {{"run", "--robot", "nao", "--calibration",
         folder_.write("late.toml", "[footage]\nrecorded_roll = false").string()},

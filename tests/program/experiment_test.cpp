@@ -74,14 +74,14 @@ TEST_F(ExperimentTest, RunsPartOfItsTasks) {
   EXPECT_EQ(run({"--out", path("out"), "--tasks", "2-3"}).code, kSuccess);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000003.json"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/tasks/000001.json"));
-  expect_refused({"--out", path("out"), "--task", "5"}, "there is no task 5; there are 1 to 4");
-  expect_refused({"--out", path("out"), "--tasks", "1-"}, "is no list of tasks");
+  expect_refused({"--out", path("out"), "--task", "5"}, "unknown task 5 (expected 1 to 4)");
+  expect_refused({"--out", path("out"), "--tasks", "1-"}, "is not a list of tasks");
 }
 
 TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   const std::string out = path("out");
   folder.write("short.toml", std::string(kShort) + "widht = 160\n");
-  expect_refused({"--out", out}, "short.toml:17: there is no key 'widht' here (did you mean 'width'?)");
+  expect_refused({"--out", out}, "short.toml:17: unknown key 'widht' (did you mean 'width'?)");
   folder.write("short.toml", std::string(kShort) + "room = \"gone.hdr\"\n");
   expect_refused({"--out", out}, "gone.hdr");
   folder.write("short.toml", std::string(kShort) + "scenario = \"mirrored_placment\"\n");
@@ -105,10 +105,10 @@ TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
   const std::string own = table("own", {"--mode", "none", "--mode", mine.string(), "--trials", "1"});
   EXPECT_NE(own.find("\"mode\": \"eager\""), std::string::npos) << own;
   expect_refused({"--mode", "nnoe"}, "the axis mode has no choice 'nnoe' (did you mean 'none'?)");
-  expect_refused({"--light", "hard"}, "has no axis 'light'");
+  expect_refused({"--light", "hard"}, "unknown axis 'light'");
   expect_refused({"--only", "mode"}, "--only mode: write AXIS=CHOICE");
   folder.write("eager.toml", "parameters.orientation.lingring = 0.1\nlimti = 3\n");
-  expect_refused({"--mode", mine.string()}, "eager.toml:2: there is no key 'limti' here");
+  expect_refused({"--mode", mine.string()}, "eager.toml:2: unknown key 'limti'");
 }
 
 TEST_F(ExperimentTest, TakesRoomsInsteadOfTheFilesOwn) {

@@ -82,8 +82,8 @@ TEST_F(ReplayingTest, TellsWhatIsWrongInATestAndGoesOn) {
   const std::string flip = "replay \"recordings/recorded_flip.mcap\" ";
   const std::pair<std::string, const char*> mistakes[] = {
       {"replay \"recordings/nothing.mcap\"", "recordings/nothing.mcap: it cannot be read: No such file"},
-      {"replay \"recordings/text.mcap\"", "it does not begin as an MCAP file does"},
-      {"replay \"recordings\"", "it is no file"},
+      {"replay \"recordings/text.mcap\"", "expected the start mark of an MCAP file, found other bytes"},
+      {"replay \"recordings\"", "expected a recording, found something that is not a file"},
       {"replay(nil)", "string expected"},
       {"replay(\"recordings/recorded_flip.mcap\\0x\")", "no file has such a name"},
       {flip + "advance_to(42)", "this replay is at 42.9"},
@@ -191,7 +191,8 @@ TEST(Recording, OfAnotherFormatIsRefusedByNumberAndReadByInfo) {
   out.close();
   const ProgramRun replayed = run_reorient({"replay", file.string()});
   EXPECT_EQ(replayed.code, 2);
-  EXPECT_NE(replayed.err.find("old.mcap: it is of format 99, written by reorient 9.9, and this program replays format"),
+  EXPECT_NE(replayed.err.find(
+                "old.mcap: the recording has format 99, written by reorient 9.9, and this program replays format"),
             std::string::npos)
       << replayed.err;
   EXPECT_EQ(std::count(replayed.err.begin(), replayed.err.end(), '\n'), 1) << replayed.err;
@@ -202,7 +203,7 @@ TEST(Recording, OfAnotherFormatIsRefusedByNumberAndReadByInfo) {
   for (const char* const word : {"recover", "cut"}) {
     const ProgramRun run = run_reorient({"recording", word, file.string(), "--out", (folder.path() / "x").string()});
     EXPECT_EQ(run.code, 2) << word;
-    EXPECT_NE(run.err.find("it is of format 99"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("the recording has format 99"), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "x")) << word;
   }
 }

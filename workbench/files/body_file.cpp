@@ -56,7 +56,9 @@ class BodyReader {
   static std::string short_text(const TableReader& in, const std::string& key, const toml::node& value) {
     constexpr std::size_t kLongest = 60;  // bytes
     std::string text = in.text(key, value);
-    if (text.size() > kLongest) in.refuse(value, key + " is longer than " + std::to_string(kLongest) + " letters");
+    if (text.size() > kLongest)
+      in.refuse(value, key + ": expected at most " + std::to_string(kLongest) + " letters, found " +
+                           std::to_string(text.size()));
     return text;
   }
 
@@ -80,7 +82,7 @@ class BodyReader {
          [&](auto& key, auto& value) {
            const std::string order = in.text(key, value);
            if (order != "yaw, pitch" && order != "pitch, yaw")
-             in.refuse(value, R"(order is "yaw, pitch" or "pitch, yaw", from the torso to the head)");
+             in.refuse(value, R"(order: expected "yaw, pitch" or "pitch, yaw", from the torso to the head)");
            body.dimensions.neck_order = order == "yaw, pitch" ? NeckOrder::yaw_then_pitch : NeckOrder::pitch_then_yaw;
          }},
         {"first_axis", place_into(in, body.dimensions.first_axis)},
@@ -95,14 +97,14 @@ class BodyReader {
     constexpr std::size_t kMost = 64;
     const toml::array* const rows = node.as_array();
     if (rows == nullptr || rows->empty() || rows->size() > kMost)
-      in.refuse(node, key + " is a list of 1 to " + std::to_string(kMost) + " times [yaw, least, most]");
+      in.refuse(node, key + ": expected 1 to " + std::to_string(kMost) + " rows [yaw, least, most]");
     std::vector<PitchLimit> limits;
     for (const toml::node& row : *rows) {
       const std::vector<double> numbers = in.numbers("each row of " + key, row, 3, -kPi, kPi);
       const PitchLimit limit{numbers[0], numbers[1], numbers[2]};
-      if (limit.min > limit.max) in.refuse(row, "the least pitch is above the most");
+      if (limit.min > limit.max) in.refuse(row, "expected the least pitch not above the most");
       if (limit.yaw < 0.0 || (!limits.empty() && limit.yaw <= limits.back().yaw))
-        in.refuse(row, "each row's yaw is greater than the one's before, and none is negative");
+        in.refuse(row, "expected non-negative yaw that increases from row to row");
       limits.push_back(limit);
     }
     return limits;
@@ -181,7 +183,7 @@ class BodyReader {
     std::vector<double> coefficients;
     if (keys.distortion != nullptr) {
       const toml::array* const all = keys.distortion->as_array();
-      if (all == nullptr) in.refuse(*keys.distortion, "distortion is a list of numbers");
+      if (all == nullptr) in.refuse(*keys.distortion, "distortion: expected a list of numbers");
       coefficients = in.numbers("distortion", *keys.distortion, all->size(), -kMostCoefficient, kMostCoefficient);
     } else if (camera.projection == CameraProjection::pinhole) {
       in.refuse(table, "the key 'distortion' is missing");

@@ -19,7 +19,7 @@ std::filesystem::path find_home() {
   if (const char* told = std::getenv("REORIENT_HOME")) {
     if (is_home(told)) return told;
     throw std::runtime_error("REORIENT_HOME is '" + std::string(told) +
-                             "', where there is no scripts/behaviors and assets/; let it name the project's folder");
+                             "' (expected the project's folder, with scripts/behaviors and assets/)");
   }
   std::error_code no_link;
   std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", no_link).parent_path();

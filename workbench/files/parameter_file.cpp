@@ -48,14 +48,14 @@ class Reading {
       const std::string source = place(name_, node.source());
       if (const toml::table* inner = node.as_table()) {
         if (depth >= kDeepest)
-          fail(source, "tables lie too deeply in each other; a name is like orientation.lingering");
+          fail(source, "tables are nested too deeply (expected names such as orientation.lingering)");
         read(*inner, parameter + ".", depth + 1);
         continue;
       }
       const std::optional<std::string> text = text_of(node);
-      if (!text) fail(source, "a parameter is a number, true, false or a name in quotes");
+      if (!text) fail(source, "expected a number, true, false or a name in quotes");
       if (changes_.size() >= kMostParameters)
-        fail(source, "more than " + std::to_string(kMostParameters) + " parameters; no program has so many");
+        fail(source, "expected at most " + std::to_string(kMostParameters) + " parameters, found more");
       changes_.push_back({parameter, *text, ParameterOrigin::file, source});
     }
   }
@@ -121,7 +121,7 @@ std::string as_key(std::string_view name) {
 
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file) {
   std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing)) fail(file.string(), "there is no such parameter file");
+  if (!std::filesystem::is_regular_file(file, missing)) fail(file.string(), "the parameter file does not exist");
   const std::optional<std::string> text = read_toml_text(file);
   if (!text) fail(file.string(), "it cannot be read; check its permissions");
   return parse_parameters(*text, file.string());

@@ -47,7 +47,7 @@ std::optional<ScriptText> read_script(const std::filesystem::path& root, const s
 ScriptTexts read_scripts(const std::filesystem::path& root) {
   std::error_code error;
   if (!std::filesystem::is_directory(root, error))
-    throw std::runtime_error(root.string() + ": there is no such folder of scripts");
+    throw std::runtime_error(root.string() + ": the folder of scripts does not exist");
   ScriptTexts texts(root.string());
   std::size_t entries = 0;
   // A folder that is not ours to read holds no scripts of ours, and hides none of the others.
@@ -55,13 +55,13 @@ ScriptTexts read_scripts(const std::filesystem::path& root) {
   for (std::filesystem::recursive_directory_iterator entry(root, kSkip, error), end; !error && entry != end;
        entry.increment(error)) {
     if (++entries > kMostEntries)
-      throw std::runtime_error(root.string() + ": more than " + std::to_string(kMostEntries) +
-                               " files and folders; name the scripts' own folder");
+      throw std::runtime_error(root.string() + ": expected at most " + std::to_string(kMostEntries) +
+                               " files and folders, found more; name the folder that contains only scripts");
     const std::string file = entry->path().lexically_relative(root).generic_string();
     if (!is_script(file)) continue;
     if (std::optional<ScriptText> text = read_script(root, file)) texts.apply({file, std::move(text)});
   }
-  if (error) throw std::runtime_error(root.string() + ": not all of it can be read: " + error.message());
+  if (error) throw std::runtime_error(root.string() + ": the folder cannot be read completely: " + error.message());
   return texts;
 }
 

@@ -50,7 +50,7 @@ void TableReader::read(const Readers& readers) const {
   for (const auto& [key, value] : table_) {
     const std::string name(key.str());
     const auto reader = readers.find(name);
-    if (reader == readers.end()) refuse(value, "there is no key '" + name + "' here" + nearest(name, readers));
+    if (reader == readers.end()) refuse(value, "unknown key '" + name + "'" + nearest(name, readers));
     reader->second(name, value);
   }
 }
@@ -72,20 +72,20 @@ TableReader::Reader TableReader::into(double& number, double least, double most)
 
 std::string TableReader::text(const std::string& key, const toml::node& node) const {
   const auto value = node.value_exact<std::string>();
-  if (!value || value->empty()) refuse(node, key + " is a text in quotes");
+  if (!value || value->empty()) refuse(node, key + ": expected a text in quotes");
   return *value;
 }
 
 bool TableReader::yes(const std::string& key, const toml::node& node) const {
   const auto value = node.value_exact<bool>();
-  if (!value) refuse(node, key + " is true or false");
+  if (!value) refuse(node, key + ": expected true or false");
   return *value;
 }
 
 double TableReader::number(const std::string& key, const toml::node& node, double least, double most) const {
   const auto value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value || !(*value >= least && *value <= most))
-    refuse(node, key + " is a number from " + number_text(least) + " to " + number_text(most));
+    refuse(node, key + ": expected a number from " + number_text(least) + " to " + number_text(most));
   return *value;
 }
 
@@ -93,13 +93,13 @@ std::int64_t TableReader::whole(const std::string& key, const toml::node& node, 
                                 std::int64_t most) const {
   const auto value = node.value_exact<std::int64_t>();
   if (!value || *value < least || *value > most)
-    refuse(node, key + " is a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    refuse(node, key + ": expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   return *value;
 }
 
 std::vector<std::string> TableReader::texts(const std::string& key, const toml::node& node) const {
   const toml::array* const array = node.as_array();
-  if (array == nullptr) refuse(node, key + R"( is a list of texts: ["one", "two"])");
+  if (array == nullptr) refuse(node, key + R"(: expected a list of texts, as ["one", "two"])");
   std::vector<std::string> all;
   for (const toml::node& one : *array) all.push_back(text(key, one));
   return all;
@@ -109,7 +109,7 @@ std::vector<double> TableReader::numbers(const std::string& key, const toml::nod
                                          double least, double most) const {
   const toml::array* const array = node.as_array();
   if (array == nullptr || array->size() != count)
-    refuse(node, key + " is a list of " + std::to_string(count) + " numbers");
+    refuse(node, key + ": expected a list of " + std::to_string(count) + " numbers");
   std::vector<double> all;
   for (const toml::node& one : *array) all.push_back(number("each of " + key, one, least, most));
   return all;
@@ -117,13 +117,13 @@ std::vector<double> TableReader::numbers(const std::string& key, const toml::nod
 
 const toml::table& TableReader::table(const std::string& key, const toml::node& node) const {
   if (const toml::table* const table = node.as_table()) return *table;
-  refuse(node, key + " is a table: [" + key + "]");
+  refuse(node, key + ": expected a table [" + key + "]");
 }
 
 const toml::array& TableReader::tables(const std::string& key, const toml::node& node) const {
   const toml::array* const array = node.as_array();
   if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table))
-    refuse(node, key + " is one table or several: [[" + key + "]]");
+    refuse(node, key + ": expected one or more tables [[" + key + "]]");
   return *array;
 }
 

@@ -101,8 +101,9 @@ std::optional<TomlExcess> excess_in_toml(std::string_view text) {
   if (const std::optional<std::size_t> place = long_line(text))
     return excess_at(text, *place, "the line is longer than 1000 letters; break it into several");
   if (const std::optional<std::size_t> place = letter_beyond_ascii(text))
-    return excess_at(text, *place,
-                     "a letter that is not ASCII; put the name in quotes, and no such letter behind a backslash");
+    return excess_at(
+        text, *place,
+        "a letter that is not ASCII; put the name in quotes, and do not write such a letter after a backslash");
   return mistake_beside_letters(text);
 }
 

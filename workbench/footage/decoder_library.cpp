@@ -105,9 +105,9 @@ Functions load() {
     const char* const reason = dlerror();
     missing.append(missing.empty() ? "" : "; ").append(reason != nullptr ? reason : file.string());
   }
-  throw BadFootage("images and videos of others need " + std::string(kName) +
-                   ", which is built where libopencv-imgcodecs-dev and libopencv-videoio-dev are installed (" +
-                   missing + ")");
+  throw BadFootage("decoding images and videos needs " + std::string(kName) +
+                   ", which is built if libopencv-imgcodecs-dev and libopencv-videoio-dev are installed (" + missing +
+                   ")");
 }
 
 const Functions& functions() {
@@ -125,7 +125,7 @@ FootageDecoder decoder_library() {
                                " bytes without its end");
             if (functions().decode_image(bytes.data(), bytes.size(), &pixels) != 0)
               throw BadFootage(where + ": expected an image, found " + std::to_string(bytes.size()) +
-                               " bytes that are none, or a damaged one");
+                               " bytes that are not an image, or a damaged image");
             return image_of(pixels, where);
           },
           [](const std::filesystem::path& file) { return std::make_unique<VideoFile>(functions(), file); }};

@@ -28,7 +28,7 @@ void require_file(const fs::path& file, const std::string& what) {
   if (status.type() == fs::file_type::not_found)
     throw BadFootage(file.string() + ": expected " + what + ", found nothing of that name");
   if (status.type() != fs::file_type::regular)
-    throw BadFootage(file.string() + ": expected " + what + ", found something that is no regular file");
+    throw BadFootage(file.string() + ": expected " + what + ", found something that is not a regular file");
 }
 
 std::string read_file(const fs::path& file, const std::string& what) {

@@ -62,7 +62,7 @@ void write_csv(Recording& recording, std::string_view topic, std::ostream& out) 
   for (const CsvTopic& known : kCsvTopics) {
     if (known.name == topic) return known.write(recording, out);
   }
-  throw std::runtime_error("there is no table '" + std::string(topic) + "'; name world or events");
+  throw std::runtime_error("unknown table '" + std::string(topic) + "' (expected world or events)");
 }
 
 }  // namespace reorient

@@ -41,7 +41,7 @@ bool Playback::observe(Observation& observation) {
   const bool has_frame[] = {seen.upper.has_value(), seen.lower.has_value()};
   for (std::size_t camera = 0; camera < frame_.images.size(); ++camera) {
     if (!frame_.entry.image_is_exact[camera]) continue;
-    check_bytes(has_frame[camera], "a frame and its images do not fit together");
+    check_bytes(has_frame[camera], "a frame and its images do not match");
     inputs_->put_pixels(camera, frame_.images[camera].view());
   }
   observation = seen;

@@ -204,7 +204,7 @@ void Recorder::observe(const FrameRecord& frame, const SceneTruth& scene) {
     tell_("disk or processor are too slow for the recording: images to look at are left out of it");
   if (is_slow && !std::exchange(told_slow_, true))
     tell_(
-        "disk or processor are too slow for the recording: images are left out of it, and what follows cannot be "
+        "disk or processor are too slow for the recording: images are missing from it, and later frames cannot be "
         "replayed exactly");
 }
 

@@ -16,10 +16,10 @@ namespace {
 std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic, const std::string& file) {
   if (const mcap::Channel* const channel = contents.channel(topic)) return channel->id;
   if (contents.damage)
-    throw std::runtime_error(file +
-                             ": it is damaged, and no frames of ours are found in it: " + contents.damage->what());
+    throw std::runtime_error(
+        file + ": the file is damaged, and no frames of reorient are found in it: " + contents.damage->what());
   throw std::runtime_error(file +
-                           ": no frames of ours are in it; name a file that 'reorient run --record FILE' has written");
+                           ": expected a recording of 'reorient run --record FILE', found no frames of reorient");
 }
 
 std::vector<std::byte> copy_of(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
@@ -63,7 +63,7 @@ void Recording::read_format() {
   const auto [end, error] = std::from_chars(told.data(), told.data() + told.size(), format_);
   if (error == std::errc() && end == told.data() + told.size()) return;
   format_ = kRecordingFormat;
-  damages_.emplace_back("at its beginning: what it says of its format");
+  damages_.emplace_back("at its beginning: the information on its format");
 }
 
 double Recording::begin_time() const {
@@ -96,10 +96,11 @@ void Recording::find_view_topics() {
 void Recording::require_this_format() const {
   if (format_ == kRecordingFormat) return;
   const auto version = about_.find("version");
-  throw std::runtime_error(name_ + ": it is of format " + std::to_string(format_) + ", written by reorient " +
-                           (version == about_.end() ? "of an unknown version" : version->second) +
-                           ", and this program replays format " + std::to_string(kRecordingFormat) +
-                           "; replay it with that version; viewers and 'reorient recording info' read it as it is");
+  throw std::runtime_error(
+      name_ + ": the recording has format " + std::to_string(format_) + ", written by reorient " +
+      (version == about_.end() ? "of an unknown version" : version->second) + ", and this program replays format " +
+      std::to_string(kRecordingFormat) +
+      "; replay it with that version; viewers and 'reorient recording info' can read it unchanged");
 }
 
 void Recording::count_messages() {
@@ -176,7 +177,7 @@ bool Recording::next(RecordedFrame& frame) {
       drop_pending();
       continue;
     }
-    check_bytes(is_whole, "a frame and its images do not fit together");
+    check_bytes(is_whole, "a frame and its images do not match");
     is_cut_ = false;
     pending_.follows = last_frame_ && *last_frame_ + 1 == pending_.entry.frame;
     last_frame_ = pending_.entry.frame;

@@ -105,8 +105,7 @@ Rewritten cut_recording(Recording& recording, double from, double to, const std:
   if (views == Views::kept) recording.read_views();
   std::optional<RecordedFrame> first = beginning_of(recording, from);
   if (!first || first->entry.time > to)
-    throw std::runtime_error(
-        "no frame between these times can be made again; 'reorient recording info' says which can");
+    throw std::runtime_error("no frame between these times can be replayed; 'reorient recording info' lists which can");
   Copy copy(recording, file);
   copy.add(*first);
   RecordedFrame frame = std::move(*first);

@@ -39,7 +39,7 @@ void append_scripts(const NameTable& names, const std::vector<LogRecord>& logs, 
   for (const FaultRecord& fault : faults) {
     using Consequence = FaultRecord::Consequence;
     const char* consequence = fault.consequence == Consequence::rolled_back ? "; the previous version runs again"
-                              : fault.consequence == Consequence::stopped   ? "; it is stopped until it is edited"
+                              : fault.consequence == Consequence::stopped   ? "; it stays stopped until it is edited"
                                                                             : "";
     lines.push_back(fault_line("", fault.fault.text() + consequence, fault.fault));
   }

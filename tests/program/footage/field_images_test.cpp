@@ -63,7 +63,7 @@ TEST(FieldImages, ThatCannotBeUsedAreSaidToBeSo) {
   EXPECT_NE(complaint(other.string(), labels.string()).find("expected images with labels in"), std::string::npos);
   EXPECT_NE(complaint("missing.png", labels.string()).find("expected an image, found no file to read"),
             std::string::npos);
-  EXPECT_NE(complaint(image.string(), broken.string()).find("b.toml:1: images is one table or several"),
+  EXPECT_NE(complaint(image.string(), broken.string()).find("b.toml:1: images: expected one or more tables"),
             std::string::npos);
   EXPECT_NE(complaint(image.string(), (folder.path() / "none.toml").string()).find("there is no such file of labels"),
             std::string::npos);

@@ -136,7 +136,7 @@ TEST(ExperimentFile, TakesTheUsualChoicesOfAnAxis) {
   EXPECT_EQ(cells[0].choices, std::vector<std::string>{"hard"});
   EXPECT_EQ(with_usual_choices(parsed(with_usual("\"hard\""))).axes.at(0).choices.size(), 1U)
       << "what is not taken is nothing to compare with";
-  EXPECT_NE(refusal(with_usual("\"hrad\"")).find("has no choice 'hrad'"), std::string::npos);
+  EXPECT_NE(refusal(with_usual("\"hrad\"")).find("unknown choice 'hrad' of the axis"), std::string::npos);
 }
 
 TEST(Choices, AreThoseThatAreAskedForInTheirOrderAndOnce) {
@@ -182,40 +182,43 @@ const std::string kBegin = "title = \"x\"\n[condition]\nscenario = \"a\"\n";
 INSTANTIATE_TEST_SUITE_P(
     All, MistakenExperiment,
     ::testing::Values(
-        Mistake{"Key", kBegin + "widht = 160", ":4: there is no key 'widht' here (did you mean 'width'?)"},
-        Mistake{"TopKey", "titel = \"x\"", ":1: there is no key 'titel' here (did you mean 'title'?)"},
+        Mistake{"Key", kBegin + "widht = 160", ":4: unknown key 'widht' (did you mean 'width'?)"},
+        Mistake{"TopKey", "titel = \"x\"", ":1: unknown key 'titel' (did you mean 'title'?)"},
         Mistake{"NoTitle", "trials = 3\n[condition]\nscenario = \"a\"", "title is missing"},
-        Mistake{"NoScenario", "title = \"x\"", "no scenario is named"},
-        Mistake{"Trials", "title = \"x\"\ntrials = 0", ":2: trials is a whole number from 1 to 100000"},
-        Mistake{"Text", "title = 3", ":1: title is a text in quotes"},
-        Mistake{"Width", kBegin + "width = 200", ":4: width is 160, 320, 544 or 640 pixels"},
+        Mistake{"NoScenario", "title = \"x\"", "the scenario is missing"},
+        Mistake{"Trials", "title = \"x\"\ntrials = 0", ":2: trials: expected a whole number from 1 to 100000"},
+        Mistake{"Text", "title = 3", ":1: title: expected a text in quotes"},
+        Mistake{"Width", kBegin + "width = 200", ":4: width: expected 160, 320, 544 or 640 pixels"},
         Mistake{"Cameras", kBegin + "cameras = \"lower\"", ":4: cameras is"},
-        Mistake{"Seconds", kBegin + "seconds = nan", ":4: seconds is a number from 1 to 86400"},
+        Mistake{"Seconds", kBegin + "seconds = nan", ":4: seconds: expected a number from 1 to 86400"},
         Mistake{"SecondsText", kBegin + "seconds = \"10\"", ":4: seconds is a number"},
-        Mistake{"Seed", kBegin + "hall_seed = -1", ":4: hall_seed is a whole number from 0"},
-        Mistake{"List", kBegin + "with = \"a\"", ":4: with is a list of texts"},
-        Mistake{"ListOfNumbers", kBegin + "with = [1]", ":4: with is a text in quotes"},
-        Mistake{"Flag", kBegin + "room_awareness = 1", ":4: room_awareness is true or false"},
-        Mistake{"Parameter", kBegin + "parameters.lead = 1", ":4: a parameter stands in the table of its module"},
+        Mistake{"Seed", kBegin + "hall_seed = -1", ":4: hall_seed: expected a whole number from 0"},
+        Mistake{"List", kBegin + "with = \"a\"", ":4: with: expected a list of texts"},
+        Mistake{"ListOfNumbers", kBegin + "with = [1]", ":4: with: expected a text in quotes"},
+        Mistake{"Flag", kBegin + "room_awareness = 1", ":4: room_awareness: expected true or false"},
+        Mistake{"Parameter", kBegin + "parameters.lead = 1", ":4: expected a parameter in the table of its module"},
         Mistake{"ParameterValue", kBegin + "parameters.a.b = [1]", ":4: a.b is a number, true, false or a name"},
-        Mistake{"Times", "title = \"x\"\ntimes = \"soon\"", ":2: times are of"},
-        Mistake{"Conditions", kBegin + "conditions = [\"paper\"]", ":4: there is no key 'conditions' here"},
-        Mistake{"NameInTheBase", kBegin + "name = \"a\"", ":4: there is no key 'name' here"},
-        Mistake{"AxisIsNoTable", "title = \"x\"\naxis = 3", ":2: axis is one table or several"},
-        Mistake{"AxisWithoutName", kBegin + "[[axis]]\n[[axis.choice]]\nname = \"a\"", "an axis needs a name"},
-        Mistake{"AxisWithoutChoices", kBegin + "[[axis]]\nname = \"a\"", "the axis a has no choices"},
+        Mistake{"Times", "title = \"x\"\ntimes = \"soon\"",
+                ":2: times: expected \"command\" or \"belief\", found \"soon\""},
+        Mistake{"Conditions", kBegin + "conditions = [\"paper\"]", ":4: unknown key 'conditions'"},
+        Mistake{"NameInTheBase", kBegin + "name = \"a\"", ":4: unknown key 'name'"},
+        Mistake{"AxisIsNoTable", "title = \"x\"\naxis = 3", ":2: axis: expected one or more tables"},
+        Mistake{"AxisWithoutName", kBegin + "[[axis]]\n[[axis.choice]]\nname = \"a\"",
+                "the name of the axis is missing"},
+        Mistake{"AxisWithoutChoices", kBegin + "[[axis]]\nname = \"a\"",
+                "the axis a: expected one or more [[axis.choice]], found none"},
         Mistake{"TwoAxes",
                 kBegin +
                     "[[axis]]\nname = \"a\"\n[[axis.choice]]\nname = \"b\"\n[[axis]]\nname = \"a\"\n[[axis.choice]]\n"
                     "name = \"b\"",
-                "there are two axes 'a'"},
+                "the axis 'a' occurs twice"},
         Mistake{"ChoiceWithoutName", kBegin + "[[axis]]\nname = \"a\"\n[[axis.choice]]\nwidth = 160",
-                "a choice needs a name"},
+                "the name of the choice is missing"},
         Mistake{"TwoChoices",
                 kBegin + "[[axis]]\nname = \"a\"\n[[axis.choice]]\nname = \"b\"\n[[axis.choice]]\nname = \"b\"",
-                "there are two choices 'b'"},
+                "the choice 'b' occurs twice"},
         Mistake{"NoToml", "title = ", ":1: "},
-        Mistake{"EscapeSequence", "title = \"x\"\n\"\\u001b[2J\" = 1", ":2: there is no key '"}),
+        Mistake{"EscapeSequence", "title = \"x\"\n\"\\u001b[2J\" = 1", ":2: unknown key '"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 constexpr const char* kReference = R"([[reference]]
@@ -243,10 +246,10 @@ TEST(ExperimentFile, MayTellWhatOthersMeasured) {
 TEST(ExperimentFile, RefusesReferencesThatBelongToNothing) {
   const std::string reference = kReference;
   const auto with = [&reference](const std::string& more) { return refusal(kTwoAxes + reference + more); };
-  EXPECT_NE(with("choices.mod = \"paper\"\n").find("there is no axis 'mod' with a choice 'paper'"), std::string::npos);
-  EXPECT_NE(with("flip = 70\n").find("where.toml:38: flip is a number from 0 to 1"), std::string::npos);
+  EXPECT_NE(with("choices.mod = \"paper\"\n").find("unknown axis or choice 'mod' = 'paper'"), std::string::npos);
+  EXPECT_NE(with("flip = 70\n").find("where.toml:38: flip: expected a number from 0 to 1"), std::string::npos);
   EXPECT_NE(with("flp = 0.7\n").find("did you mean 'flip'?"), std::string::npos);
-  EXPECT_NE(with("[[reference]]\ntrials = 3\n").find("a reference needs a label"), std::string::npos);
+  EXPECT_NE(with("[[reference]]\ntrials = 3\n").find("label of the reference is missing"), std::string::npos);
 }
 
 TEST(ExperimentFile, ThatIsNotThereIsNamed) {

@@ -71,13 +71,13 @@ TEST(TaskNumbers, AreASortedListWithoutRepetitions) {
 }
 
 TEST(TaskNumbers, OutOfRangeOrNoneAreToldInOneLine) {
-  EXPECT_EQ(refused("71"), "there is no task 71; there are 1 to 70");
-  EXPECT_EQ(refused("0"), "there is no task 0; there are 1 to 70");
-  EXPECT_EQ(refused("-3"), "there is no task -3; there are 1 to 70");
-  EXPECT_EQ(refused("99999999999999999999"), "there is no task 99999999999999999999; there are 1 to 70");
-  EXPECT_EQ(refused("4-2"), "'4-2' counts backwards; write 2-4");
+  EXPECT_EQ(refused("71"), "unknown task 71 (expected 1 to 70)");
+  EXPECT_EQ(refused("0"), "unknown task 0 (expected 1 to 70)");
+  EXPECT_EQ(refused("-3"), "unknown task -3 (expected 1 to 70)");
+  EXPECT_EQ(refused("99999999999999999999"), "unknown task 99999999999999999999 (expected 1 to 70)");
+  EXPECT_EQ(refused("4-2"), "'4-2' has its end before its start; write 2-4");
   for (const char* list : {"", ",", "1,", "1-", "a", "1 2", "1-2-3", "1.5", "+1"})
-    EXPECT_NE(refused(list).find("is no list of tasks"), std::string::npos) << list;
+    EXPECT_NE(refused(list).find("is not a list of tasks"), std::string::npos) << list;
 }
 
 RC_GTEST_PROP(TaskNumbersProperty, NeverLeaveTheirRange, (const std::string& list)) {

@@ -71,7 +71,8 @@ TEST_F(ParameterFile, WithAKeyOfAHundredThousandPartsDoesNotExhaustTheStack) {
 
 TEST_F(ParameterFile, OfTablesThatLieTooDeeplyInEachOtherIsRefused) {
   EXPECT_EQ(refusal("a" + repeated(".a", 15) + " = 1\n"), "accepted");
-  EXPECT_NE(refusal("\na" + repeated(".a", 400) + " = 1\n").find("p.toml:2: tables lie too deeply"), std::string::npos);
+  EXPECT_NE(refusal("\na" + repeated(".a", 400) + " = 1\n").find("p.toml:2: tables are nested too deeply"),
+            std::string::npos);
 }
 
 TEST_F(ParameterFile, OfAHundredThousandKeysIsRefused) {

@@ -31,8 +31,8 @@ TEST(PlacesFile, SaysWhereEachPlayerStands) {
 }
 
 TEST(PlacesFile, IsRefusedInOneLine) {
-  EXPECT_EQ(complaint(parse_places, "player_2 = [1, 2]"), "file.toml:1: player_2 is a list of 3 numbers");
-  EXPECT_NE(complaint(parse_places, "player_21 = [1, 2, 3]").find("there is no key 'player_21'"), std::string::npos);
+  EXPECT_EQ(complaint(parse_places, "player_2 = [1, 2]"), "file.toml:1: player_2: expected a list of 3 numbers");
+  EXPECT_NE(complaint(parse_places, "player_21 = [1, 2, 3]").find("unknown key 'player_21'"), std::string::npos);
   EXPECT_NE(complaint(parse_places, "player_1 = [nan, 2, 3]"), "");
   EXPECT_NE(complaint(parse_places, "player_1 = "), "");
   EXPECT_THROW(load_places("/nowhere/places.toml"), std::runtime_error);

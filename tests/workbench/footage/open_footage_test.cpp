@@ -168,7 +168,7 @@ TEST_F(OpenFootage, WaitsForNoPipe) {
   ASSERT_EQ(mkfifo((folder() / "pipe.mkv").c_str(), 0600), 0);
   folder_.write("frames.csv", "image,time_s\npipe.jpg,1\n");
   for (const char* const name : {"", "pipe.csv", "pipe.mkv"})
-    expect_refused(read(folder() / name).second, "found something that is no regular file");
+    expect_refused(read(folder() / name).second, "found something that is not a regular file");
 }
 
 TEST_F(OpenFootage, SaysWhatIsNotThere) {

@@ -111,7 +111,7 @@ void choose(Experiment& experiment, const std::string& axis, const std::vector<s
     one.usual.clear();
     return;
   }
-  throw std::runtime_error(as_line(experiment.name + " has no axis '" + axis + "'" + did_you_mean(axis, axes)));
+  throw std::runtime_error(as_line(experiment.name + ": unknown axis '" + axis + "'" + did_you_mean(axis, axes)));
 }
 
 Experiment with_usual_choices(Experiment experiment) {
@@ -132,9 +132,8 @@ std::vector<Cell> cells_of(const Experiment& experiment) {
   for (const Axis& axis : taken.axes) {
     count *= axis.choices.size();
     if (count > kMostCells)
-      throw std::runtime_error(as_line(experiment.name) + " varies so much that it has more than " +
-                               std::to_string(kMostCells) +
-                               " cells; take choices away, or make several experiments of it");
+      throw std::runtime_error(as_line(experiment.name) + ": expected at most " + std::to_string(kMostCells) +
+                               " cells, found more; remove choices or split the experiment");
   }
   Cell first;
   apply(taken.base, first.condition);

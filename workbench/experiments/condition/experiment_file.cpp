@@ -40,7 +40,8 @@ class ExperimentReader {
         {"times",
          [&](auto& key, auto& value) {
            const std::string of = in.text(key, value);
-           if (of != "command" && of != "belief") in.refuse(value, "times are of \"command\" or of \"belief\"");
+           if (of != "command" && of != "belief")
+             in.refuse(value, "times: expected \"command\" or \"belief\", found \"" + of + "\"");
            experiment.times = of == "command" ? TimeOf::command : TimeOf::belief;
          }},
         {"condition", [&](auto& key, auto& value) { experiment.base = read_patch(in.table(key, value), {}); }},
@@ -57,7 +58,8 @@ class ExperimentReader {
       require_choices(in, table, reference, experiment.axes);
       sort_choices(reference, experiment.axes);
     }
-    if (experiment.title.empty()) in.refuse(table, "title is missing: what the experiment asks, in one sentence");
+    if (experiment.title.empty())
+      in.refuse(table, "title is missing (expected one sentence: the question of the experiment)");
     if (!names_scenario(experiment.base)) require_scenario(in, table, experiment.axes);
     return experiment;
   }
@@ -75,7 +77,7 @@ class ExperimentReader {
       return std::all_of(axis.choices.begin(), axis.choices.end(),
                          [](const AxisChoice& choice) { return names_scenario(choice.patch); });
     });
-    if (!is_chosen) in.refuse(table, "no scenario is named: [condition] scenario = \"mirrored_placement\"");
+    if (!is_chosen) in.refuse(table, "the scenario is missing: [condition] scenario = \"mirrored_placement\"");
   }
 
   static void require_choices(const TableReader& in, const toml::table& table, const Reference& reference,
@@ -87,7 +89,7 @@ class ExperimentReader {
       };
       if (std::any_of(axes.begin(), axes.end(), has_it)) continue;
       std::string why = "the reference '" + reference.label;
-      why.append("': there is no axis '").append(wanted.first).append("' with a choice '").append(wanted.second);
+      why.append("': unknown axis or choice '").append(wanted.first).append("' = '").append(wanted.second);
       in.refuse(table, why + "'");
     }
   }
@@ -111,15 +113,16 @@ class ExperimentReader {
           {"choice", [&](auto& key, auto& value) { read_choices(table, table.tables(key, value), axis.choices); }},
           {"usual", [&](auto& key, auto& value) { axis.usual = table.texts(key, value); }},
       });
-      if (axis.name.empty()) table.refuse(one, "an axis needs a name");
-      if (axis.choices.empty()) table.refuse(one, "the axis " + axis.name + " has no choices: [[axis.choice]]");
+      if (axis.name.empty()) table.refuse(one, "the name of the axis is missing");
+      if (axis.choices.empty())
+        table.refuse(one, "the axis " + axis.name + ": expected one or more [[axis.choice]], found none");
       for (const std::string& usual : axis.usual) {
         const auto is_it = [&](const AxisChoice& choice) { return choice.name == usual; };
         if (std::none_of(axis.choices.begin(), axis.choices.end(), is_it))
-          table.refuse(one, "usual: the axis " + axis.name + " has no choice '" + usual + "'");
+          table.refuse(one, "usual: unknown choice '" + usual + "' of the axis " + axis.name);
       }
       for (const Axis& other : axes) {
-        if (other.name == axis.name) table.refuse(one, "there are two axes '" + axis.name + "'");
+        if (other.name == axis.name) table.refuse(one, "the axis '" + axis.name + "' occurs twice");
       }
       axes.push_back(std::move(axis));
     }
@@ -132,9 +135,9 @@ class ExperimentReader {
       choice.patch = read_patch(*one.as_table(), [&](const TableReader& table, auto& key, auto& value) {
         choice.name = table.text(key, value);
       });
-      if (choice.name.empty()) in.refuse(one, "a choice needs a name");
+      if (choice.name.empty()) in.refuse(one, "the name of the choice is missing");
       for (const AxisChoice& other : choices) {
-        if (other.name == choice.name) in.refuse(one, "there are two choices '" + choice.name + "'");
+        if (other.name == choice.name) in.refuse(one, "the choice '" + choice.name + "' occurs twice");
       }
       choices.push_back(std::move(choice));
     }
@@ -171,13 +174,13 @@ class ExperimentReader {
          [&](auto& key, auto& value) {
            patch.cameras = in.text(key, value);
            if (*patch.cameras != "upper" && *patch.cameras != "both")
-             in.refuse(value, "cameras is \"upper\" or \"both\"");
+             in.refuse(value, "cameras: expected \"upper\" or \"both\", found \"" + *patch.cameras + "\"");
          }},
         {"width",
          [&](auto& key, auto& value) {
            patch.width = static_cast<int>(in.whole(key, value, 160, 640));
            if (std::find(kImageWidths.begin(), kImageWidths.end(), *patch.width) == kImageWidths.end())
-             in.refuse(value, "width is 160, 320, 544 or 640 pixels");
+             in.refuse(value, "width: expected 160, 320, 544 or 640 pixels");
          }},
         {"room_awareness", [&](auto& key, auto& value) { patch.room_awareness = in.yes(key, value); }},
         {"seconds", [&](auto& key, auto& value) { patch.seconds = in.number(key, value, 1.0, kDay); }},
@@ -212,11 +215,11 @@ class ExperimentReader {
     for (const auto& [module, values] : table) {
       const toml::table* const inner = values.as_table();
       if (inner == nullptr)
-        in.refuse(values, "a parameter stands in the table of its module: orientation.lingering = 0.3");
+        in.refuse(values, "expected a parameter in the table of its module, as orientation.lingering = 0.3");
       for (const auto& [key, value] : *inner) {
         const std::string name = std::string(module.str()) + "." + std::string(key.str());
         const std::optional<std::string> text = value_text(value);
-        if (!text) in.refuse(value, name + " is a number, true, false or a name in quotes");
+        if (!text) in.refuse(value, name + ": expected a number, true, false or a name in quotes");
         changes.push_back({name, *text, ParameterOrigin::file, place_of(value)});
       }
     }

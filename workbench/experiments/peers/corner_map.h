@@ -35,7 +35,7 @@ void describe(CornerMapParameters& p, Visit&& visit) {
   visit("least_seen", p.least_seen, 1, 1000, "",
         "smallest number of frames in which a landmark was seen before it counts as evidence");
   visit("least_share", p.least_share, 0.0, 1.0, "",
-        "smallest share of the frames that should show a landmark in which it has to be found");
+        "smallest fraction of the frames that should show a landmark in which it must be found");
 }
 
 struct CornerLandmark {

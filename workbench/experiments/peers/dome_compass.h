@@ -19,11 +19,12 @@ struct DomeCompassParameters {
 };
 template <typename Visit>
 void describe(DomeCompassParameters& p, Visit&& visit) {
-  visit("radius", p.radius, 8.0, 100.0, "m", "distance of the icosahedron's corners from the field's centre");
-  visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the triangles begin");
-  visit("cuts", p.cuts, 1, 16, "", "parts of each edge of a face, which so is this many times this many triangles");
-  visit("samples", p.samples, 8, 640, "", "pixels that are looked at in a row of the image; as far apart downwards");
-  visit("least_samples", p.least_samples, 1, 1000, "", "a triangle of which fewer are in view does not count");
+  visit("radius", p.radius, 8.0, 100.0, "m", "distance of the corners of the icosahedron from the center of the field");
+  visit("bottom", p.bottom, 0.0, 10.0, "m", "height of the lower edge of the lowest triangles");
+  visit("cuts", p.cuts, 1, 16, "", "number of parts of each edge of a face; a face has the square of it as triangles");
+  visit("samples", p.samples, 8, 640, "",
+        "number of sampled pixels in a row of the image; rows have the same distance");
+  visit("least_samples", p.least_samples, 1, 1000, "", "smallest number of samples in view at which a triangle counts");
   describe(p.tiles, visit);
 }
 

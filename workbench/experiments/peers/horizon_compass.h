@@ -24,14 +24,18 @@ struct HorizonCompassParameters {
 template <typename Visit>
 void describe(HorizonCompassParameters& p, Visit&& visit) {
   visit("band", p.band, 0.002, 0.3, "rad", "height of the strip around the horizon whose mean brightness is the row");
-  visit("contrast", p.contrast, 0.0, 1.0, "", "how far a feature stands out, as a share of the row's mean brightness");
-  visit("radius", p.radius, 6.0, 100.0, "m", "of the wall on which azimuths are; 100: as good as infinitely far");
-  visit("tolerance", p.tolerance, 0.001, 0.5, "rad", "how far from its azimuth a feature is looked for");
-  visit("same", p.same, 0.0, 2.0, "", "distance between descriptors up to which they are of one landmark");
-  visit("cap", p.cap, 0.0, 2.0, "", "distance that counts at most, and where there is no landmark");
+  visit("contrast", p.contrast, 0.0, 1.0, "",
+        "smallest contrast of a feature, as a fraction of the mean brightness of the row");
+  visit("radius", p.radius, 6.0, 100.0, "m",
+        "radius of the wall to which azimuths refer; 100 m is practically infinite");
+  visit("tolerance", p.tolerance, 0.001, 0.5, "rad",
+        "largest difference between the azimuths of a feature and its landmark");
+  visit("same", p.same, 0.0, 2.0, "", "largest distance between two descriptors of the same landmark");
+  visit("cap", p.cap, 0.0, 2.0, "",
+        "upper limit of the distance between descriptors, also used if no landmark is near");
   visit("landmarks", p.landmarks, 1, 1000, "",
-        "of a sector of 2.5 degrees, at most; a new one takes the place of the one least seen");
-  visit("least_seen", p.least_seen, 1, 1000, "", "a landmark that was seen less often does not count");
+        "largest number of landmarks in a sector of 2.5 degrees; a new one replaces the one seen least often");
+  visit("least_seen", p.least_seen, 1, 1000, "", "smallest number of observations at which a landmark counts");
 }
 
 /// Learned is a map of landmarks by their azimuth. Compared is how well each feature fits the nearest landmark at its

@@ -26,7 +26,7 @@ struct TileCompassParameters {
 template <typename Visit>
 void describe(TileCompassParameters& p, Visit&& visit) {
   visit("light_memory", p.light_memory, 0.0, 600.0, "s",
-        "over how long the tiles' mean colour runs, which the thresholds follow; 0: they are fixed");
+        "time constant of the mean color of the tiles, which the thresholds follow; 0: fixed thresholds");
   describe(p.distance, visit);
 }
 

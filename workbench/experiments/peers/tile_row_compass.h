@@ -21,11 +21,11 @@ struct TileRowCompassParameters {
 };
 template <typename Visit>
 void describe(TileRowCompassParameters& p, Visit&& visit) {
-  visit("rows", p.rows, 1, 8, "", "rows of tiles");
-  visit("columns", p.columns, 4, 128, "", "tiles around the field; made even");
-  visit("bottom", p.bottom, 0.0, 10.0, "m", "height where the tiles begin");
-  visit("top", p.top, 0.1, 30.0, "m", "height where the tiles end");
-  visit("radius", p.radius, 6.0, 100.0, "m", "distance of the tiles from the field's centre");
+  visit("rows", p.rows, 1, 8, "", "number of rows of tiles");
+  visit("columns", p.columns, 4, 128, "", "number of tiles around the field, rounded to an even number");
+  visit("bottom", p.bottom, 0.0, 10.0, "m", "height of the lower edge of the lowest tiles");
+  visit("top", p.top, 0.1, 30.0, "m", "height of the upper edge of the highest tiles");
+  visit("radius", p.radius, 6.0, 100.0, "m", "distance of the tiles from the center of the field");
   describe(p.tiles, visit);
 }
 

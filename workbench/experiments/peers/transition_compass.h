@@ -28,19 +28,20 @@ struct TransitionCompassParameters {
 };
 template <typename Visit>
 void describe(TransitionCompassParameters& p, Visit&& visit) {
-  visit("classes", p.classes, 2, 24, "", "colours that are told apart");
-  visit("chroma", p.chroma, 0.0, 10.0, "", "how much more chroma counts than luma where they are found");
+  visit("classes", p.classes, 2, 24, "", "number of color classes");
+  visit("chroma", p.chroma, 0.0, 10.0, "", "weight of chroma relative to luma when color classes are found");
   visit("light_memory", p.light_memory, 0.0, 600.0, "s",
-        "over how long the room's mean colour runs, which is taken off first; 0: colours are as the camera sees them");
-  visit("palette", p.palette, 0.0, 600.0, "s", "of the learning, at first, for finding the colours");
-  visit("sectors", p.sectors, 4, 720, "", "parts of the circle; made even");
-  visit("columns", p.columns, 4, 640, "", "scan lines in an image");
-  visit("elevation", p.elevation, 0.02, 1.0, "rad", "how far scan lines reach up from the horizon");
+        "time constant of the mean color of the room, which is subtracted; 0: colors as the camera measures them");
+  visit("palette", p.palette, 0.0, 600.0, "s", "time at the start of learning in which the color classes are found");
+  visit("sectors", p.sectors, 4, 720, "", "number of sectors of the circle, rounded to an even number");
+  visit("columns", p.columns, 4, 640, "", "number of scan lines in an image");
+  visit("elevation", p.elevation, 0.02, 1.0, "rad", "height of the scan lines above the horizon");
   visit("bands", p.bands, 1, 8, "",
-        "parts of that height with scan lines of their own, so that a camera that looks down still sees some");
-  visit("radius", p.radius, 6.0, 100.0, "m", "of the wall on which azimuths are; 100: as good as infinitely far");
-  visit("prior", p.prior, 0.01, 1000.0, "", "scan lines of the whole room for which each sector begins");
-  visit("cap", p.cap, 0.01, 100.0, "", "log-likelihood that one scan line can give at most");
+        "number of parts of that height with separate scan lines, so that a camera that looks down sees some of them");
+  visit("radius", p.radius, 6.0, 100.0, "m",
+        "radius of the wall to which azimuths refer; 100 m is practically infinite");
+  visit("prior", p.prior, 0.01, 1000.0, "", "number of scan lines of the whole room that each sector starts with");
+  visit("cap", p.cap, 0.01, 100.0, "", "largest log-likelihood of one scan line");
 }
 
 /// Scan lines go up from the horizon, band by band. For each sector of the circle, each band and each ordered pair of

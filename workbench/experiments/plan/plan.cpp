@@ -17,10 +17,11 @@ int number_in(std::string_view text, std::string_view list, int count) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc::invalid_argument || end != text.data() + text.size())
-    throw std::runtime_error("'" + as_line(list.substr(0, 60)) + "' is no list of tasks; write 17, 1-64 or 1-64,70");
+    throw std::runtime_error("'" + as_line(list.substr(0, 60)) +
+                             "' is not a list of tasks (expected a form such as 17, 1-64 or 1-64,70)");
   if (error != std::errc() || number < 1 || number > count)
-    throw std::runtime_error("there is no task " + as_line(text.substr(0, 30)) + "; there are 1 to " +
-                             std::to_string(count));
+    throw std::runtime_error("unknown task " + as_line(text.substr(0, 30)) + " (expected 1 to " +
+                             std::to_string(count) + ")");
   return number;
 }
 
@@ -30,8 +31,8 @@ std::vector<Task> tasks_of(const Experiment& experiment, std::uint64_t first_see
   const std::size_t cells = cells_of(experiment).size();
   const auto trials = static_cast<std::size_t>(experiment.trials);
   if (cells * trials > kMostTasks)
-    throw std::runtime_error(as_line(experiment.name) + " would be " + std::to_string(cells * trials) +
-                             " trials; at most " + std::to_string(kMostTasks) + " make one experiment");
+    throw std::runtime_error(as_line(experiment.name) + ": expected at most " + std::to_string(kMostTasks) +
+                             " trials, found " + std::to_string(cells * trials));
   std::vector<Task> tasks;
   tasks.reserve(cells * trials);
   for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -59,8 +60,8 @@ std::vector<int> numbers_in(std::string_view list, int count) {
     const int first = number_in(part.substr(0, dash), list, count);
     const int last = dash == std::string_view::npos ? first : number_in(part.substr(dash + 1), list, count);
     if (last < first)
-      throw std::runtime_error("'" + as_line(part) + "' counts backwards; write " + std::to_string(last) + "-" +
-                               std::to_string(first));
+      throw std::runtime_error("'" + as_line(part) + "' has its end before its start; write " + std::to_string(last) +
+                               "-" + std::to_string(first));
     for (int number = first; number <= last; ++number) numbers.insert(number);
     if (comma == std::string_view::npos) return {numbers.begin(), numbers.end()};
     rest.remove_prefix(comma + 1);

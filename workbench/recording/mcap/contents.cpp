@@ -115,7 +115,7 @@ AttachmentPlace read_attachment_head(const RecordHead& head, std::span<const std
   place.data = head.content() + before_data;
   constexpr std::uint64_t kCrc = 4;
   check_bytes(head.length >= before_data + kCrc && place.data_size == head.length - before_data - kCrc,
-              "an attachment's length is not that of its record");
+              "an attachment's length and its record's length differ");
   return place;
 }
 
@@ -211,7 +211,7 @@ void read_hidden(const Walk& walk, std::uint64_t where, Opcode opcode, Known& kn
   try {
     walk.each_from(where, [&](const RecordHead& head) {
       if (static_cast<Opcode>(head.opcode) != opcode)
-        throw Damage(where, "here is no such record as the summary names");
+        throw Damage(where, "the record that the summary names is missing");
       read_record(walk, head, known, contents);
       return false;
     });
@@ -246,10 +246,10 @@ void take_metadata(const Walk& walk, ByteReader in, bool is_sound, Known& known,
 /// Behind the last record.
 void read_end(const Source& source, std::uint64_t where) {
   std::array<std::byte, kMagic.size()> magic{};
-  if (source.size() - where < magic.size()) throw Damage(where, "it ends within what ends an MCAP file");
+  if (source.size() - where < magic.size()) throw Damage(where, "the file ends within the end mark of an MCAP file");
   source.read(where, magic);
   if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0)
-    throw Damage(where, "what comes last is not what ends an MCAP file");
+    throw Damage(where, "the end mark of an MCAP file is missing");
 }
 
 constexpr std::uint64_t kFooter = kRecordHead + 2 * sizeof(std::uint64_t) + sizeof(std::uint32_t);
@@ -377,8 +377,8 @@ bool is_mcap(const Source& source) {
 }
 
 Contents read_contents(const Source& source) {
-  if (source.size() < kMagic.size()) throw Damage(0, "it is too short to be an MCAP file");
-  if (!is_mcap(source)) throw Damage(0, "it does not begin as an MCAP file does");
+  if (source.size() < kMagic.size()) throw Damage(0, "the file is too short for an MCAP file");
+  if (!is_mcap(source)) throw Damage(0, "expected the start mark of an MCAP file, found other bytes");
   Contents contents;
   Known known;
   const Walk walk(source);

@@ -20,7 +20,7 @@ constexpr std::size_t kStep = 1u << 20;  // bytes: how long a chunk is claimed t
 
 std::vector<std::byte> unpack_zstd(std::span<const std::byte> stored, const ChunkPlace& place) {
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-  if (!context) throw std::runtime_error("zstd gives no memory to read with");
+  if (!context) throw std::runtime_error("out of memory for decompression with zstd");
   std::vector<std::byte> records;
   ZSTD_inBuffer in{stored.data(), stored.size(), 0};
   while (in.pos < in.size && records.size() <= place.size) {
@@ -41,7 +41,7 @@ std::vector<std::byte> unpack_lz4(std::span<const std::byte> stored, const Chunk
   LZ4F_dctx* made = nullptr;
   const LZ4F_errorCode_t failure = LZ4F_createDecompressionContext(&made, LZ4F_VERSION);
   const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> context(made, LZ4F_freeDecompressionContext);
-  if (LZ4F_isError(failure) != 0) throw std::runtime_error("lz4 gives no memory to read with");
+  if (LZ4F_isError(failure) != 0) throw std::runtime_error("out of memory for decompression with lz4");
   std::vector<std::byte> records;
   while (records.size() <= place.size) {
     const std::size_t before = records.size();
@@ -76,7 +76,7 @@ ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : wh
     throw Damage(
         where_, "a chunk holds " + std::to_string(records_.size()) + " bytes instead of " + std::to_string(place.size));
   }
-  if (place.crc != 0 && crc_of(0, records_) != place.crc) throw Damage(where_, "a chunk's checksum is another one");
+  if (place.crc != 0 && crc_of(0, records_) != place.crc) throw Damage(where_, "a chunk's checksum is wrong");
 }
 
 bool ChunkMessages::next(ChunkRecord& record) {
@@ -123,7 +123,7 @@ std::vector<std::byte> read_attachment(const Source& source, const AttachmentPla
   std::uint32_t crc = 0;
   ByteReader{std::span(content).last(kCrc)}(crc);
   content.resize(content.size() - kCrc);
-  if (crc != 0 && crc != crc_of(0, content)) throw Damage(place.where, "an attachment's checksum is another one");
+  if (crc != 0 && crc != crc_of(0, content)) throw Damage(place.where, "an attachment's checksum is wrong");
   content.erase(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(place.data - begin));
   return content;
 }

@@ -42,7 +42,7 @@ class ChunkMessages {
   std::size_t at_ = 0;
 };
 
-/// Bytes of an attachment. Throws Damage where its checksum is another one.
+/// Bytes of an attachment. Throws Damage where its checksum is wrong.
 std::vector<std::byte> read_attachment(const Source& source, const AttachmentPlace& place);
 
 }  // namespace reorient::mcap

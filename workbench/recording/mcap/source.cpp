@@ -26,7 +26,7 @@ FileSource::FileSource(const std::filesystem::path& file)
   if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw std::runtime_error(failed(file));
   if (!S_ISREG(status.st_mode)) {
     close(descriptor_);
-    throw std::runtime_error(file.string() + ": it is no file; name a recording");
+    throw std::runtime_error(file.string() + ": expected a recording, found something that is not a file");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -38,7 +38,7 @@ void FileSource::read(std::uint64_t from, std::span<std::byte> bytes) const {
     const ssize_t got = pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(from));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw std::runtime_error(failed(file_));
-    if (got == 0) throw std::runtime_error(file_.string() + ": it became shorter while it was read");
+    if (got == 0) throw std::runtime_error(file_.string() + ": the file became shorter while it was read");
     bytes = bytes.subspan(static_cast<std::size_t>(got));
     from += static_cast<std::uint64_t>(got);
   }

@@ -65,7 +65,7 @@ std::vector<std::byte> content_of(const Statistics& statistics) {
 
 Writer::Writer(Sink sink, std::string_view library)
     : sink_(std::move(sink)), compressor_(ZSTD_createCCtx(), ZSTD_freeCCtx) {
-  if (!compressor_) throw std::runtime_error("zstd gives no memory to compress with");
+  if (!compressor_) throw std::runtime_error("out of memory for compression with zstd");
   put(std::as_bytes(std::span(kMagic)));
   std::vector<std::byte> content;
   ByteWriter{content}(std::string(), std::string(library));
@@ -127,7 +127,7 @@ void Writer::close_chunk() {
   const std::size_t compressed = ZSTD_compressCCtx(compressor_.get(), compressed_.data(), compressed_.size(),
                                                    chunk_.data(), chunk_.size(), kLevel);
   if (ZSTD_isError(compressed) != 0)
-    throw std::runtime_error(std::string("zstd does not compress: ") + ZSTD_getErrorName(compressed));
+    throw std::runtime_error(std::string("zstd cannot compress: ") + ZSTD_getErrorName(compressed));
 
   const std::string zstd = "zstd";
   out_.clear();

@@ -9,7 +9,7 @@
 namespace reorient {
 
 JpegEncoder::JpegEncoder(int quality) : quality_(quality), encoder_(tjInitCompress(), tjDestroy) {
-  if (!encoder_) throw std::runtime_error(std::string("no JPEG can be made: ") + tjGetErrorStr2(nullptr));
+  if (!encoder_) throw std::runtime_error(std::string("cannot encode a JPEG: ") + tjGetErrorStr2(nullptr));
 }
 
 std::span<const std::byte> JpegEncoder::encode(const ImageView& image) {
@@ -36,7 +36,7 @@ std::span<const std::byte> JpegEncoder::encode(const ImageView& image) {
   unsigned long size = jpeg_.size();
   if (tjCompressFromYUVPlanes(encoder_.get(), planes, image.width, nullptr, image.height, TJSAMP_422, &place, &size,
                               quality_, TJFLAG_NOREALLOC) != 0)
-    throw std::runtime_error(std::string("no JPEG can be made: ") + tjGetErrorStr2(encoder_.get()));
+    throw std::runtime_error(std::string("cannot encode a JPEG: ") + tjGetErrorStr2(encoder_.get()));
   return std::as_bytes(std::span(jpeg_.data(), size));
 }
 
