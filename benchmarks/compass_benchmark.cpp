@@ -16,7 +16,7 @@
 namespace reorient {
 namespace {
 
-/// Patches of colour with grain, so that there is something to find all around.
+/// Patches of color with grain, so that there is something to find all around.
 Image patchwork(int width, int height) {
   Image image(width, height);
   Random random(3);

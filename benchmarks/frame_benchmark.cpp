@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one frame costs on one core, from the camera image to the answer, with the shipped scenario's behaviours and
+// What one frame costs on one core, from the camera image to the answer, with the shipped scenario's behaviors and
 // without rendering. The bar is 5 ms at 640x480.
 #include <cstddef>
 #include <map>

@@ -21,7 +21,7 @@ constexpr int kHeight = 480;
 constexpr int kTileColumns = 8;
 constexpr int kTileRows = 8;
 
-/// Patches of colour with grain, as a room has them.
+/// Patches of color with grain, as a room has them.
 Image room_like_image() {
   Image image(kWidth, kHeight);
   Random random(1);

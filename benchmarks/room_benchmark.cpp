@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What one frame of room awareness costs, everything included, with a trained model; and what of it is not the counting
-// of colours, which alone depends on the size of the image. One core.
+// of colors, which alone depends on the size of the image. One core.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,7 +16,7 @@
 namespace reorient {
 namespace {
 
-/// Vertical stripes of colour with grain; what stands where does not matter for the time.
+/// Vertical stripes of color with grain; what stands where does not matter for the time.
 Image striped_image(int width, int height) {
   Image image(width, height);
   Random random(3);

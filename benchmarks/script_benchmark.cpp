@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts cost: a frame of all shipped behaviours, one call, a reload, the end of a runaway.
+// What scripts cost: a frame of all shipped behaviors, one call, a reload, the end of a runaway.
 #include <filesystem>
 #include <string>
 
@@ -33,7 +33,7 @@ void step(World& world) {
   world.line_points = static_cast<int>(world.frame % 40);
 }
 
-void BM_FrameOfAllShippedBehaviours(benchmark::State& state) {
+void BM_FrameOfAllShippedBehaviors(benchmark::State& state) {
   ParameterRegistry parameters;
   Behaviors behaviors(read_scripts(kScripts), parameters);
   for (const std::string& file : behaviors.host().texts().in_folder("behaviors")) behaviors.host().load(file);
@@ -45,9 +45,9 @@ void BM_FrameOfAllShippedBehaviours(benchmark::State& state) {
     benchmark::DoNotOptimize(behaviors.wanted());
   }
 }
-BENCHMARK(BM_FrameOfAllShippedBehaviours);
+BENCHMARK(BM_FrameOfAllShippedBehaviors);
 
-/// One behaviour whose `update` is an empty function: what a call from C++ costs.
+/// One behavior whose `update` is an empty function: what a call from C++ costs.
 void BM_CallOfAnEmptyFunction(benchmark::State& state) {
   Sandbox sandbox{ScriptLimits{}};
   sandbox.grant(1'000'000'000'000);

@@ -158,8 +158,8 @@ class Trial {
     inputs_.observation.body.time = inputs_.observation.time;
     scene_.scenario = scenario_->tick({engine_->record().world, std::nullopt});
     console_->observe(engine_->record(), scene_);
-    require(engine_->record().faults.empty() && scene_.scenario.faults.empty(), "no behaviour fails by what is typed");
-    require(engine_->record().machines.size() == 1, "the behaviour goes on");
+    require(engine_->record().faults.empty() && scene_.scenario.faults.empty(), "no behavior fails by what is typed");
+    require(engine_->record().machines.size() == 1, "the behavior goes on");
     require_readable(out_.str());
     return !out_.str().empty();
   }

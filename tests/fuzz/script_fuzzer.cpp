@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary texts as a behaviour and as an edit of it: loaded, ticked, reloaded, ticked. Whatever the texts say, the
-// engine keeps its promises; a broken one aborts. The input is the behaviour, a byte 0xFF, the edit; without that byte
-// the edit is the behaviour with its first digit changed.
+// Arbitrary texts as a behavior and as an edit of it: loaded, ticked, reloaded, ticked. Whatever the texts say, the
+// engine keeps its promises; a broken one aborts. The input is the behavior, a byte 0xFF, the edit; without that byte
+// the edit is the behavior with its first digit changed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,7 +50,7 @@ ScriptLimits low_limits() {
   return limits;
 }
 
-/// Worlds that differ in all that behaviours ask about, the same ones for the same input.
+/// Worlds that differ in all that behaviors ask about, the same ones for the same input.
 class Worlds {
  public:
   explicit Worlds(std::uint64_t seed) : bits_(seed) {}

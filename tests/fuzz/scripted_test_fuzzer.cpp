@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary texts as a file of scripted tests, beside the shipped behaviours: whatever a test does, it ends soon, and
+// Arbitrary texts as a file of scripted tests, beside the shipped behaviors: whatever a test does, it ends soon, and
 // what is told about it can be read.
 #include <cstddef>
 #include <cstdint>

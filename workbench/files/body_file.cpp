@@ -64,8 +64,8 @@ class BodyReader {
 
   static TableReader::Reader place_into(const TableReader& in, Eigen::Vector3d& place) {
     return [&in, &place](auto& key, auto& value) {
-      const std::vector<double> metres = in.numbers(key, value, 3, -kTallest, kTallest);
-      place = {metres[0], metres[1], metres[2]};
+      const std::vector<double> meters = in.numbers(key, value, 3, -kTallest, kTallest);
+      place = {meters[0], meters[1], meters[2]};
     };
   }
 

@@ -45,8 +45,8 @@ FieldDimensions parse_field(std::string_view text, const std::string& name) {
        }},
       {"yellow_goals", [&](auto& key, auto& value) { field.yellow_goals = in.yes(key, value); }}};
   TableReader::Readers optional;  // which files of former versions do not have
-  describe(field, [&](const char* length, double& metres, double least, double most) {
-    (&metres == &field.ball_diameter ? optional : readers)[length] = in.into(metres, least, most);
+  describe(field, [&](const char* length, double& meters, double least, double most) {
+    (&meters == &field.ball_diameter ? optional : readers)[length] = in.into(meters, least, most);
   });
   in.read_all(readers, optional);
   if (outside) to_centers(field);

@@ -55,7 +55,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // which some editors write
 
 /// The first byte beyond ASCII that stands neither in quotes nor in a comment, or behind a backslash. TOML has hardly
-/// any, and the parser's behaviour is undefined for some (toml++ 3.3.0: U+00A1).
+/// any, and the parser's behavior is undefined for some (toml++ 3.3.0: U+00A1).
 std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
   for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size();) {
     if (is_beyond_ascii(text[i])) return i;

@@ -33,7 +33,8 @@ inline constexpr int kRecordingFormat = 9;
 struct ViewTopic {
   std::string name, encoding;
   std::string schema, schema_encoding, schema_text;  ///< schema: empty: there is none
-  bool lasts = false;  ///< a message holds until the next one: whoever begins in the middle needs the one before
+  bool lasts =
+      false;  ///< a message is valid until the next one, so a reader that starts in the middle needs the previous one
 };
 
 // Said of such a topic, and of the file, for whoever reads it.

@@ -19,7 +19,7 @@ struct LogLine {
   int line = 0;
 };
 
-/// In their order: the behaviours' edits and the scenario's, then what both said.
+/// In their order: the behaviors' edits and the scenario's, then what both said.
 std::vector<LogLine> log_lines(const FrameRecord& frame, const SceneTruth& scene);
 
 }  // namespace reorient

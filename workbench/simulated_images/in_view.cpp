@@ -36,7 +36,7 @@ struct Shot {
   std::size_t index_of(const Vector2d& seen) const {
     return static_cast<std::size_t>(std::lround(seen.y()) * frame.image.width + std::lround(seen.x()));
   }
-  /// Whether nothing nearer by half a metre hides it.
+  /// Whether nothing nearer by half a meter hides it.
   bool is_in_front(const Vector2d& place, double height) const {
     constexpr double kBehind = 0.5;  // m
     const auto seen = pixel(place, height);

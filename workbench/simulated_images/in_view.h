@@ -29,7 +29,7 @@ struct IntersectionInView : Thing {
 /// All of the field and on it, whether in view or not: a percept that is off the image's edge is not a false one.
 struct FieldInView {
   std::vector<Thing> line_places;  ///< 0.1 m apart, only those in view
-  std::vector<Thing> goal_posts;   ///< foot and half a metre above it are clear
+  std::vector<Thing> goal_posts;   ///< foot and half a meter above it are clear
   std::vector<Thing> robots;       ///< the side to the camera; clear where the feet are, and no other robot hides them
   std::vector<IntersectionInView> intersections;  ///< clear with 0.3 m of each arm
   std::vector<Thing> penalty_marks;               ///< clear with some carpet all around

@@ -48,8 +48,8 @@ struct Compared {
   double time = 0.0;
 };
 
-Pose2 off_by(double metres, double radians) {
-  return {kPlace.position.x() + metres, kPlace.position.y(), kPlace.rotation + radians};
+Pose2 off_by(double meters, double radians) {
+  return {kPlace.position.x() + meters, kPlace.position.y(), kPlace.rotation + radians};
 }
 
 TEST(PoseErrors, AreRootMeanSquaresOverFrames) {

@@ -49,7 +49,7 @@ FrameRecord frame_with(const Image& image) {
   return frame;
 }
 
-TEST(CameraView, shows_the_image_in_its_colours_at_any_resolution) {
+TEST(CameraView, shows_the_image_in_its_colors_at_any_resolution) {
   for (const int width : {160, 320, 640, 1280}) {
     const Image image = plain_image(width, width * 3 / 4, kSkin);
     CameraView camera;
@@ -76,12 +76,12 @@ TEST(CameraView, draws_marks_at_their_pixels) {
   // Pixel (0, 0) of the image is the center of a square of 4 x 4 here.
   const Eigen::Vector2i point =
       (4.0 * percept.line_points[0].pixel.cast<double>() + Eigen::Vector2d(2.0, 2.0)).cast<int>();
-  EXPECT_TRUE(alike(picture.at(point.x(), point.y()), palette::percept));
-  EXPECT_TRUE(alike(picture.at(point.x() - 9, point.y()), palette::percept, 90));  // along the normal
-  EXPECT_TRUE(alike(picture.at(point.x(), point.y() + 9), to_color(kSkin)));
-  EXPECT_TRUE(alike(picture.at(202, 802), palette::goal_area));
-  EXPECT_TRUE(alike(picture.at(202, 600), palette::goal_area));
-  EXPECT_TRUE(alike(picture.at(202, 380), to_color(kSkin)));
+  EXPECT_TRUE(is_similar(picture.at(point.x(), point.y()), palette::percept));
+  EXPECT_TRUE(is_similar(picture.at(point.x() - 9, point.y()), palette::percept, 90));  // along the normal
+  EXPECT_TRUE(is_similar(picture.at(point.x(), point.y() + 9), to_color(kSkin)));
+  EXPECT_TRUE(is_similar(picture.at(202, 802), palette::goal_area));
+  EXPECT_TRUE(is_similar(picture.at(202, 600), palette::goal_area));
+  EXPECT_TRUE(is_similar(picture.at(202, 380), to_color(kSkin)));
 }
 
 TEST(CameraView, draws_view_particles_where_their_azimuth_is_seen) {
@@ -133,7 +133,7 @@ TEST(CameraView, projects_the_lines_of_the_field) {
     const auto pixel = camera.project(kRobotFromCamera.inverse() * Eigen::Vector3d(x, 0.5, 0.0));
     ASSERT_TRUE(pixel);
     const Eigen::Vector2i at = (4.0 * *pixel + Eigen::Vector2d(2.0, 2.0)).cast<int>();
-    EXPECT_TRUE(alike(picture.at(at.x(), at.y()), palette::expected, 40)) << x;
+    EXPECT_TRUE(is_similar(picture.at(at.x(), at.y()), palette::expected, 40)) << x;
   }
   // A pinhole keeps lines straight: their ends are enough, with some points where they leave the image.
   std::size_t points = 0;

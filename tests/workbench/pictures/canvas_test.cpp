@@ -24,10 +24,10 @@ TEST(Canvas, fills_exactly_the_pixels_of_a_box) {
   EXPECT_EQ(count(picture, kWhite), 180);
 }
 
-TEST(Canvas, mixes_a_translucent_colour_with_what_is_beneath) {
+TEST(Canvas, mixes_a_translucent_color_with_what_is_beneath) {
   Canvas canvas(8, 8, kWhite);
   canvas.fill_box({0.0, 0.0, 8.0, 8.0}, Color{0, 0, 0}.with_opacity(0.5));
-  EXPECT_TRUE(alike(canvas.finish().at(4, 4), {127, 127, 127}, 1));
+  EXPECT_TRUE(is_similar(canvas.finish().at(4, 4), {127, 127, 127}, 1));
 }
 
 TEST(Canvas, smooths_edges) {
@@ -60,7 +60,7 @@ RC_GTEST_PROP(Canvas, draws_a_long_line_through_the_pixels_that_it_crosses, ()) 
   const Picture picture = canvas.finish();
   for (const double along : {-20.0, 0.0, 20.0}) {
     const Pixel on = middle + along * direction;
-    RC_ASSERT(alike(picture.at(int(on.x()), int(on.y())), kRed));
+    RC_ASSERT(is_similar(picture.at(int(on.x()), int(on.y())), kRed));
     const Pixel beside = on + 7.0 * Pixel(-direction.y(), direction.x());
     RC_ASSERT(picture.at(int(beside.x()), int(beside.y())) == kWhite);
   }
@@ -88,8 +88,8 @@ TEST(Canvas, leaves_a_gap_in_a_curve_where_a_point_is_not_finite) {
   Canvas canvas(60, 20, kWhite);
   canvas.polyline(std::vector<Pixel>{{5.0, 10.0}, {20.0, 10.0}, {30.0, kNaN}, {40.0, 10.0}, {55.0, 10.0}}, kRed, 4.0);
   const Picture picture = canvas.finish();
-  EXPECT_TRUE(alike(picture.at(12, 10), kRed));
-  EXPECT_TRUE(alike(picture.at(48, 10), kRed));
+  EXPECT_TRUE(is_similar(picture.at(12, 10), kRed));
+  EXPECT_TRUE(is_similar(picture.at(48, 10), kRed));
   EXPECT_EQ(count(picture, kWhite, 24, 0, 36, 20), 12 * 20);
 }
 
@@ -128,12 +128,12 @@ TEST(FieldDrawing, puts_lines_where_the_dimensions_say) {
   const FieldDimensions field;
   Canvas canvas(1040, 740, kWhite);
   const FieldView view = FieldView::fitted(field, {0.0, 0.0, 1040.0, 740.0});
-  EXPECT_DOUBLE_EQ(view.pixels_per_metre, 100.0);
+  EXPECT_DOUBLE_EQ(view.pixels_per_meter, 100.0);
   draw_field(canvas, view, field);
   const Picture picture = canvas.finish();
   const auto is_line = [&](double x, double y) {
     const Pixel pixel = view * Eigen::Vector2d(x, y);
-    return alike(picture.at(int(pixel.x()), int(pixel.y())), palette::field_line);
+    return is_similar(picture.at(int(pixel.x()), int(pixel.y())), palette::field_line);
   };
   EXPECT_TRUE(is_line(0.0, 1.7));                // halfway line
   EXPECT_TRUE(is_line(2.0, field.width / 2.0));  // left touchline

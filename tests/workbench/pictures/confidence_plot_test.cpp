@@ -26,8 +26,8 @@ ConfidencePlot ten_seconds(double current, double opposite) {
 TEST(ConfidencePlot, draws_each_curve_at_the_height_of_its_confidence) {
   const Picture picture = draw_confidence_plot(ten_seconds(0.8, 0.1));
   for (const int x : {kLeft + 100, (kLeft + kRight) / 2, kRight - 100}) {
-    EXPECT_TRUE(alike(picture.at(x, kTop + 80), palette::belief)) << x;
-    EXPECT_TRUE(alike(picture.at(x, kTop + 360), palette::opposite)) << x;
+    EXPECT_TRUE(is_similar(picture.at(x, kTop + 80), palette::belief)) << x;
+    EXPECT_TRUE(is_similar(picture.at(x, kTop + 360), palette::opposite)) << x;
   }
 }
 
@@ -35,8 +35,8 @@ TEST(ConfidencePlot, leaves_a_gap_where_there_is_no_confidence) {
   ConfidencePlot plot = ten_seconds(0.8, 0.1);
   for (int i = 40; i < 60; ++i) plot.samples[static_cast<std::size_t>(i)].current = kNaN;
   const Picture picture = draw_confidence_plot(plot);
-  EXPECT_FALSE(alike(picture.at((kLeft + kRight) / 2, kTop + 80), palette::belief));
-  EXPECT_TRUE(alike(picture.at((kLeft + kRight) / 2, kTop + 360), palette::opposite));
+  EXPECT_FALSE(is_similar(picture.at((kLeft + kRight) / 2, kTop + 80), palette::belief));
+  EXPECT_TRUE(is_similar(picture.at((kLeft + kRight) / 2, kTop + 360), palette::opposite));
 }
 
 TEST(ConfidencePlot, draws_a_granted_command_through_and_a_refused_one_dashed) {
@@ -47,7 +47,7 @@ TEST(ConfidencePlot, draws_a_granted_command_through_and_a_refused_one_dashed) {
     int best = 0;
     int run = 0;
     for (int y = kTop; y < kBottom; ++y) {
-      run = alike(picture.at(x, y), color, 40) ? run + 1 : 0;
+      run = is_similar(picture.at(x, y), color, 40) ? run + 1 : 0;
       best = std::max(best, run);
     }
     return best;
@@ -72,10 +72,10 @@ TEST(ConfidencePlot, gives_a_condition_a_lane_and_shades_the_ground_where_the_ro
   plot.conditions = {{RunCondition::lifted, 4.0, 6.0}};
   const Picture picture = draw_confidence_plot(plot);
   EXPECT_GT(picture.height, height_without);
-  EXPECT_FALSE(alike(picture.at(kLeft + 640, kTop + 210), palette::page));
-  EXPECT_TRUE(alike(picture.at(kLeft + 300, kTop + 210), palette::page));
+  EXPECT_FALSE(is_similar(picture.at(kLeft + 640, kTop + 210), palette::page));
+  EXPECT_TRUE(is_similar(picture.at(kLeft + 300, kTop + 210), palette::page));
   plot.conditions = {{RunCondition::training, 4.0, 6.0}};
-  EXPECT_TRUE(alike(draw_confidence_plot(plot).at(kLeft + 640, kTop + 210), palette::page));
+  EXPECT_TRUE(is_similar(draw_confidence_plot(plot).at(kLeft + 640, kTop + 210), palette::page));
 }
 
 TEST(ConfidencePlot, stays_within_its_axes_whatever_the_values) {

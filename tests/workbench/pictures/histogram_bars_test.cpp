@@ -36,7 +36,7 @@ TEST(BinColor, lies_in_the_region_that_the_bin_stands_for) {
     EXPECT_GT(std::abs(cb), 5.0) << bin;
     EXPECT_GT(std::abs(cr), 5.0) << bin;
   }
-  EXPECT_TRUE(alike(bin_color(0), {0, 0, 0}, 24));
+  EXPECT_TRUE(is_similar(bin_color(0), {0, 0, 0}, 24));
   EXPECT_EQ(bin_color(1), (Color{255, 255, 255}));
 }
 
@@ -49,12 +49,12 @@ TEST(BinColor, tells_all_bins_apart) {
   EXPECT_EQ(colors.size(), 14U);
 }
 
-TEST(HistogramBars, rise_with_the_share_in_the_bins_colour) {
+TEST(HistogramBars, rise_with_the_share_in_the_bins_color) {
   HistogramBars bars;
   bars.share[5] = 0.25F;  // half of what fills the height
   const Picture picture = chart(bars, 0.0);
-  EXPECT_TRUE(alike(picture.at(110, 95), bin_color(5)));
-  EXPECT_TRUE(alike(picture.at(110, 54), bin_color(5)));
+  EXPECT_TRUE(is_similar(picture.at(110, 95), bin_color(5)));
+  EXPECT_TRUE(is_similar(picture.at(110, 54), bin_color(5)));
   EXPECT_EQ(picture.at(110, 45), kGround);
   EXPECT_EQ(picture.at(130, 90), kGround);
 }
@@ -64,8 +64,8 @@ TEST(HistogramBars, go_down_with_the_deviation) {
   bars.share[0] = 0.5F;
   bars.deviation[0] = 0.0625F;  // half of what fills the depth
   const Picture picture = chart(bars, 0.4);
-  EXPECT_TRUE(alike(picture.at(10, 30), bin_color(0)));
-  EXPECT_TRUE(alike(picture.at(10, 75), bin_color(0)));
+  EXPECT_TRUE(is_similar(picture.at(10, 30), bin_color(0)));
+  EXPECT_TRUE(is_similar(picture.at(10, 75), bin_color(0)));
   EXPECT_EQ(picture.at(10, 85), kGround);
 }
 
@@ -75,7 +75,7 @@ TEST(HistogramBars, end_at_the_top_however_large_the_share) {
   Canvas canvas(280, 100, kGround);
   draw_histogram(canvas, bars, scene::upright_chart({0.0, 40.0}, {280.0, 100.0}), 0.5);
   const Picture picture = canvas.finish();
-  EXPECT_TRUE(alike(picture.at(50, 45), bin_color(2)));
+  EXPECT_TRUE(is_similar(picture.at(50, 45), bin_color(2)));
   EXPECT_EQ(picture.at(50, 36), kGround);
 }
 
@@ -87,12 +87,12 @@ TEST(HistogramBars, leave_out_what_is_no_share) {
   EXPECT_EQ(chart(bars, 0.2), chart(HistogramBars{}, 0.2));
 }
 
-TEST(Ycbcr, turns_primary_colours_into_those_of_a_screen) {
+TEST(Ycbcr, turns_primary_colors_into_those_of_a_screen) {
   EXPECT_EQ(to_color({0, 128, 128}), (Color{0, 0, 0}));
   EXPECT_EQ(to_color({255, 128, 128}), (Color{255, 255, 255}));
-  EXPECT_TRUE(alike(to_color({76, 85, 255}), {255, 0, 0}, 3));
-  EXPECT_TRUE(alike(to_color({150, 44, 21}), {0, 255, 0}, 3));
-  EXPECT_TRUE(alike(to_color({29, 255, 107}), {0, 0, 255}, 3));
+  EXPECT_TRUE(is_similar(to_color({76, 85, 255}), {255, 0, 0}, 3));
+  EXPECT_TRUE(is_similar(to_color({150, 44, 21}), {0, 255, 0}, 3));
+  EXPECT_TRUE(is_similar(to_color({29, 255, 107}), {0, 0, 255}, 3));
 }
 
 TEST(Ycbcr, reads_pixels_by_the_stride) {

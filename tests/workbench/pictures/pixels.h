@@ -13,17 +13,17 @@ namespace reorient::pictures {
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-inline bool alike(const Color& a, const Color& b, int tolerance = 12) {
+inline bool is_similar(const Color& a, const Color& b, int tolerance = 12) {
   return std::abs(a.red - b.red) <= tolerance && std::abs(a.green - b.green) <= tolerance &&
          std::abs(a.blue - b.blue) <= tolerance;
 }
 
-/// Pixels of that colour in a part of the picture; what is outside of the picture does not count.
+/// Pixels of that color in a part of the picture; what is outside of the picture does not count.
 inline int count(const Picture& picture, const Color& color, int left, int top, int right, int bottom) {
   int found = 0;
   for (int y = std::max(top, 0); y < std::min(bottom, picture.height); ++y)
     for (int x = std::max(left, 0); x < std::min(right, picture.width); ++x)
-      if (alike(picture.at(x, y), color)) ++found;
+      if (is_similar(picture.at(x, y), color)) ++found;
   return found;
 }
 

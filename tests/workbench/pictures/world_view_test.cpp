@@ -12,7 +12,7 @@
 namespace reorient::pictures {
 namespace {
 
-// Pixels of a colour in the right or left half of the part inside of the legends.
+// Pixels of a color in the right or left half of the part inside of the legends.
 int to_the_right(const Picture& picture, Color color) { return count(picture, color, 760, 0, 1180, 940); }
 int to_the_left(const Picture& picture, Color color) { return count(picture, color, 320, 0, 740, 940); }
 
@@ -44,7 +44,7 @@ TEST(WorldView, draws_a_tile_in_its_direction_and_what_is_perceived_further_out)
     double distance = 0.0;
     for (int y = 0; y < 900; ++y)
       for (int x = 0; x < picture.width; ++x)
-        if (alike(picture.at(x, y), color)) distance = std::max(distance, std::hypot(x - 750.0, y - 600.0));
+        if (is_similar(picture.at(x, y), color)) distance = std::max(distance, std::hypot(x - 750.0, y - 600.0));
     return distance;
   };
   constexpr int kPurple = 5;

@@ -155,7 +155,7 @@ TEST(Base64, IsThatOfTheStandard) {
   for (const auto& [bytes, text] : kVectors) EXPECT_EQ(base64(std::as_bytes(std::span(bytes))), text);
 }
 
-TEST(Jpeg, ShowsTheColoursOfTheImage) {
+TEST(Jpeg, ShowsTheColorsOfTheImage) {
   constexpr int kWidth = 50, kHeight = 30;  // no multiples of JPEG's blocks
   Image image(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y) {

@@ -60,12 +60,12 @@ TEST_F(HalfTimeOfAScenario, TurnsAPoseThatWasToldJustBefore) {
 
 TEST_F(HalfTimeOfAScenario, LeavesWordsOfTeamMatesAsTheyAre) {
   OperatorAction action{Kind::tell_message, {}, 0.0, false};
-  action.message = {4, "I am at the centre"};
+  action.message = {4, "I am at the center"};
   carry_out(action, hands, external, sides_changed, referee);
   act(Kind::half_time);
   ASSERT_EQ(external.messages.size(), 1u);
   EXPECT_EQ(external.messages[0].sender, 4);
-  EXPECT_EQ(external.messages[0].text, "I am at the centre");
+  EXPECT_EQ(external.messages[0].text, "I am at the center");
 }
 
 TEST_F(HalfTimeOfAScenario, LeavesWhatTheRefereeSaidBesidesAsItIs) {

@@ -35,7 +35,7 @@ TEST(PoseError, IsAcrossTheSeamOfTheAngles) {
   EXPECT_NEAR(error.rotation, 0.2, 1e-12);
 }
 
-TEST(ARightBelief, IsWithinAMetreAndAnEighthTurnOfTheTruth) {
+TEST(ARightBelief, IsWithinAMeterAndAnEighthTurnOfTheTruth) {
   EXPECT_TRUE(is_correct(kTruth, kTruth));
   EXPECT_TRUE(is_correct(Pose2(2.9, 1.0, 0.3), kTruth));
   EXPECT_FALSE(is_correct(Pose2(3.1, 1.0, 0.3), kTruth));

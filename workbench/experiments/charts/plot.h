@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines over an abscissa and an ordinate, as an SVG picture of its own. Colours and dashes are the page's: classes s0,
+// Lines over an abscissa and an ordinate, as an SVG picture of its own. Colors and dashes are the page's: classes s0,
 // s1, ... name the series (report/style).
 #pragma once
 

@@ -20,7 +20,7 @@ using SaidAt = std::map<std::string, std::string>;
 
 struct Condition {
   std::string scenario;
-  std::vector<std::string> with;             ///< behaviours beside those that the scenario lists
+  std::vector<std::string> with;             ///< behaviors beside those that the scenario lists
   std::vector<std::string> without;          ///< of those that the scenario lists
   std::vector<std::string> parameter_files;  ///< read one after the other
   std::vector<ParameterChange> parameters;   ///< behind what the files say

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A handful of colours that are typical of a room, found by k-means, and which of them a pixel is nearest to.
+// A handful of colors that are typical of a room, found by k-means, and which of them a pixel is nearest to.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace reorient {
 class ColorClasses {
  public:
   /// Lloyd's algorithm from k-means++ (Arthur and Vassilvitskii 2007). At most 64 classes. Where there are fewer
-  /// different colours than classes, some classes stay empty. Chroma counts `chroma` times as much as luma.
+  /// different colors than classes, some classes stay empty. Chroma counts `chroma` times as much as luma.
   static ColorClasses of(std::span<const Ycbcr> colors, int classes, double chroma, std::uint64_t seed);
 
   int count() const { return count_; }
-  /// The class of a colour, to within 8 levels.
+  /// The class of a color, to within 8 levels.
   int operator()(const Ycbcr& color) const { return table_[cell_of(color)]; }
 
  private:
@@ -32,14 +32,14 @@ class ColorClasses {
   std::vector<std::uint8_t> table_;
 };
 
-/// Over which time the mean colour of the room runs, so that its light can be taken off: none where `memory` is 0, as
+/// Over which time the mean color of the room runs, so that its light can be taken off: none where `memory` is 0, as
 /// in methods that know no light.
 class RunningLight {
  public:
   /// A pixel of the room. All of a frame, then next_frame().
   void add(const Ycbcr& color);
   void next_frame(double time, double memory);
-  /// A colour as it would be where the mean is a medium grey.
+  /// A color as it would be where the mean is a medium gray.
   Ycbcr without_light(const Ycbcr& color) const;
   bool is_known() const { return known_; }
   double luma() const { return luma_; }

@@ -27,7 +27,7 @@ std::optional<HorizonCamera> HorizonCamera::of(const RoomObservation& view, cons
 }
 
 std::optional<double> HorizonCamera::row_at(double x, double slope) const {
-  // How far above the wanted slope a pixel looks, per metre of the optical axis: nearly linear in the row.
+  // How far above the wanted slope a pixel looks, per meter of the optical axis: nearly linear in the row.
   const auto excess = [&](double y) {
     const Eigen::Vector3d looks = direction(x, y);
     return looks.z() - slope * looks.head<2>().norm();

@@ -33,7 +33,7 @@ class HorizonCamera {
 
   /// `count` columns, evenly spread. Where the camera looks too steeply for a horizon there are none.
   void find(int count, std::vector<HorizonColumn>& columns) const;
-  /// The row of a column in which the camera looks up at this slope (metres of height a metre), pixels; nothing where
+  /// The row of a column in which the camera looks up at this slope (meters of height a meter), pixels; nothing where
   /// there is none.
   std::optional<double> row_at(double x, double slope) const;
   int width() const { return camera_.width; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colour histograms on tiles around the robot, whatever wall they are on: what is seen of a tile is compared with the
+// Color histograms on tiles around the robot, whatever wall they are on: what is seen of a tile is compared with the
 // tile and with the one that lies there after half a turn. So walls can be measured by one and the same rule.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static visual compass on transitions between colour classes, after Sturm and Visser, "An appearance-based visual
+// A static visual compass on transitions between color classes, after Sturm and Visser, "An appearance-based visual
 // compass for mobile robots" (Robotics and Autonomous Systems 57, 2009). docs/peers.md says what was known of it.
 #pragma once
 
@@ -45,7 +45,7 @@ void describe(TransitionCompassParameters& p, Visit&& visit) {
 }
 
 /// Scan lines go up from the horizon, band by band. For each sector of the circle, each band and each ordered pair of
-/// colour classes it is learned how often a line has none, one, or several transitions from the one to the other. A
+/// color classes it is learned how often a line has none, one, or several transitions from the one to the other. A
 /// line's log-likelihood in a sector is the sum over the pairs.
 class TransitionCompass : public OrientationCompass {
  public:
@@ -84,7 +84,7 @@ class TransitionCompass : public OrientationCompass {
   Wall wall_;
   std::vector<double> slopes_;  // at which each band ends
   RunningLight light_;
-  std::vector<Ycbcr> palette_;  // colours of the beginning
+  std::vector<Ycbcr> palette_;  // colors of the beginning
   double first_time_ = 0.0;
   bool any_time_ = false;
   ColorClasses classes_;

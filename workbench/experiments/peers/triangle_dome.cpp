@@ -12,7 +12,7 @@ namespace reorient {
 
 namespace {
 
-/// The corners of an icosahedron with an edge on top, at this distance from its centre.
+/// The corners of an icosahedron with an edge on top, at this distance from its center.
 std::array<Eigen::Vector3d, 12> corners_of_icosahedron(double radius) {
   const double golden = 0.5 * (1.0 + std::sqrt(5.0));
   std::array<Eigen::Vector3d, 12> corners;

@@ -11,7 +11,7 @@
 
 namespace reorient {
 
-/// An icosahedron about the field's centre, an edge on top, so that half a turn about the vertical maps it onto itself.
+/// An icosahedron about the field's center, an edge on top, so that half a turn about the vertical maps it onto itself.
 /// Each of its 20 faces is cut into `cuts`^2 equal triangles. What lies below the field belongs to nobody.
 class TriangleDome {
  public:

@@ -32,7 +32,7 @@ void draw_confidences(Markup& out, const Report& report);
 
 // What figures have in common.
 
-/// Colour, dash and name of each series; `wrong`: of stretches in which the belief is wrong, too.
+/// Color, dash and name of each series; `wrong`: of stretches in which the belief is wrong, too.
 void draw_legend(Markup& out, const std::vector<Series>& series, bool wrong = false);
 /// The last words of a figure: its caption, and a line that says where it comes from.
 void draw_caption(Markup& out, const Report& report, std::string_view caption);

@@ -39,7 +39,7 @@ double limit_of(const Report& report, std::size_t cell);
 /// Choices of one axis are compared within a picture: the series. This is the last axis with several choices.
 struct Series {
   std::string name;                ///< "default"; "all trials" where there are no axes
-  std::string style;               ///< class of its colour and dash
+  std::string style;               ///< class of its color and dash
   std::vector<std::size_t> cells;  ///< all of this choice
 };
 std::vector<Series> series_of(const Report& report);

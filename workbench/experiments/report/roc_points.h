@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// Without the points that nobody could tell from their neighbours.
+/// Without the points that nobody could tell from their neighbors.
 std::vector<PlotPoint> as_points(const std::vector<RocPoint>& curve);
 
 }  // namespace reorient

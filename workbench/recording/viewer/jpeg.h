@@ -17,7 +17,7 @@ class JpegEncoder {
   /// `quality`: 1 to 100.
   explicit JpegEncoder(int quality);
 
-  /// Valid until the next call; empty where the image is. A camera's two pixels with one colour are what JPEG calls
+  /// Valid until the next call; empty where the image is. A camera's two pixels with one color are what JPEG calls
   /// 4:2:2, so that nothing is converted. Throws std::runtime_error with one line.
   std::span<const std::byte> encode(const ImageView& image);
 

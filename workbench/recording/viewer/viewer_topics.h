@@ -39,35 +39,41 @@ struct ViewerTopicInfo {
   std::string_view name;
   std::string_view schema;
   std::string_view description;
-  bool lasts = false;  ///< a message holds until the next one: whoever begins in the middle needs the one before
+  bool lasts =
+      false;  ///< a message is valid until the next one, so a reader that starts in the middle needs the previous one
 };
 
 inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::transforms, "/tf", "foxglove.FrameTransforms",
-     "where the robot believes to be in the frame `field`, and really is (`truth`), and its cameras"},
+     "believed pose of the robot in the frame `field`, its true pose (`truth`), and its cameras"},
     {ViewerTopic::pose, "/belief/pose", "foxglove.PoseInFrame", "the believed pose"},
     {ViewerTopic::pose_particles, "/belief/particles", "foxglove.PosesInFrame",
-     "the pose filter's particles, five times a second"},
-    {ViewerTopic::truth, "/truth/pose", "foxglove.PoseInFrame", "where the robot really is, if it is known"},
+     "particles of the pose filter, five times a second"},
+    {ViewerTopic::truth, "/truth/pose", "foxglove.PoseInFrame", "the true pose, if it is known"},
     {ViewerTopic::field, "/field", "foxglove.SceneUpdate", "lines and goals", true},
     {ViewerTopic::wall, "/wall", "foxglove.SceneUpdate",
-     "the background model's tiles in their mean color, once a second; rods on the ground: the belief of the view",
-     true},
-    {ViewerTopic::percepts, "/percepts", "foxglove.SceneUpdate", "what was seen of the field, on the ground"},
-    {ViewerTopic::upper_image, "/camera/upper/image", "foxglove.CompressedImage", "a JPEG, not what is replayed"},
-    {ViewerTopic::upper_calibration, "/camera/upper/calibration", "foxglove.CameraCalibration", "its camera", true},
+     "tiles of the background model in their mean color, once a second; rods on the ground: the estimated view", true},
+    {ViewerTopic::percepts, "/percepts", "foxglove.SceneUpdate", "detected features of the field, on the ground"},
+    {ViewerTopic::upper_image, "/camera/upper/image", "foxglove.CompressedImage",
+     "a JPEG of the upper camera, not used by replay"},
+    {ViewerTopic::upper_calibration, "/camera/upper/calibration", "foxglove.CameraCalibration",
+     "calibration of the upper camera", true},
     {ViewerTopic::upper_annotations, "/camera/upper/annotations", "foxglove.ImageAnnotations",
-     "what was seen of the field, and its lines as believed, in the image"},
-    {ViewerTopic::lower_image, "/camera/lower/image", "foxglove.CompressedImage", "the same, of the lower camera"},
-    {ViewerTopic::lower_calibration, "/camera/lower/calibration", "foxglove.CameraCalibration", "the same", true},
-    {ViewerTopic::lower_annotations, "/camera/lower/annotations", "foxglove.ImageAnnotations", "the same"},
-    {ViewerTopic::world, "/world", "reorient.World", "what behaviors see: pose, confidences, evidence, posture, game"},
-    {ViewerTopic::machines, "/machines", "reorient.Machines", "each machine and its state; flags that are published"},
+     "detected features of the field, and its lines at the believed pose, in the image"},
+    {ViewerTopic::lower_image, "/camera/lower/image", "foxglove.CompressedImage",
+     "a JPEG of the lower camera, not used by replay"},
+    {ViewerTopic::lower_calibration, "/camera/lower/calibration", "foxglove.CameraCalibration",
+     "calibration of the lower camera", true},
+    {ViewerTopic::lower_annotations, "/camera/lower/annotations", "foxglove.ImageAnnotations",
+     "the same as /camera/upper/annotations, of the lower camera"},
+    {ViewerTopic::world, "/world", "reorient.World",
+     "world fields that behaviors read: pose, confidences, evidence, posture, game"},
+    {ViewerTopic::machines, "/machines", "reorient.Machines", "state of each state machine; published flags"},
     {ViewerTopic::events, "/events", "reorient.Event", "a change of state or a command, with its reason and verdict"},
-    {ViewerTopic::request, "/request", "reorient.Request", "what the robot was asked for"},
+    {ViewerTopic::request, "/request", "reorient.Request", "requests of the behaviors to the robot"},
     {ViewerTopic::log, "/log", "foxglove.Log",
-     "log lines and notes; faults and edits of scripts; parameters that were changed"},
-    {ViewerTopic::costs, "/costs", "reorient.Costs", "how long each stage took, and what each script costs"},
+     "log lines and notes; faults and edits of scripts; changes of parameters"},
+    {ViewerTopic::costs, "/costs", "reorient.Costs", "duration of each stage, and cost of each script"},
     {ViewerTopic::parameters, "/parameters", "reorient.Parameters", "every parameter and its value", true},
 }};
 

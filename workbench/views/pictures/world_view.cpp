@@ -36,7 +36,7 @@ bool drawable(const WallTile& tile) {
   return tile.row >= 0 && tile.row < kRows && width > 0.0 && width <= 2.0 * kPi && std::abs(tile.from) < 1e3;
 }
 
-// The wall, unrolled: rows of tiles are rings around the centre, the lowest row is the innermost.
+// The wall, unrolled: rows of tiles are rings around the center, the lowest row is the innermost.
 class Rings {
  public:
   Rings(Canvas& canvas, const Pixel& center, double inner, double depth, int rows)
@@ -56,7 +56,7 @@ class Rings {
     const auto place = [&](double along, double up) -> Pixel {
       const double base = foot + below * height;
       const double radius = base + up * (up > 0.0 ? (1.0 - below) * height : below * height);
-      // The first bin is at the left of somebody who looks at the wall from the centre.
+      // The first bin is at the left of somebody who looks at the wall from the center.
       const double angle = tile.to - margin + along * (tile.from - tile.to + 2.0 * margin);
       return center_ + radius * Pixel(std::cos(angle), -std::sin(angle));
     };
@@ -207,7 +207,7 @@ Picture draw_world_view(const WorldView& world) {
   draw_view_particles(canvas, center, world);
   const std::vector<scene::PoseLayer> poses = scene::pose_layers(world.pose_particles, world.truth, world.belief);
   draw_poses(canvas, view, poses);
-  const double field_bottom = carpet_half_size(world.field).y() * view.pixels_per_metre;
+  const double field_bottom = carpet_half_size(world.field).y() * view.pixels_per_meter;
   draw_scale_bar(canvas, view, center + Pixel(0.0, std::clamp(field_bottom + 44.0, 60.0, 236.0)), palette::ink);
 
   const TextStyle bold{.size = 28.0, .bold = true};

@@ -13,7 +13,7 @@
 
 namespace reorient::pictures {
 
-/// A tile of the wall around the field. Azimuths are seen from the field's centre: rad, 0 towards +x, turning left.
+/// A tile of the wall around the field. Azimuths are seen from the field's center: rad, 0 towards +x, turning left.
 struct WallTile {
   double from = 0.0;  ///< its right side
   double to = 0.0;    ///< its left side, greater than `from`

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a view draws, as plain values. A scene is in metres, x right, y up as seen from above, z towards the eye; an
+// What a view draws, as plain values. A scene is in meters, x right, y up as seen from above, z towards the eye; an
 // overlay is in pixels of a camera's image, u right, v down, (0, 0) the center of the top left pixel.
 #pragma once
 

@@ -24,7 +24,7 @@ int surface_thickness(double thickness) {
   return std::clamp(static_cast<int>(std::lround(thickness * kOversampling)), 1, 200);
 }
 
-// OpenCV's (0, 0) is the centre of the first pixel, ours its corner.
+// OpenCV's (0, 0) is the center of the first pixel, ours its corner.
 cv::Point fixed_point(const Pixel& point, cv::Point origin) {
   const auto convert = [](double value, int start) {
     const double near = std::clamp(value, -kFarAway, kFarAway);

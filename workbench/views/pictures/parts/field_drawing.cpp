@@ -46,7 +46,7 @@ FieldView FieldView::fitted(const FieldDimensions& field, const Box& box) {
 }
 
 void draw_field(Canvas& canvas, const FieldView& view, const FieldDimensions& field) {
-  const Brush brush{.scale = view.pixels_per_metre, .least_line = 1.5, .least_radius = 2.5};
+  const Brush brush{.scale = view.pixels_per_meter, .least_line = 1.5, .least_radius = 2.5};
   for (scene::SceneLayer& layer : scene::field_scene(field)) {
     layer.labels.clear();  // there is no space for them
     draw_layer(
@@ -55,7 +55,7 @@ void draw_field(Canvas& canvas, const FieldView& view, const FieldDimensions& fi
 }
 
 void draw_poses(Canvas& canvas, const FieldView& view, std::span<const scene::PoseLayer> layers) {
-  const double wedge = std::clamp(1.1 * view.pixels_per_metre, 34.0, 80.0);
+  const double wedge = std::clamp(1.1 * view.pixels_per_meter, 34.0, 80.0);
   for (const scene::PoseLayer& layer : layers) {
     for (const Pose2& pose : layer.poses) {
       const Pixel center = view * pose.position;
@@ -86,7 +86,7 @@ std::vector<LegendEntry> pose_entries(std::span<const scene::PoseLayer> layers) 
 }
 
 void draw_scale_bar(Canvas& canvas, const FieldView& view, const Pixel& center, Color color) {
-  const Pixel half(view.pixels_per_metre, 0.0);
+  const Pixel half(view.pixels_per_meter, 0.0);
   const Pixel tick(0.0, 5.0);
   canvas.line(center - half, center + half, color, 1.5);
   for (const Pixel& end : {Pixel(center - half), Pixel(center + half)}) canvas.line(end - tick, end + tick, color, 1.5);

@@ -11,13 +11,13 @@
 
 namespace reorient::pictures {
 
-/// From metres on the field (x right, y up) to pixels.
+/// From meters on the field (x right, y up) to pixels.
 struct FieldView {
   Pixel center = Pixel::Zero();  ///< where the field's center is
-  double pixels_per_metre = 40.0;
+  double pixels_per_meter = 40.0;
 
   Pixel operator*(const Eigen::Vector2d& point_in_field) const {
-    return center + pixels_per_metre * Pixel(point_in_field.x(), -point_in_field.y());
+    return center + pixels_per_meter * Pixel(point_in_field.x(), -point_in_field.y());
   }
 
   /// The field with its border as large as it fits into `box`, centered.
