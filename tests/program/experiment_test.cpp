@@ -153,7 +153,7 @@ TEST_F(ExperimentTest, TellsWhichTrialsWereNeverMeasured) {
   folder.write("short.toml", text.replace(text.find(from), from.size(), "measured_from = \"mirrored\""));
   const ProgramRun done = run({"--out", path("out"), "--trials", "1", "--mode", "none"});
   EXPECT_EQ(done.code, kSuccess) << done.err;
-  EXPECT_NE(done.out.find("\nnone: 1 of 1 trials never came to the state from which they are measured, and count as "
+  EXPECT_NE(done.out.find("\nnone: 1 of 1 trials never reached the state from which they are measured, and count as "
                           "failed: perhaps 'seconds' is too short\n"),
             std::string::npos)
       << done.out;

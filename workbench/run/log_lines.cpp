@@ -33,7 +33,8 @@ void append_scripts(const NameTable& names, const std::vector<LogRecord>& logs, 
     lines.push_back({Level::info, machine, (record.is_note ? "note: " : "") + record.text});
     if (record.dropped > 0)
       lines.push_back({Level::warning, machine,
-                       std::to_string(record.dropped) + " more lines in this frame were dropped; a machine may log " +
+                       std::to_string(record.dropped) +
+                           " more lines in this frame were dropped; a machine can log at most " +
                            std::to_string(ScriptActions::kMostPerFrame)});
   }
   for (const FaultRecord& fault : faults) {

@@ -10,7 +10,7 @@ const char* words_of(RunEnd end) {
     case RunEnd::stopped:
       return "interrupted";
     case RunEnd::robot_gone:
-      return "the robot sends nothing more";
+      return "the robot sends no more frames";
     default:
       return "the scenario did not end in time";
   }

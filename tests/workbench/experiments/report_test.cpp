@@ -121,10 +121,10 @@ TEST(ReportPage, PutsOnesOwnRowsBesideWhatOthersMeasured) {
 
 TEST(ReportPage, TellsWhichTrialsWereNeverMeasured) {
   Report report = report_with("x", 3);
-  EXPECT_EQ(report_page(report).find("never came to the state"), std::string::npos);
+  EXPECT_EQ(report_page(report).find("never reached the state"), std::string::npos);
   report.cells[1].trials[0].started = false;
   report.cells[1].row = row_of(report.cells[1].trials);
-  EXPECT_NE(report_page(report).find("x1, x: 1 of 3 trials never came to the state"), std::string::npos);
+  EXPECT_NE(report_page(report).find("x1, x: 1 of 3 trials never reached the state"), std::string::npos);
 }
 
 TEST(ReportPage, OfTrialsThatShowNothingIsStillAPage) {

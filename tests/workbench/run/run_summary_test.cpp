@@ -161,7 +161,7 @@ TEST(Summary, SaysThatSomebodyPutTheRobotElsewhere) {
 
 TEST(Summary, TellsHowARunEndedWithoutAVerdict) {
   EXPECT_EQ(SummaryObserver().summary(RunEnd::stopped).verdict, "interrupted");
-  EXPECT_EQ(SummaryObserver().summary(RunEnd::robot_gone).verdict, "the robot sends nothing more");
+  EXPECT_EQ(SummaryObserver().summary(RunEnd::robot_gone).verdict, "the robot sends no more frames");
 }
 
 TEST(Summary, NamesTheScriptsThatWereStopped) {

@@ -56,9 +56,9 @@ void draw_compasses(Markup& out, const Report& report) {
     }
   }
   draw_caption(out, report,
-               "How well each method tells the reflection of a pose from the pose, over all thresholds (ROC; dotted: "
-               "chance), pooled over all other axes. Each stretch of looking about is judged twice, once with the "
-               "belief and once with its reflection. In brackets: 95 %, bootstrap of whole trials.");
+               "How well each method separates the mirrored pose from the pose, over all thresholds (ROC; dotted: "
+               "chance), pooled over all other axes. Each period of looking around counts twice, once with the "
+               "belief and once with the mirrored belief. In brackets: 95 %, bootstrap of whole trials.");
 }
 
 }  // namespace reorient

@@ -41,7 +41,7 @@ void draw_curve(Plot& plot, const std::vector<CensoredTime>& times, const PlotAx
   double band_until = until;
   for (const SurvivalStep& step : kaplan_meier(times)) {
     share.push_back({step.seconds, 1.0 - step.share});
-    if (step.share <= 0.0) {  // nobody is left who could tell more
+    if (step.share <= 0.0) {  // no trials remain
       band_until = step.seconds;
       break;
     }
@@ -137,9 +137,10 @@ void draw_time_to_right(Markup& out, const Report& report) {
   draw_caption(
       out, report,
       "Time until the belief is right and stays so (Kaplan and Meier), of trials with a wrong belief at the start. "
-      "Shaded: 95 %, point by point (log-log, Greenwood\u2019s variance), as long as a trial is left. A stroke at a "
-      "line\u2019s end: the "
-      "trials that were not right by then are censored there. The abscissa is logarithmic.");
+      "Shaded: 95 %, point by point (log-log, Greenwood\u2019s variance), while trials remain. A stroke at the end of "
+      "a "
+      "line: trials "
+      "that were not right by then are censored. The abscissa is logarithmic.");
 }
 
 void draw_reliability(Markup& out, const Report& report) {
@@ -166,7 +167,7 @@ void draw_reliability(Markup& out, const Report& report) {
         std::vector<PlotPoint> points;
         int samples = 0;
         for (const CalibrationBin& bin : bins) {
-          constexpr int kFewest = 20;  // samples; fewer jump about
+          constexpr int kFewest = 20;  // samples; fewer are too noisy
           samples += bin.samples;
           if (bin.samples >= kFewest) points.push_back({bin.certainty(), bin.accuracy()});
         }
@@ -178,8 +179,8 @@ void draw_reliability(Markup& out, const Report& report) {
         lines.emplace_back(one.style, std::move(points));
       }
       {
-        Plot plot(out, "reliability: " + reading, {"the evidence says, %", 0.5, 1.0, 5, true},
-                  {"it is right, %", 0.5, 1.0, 5, true}, true);
+        Plot plot(out, "reliability: " + reading, {"probability by the evidence, %", 0.5, 1.0, 5, true},
+                  {"right, %", 0.5, 1.0, 5, true}, true);
         plot.line({{0.5, 0.5}, {1.0, 1.0}}, "chance");
         for (const auto& [style, points] : lines) plot.line(points, style);
       }
@@ -187,9 +188,9 @@ void draw_reliability(Markup& out, const Report& report) {
     }
   }
   draw_caption(out, report,
-               "How often the pose that the evidence calls the likelier one of the two is the right one, against how "
-               "sure it says that it is (dotted: as often as it says). Two samples a second while the room could be "
-               "used and the belief was right or the reflection; samples of one trial depend on each other.");
+               "How often the more probable of the two poses is the right one, over its probability according to the "
+               "evidence (dotted: perfect calibration). Two samples a second while the room was usable and the belief "
+               "was right or mirrored; samples of one trial depend on each other.");
 }
 
 void draw_roc(Markup& out, const Report& report) {
@@ -209,7 +210,7 @@ void draw_roc(Markup& out, const Report& report) {
     curve.reading.append(wrong).append(" wrong, ").append(right).append(" right)");
   }
   if (std::all_of(curves.begin(), curves.end(), [](const auto& one) { return one.second.points.empty(); })) return;
-  out.leaf("h2", "What the confidences know");
+  out.leaf("h2", "Detection by the confidences");
   const Element figure(out, "figure", {{"id", "roc"}});
   const std::vector<std::vector<Series>> pictures = pictures_of(series);
   if (pictures.size() == 1) draw_legend(out, pictures.front());
@@ -232,11 +233,10 @@ void draw_roc(Markup& out, const Report& report) {
       out.leaf("p", reading, {{"class", "reading"}});
     }
   }
-  draw_caption(
-      out, report,
-      "What the confidences know: how well their difference, opposite less current, tells a wrong belief from a "
-      "right one, over all thresholds (ROC; dotted: chance). Two samples a second from all trials of a choice; "
-      "samples of one trial depend on each other.");
+  draw_caption(out, report,
+               "How well the difference of the confidences, opposite minus current, separates wrong beliefs from right "
+               "ones, over all thresholds (ROC; dotted: chance). Two samples a second from all trials of a choice; "
+               "samples of one trial depend on each other.");
 }
 
 }  // namespace reorient

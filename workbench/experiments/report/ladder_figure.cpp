@@ -158,8 +158,8 @@ void draw_ladder(Markup& out, const Report& report) {
     }
   }
   draw_caption(out, report,
-               "Detected: of the trials with a wrong belief at the start, those whose belief came right in time and "
-               "stayed so, also where a failure would be excused. Flipped: of all trials, those with at least "
+               "Detected: of the trials with a wrong belief at the start, those whose belief became right in time and "
+               "stayed right, also where a failure would be excused. Flipped: of all trials, those with at least "
                "one flip of a correct belief. Trials of all rooms together. Shaded: "
                "Wilson\u2019s 95 % interval.");
 }

@@ -42,8 +42,9 @@ std::string finding_of(const Report& report) {
     text += (text.empty() ? "Of the trials with a wrong belief at the start, these failed: " : "; ") + series.name +
             " " + std::to_string(failed) + " of " + std::to_string(disturbed);
   }
-  return text.empty() ? "No trial had a wrong belief at its start: they tell whether a right one is left in peace."
-                      : text + ".";
+  return text.empty()
+             ? "No trial had a wrong belief at its start, so the trials only show whether a right belief is flipped."
+             : text + ".";
 }
 
 void draw_header(Markup& out, const Report& report) {
@@ -56,17 +57,16 @@ void draw_header(Markup& out, const Report& report) {
 }
 
 void draw_method(Markup& out) {
-  out.leaf("h2", "How it was measured");
+  out.leaf("h2", "Method");
   const Element list(out, "ul", {{"class", "notes"}});
   for (const std::string_view note :
-       {"A trial is a simulated run; its clock starts when its scenario enters the state from which is measured. A "
-        "trial "
-        "whose belief is wrong then tells how a belief is corrected; the others tell whether a right one is left in "
-        "peace. A trial whose clock never starts has failed.",
-        "A belief is right from the first moment, within the limit, after which it stays right for as long as the "
-        "experiment asks. Where that moment never comes, the trial has failed: its time is censored, not left out.",
-        "The trials of all cells have the same seeds, so the same noise and people: choices are compared in pairs.",
-        "All intervals and bands are of 95 %. Shares: Wilson 1927. Rates: Garwood 1936. Means and medians: 2000 "
+       {"A trial is a simulated run; its clock starts when its scenario enters the state `measured_from`. If the "
+        "belief is wrong then, the trial shows how it is corrected; otherwise, whether a right belief is flipped. A "
+        "trial whose clock never starts has failed.",
+        "A belief counts as right from the first time within the limit after which it stays right for the required "
+        "duration. If there is no such time, the trial has failed: its time is censored, not left out.",
+        "The trials of all cells have the same seeds, so the same noise and people. Choices are compared in pairs.",
+        "All intervals and bands are of 95 %. Fractions: Wilson 1927. Rates: Garwood 1936. Means and medians: 2000 "
         "bootstrap "
         "resamples (Efron 1979), percentiles. Curves: Kaplan and Meier 1958; bands: Kalbfleisch and Prentice 1980. "
         "Paired: McNemar 1947, exact; Wilcoxon 1945, exact up to 300 pairs."})
@@ -77,9 +77,9 @@ void draw_files(Markup& out) {
   out.leaf("h2", "The data");
   const Element list(out, "ul", {{"class", "notes"}});
   constexpr std::pair<std::string_view, std::string_view> kFiles[] = {
-      {"rows.json", "the rows of Table 1 as --json writes them, with the outcome of each trial"},
+      {"rows.json", "the rows as --json writes them, with the outcome of each trial"},
       {"trials.csv", "a line for each trial"},
-      {"trials.json", "each trial with all that was measured, the confidences among it"}};
+      {"trials.json", "each trial with all measurements, including the confidences"}};
   for (const auto& [file, text] : kFiles) {
     const Element item(out, "li");
     out.leaf("a", file, {{"href", file}});
@@ -106,7 +106,7 @@ std::string report_page(const Report& report) {
     draw_header(out, report);
     {
       const Element content(out, "main");
-      out.leaf("h2", "What it showed");
+      out.leaf("h2", "Results");
       draw_compasses(out, report);
       draw_rows(out, report);
       draw_failures(out, report);

@@ -83,8 +83,8 @@ void draw_failures(Markup& out, const Report& report) {
   draw_strips(out, report, {"failed, %", 0.0, 1.0, 5, true}, rows);
   draw_caption(
       out, report,
-      "Failures: the share of trials with a wrong belief at the start that did not come right in time and stay "
-      "so. Dots: what was seen. Bars: Wilson\u2019s 95 % interval.");
+      "Failures: the fraction of trials with a wrong belief at the start that did not become right in time and "
+      "stay right. Dots: observed fractions. Bars: Wilson\u2019s 95 % interval.");
 }
 
 void draw_false_flips(Markup& out, const Report& report) {
@@ -99,7 +99,7 @@ void draw_false_flips(Markup& out, const Report& report) {
                         " " + fixed(row.false_flip_rate, 1)});
   }
   if (rows.empty()) return;
-  out.leaf("h2", "Whether a right belief is left in peace");
+  out.leaf("h2", "False flips");
   const Element figure(out, "figure", {{"id", "false-flips"}});
   constexpr int kTicks = 4;
   draw_strips(out, report,
@@ -107,9 +107,9 @@ void draw_false_flips(Markup& out, const Report& report) {
               rows);
   draw_caption(
       out, report,
-      "Flips of a belief that was right, per hour for which it was right and the robot stood. Bars: Garwood\u2019s "
-      "exact 95 % interval of a Poisson rate; an arrow: it goes on. Few hours give wide bars, whatever the robot "
-      "does.");
+      "Flips of a right belief, per hour in which it was right and the robot stood. Bars: Garwood\u2019s "
+      "exact 95 % interval of a Poisson rate. An arrow: the interval exceeds the axis. Few hours give wide bars for "
+      "any robot.");
 }
 
 }  // namespace reorient

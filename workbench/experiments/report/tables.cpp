@@ -108,15 +108,15 @@ std::vector<std::string> numbers_of(const PairedComparison& comparison) {
           has_times ? p_value(comparison.times_p) : fixed(std::nullopt, 0)};
 }
 
-/// Without what is to be said below it.
+/// Without the notes below it.
 void draw_table_of_rows(Markup& out, const Report& report) {
   NumberTable table(out,
-                    "What each cell showed. Failed: of the trials with a wrong belief at the start; Wilson\u2019s 95 % "
+                    "Results of each cell. Failed: of the trials with a wrong belief at the start; Wilson\u2019s 95 % "
                     "interval. Right after: of those that came right; mean with bootstrap interval; median and 90th "
-                    "percentile count failed trials as later than all others. Mended after: until the command that put "
-                    "the belief right, the paper\u2019s measure. Times in s.",
+                    "percentile count failed trials as later than all others. Corrected after: time until the command "
+                    "that corrected the belief, the paper\u2019s measure. Times in s.",
                     axis_names(report),
-                    {"trials", "failed, % [95 %]", "right after [95 %]", "median", "p90", "mended after [95 %]",
+                    {"trials", "failed, % [95 %]", "right after [95 %]", "median", "p90", "corrected after [95 %]",
                      "by flip", "by purge"});
   const auto add = [&table](const CellResults& cell, double limit, std::string_view kind) {
     const Row& row = cell.row;
@@ -150,12 +150,12 @@ void draw_rows(Markup& out, const Report& report) {
 void draw_references(Markup& out, const Report& report) {
   const std::vector<Reference>& references = report.experiment.references;
   if (references.empty()) return;
-  out.leaf("h2", "Beside what others measured");
-  NumberTable table(out,
-                    "What others measured, and one\u2019s own trials of the same case (shaded). Trials: those with a "
-                    "wrong belief at the "
-                    "start. Times: means until the command that mended the belief, s.",
-                    {"case", "measured by"}, {"trials", "flip", "purge", "failed", "mean", "by flip", "by purge"});
+  out.leaf("h2", "Comparison with published results");
+  NumberTable table(
+      out,
+      "Published results, and our trials of the same case (shaded). Trials: those with a wrong belief at the "
+      "start. Times: mean times until the command that corrected the belief, s.",
+      {"case", "measured by"}, {"trials", "flip", "purge", "failed", "mean", "by flip", "by purge"});
   for (auto at = references.begin(); at != references.end();) {
     // References of equal choices stand together, with one's own rows below.
     const auto end = std::find_if(at, references.end(), [&](const auto& one) { return one.choices != at->choices; });
@@ -200,7 +200,7 @@ void draw_comparisons(Markup& out, const Report& report) {
     }
   }
   if (comparisons.empty()) return;
-  out.leaf("h2", "Choice against choice");
+  out.leaf("h2", "Comparisons of choices");
   NumberTable table(
       out,
       "Each choice (B) against the first (A), in pairs of equal seeds whose belief was wrong at the start in both. "

@@ -122,8 +122,8 @@ void draw_confidences(Markup& out, const Report& report) {
     draw_caption(
         out, report,
         "Single trials of \u201c" + series.name +
-            "\u201d: confidences over time, and the first command that put the belief right. Shaded: the belief "
-            "is wrong. Below each: what runs it again, with pictures." +
+            "\u201d: confidences over time, and the first command that corrected the belief. Shaded: the belief "
+            "is wrong. Below each: the command that repeats it with pictures." +
             some);
   }
 }

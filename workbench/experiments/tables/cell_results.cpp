@@ -36,7 +36,7 @@ std::string not_started_note(const CellResults& cell) {
   for (const std::string& choice : cell.choices) note += (note.empty() ? "" : ", ") + choice;
   return note + (note.empty() ? "" : ": ") + std::to_string(cell.row.not_started) + " of " +
          std::to_string(cell.row.trials) +
-         " trials never came to the state from which they are measured, and count as failed: perhaps 'seconds' is too "
+         " trials never reached the state from which they are measured, and count as failed: perhaps 'seconds' is too "
          "short";
 }
 
