@@ -33,7 +33,7 @@ struct Result {
   double hours = 0.0;
 };
 
-/// One robot's life: it walks, turns and stands; now and then somebody lifts it, or pushes it over.
+/// A robot walks, turns and stands; at times the operator lifts it, or pushes it over.
 class Life {
  public:
   Life(bool foot_sensors, std::uint64_t seed) : random_(seed, 0x9057), body_(with(foot_sensors), {}, {}, seed) {

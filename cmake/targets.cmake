@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # How a room, a test and a benchmark of this project are declared. A room's doors are shut: its sources see the headers of
-# the rooms that it links and no others, and whoever links it inherits none of its flags.
+# only the modules that it links, and targets that link it inherit none of its flags.
 
 set(REORIENT_WARNINGS
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wundef -Wcast-align -Werror)
@@ -24,7 +24,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_FLAGS MATCHES
   list(APPEND REORIENT_ARCHITECTURE -march=x86-64-v2)
 elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
   # Eigen would fuse products by hand, whatever the compiler may do, and add in another order. To do without its packets would be
-  # no way: they are what gives x86-64 its bits, and without them vectors are aligned otherwise than in programs that link us.
+  # no way: they are what gives x86-64 its bits, and without them vectors are aligned differently from programs that link us.
   list(APPEND REORIENT_ARCHITECTURE -U__ARM_FEATURE_FMA "SHELL:-include ${PROJECT_SOURCE_DIR}/geometry/eigen_packets.h")
 endif()
 

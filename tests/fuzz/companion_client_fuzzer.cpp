@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from whoever listens at the companion's socket: the client of the header takes them or ends the
-// connection, never waits, and its texts end.
+// Arbitrary bytes from the process that listens at the companion's socket: the client of the header takes them or ends
+// the connection, never waits, and its texts end.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from whoever listens at LoLA's socket, in pieces: the guard hangs up, or tells joints only what they
-// can do. The same bytes as a command, for whoever stands in for a robot.
+// Arbitrary bytes from the process that listens at LoLA's socket, in pieces: the guard hangs up, or sends joints only
+// what they can do. The same bytes as a command, for the simulated robot.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

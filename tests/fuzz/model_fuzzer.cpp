@@ -36,7 +36,7 @@ void try_with_another(const SavedModel& model) {
   require(written(both) == written(merged(turned, model)), "it does not matter which of two is the first");
   require(written(read_model(written(both))) == written(both), "what is made of two models is one");
   turned.turn_half();
-  require(written(turned) == written(model), "half a turn twice is none");
+  require(written(turned) == written(model), "two rotations by 180 degrees change nothing");
 }
 
 void try_in_a_robot(const SavedModel& model) {
@@ -82,7 +82,7 @@ void try_model(std::span<const std::byte> bytes) {
 }
 
 /// Puts right what says how long the content is, and the checksum, over which no mutation would get.
-void mend(std::span<std::uint8_t> bytes) {
+void correct_checksum(std::span<std::uint8_t> bytes) {
   constexpr std::size_t kSizeAt = 12, kHead = 16, kSum = 8;
   if (bytes.size() < kHead + kSum) return;
   const auto size = static_cast<std::uint32_t>(bytes.size() - kHead - kSum);
@@ -100,7 +100,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t longest,
                                                unsigned int seed) {
   const std::size_t mutated = LLVMFuzzerMutate(data, size, longest);
-  if (seed % 16 != 0) reorient::mend({data, mutated});
+  if (seed % 16 != 0) reorient::correct_checksum({data, mutated});
   return mutated;
 }
 

@@ -80,7 +80,7 @@ class Trial {
  public:
   Trial() {
     const ScriptTexts texts = written();
-    scenario_.emplace(texts, "scene", std::vector<ParameterChange>{}, nobody_);
+    scenario_.emplace(texts, "scene", std::vector<ParameterChange>{}, no_behaviors_);
     FrameSetup setup;
     setup.field = small_field();
     setup.scripts = texts;
@@ -96,7 +96,7 @@ class Trial {
     close_writing();
   }
 
-  /// Writes what fits in a pipe; nobody else writes there.
+  /// Writes what fits in a pipe; no other process writes there.
   void type(std::string_view text) const {
     constexpr std::size_t kPipe = 65'536;  // bytes, pipe(7)
     const std::string_view fitting = text.substr(0, kPipe);
@@ -158,14 +158,15 @@ class Trial {
     inputs_.observation.body.time = inputs_.observation.time;
     scene_.scenario = scenario_->tick({engine_->record().world, std::nullopt});
     console_->observe(engine_->record(), scene_);
-    require(engine_->record().faults.empty() && scene_.scenario.faults.empty(), "no behavior fails by what is typed");
-    require(engine_->record().machines.size() == 1, "the behavior goes on");
+    require(engine_->record().faults.empty() && scene_.scenario.faults.empty(),
+            "no typed text causes a fault of a behavior");
+    require(engine_->record().machines.size() == 1, "the behavior still runs");
     require_readable(out_.str());
     return !out_.str().empty();
   }
 
   TemporaryFolder folder_;
-  RecordedBehaviors nobody_;
+  RecordedBehaviors no_behaviors_;
   std::optional<ScenarioHost> scenario_;
   std::optional<FrameLoop> engine_;
   FrameInputs inputs_;

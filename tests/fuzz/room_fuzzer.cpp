@@ -48,7 +48,7 @@ void try_panorama(Bytes bytes) {
 }
 
 /// Puts right the checksum of each chunk of a PNG, over which no mutation would get.
-void mend_checksums(std::span<std::uint8_t> png) {
+void correct_checksums(std::span<std::uint8_t> png) {
   constexpr std::size_t kSignature = 8, kWord = 4;
   const auto word = [png](std::size_t at) {
     return std::uint32_t{png[at]} << 24 | std::uint32_t{png[at + 1]} << 16 | std::uint32_t{png[at + 2]} << 8 |
@@ -72,7 +72,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t longest,
                                                unsigned int /*seed*/) {
   const std::size_t mutated = LLVMFuzzerMutate(data, size, longest);
-  if (mutated > 8 && std::equal(data, data + 4, "\x89PNG")) reorient::mend_checksums({data, mutated});
+  if (mutated > 8 && std::equal(data, data + 4, "\x89PNG")) reorient::correct_checksums({data, mutated});
   return mutated;
 }
 

@@ -69,7 +69,7 @@ TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
       "| `roof/` | everything |\n<!-- arrows: end -->\n";
   write("docs/architecture.md", rooms + "<!-- house: begin -->\nold\n<!-- house: end -->\nThe end.\n");
   EXPECT_EQ(check(),
-            "docs/architecture.md: the picture is not that of the table; tools/arrows --draw draws it anew\nexit 1");
+            "docs/architecture.md: the picture differs from the table; tools/arrows --draw draws it again\nexit 1");
   EXPECT_EQ(check("--draw"), "exit 0");
   EXPECT_EQ(check(), "exit 0");
   // That the attic stands on the ground follows from what stands between.

@@ -50,7 +50,7 @@ TEST_F(Tree, IsNotConfiguredAgainWhereItStayed) {
 
 TEST_F(Tree, IsConfiguredAfreshWhereItWasMoved) {
   configured_for("/where/it/was");
-  EXPECT_EQ(build(), std::string("reorient: this tree was at /where/it/was; building anew (a few minutes, once)\n"
+  EXPECT_EQ(build(), std::string("reorient: this tree was at /where/it/was; building again (a few minutes, once)\n"
                                  "cmake --fresh --preset release\n") +
                          kBuilds);
 }
@@ -59,7 +59,7 @@ TEST_F(Tree, IsConfiguredAfreshWhereItIsACopy) {
   const TemporaryFolder original;
   configured_for(original.path());
   EXPECT_EQ(build(), "reorient: this tree was at " + original.path().string() +
-                         "; building anew (a few minutes, once)\ncmake --fresh --preset release\n" + kBuilds);
+                         "; building again (a few minutes, once)\ncmake --fresh --preset release\n" + kBuilds);
 }
 
 TEST_F(Tree, InstallsOptionalPackagesWhoseCommandIsMissing) {

@@ -89,7 +89,7 @@ class FileBeside {
   }
 
  private:
-  /// O_EXCL: whoever put something there before, be it a link to elsewhere, is not written to.
+  /// O_EXCL: never write to something that exists there, such as a link to elsewhere.
   static constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL;
 
   std::filesystem::path name_;

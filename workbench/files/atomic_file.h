@@ -14,7 +14,7 @@ namespace reorient {
 /// Throws std::runtime_error with one line; then the file is as it was before.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// What is not written in one go: a file beside, for whoever writes it, that takes the place of `file` once it is
+/// For files that are written in parts: a temporary file beside `file`, which replaces it once it is
 /// whole.
 class FileInTheMaking {
  public:

@@ -22,8 +22,8 @@ constexpr std::uint32_t kEvents = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DE
                                   IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 constexpr auto kSkip = std::filesystem::directory_options::skip_permission_denied;
 
-/// What somebody else changes there, no event tells: NFS, CIFS, SMB, FUSE (sshfs), 9p (a virtual machine's host).
-/// Numbers: statfs(2).
+/// File systems without events for changes by other computers: NFS, CIFS, SMB, FUSE (sshfs), 9p (a virtual machine's
+/// host). Numbers: statfs(2).
 bool is_of_another_machine(const std::filesystem::path& folder) {
   struct statfs status {};
   if (statfs(folder.c_str(), &status) != 0) return false;
@@ -53,7 +53,7 @@ std::optional<FileWatcher::Identity> FileWatcher::identity() const {
   return Identity{status.st_dev, status.st_ino};
 }
 
-/// Anew: of what was watched before, nothing is heard any more.
+/// Restart: earlier watches report no more events.
 void FileWatcher::begin_watching() {
   stop_watching();
   descriptor_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
@@ -91,7 +91,7 @@ void FileWatcher::watch_directories() {
 }
 
 /// Whether there was any event. New directories are watched too, whose files may be older than the watch: that they
-/// came is an event itself, and whoever asked reads everything anew.
+/// came is an event itself, and the caller reads everything again.
 bool FileWatcher::read_events() {
   alignas(inotify_event) std::array<char, 16 * 1024> buffer;
   bool any = false;

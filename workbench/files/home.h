@@ -11,7 +11,7 @@
 namespace reorient {
 
 /// The folder that holds scripts/ and assets/: $REORIENT_HOME, else the first one above the running program that is the
-/// project's or an installation's, which has them in share/reorient. Throws std::runtime_error where there is none.
+/// project's or an installation's, which has them in share/reorient. Throws std::runtime_error if neither exists.
 std::filesystem::path find_home();
 
 /// "paper" as assets/parameters/paper.toml, "light/hard" as assets/parameters/light/hard.toml, where there is one with

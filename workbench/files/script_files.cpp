@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kMostEntries = 20'000;  // files and folders; more are not somebody's scripts
+constexpr std::size_t kMostEntries = 20'000;  // files and folders; more are not a folder of scripts
 
 bool is_below(const std::filesystem::path& file, const std::filesystem::path& root) {
   const auto [end, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());

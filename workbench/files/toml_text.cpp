@@ -70,7 +70,7 @@ std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
   return std::nullopt;
 }
 
-/// Where a text is no TOML, the parser may see quotes otherwise than letter_beyond_ascii() does, and meet such a letter
+/// If a text is not TOML, the parser may see quotes differently from letter_beyond_ascii(), and meet such a letter
 /// outside of them after all. With question marks in their places it never does.
 std::optional<TomlExcess> mistake_beside_letters(std::string_view text) {
   std::string ascii(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of a TOML file as somebody can have meant it. The parser goes as deep and takes as much as the text says, so
+// Limits of a TOML text for the parser. The parser follows any depth and any length of the text, so
 // it must not be given just anything.
 #pragma once
 

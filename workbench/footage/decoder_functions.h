@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* The door of the library that decodes images and videos of others by OpenCV. Plain C: whoever loads it
+/* The interface of the library that decodes images and videos by OpenCV. Plain C: the program that loads it
  * (decoder_library.h) needs nothing of OpenCV, and no program that only might need it loads FFmpeg and its kin. */
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The library that decodes images and videos of others (workbench/footage/opencv/). It is loaded when something is
+// The library that decodes images and videos (workbench/footage/opencv/). It is loaded when something is
 // decoded first: REORIENT_DECODER names it, else it lies beside the program or where it is installed.
 #pragma once
 

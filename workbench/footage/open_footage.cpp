@@ -21,7 +21,7 @@ std::string extension_of(const fs::path& file) {
   return extension;
 }
 
-/// Nobody waits for a pipe or a device. Throws BadFootage.
+/// Refuses pipes and devices, because reading them could block. Throws BadFootage.
 void require_file(const fs::path& file, const std::string& what) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);

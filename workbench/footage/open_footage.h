@@ -19,7 +19,7 @@ struct FootageRequest {
       table;  ///< CSV; empty: frames.csv in the folder, or the video's name with .csv, if there is one
   ColumnHeaders headers;
   FootageCamera camera;
-  bool times_are_given = false;  ///< by somebody else: images without times will do
+  bool times_are_given = false;  ///< by the caller: images need no times
 };
 
 /// Whether its name ends as that of an image (JPEG, PNG, ...).
@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> images_in(const std::filesystem::path& folder
 /// Of one image. Throws BadFootage where it is no regular file, or cannot be decoded.
 Image read_image(const std::filesystem::path& file, const FootageDecoder& decoder);
 
-/// The table that open_footage() reads; empty: there is none.
+/// The table that open_footage() reads; empty: no table.
 std::filesystem::path table_of(const FootageRequest& request);
 /// Throws BadFootage with one line.
 std::vector<FrameRow> read_table(const std::filesystem::path& table, const ColumnHeaders& headers);

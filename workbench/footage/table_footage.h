@@ -25,7 +25,7 @@ class TableFootage : public FootageSource {
   /// Called for row after row. False: there is no image any more. Throws BadFootage.
   using ReadImage = std::function<bool(const FrameRow& row, std::size_t index, Image& image)>;
 
-  /// `name`: of the table, for messages. Rows without times are a second apart: whoever has none gives images per
+  /// `name`: of the table, for messages. Rows without times are a second apart: the caller then gives images per
   /// second.
   TableFootage(std::string name, std::vector<FrameRow> rows, const FootageCamera& camera, ReadImage read_image);
 

@@ -32,7 +32,7 @@ struct RatedRobot {
 /// The engine's parameters for that robot, with its overrides.
 CoreParameters core_parameters_of(const RatedRobot& robot);
 
-/// What the scripts ask for before they flip a belief (scripts/lib/decision.lua).
+/// The limits of the scripts for flipping a belief (scripts/lib/decision.lua).
 struct DecisionLimits {
   double in_doubt = 0.0;      ///< log-odds, after a disturbance
   double in_peace = 0.0;      ///< log-odds, while nothing disturbs the robot
@@ -70,10 +70,10 @@ struct PutDown {
 struct PutDownResult {
   std::optional<double> flipped_after;  ///< s, from the beginning; empty: not within the limit
   double most_evidence = 0.0;           ///< log-odds of the mirrored pose against the believed pose, the greatest
-  bool has_evaluated = false;           ///< behaviors let the room be compared at all: they hold it for learned
+  bool has_evaluated = false;           ///< the behaviors permitted the evaluation, because the room is learned
 };
 
-/// From the moment in which the hands begin to put the robot down. `visible`: from the believed pose. `looks`: at the
+/// From the moment in which the operator begins to place the robot. `visible`: from the believed pose. `looks`: at the
 /// room's tiles, under their own numbers. Throws std::runtime_error (of a script: ScriptError) with one line.
 PutDownResult put_down(const PutDown& how, const RatedRobot& robot, const RatedModel& model, const Looks& looks,
                        VisibleTiles& visible);

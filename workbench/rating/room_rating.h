@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a model of a room promises: will a robot that is placed with a mirrored belief be corrected, how soon, by looks
-// in which directions, and what would help?
+// Rates a model of a room: is a mirrored belief of a placed robot corrected, how soon, by looks in which directions,
+// and what would improve it?
 #pragma once
 
 #include <cstdint>
@@ -23,11 +23,11 @@ struct RatingOptions {
   std::uint64_t seed = 1;
 };
 
-/// Whether the room tells a pose from the mirrored pose.
+/// Whether the room distinguishes a pose from the mirrored pose.
 enum class RoomVerdict {
   works,      ///< it does
   unlearned,  ///< too little of the wall is learned, or too short a time
-  symmetric,  ///< it looks the same after half a turn
+  symmetric,  ///< it looks the same after a rotation by 180 degrees
   weak        ///< more than half of the robots are not corrected within the limit
 };
 /// "works", "unlearned", "symmetric", "weak".
@@ -36,7 +36,7 @@ std::string_view to_string(RoomVerdict verdict);
 /// Of robots with a mirrored belief.
 struct CorrectionTimes {
   int trials = 0;
-  int evaluated = 0;  ///< their behaviors let the room be compared, as it is learned well enough
+  int evaluated = 0;  ///< whose behaviors permitted the evaluation, because the room is learned
   int corrected = 0;  ///< within the limit
   double limit = 30.0;
   std::optional<double> mean;       ///< s, of those that were corrected
@@ -56,7 +56,7 @@ struct FalseFlips {
 
 struct BannerTry {
   double azimuth = 0.0;    ///< rad
-  bool is_usable = false;  ///< the room tells the poses apart with it
+  bool is_usable = false;  ///< the room distinguishes the poses with it
   CorrectionTimes times;   ///< where it is usable
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame that is made again does otherwise than the recording says, in words.
+// The differences between a replayed frame and the recording, in words.
 #pragma once
 
 #include <cstdint>

@@ -32,17 +32,17 @@ inline constexpr int kRecordingFormat = 9;
 /// A topic that decides nothing.
 struct ViewTopic {
   std::string name, encoding;
-  std::string schema, schema_encoding, schema_text;  ///< schema: empty: there is none
+  std::string schema, schema_encoding, schema_text;  ///< schema: empty: no schema
   bool lasts =
       false;  ///< a message is valid until the next one, so a reader that starts in the middle needs the previous one
 };
 
-// Said of such a topic, and of the file, for whoever reads it.
+// Metadata of such a topic, and of the file, for readers.
 inline constexpr std::string_view kLasts = "lasts", kFormat = "format";
 
 /// A message to look at.
 struct ViewMessage {
-  std::size_t topic = 0;   ///< in a list that whoever writes it keeps
+  std::size_t topic = 0;   ///< index in a list of the writer
   std::uint64_t time = 0;  ///< ns
   std::vector<std::byte> data;
 };

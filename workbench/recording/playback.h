@@ -19,7 +19,7 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
   /// recording must outlive it.
   Playback(Recording& recording, double from, double to);
 
-  /// Goes to the next stretch, passing over frames that cannot be made again. False: there is none.
+  /// Goes to the next stretch, skipping frames that cannot be replayed. False: no stretch is left.
   bool next_stretch();
   /// Of the engine, where the stretch begins.
   const std::vector<std::byte>& state() const { return frame_.state; }

@@ -56,11 +56,11 @@ class Recording {
   const std::vector<ViewTopic>& view_topics() const { return view_topics_; }
   void read_views() { reads_views_ = true; }
 
-  /// The next frame in its order. False: there is none any more. Throws std::runtime_error with one line: of another
+  /// The next frame in its order. False: no frame is left. Throws std::runtime_error with one line: of another
   /// format; BadBytes: it is not what it should be.
   bool next(RecordedFrame& frame);
   /// The next frame is the latest with a state of the engine that is not after `time` (s of the robot), or else the
-  /// first that has one. False: there is none.
+  /// first that has one. False: no frame has one.
   bool go_to(double time);
 
   /// Reads all messages that are left, and only counts them: of any format.

@@ -69,7 +69,7 @@ class RecordingFile {
   std::vector<std::byte> own_;
   std::chrono::steady_clock::time_point flushed_;
   bool is_dirty_ = false;
-  bool is_full_ = false;  // the disk, when it was last written to in vain
+  bool is_full_ = false;  // the disk was full at the last failed write
   bool is_finished_ = false;
 };
 

@@ -35,7 +35,7 @@ class Replay {
   Playback& playback() { return *playback_; }
   const Playback& playback() const { return *playback_; }
 
-  /// The engine at the beginning of the next stretch; nullptr: there is none any more.
+  /// The engine at the beginning of the next stretch; nullptr: no stretch is left.
   FrameLoop* next_stretch();
   /// To play it frame by frame. `sources`: add to what was recorded.
   RunParts parts(const std::vector<InputSource*>& sources, std::vector<Observer*> observers);

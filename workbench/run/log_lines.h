@@ -13,13 +13,13 @@ struct LogLine {
   enum class Level { info, warning, error };
 
   Level level = Level::info;
-  std::string source;  ///< a machine or a script's file; empty where the text says it, or nobody but a person does
+  std::string source;  ///< a machine or a script's file; empty if the text contains it, or for a line of the operator
   std::string text;
   std::string file = {};  ///< of a fault: where it is
   int line = 0;
 };
 
-/// In their order: the behaviors' edits and the scenario's, then what both said.
+/// In their order: the behaviors' edits and the scenario's, then the log lines of both.
 std::vector<LogLine> log_lines(const FrameRecord& frame, const SceneTruth& scene);
 
 }  // namespace reorient

@@ -15,7 +15,7 @@ namespace reorient {
 /// What only those around the robot know of a frame: plain data, too.
 struct SceneTruth {
   std::optional<GroundTruth> truth;  ///< where it is known, in the axes of the frame
-  ScenarioRecord scenario;           ///< empty where there is none
+  ScenarioRecord scenario;           ///< empty without a scenario
   double observing = 0.0;  ///< s in wall-clock time that the robot took to observe: a simulated one, to render
   double stepping = 0.0;   ///< s in wall-clock time that the engine took
 };

@@ -42,7 +42,7 @@ std::optional<RunEnd> RunLoop::step() {
     if (scene_.truth) scene_.truth->pose = in_axes_of_team(scene_.truth->pose, record.world.sides_changed);
   }
 
-  // What was told now enters the next frame.
+  // Changes that were set now enter the next frame.
   const std::vector<ScriptEdit> edits = std::exchange(inputs_.script_edits, {});
   inputs_.parameter_changes.clear();
   inputs_.external = {};

@@ -4,7 +4,7 @@
 namespace reorient {
 namespace {
 
-/// How a run ends of which the scenario said nothing.
+/// The verdict of a run without a verdict of its scenario.
 const char* words_of(RunEnd end) {
   switch (end) {
     case RunEnd::stopped:

@@ -27,7 +27,7 @@ bool is_correct(const Pose2& belief, const Pose2& truth);
 struct JudgedReorientation {
   double time = 0.0;  ///< s
   Reorientation reorientation = Reorientation::flip_pose;
-  std::optional<bool> correct_before;  ///< the belief; nothing where nobody knows the truth
+  std::optional<bool> correct_before;  ///< whether the belief was correct; nothing if the true pose is unknown
   std::optional<bool> correct_after;
 };
 
@@ -47,7 +47,7 @@ struct RunSummary {
   /// elsewhere.
   std::optional<double> belief_wrong_at;
   std::optional<double> corrected_after;  ///< s from then until it was correct and stayed so
-  double wrong_seconds = 0.0;             ///< for which the belief was wrong altogether, while nobody carried the robot
+  double wrong_seconds = 0.0;             ///< total time with a wrong belief, except while the robot was lifted
   std::optional<PoseError> error;         ///< at the end
   std::optional<PoseError> mean_error;    ///< of correct beliefs, while the robot was upright
   PoseBelief belief;                      ///< at the end
@@ -83,7 +83,7 @@ class SummaryObserver : public Observer {
     bool stopped = false;
   };
   std::map<std::string, Faults> faults_;  ///< of each script that runs
-  bool may_be_wrong_ = false;             ///< the belief was correct before, or somebody moved the robot
+  bool may_be_wrong_ = false;             ///< the belief was correct before, or the operator moved the robot
   std::optional<Pose2> last_truth_;
   std::optional<double> wrong_since_;  ///< start of the last stretch of wrong belief
   double last_wrong_ = 0.0;            ///< s

@@ -14,8 +14,8 @@ namespace reorient {
 
 struct TimelineEvent {
   double time = 0.0;    ///< s
-  std::string machine;  ///< or "game", or "note": somebody's
-  std::string state;    ///< path; of a change: "from > to"; of a note: "note: " and what it says
+  std::string machine;  ///< or "game", or "note" (of the operator)
+  std::string state;    ///< path; of a change: "from > to"; of a note: "note: " and its text
   std::string command;  ///< empty: a change of state, or a note
   std::string reason;
   std::string verdict;
@@ -25,15 +25,15 @@ struct TimelineEvent {
 /// Of one frame, in their order: a change of state comes before the commands that it led to.
 std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const SceneTruth& scene);
 
-/// The commands and pauses of a run. It takes a bounded memory: of each machine the latest are kept, the older ones
-/// only counted.
+/// The commands and pauses of a run, in bounded memory: stores the latest of each machine and counts the older
+/// ones.
 class CommandHistory : public Observer {
  public:
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
-  /// All that are kept, in the order of time.
+  /// All stored ones, in the order of time.
   std::vector<TimelineEvent> commands() const;
-  std::uint64_t dropped() const;  ///< how many are not kept
+  std::uint64_t dropped() const;  ///< number of those that are not stored
 
   static constexpr std::size_t kMostOfAMachine = 500;
   static constexpr std::size_t kMostMachines = 200;  ///< names may change with every edit

@@ -10,7 +10,7 @@ namespace reorient {
 namespace {
 
 constexpr const char* kTwoAxes = R"(title = "Which way is it?"
-description = "A robot is put down the wrong way round."
+description = "A robot is placed on the mirrored pose."
 trials = 7
 [condition]
 scenario = "mirrored_placement"

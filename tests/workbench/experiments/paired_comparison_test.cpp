@@ -34,7 +34,7 @@ TEST(PairedComparison, CountsFailuresThatOnlyOneHad) {
   EXPECT_FALSE(comparison.median_difference) << "no pair came right in both";
 }
 
-TEST(PairedComparison, LeavesOutPairsThatOneWasLeftInPeaceIn) {
+TEST(PairedComparison, LeavesOutPairsWithAnUndisturbedTrial) {
   const PairedComparison comparison =
       compare_pairs({left_in_peace(1), came_to_nothing(2)}, {came_to_nothing(1), left_in_peace(2)});
   EXPECT_EQ(comparison.pairs, 2);

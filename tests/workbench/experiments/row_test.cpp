@@ -106,7 +106,7 @@ TEST(Row, AsksTheEvidenceOnlyWhereItIsUsedAndOneOfTheTwoPosesIsRight) {
                        {1.0, 0.0, 0.0, -sure, RoomStatus::usable, true, false},   // right
                        {1.5, 0.0, 0.0, sure, RoomStatus::usable, true, false},    // wrong
                        {2.0, 0.0, 0.0, sure, RoomStatus::usable, false, false},   // the robot is elsewhere
-                       {2.5, 0.0, 0.0, sure, RoomStatus::resting, true, false}};  // nobody asks
+                       {2.5, 0.0, 0.0, sure, RoomStatus::resting, true, false}};  // not used
   const Row row = row_of({trial});
   EXPECT_EQ(row.calibration_samples, 3);
   ASSERT_TRUE(row.calibration_error);
@@ -135,7 +135,7 @@ TEST(Row, TellsHowWellTheConfidencesTellWrongBeliefsFromRightOnes) {
   seen(0.5, 0.1, false, RoomStatus::usable);
   EXPECT_EQ(row_of({trial}).confidence_area, 0.75);
   seen(0.0, 0.0, false, RoomStatus::off);
-  EXPECT_EQ(row_of({trial}).confidence_area, 0.75) << "nobody looked";
+  EXPECT_EQ(row_of({trial}).confidence_area, 0.75) << "no look";
 }
 
 TEST(Row, OfNothingKnowsNothing) {

@@ -88,7 +88,7 @@ TEST(KaplanMeier, HasTheBandOfTheLeukemiaTrial) {  // log-log, as Stata's sts li
   for (std::size_t i = 0; i < curve.size(); ++i) expect_interval(curve[i].band, kBounds[i][0], kBounds[i][1], 1e-4);
 }
 
-TEST(KaplanMeier, KeepsItsUpperBoundWhereNobodyIsLeft) {
+TEST(KaplanMeier, KeepsItsUpperBoundWhenNoTrialIsLeft) {
   const std::vector<SurvivalStep> curve = kaplan_meier({{1.0, true}, {2.0, true}, {3.0, true}});
   ASSERT_EQ(curve.size(), 3U);
   expect_interval(curve[2].band, 0.0, curve[1].band.high, 0.0);
@@ -205,7 +205,7 @@ TEST(Calibration, IsRightAsOftenAsItSays) {
   EXPECT_NEAR(calibration_error(bins), 0.0, 1e-12);
 }
 
-TEST(Calibration, CountsTooCertainAndTooTimidAlike) {
+TEST(Calibration, CountsOverconfidenceAndUnderconfidence) {
   const std::vector<double> certain{std::log(9.0), -std::log(9.0)};         // says 90 %, is right in 50 %
   const std::vector<double> timid{std::log(1.5), std::log(1.5), 0.405465};  // says 60 %, is always right
   EXPECT_NEAR(calibration_error(calibration_bins(certain)), 0.4, 1e-9);

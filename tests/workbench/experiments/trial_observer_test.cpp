@@ -69,7 +69,7 @@ TEST(Trial, IsMeasuredFromTheStateThatIsNamed) {
   EXPECT_NEAR(trial.result().wrong_seconds, 2.9, 1e-9);
 }
 
-TEST(Trial, DoesNotTakeAStateForAnotherThatBeginsAlike) {
+TEST(Trial, DistinguishesStatesWithTheSamePrefix) {
   Told trial(from_lost());
   trial.believe(kTruth, 1.0, "lost and found");
   EXPECT_FALSE(trial.result().started);
@@ -195,7 +195,7 @@ TEST(Trial, IsNotRightInTheAir) {
   EXPECT_NEAR(trial.result().right_seconds, 16.9, 1e-9);
 }
 
-TEST(Trial, TellsTheCommandThatMendedTheBelief) {
+TEST(Trial, ReportsTheCommandThatCorrectedTheBelief) {
   Told trial(from_lost());
   trial.believe(reflect(kTruth), 3.0);
   trial.reorient(Reorientation::purge_reflection, reflect(kTruth), reflect(kTruth));

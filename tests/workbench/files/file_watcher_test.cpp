@@ -82,7 +82,7 @@ TEST_P(Watcher, FollowsWhereTheWholeFolderIsReplaced) {
   EXPECT_EQ(reports(watcher), 1);
 }
 
-TEST_P(Watcher, FollowsWhereTheFolderIsDeletedAndMadeAnew) {
+TEST_P(Watcher, ContinuesAfterTheFolderIsDeletedAndCreatedAgain) {
   folder_.write("scripts/lib/a.lua", "1");
   FileWatcher watcher(folder_.path() / "scripts", GetParam());
   std::filesystem::remove_all(folder_.path() / "scripts");

@@ -75,8 +75,8 @@ TEST_F(ScriptFilesTest, BesideAFolderThatIsNotOursToReadAreAllRead) {
                                                    perms::others_read | perms::others_exec);
   const pid_t child = fork();
   if (child == 0) {
-    constexpr uid_t kNobody = 65534;
-    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(77);
+    constexpr uid_t kOtherUser = 65534;
+    if (geteuid() == 0 && setuid(kOtherUser) != 0) _exit(77);
     const bool is_hidden = access(secret.c_str(), R_OK) != 0;
     _exit(is_hidden ? static_cast<int>(read().files().size()) : 77);
   }
@@ -84,7 +84,7 @@ TEST_F(ScriptFilesTest, BesideAFolderThatIsNotOursToReadAreAllRead) {
   waitpid(child, &status, 0);
   std::filesystem::permissions(secret, perms::owner_all);
   ASSERT_TRUE(WIFEXITED(status));
-  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "nobody may become somebody else here";
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "changing the user is not permitted";
   EXPECT_EQ(WEXITSTATUS(status), 4);
 }
 

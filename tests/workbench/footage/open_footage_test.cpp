@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Footage from a disk, whatever somebody's folder holds. The decoder is one for tests: an image is a line "WIDTH HEIGHT
-// LUMA".
+// Footage from a disk, with arbitrary contents of the folder. The decoder is one for tests: an image is a line "WIDTH
+// HEIGHT LUMA".
 #include "workbench/footage/open_footage.h"
 
 #include <cstring>

@@ -290,7 +290,7 @@ TEST_F(RecordedRun, SaysWhatWouldHaveBeenOtherwiseFirst) {
 
 TEST_F(RecordedRun, OnADiskThatTakesNothingGoesOnWithoutARecording) {
   std::signal(SIGPIPE, SIG_IGN);  // as the program does
-  // A pipe that nobody empties stands for it.
+  // A pipe without a reader simulates it.
   ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
   const int reader = open(file().c_str(), O_RDONLY | O_NONBLOCK);
   ASSERT_GE(reader, 0);
@@ -352,7 +352,7 @@ TEST_F(RecordedRun, OnAFullDiskEndsWithOneLine) {
   EXPECT_THROW(record(full), std::runtime_error) << "its head cannot be written";
 }
 
-TEST(Recording, IsRefusedWhatIsNone) {
+TEST(Recording, RefusesFilesThatAreNotRecordings) {
   TemporaryFolder folder;
   for (const char* const text : {"", "something else", "\x89MCAP0\r\n", "\x89MCAP0\r\n and then nothing of use"})
     EXPECT_THROW(Recording(folder.write("no.mcap", text)), std::runtime_error) << text;

@@ -35,7 +35,7 @@ std::string misfit(const Json& value, const Json& schema, const std::string& whe
     for (const Json& choice : schema["oneOf"]) {
       if (choice.at("const") == value) return "";
     }
-    return where + " is none of the constants";
+    return where + " is not one of the constants";
   }
   const std::string type = schema.at("type");
   const bool fits = type == "object"    ? value.is_object()
@@ -61,7 +61,8 @@ std::string misfit(const Json& value, const Json& schema, const std::string& whe
       if (!value.contains(name)) return fmt::format("{} lacks {}", where, name);
   }
   for (const auto& [name, item] : value.items()) {
-    if (!schema.at("properties").contains(name)) return fmt::format("{} has {}, which nobody expects", where, name);
+    if (!schema.at("properties").contains(name))
+      return fmt::format("{} has {}, which the schema does not contain", where, name);
     inner = misfit(item, schema["properties"][name], fmt::format("{}.{}", where, name));
     if (!inner.empty()) break;
   }
@@ -118,7 +119,7 @@ TEST_F(ViewerMessagesTest, FitTheirSchemasAndSayWhatTheRecordSays) {
   EXPECT_EQ(last_[ViewerTopic::truth]["pose"]["position"]["y"], 2.0);
 }
 
-TEST(ViewerMessages, LeaveOutNumbersThatAreNoneAndMendTextThatIsNone) {
+TEST(ViewerMessages, OmitNumbersThatAreNotFiniteAndCorrectInvalidText) {
   FrameRecord frame;
   frame.world.time_since_disturbance = std::numeric_limits<double>::infinity();
   frame.world.pose.pose.position.x() = std::numeric_limits<double>::quiet_NaN();
@@ -212,7 +213,7 @@ TEST(Foxglove, NamesTheModelOfACameraAsRosDoes) {
   EXPECT_EQ(calibration(CameraProjection::equirectangular, {})["D"], Json::array());
 }
 
-// A layout that names what nobody sends shows nothing.
+// A layout with a topic that is not sent shows nothing.
 
 /// "/world.confidence.current": of a topic that there is, and its schema has such a field.
 void expect_path(const std::string& path, char separator) {

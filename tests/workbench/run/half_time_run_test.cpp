@@ -79,7 +79,7 @@ TEST_F(HalfTimeOfAScenario, LeavesWhatTheRefereeSaidBesidesAsItIs) {
   EXPECT_EQ(*external.referee, (RefereeState{true, GameState::playing, true, KickOff::theirs}));
 }
 
-TEST_F(HalfTimeOfAScenario, TwiceAtOnceIsNone) {
+TEST_F(HalfTimeOfAScenario, TwiceInOneFrameHasNoEffect) {
   act(Kind::half_time);
   act(Kind::half_time);
   EXPECT_FALSE(external.half_time);

@@ -151,7 +151,7 @@ TEST(Summary, DoesNotSayThatABeliefWentWrongWhichWasNeverRight) {
   EXPECT_FALSE(run.summary().corrected_after);
 }
 
-TEST(Summary, SaysThatSomebodyPutTheRobotElsewhere) {
+TEST(Summary, ReportsThatTheOperatorMovedTheRobot) {
   Told run;
   run.believe(reflect(kTruth), 0.0, 1.0);
   run.believe(reflect(kTruth), 1.0, 2.0, true);

@@ -78,12 +78,12 @@ struct AxisChoice {
 struct Axis {
   std::string name;
   std::vector<AxisChoice> choices;
-  std::vector<std::string> usual{};  ///< those that are taken where nobody asks for others; empty: all
+  std::vector<std::string> usual{};  ///< choices used if no others are requested; empty: all
 };
 
 /// What the columns mean_s, median_s and p90_s are of.
 enum class TimeOf {
-  command,  ///< until the command that mends the belief: what the paper measures
+  command,  ///< until the command that corrects the belief: the paper's measure
   belief,   ///< until the belief is right, and stays
 };
 

@@ -11,7 +11,7 @@
 
 namespace reorient {
 
-/// The condition file of a name. Throws std::runtime_error with one line where there is none.
+/// The condition file of a name. Throws std::runtime_error with one line if it is missing.
 using ConditionFiles = std::function<ConditionPatch(const std::string& name)>;
 
 /// `name`: of the file, for messages; the experiment is called as its last part without ".toml". `conditions`: those

@@ -33,8 +33,8 @@ class HorizonCamera {
 
   /// `count` columns, evenly spread. Where the camera looks too steeply for a horizon there are none.
   void find(int count, std::vector<HorizonColumn>& columns) const;
-  /// The row of a column in which the camera looks up at this slope (meters of height a meter), pixels; nothing where
-  /// there is none.
+  /// The row of a column in which the camera looks up at this slope (meters of height a meter), pixels; nothing if
+  /// the column has no such row.
   std::optional<double> row_at(double x, double slope) const;
   int width() const { return camera_.width; }
   int height() const { return camera_.height; }

@@ -26,7 +26,7 @@ double distance(const HorizonDescriptor& a, const HorizonDescriptor& b);
 class HorizonFeatureFinder {
  public:
   /// `contrast`: how much brighter or darker than around it a point must be, as a share of the row's mean. A feature
-  /// whose surroundings reach beyond the row is none. Valid until the next call.
+  /// whose surroundings reach beyond the row does not count. Valid until the next call.
   std::span<const HorizonFeature> find(std::span<const float> row, double contrast);
 
  private:

@@ -12,7 +12,7 @@
 namespace reorient {
 
 /// An icosahedron about the field's center, an edge on top, so that half a turn about the vertical maps it onto itself.
-/// Each of its 20 faces is cut into `cuts`^2 equal triangles. What lies below the field belongs to nobody.
+/// Each of its 20 faces is cut into `cuts`^2 equal triangles. Directions below the field belong to no triangle.
 class TriangleDome {
  public:
   /// `radius`: of the corners, m.

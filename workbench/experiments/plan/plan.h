@@ -14,7 +14,7 @@ namespace reorient {
 struct Task {
   int number = 1;          ///< from 1 on
   std::size_t cell = 0;    ///< of cells_of()
-  int trial = 0;           ///< within its cell, from 0 on
+  int trial = 0;           ///< index within its cell, starting at 0
   std::uint64_t seed = 1;  ///< the same for the same trial of each cell: cells are compared in pairs
 };
 

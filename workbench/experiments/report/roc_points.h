@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// Without the points that nobody could tell from their neighbors.
+/// Without points that a picture cannot distinguish from their neighbors.
 std::vector<PlotPoint> as_points(const std::vector<RocPoint>& curve);
 
 }  // namespace reorient

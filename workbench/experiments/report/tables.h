@@ -10,7 +10,7 @@ namespace reorient {
 /// A row for each cell.
 void draw_rows(Markup& out, const Report& report);
 
-/// What others measured, with one's own rows of the same choices; nothing where nobody measured anything.
+/// Published results, with our rows of the same choices; writes nothing if the experiment has no references.
 void draw_references(Markup& out, const Report& report);
 
 /// Each series against the first, in pairs of equal seeds; nothing where no pair can be compared.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is told of each trial, in trials.csv and trials.json alike.
+// The columns of each trial, the same in trials.csv and trials.json.
 #pragma once
 
 #include <optional>

@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-// Log-odds at which bins begin. Certainties are much alike above 5 (0.993), so wider bins are enough there.
+// Log-odds at which bins begin. Probabilities differ little above 5 (0.993), so wider bins are enough there.
 constexpr std::array kBegins{0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0, 10.0};
 
 }  // namespace

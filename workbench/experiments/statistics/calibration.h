@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is somebody right as often as they say that they are?
+// Compares stated probabilities with observed frequencies.
 #pragma once
 
 #include <span>

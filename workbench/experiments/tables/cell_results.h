@@ -23,8 +23,8 @@ inline constexpr const char* kAllRooms = "all";
 /// trials themselves. None where there are not several rooms.
 std::vector<CellResults> pooled_over_rooms(const Experiment& experiment, const std::vector<CellResults>& cells);
 
-/// A sentence about trials that were never measured: whoever reads the row would take them for failures of the robot.
-/// Empty: there are none.
+/// A sentence about trials that were never measured, because a reader of the row would count them as failures of the
+/// robot. Empty: there are none.
 std::string not_started_note(const CellResults& cell);
 
 }  // namespace reorient

@@ -16,7 +16,7 @@ struct Outcome {
   bool disturbed = false;  ///< the belief was wrong at the start
   bool failed = false;
   std::optional<double> right_after;   ///< from when on the belief was right and stayed so
-  std::optional<double> mended_after;  ///< the command that put the belief right; nothing: none did
+  std::optional<double> mended_after;  ///< time of the command that corrected the belief; nothing: no command did
   std::optional<Reorientation> mended_by;
   int false_flips = 0;
 };

@@ -23,7 +23,7 @@ std::optional<double> if_known(double value) { return std::isnan(value) ? std::n
 Row row_of(const std::vector<TrialResult>& results) {
   Row row;
   std::vector<double> right, mended, by_flip, by_purge, kidnapped_right, usable;
-  std::vector<CensoredTime> until_mended;
+  std::vector<CensoredTime> until_corrected;
   double right_seconds = 0.0, standing_seconds = 0.0, uninformative_seconds = 0.0;
   for (const TrialResult& result : results) {
     ++row.trials;
@@ -45,7 +45,7 @@ Row row_of(const std::vector<TrialResult>& results) {
     ++row.disturbed;
     row.failed += result.failed() ? 1 : 0;
     row.uninformative += result.failed() && result.ended_uninformative ? 1 : 0;
-    until_mended.push_back({result.mended_after.value_or(result.seconds), result.mended_after.has_value()});
+    until_corrected.push_back({result.mended_after.value_or(result.seconds), result.mended_after.has_value()});
     if (result.right_after) right.push_back(*result.right_after);
     if (!result.mended_after) continue;
     mended.push_back(*result.mended_after);
@@ -62,7 +62,7 @@ Row row_of(const std::vector<TrialResult>& results) {
   row.right_median = if_known(time_by_which(curve, 0.5));
   row.right_p90 = if_known(time_by_which(curve, 0.9));
   row.mended = time_row(mended);
-  const std::vector<SurvivalStep> mended_curve = kaplan_meier(until_mended);
+  const std::vector<SurvivalStep> mended_curve = kaplan_meier(until_corrected);
   row.mended_median = if_known(time_by_which(mended_curve, 0.5));
   row.mended_p90 = if_known(time_by_which(mended_curve, 0.9));
   row.kidnapped_right = time_row(kidnapped_right);

@@ -30,10 +30,10 @@ struct Row {
   TimeRow right;                       ///< time until the belief is right and stays, of those that did not fail
   std::optional<double> right_median;  ///< with the failed ones as later than all others; nothing: they are too many
   std::optional<double> right_p90;
-  int flip = 0;   ///< disturbed trials whose belief was first mended by a flip
+  int flip = 0;   ///< disturbed trials whose belief was first corrected by a flip
   int purge = 0;  ///< the same by a purge
   int reset = 0;
-  TimeRow mended;                       ///< time until the command that mends the belief: the paper's measure
+  TimeRow mended;                       ///< time until the command that corrects the belief: the paper's measure
   std::optional<double> mended_median;  ///< with the trials without one as later than all others
   std::optional<double> mended_p90;
   TimeRow flip_time;

@@ -23,7 +23,7 @@ struct Measurement {
 /// Whether a state of that path is the one, or within it, as "mirrored/lost" is within "mirrored".
 bool is_within(std::string_view path, std::string_view state);
 
-/// Between frames the belief counts as it was in the last one; in the air, and where nobody knows the truth, as wrong.
+/// Between frames the belief counts as in the last one; in the air, and if the true pose is unknown, as wrong.
 class TrialObserver : public Observer {
  public:
   explicit TrialObserver(Measurement measurement) : measurement_(std::move(measurement)) {

@@ -43,7 +43,7 @@ struct TrialResult {
   bool correct_at_start = true;  ///< the belief
 
   std::optional<double> right_after;   ///< from when on the belief was right and stayed so for as long as is asked
-  std::optional<double> mended_after;  ///< the first command that put a wrong belief right: what the paper measures
+  std::optional<double> mended_after;  ///< the first command that corrected a wrong belief: the paper's measure
   std::optional<Reorientation> mended_by;
   std::optional<double> usable_after;  ///< from when on the room told the two poses apart
   bool kidnapped = false;  ///< the robot was put down elsewhere than it was picked up, even before the clock

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// What OpenCV would print, whoever called says in a line of his own.
+/// Suppresses the output of OpenCV, because the caller reports the error in one line.
 void silence() {
   static std::once_flag once;
   std::call_once(once, [] {

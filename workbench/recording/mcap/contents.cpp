@@ -24,7 +24,7 @@ struct RecordHead {
   std::uint64_t end() const { return content() + length; }
 };
 
-/// Goes from record to record of a source that nobody trusts.
+/// Iterates over the records of an untrusted source.
 class Walk {
  public:
   explicit Walk(const Source& source) : source_(source) {}
@@ -206,7 +206,7 @@ std::uint64_t read_chunk_index(ByteReader in) {
   return where;
 }
 
-/// A record that the summary names and nobody came by: a damage hid it.
+/// A record of the summary that was not found in the data: damage hid it.
 void read_hidden(const Walk& walk, std::uint64_t where, Opcode opcode, Known& known, Contents& contents) {
   try {
     walk.each_from(where, [&](const RecordHead& head) {
@@ -224,7 +224,7 @@ void read_hidden(const Walk& walk, std::uint64_t where, Opcode opcode, Known& kn
 template <typename Record>
 void keep_said_twice(const std::vector<Record>& in_data, const std::map<std::uint16_t, std::uint64_t>& places,
                      std::vector<Record>& in_summary, Contents& contents) {
-  if (in_summary.empty()) in_summary = in_data;  // whoever wrote it does not say them again
+  if (in_summary.empty()) in_summary = in_data;  // its writer does not repeat them
   for (const Record& record : in_data) {
     if (std::find(in_summary.begin(), in_summary.end(), record) == in_summary.end())
       tell(Damage(places.at(record.id), "a topic or schema is not what the summary says of it"), contents);

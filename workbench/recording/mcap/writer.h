@@ -21,7 +21,7 @@ namespace reorient::mcap {
 
 class Writer {
  public:
-  /// Takes bytes in their order, all of them or none. What it throws reaches whoever called the writer; what was to be
+  /// Takes bytes in their order, all of them or none. Its exceptions reach the caller of the writer; what was to be
   /// written then is left out, and the file may still be finished.
   using Sink = std::function<void(std::span<const std::byte>)>;
 

@@ -56,7 +56,7 @@ class Rings {
     const auto place = [&](double along, double up) -> Pixel {
       const double base = foot + below * height;
       const double radius = base + up * (up > 0.0 ? (1.0 - below) * height : below * height);
-      // The first bin is at the left of somebody who looks at the wall from the center.
+      // The first bin is at the left as seen from the center.
       const double angle = tile.to - margin + along * (tile.from - tile.to + 2.0 * margin);
       return center_ + radius * Pixel(std::cos(angle), -std::sin(angle));
     };

@@ -8,8 +8,8 @@
 
 namespace reorient::pictures {
 
-/// Writes a picture beside its final name and renames it when it is complete, so that nobody ever sees half of it.
-/// Throws std::runtime_error with one line where that fails, and leaves what was there before.
+/// Writes a picture beside its final name and renames it when it is complete, so that no process reads an incomplete
+/// picture. Throws std::runtime_error with one line where that fails, and leaves what was there before.
 void write_png(const std::filesystem::path& file, const Picture& picture);
 
 }  // namespace reorient::pictures
