@@ -33,7 +33,7 @@ Image patchwork(int width, int height) {
   return image;
 }
 
-/// Arguments: method, width. The paper's recipe is told as far as it costs.
+/// Arguments: method, width. The paper's recipe is set only as far as it affects the cost.
 void Compare(benchmark::State& state) {
   const auto method = static_cast<std::size_t>(state.range(0));
   const auto width = static_cast<int>(state.range(1));

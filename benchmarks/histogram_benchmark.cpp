@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the 14-bin histogram costs for a whole 640x480 image in 64 tiles, beside the limit (reading the bytes) and what
-// OpenCV offers. One core. The last benchmark tells both ratios.
+// OpenCV offers. One core. The last benchmark prints both ratios.
 #include <algorithm>
 #include <array>
 #include <chrono>

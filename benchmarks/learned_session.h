@@ -16,7 +16,7 @@
 namespace reorient {
 
 inline const std::filesystem::path kProject = REORIENT_SOURCE_DIR;
-inline const Pose2 kStart(-3.2, -3.5, 0.5 * kPi);  // where the scenario says that the robot stands
+inline const Pose2 kStart(-3.2, -3.5, 0.5 * kPi);  // start pose of the scenario
 
 inline FrameSetup shipped(const FieldDimensions& field) {
   FrameSetup setup;

@@ -15,7 +15,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kStep = 0.01;  // s, as fast as a NAO tells of its body
+constexpr double kStep = 0.01;  // s, the rate at which a NAO sends the state of its body
 const Eigen::Vector2d kBounds(4.5, 3.0);
 
 struct Tally {

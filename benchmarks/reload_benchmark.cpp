@@ -59,7 +59,7 @@ class CopiedScripts {
   std::filesystem::path root_;
 };
 
-/// The script with a machine that says in every frame which edit runs.
+/// The script with a machine that publishes in every frame which edit runs.
 std::string edited(const std::string& text, int edit) {
   return text + "\nbehavior \"probe\" { update = function() log.info(\"edit " + std::to_string(edit) + "\") end }\n";
 }

@@ -14,7 +14,7 @@ if(NOT REORIENT_CCACHE_PROGRAM)
 endif()
 
 set(folder "$ENV{XDG_CACHE_HOME}")
-if(NOT IS_ABSOLUTE "${folder}")  # an empty or relative one is to be ignored, says the XDG specification
+if(NOT IS_ABSOLUTE "${folder}")  # an empty or relative one must be ignored by the XDG specification
   set(folder "$ENV{HOME}/.cache")
 endif()
 set(folder "${folder}/reorient/ccache")
@@ -30,7 +30,7 @@ if(failed)
   return()
 endif()
 
-# DEPEND: a miss costs no run of the preprocessor. pch_defines, time_macros: what ccache asks for with precompiled headers. BASEDIR, NOHASHDIR: paths below the tree count as
+# DEPEND: a miss costs no run of the preprocessor. pch_defines, time_macros: required by ccache with precompiled headers. BASEDIR, NOHASHDIR: paths below the tree count as
 # relative, so that every clone has the same keys.
 set(CMAKE_CXX_COMPILER_LAUNCHER
   "${CMAKE_COMMAND}" -E env

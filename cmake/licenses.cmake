@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Installs the project's license, the page on third-party software, and the license texts of the libraries whose code is
-# compiled into what is installed. Which these are follows from the rows of docs/third-party.md that say "headers" or "static";
+# compiled into what is installed. Which these are follows from the rows of docs/third-party.md with "headers" or "static";
 # tools/bundle reads the same rows.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/docs/third-party.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME THIRD-PARTY.md)

@@ -19,7 +19,7 @@ set(REORIENT_QUICKLY_COMPILED $<$<CONFIG:Release>:-O1>)
 # The same bits on every processor (geometry/pinned_math.h): no product and sum become one rounding, and `char` has a sign, which
 # it lacks on ARM.
 set(REORIENT_ARCHITECTURE -ffp-contract=off -fsigned-char)
-# Every x86-64 robot and desktop since 2009 has SSE4.2; a preset may ask for a particular processor instead.
+# Every x86-64 robot and desktop since 2009 has SSE4.2; a preset may set a particular processor instead.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_FLAGS MATCHES "-march=")
   list(APPEND REORIENT_ARCHITECTURE -march=x86-64-v2)
 elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from a client of the companion: before it has said hello, or after. Whatever they are, the companion
-// goes on, and what comes out of it can be used.
+// Arbitrary bytes from a client of the companion: before or after its hello. With any bytes, the companion
+// continues, and its output is usable.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

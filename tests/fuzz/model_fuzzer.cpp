@@ -81,8 +81,8 @@ void try_model(std::span<const std::byte> bytes) {
   try_in_a_robot(model);
 }
 
-/// Puts right what says how long the content is, and the checksum, over which no mutation would get.
-void correct_checksum(std::span<std::uint8_t> bytes) {
+/// Corrects the length of the content and the checksum, which no mutation would pass.
+void correct_length_and_checksum(std::span<std::uint8_t> bytes) {
   constexpr std::size_t kSizeAt = 12, kHead = 16, kSum = 8;
   if (bytes.size() < kHead + kSum) return;
   const auto size = static_cast<std::uint32_t>(bytes.size() - kHead - kSum);
@@ -100,7 +100,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t longest,
                                                unsigned int seed) {
   const std::size_t mutated = LLVMFuzzerMutate(data, size, longest);
-  if (seed % 16 != 0) reorient::correct_checksum({data, mutated});
+  if (seed % 16 != 0) reorient::correct_length_and_checksum({data, mutated});
   return mutated;
 }
 

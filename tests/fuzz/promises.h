@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fuzzer asks of the code that it tries: a broken promise ends it, and the input is kept.
+// Requirements of a fuzzer on the tested code: a broken one ends the fuzzer, and the input is saved.
 #pragma once
 
 #include <cstdio>

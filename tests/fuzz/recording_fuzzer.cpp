@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a recording, and as what a recording holds: what is damaged is told with its place, what can be
+// Arbitrary bytes as a recording, and as what a recording holds: damage is reported with its position, what can be
 // read is read, and neither takes more memory than the bytes justify.
 #include <cstddef>
 #include <cstdint>

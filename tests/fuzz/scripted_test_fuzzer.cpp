@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary texts as a file of scripted tests, beside the shipped behaviors: whatever a test does, it ends soon, and
-// what is told about it can be read.
+// Arbitrary texts as a file of scripted tests, beside the shipped behaviors: any test ends soon, and
+// its messages are readable text.
 #include <cstddef>
 #include <cstdint>
 #include <string>

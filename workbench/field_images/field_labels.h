@@ -50,11 +50,11 @@ struct FieldLabels {
   std::vector<LabeledBall> balls;
   std::vector<LabeledPixels> feet;     ///< polygons: robots and people
   std::vector<LabeledPixels> boards;   ///< polygons: everything around the carpet
-  std::vector<LabeledPixels> marks;    ///< polygons: penalty marks, and other white that is no line
+  std::vector<LabeledPixels> marks;    ///< polygons: penalty marks, and other white that is not a line
   std::vector<LabeledPixels> ignored;  ///< polygons in which a line point is neither right nor wrong
 };
 
-/// Of a file's bytes, 16 hexadecimal digits. By it labels find their image, whatever it is called.
+/// Of a file's bytes, 16 hexadecimal digits. Labels identify their image by it, independent of its name.
 std::string digest_of(std::string_view bytes);
 
 /// Throws std::runtime_error with one line: file, line, what was expected, what was found.

@@ -45,7 +45,7 @@ struct FieldScore {
 
 FieldScore operator+(FieldScore a, const FieldScore& b);
 
-/// The camera that the labels tell of, at the image's resolution.
+/// The camera that the labels describe, at the image's resolution.
 CameraModel camera_of(const FieldLabels& labels, int width, int height);
 
 /// `line_range`: m, how far away line points are looked for. `view`: where the percept was found from.

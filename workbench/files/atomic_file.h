@@ -35,7 +35,7 @@ class FileInTheMaking {
   bool is_ended_ = false;
 };
 
-/// One of several outputs, whatever becomes of the others: where `write` throws, `failures` gets one line more.
+/// One of several outputs, independent of the others: where `write` throws, `failures` gets one line more.
 void try_to_write(std::vector<std::string>& failures, const std::function<void()>& write);
 
 /// Nothing: it cannot be read.

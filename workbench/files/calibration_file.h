@@ -27,7 +27,7 @@ Calibration load_calibration(const std::filesystem::path& file);
 Calibration parse_calibration(std::string_view text, const std::string& name);
 /// As such a file.
 std::string to_toml(const Calibration& calibration);
-/// Another number for another calibration, and never 0, which stands for cameras as the data sheet says.
+/// Another number for another calibration, and never 0, which means cameras as in the data sheet.
 std::uint64_t mounting_of(const Calibration& calibration);
 
 }  // namespace reorient

@@ -73,7 +73,7 @@ bool FileWatcher::follow_root() {
   return true;
 }
 
-/// The root and all directories below it. Watching one again is no new watch.
+/// The root and all directories below it. Watching one again adds no watch.
 void FileWatcher::watch_directories() {
   std::error_code error;
   const auto watch = [this](const std::filesystem::path& directory) {

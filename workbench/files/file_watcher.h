@@ -11,7 +11,7 @@
 
 namespace reorient {
 
-/// Watches the directories with inotify; where that is not to be had for all of them, or tells nothing of what other
+/// Watches the directories with inotify; if that is impossible for some of them, or does not report what other
 /// machines change, compares times and sizes now and then. Where the
 /// folder itself gives way to another, by a rename or as a symbolic link, that one is watched.
 class FileWatcher {

@@ -16,9 +16,9 @@ bool is_home(const std::filesystem::path& folder) {
 }  // namespace
 
 std::filesystem::path find_home() {
-  if (const char* told = std::getenv("REORIENT_HOME")) {
+  if (const char* named = std::getenv("REORIENT_HOME")) {
     if (is_home(told)) return told;
-    throw std::runtime_error("REORIENT_HOME is '" + std::string(told) +
+    throw std::runtime_error("REORIENT_HOME is '" + std::string(named) +
                              "' (expected the project's folder, with scripts/behaviors and assets/)");
   }
   std::error_code no_link;

@@ -37,7 +37,7 @@ std::optional<std::string> text_of(const toml::node& node) {
   return std::nullopt;
 }
 
-/// What a file says, table by table.
+/// The contents of a file, table by table.
 class Reading {
  public:
   explicit Reading(std::string name) : name_(std::move(name)) {}
@@ -71,7 +71,7 @@ bool is_bare(std::string_view key) {
   return !key.empty() && key.find_first_not_of(kBare) == std::string_view::npos;
 }
 
-/// A TOML string: what is no printable letter as its code.
+/// A TOML string: unprintable characters as their code.
 std::string as_string(std::string_view text) {
   std::string out = "\"";
   for (const char letter : text) {

@@ -15,10 +15,10 @@ namespace reorient {
 
 /// All files *.lua below the root, except what lies below tests/ and annotations/. Symbolic links are followed as far
 /// as they stay below the root. A file that cannot be used is there with the reason. Throws std::runtime_error with one
-/// line when there is no such folder, or when it holds so many files that it can hardly be meant.
+/// line if the folder does not exist, or if it contains too many files for a folder of scripts.
 ScriptTexts read_scripts(const std::filesystem::path& root);
 
-/// The text of one file below the root, or why it cannot be used; nothing: there is no such file.
+/// The text of one file below the root, or why it cannot be used; nothing: the file does not exist.
 std::optional<ScriptText> read_script(const std::filesystem::path& root, const std::string& file);
 
 /// The path from the root, with '/'; nothing where it does not lie below the root.

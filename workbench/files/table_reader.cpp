@@ -25,7 +25,8 @@ std::string number_text(double number) { return to_text(ParameterValue(number));
 std::string read_data_file(const std::filesystem::path& file, const std::string& kind, const std::string& folder) {
   std::error_code missing;
   if (!std::filesystem::is_regular_file(file, missing))
-    throw std::runtime_error(as_line(file.string() + ": there is no such " + kind + "; " + folder + " has some"));
+    throw std::runtime_error(
+        as_line(file.string() + ": the " + kind + " file does not exist; " + folder + " contains examples"));
   std::optional<std::string> text = read_toml_text(file);
   if (!text) throw std::runtime_error(as_line(file.string() + ": it cannot be read; check its permissions"));
   return *std::move(text);

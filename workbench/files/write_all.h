@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// False: it could not be; errno says why.
+/// False: it failed; errno has the reason.
 inline bool write_all(int descriptor, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());

@@ -17,16 +17,16 @@ namespace reorient {
 class FrameReader {
  public:
   virtual ~FrameReader() = default;
-  /// False: there is no frame any more. Throws BadFootage.
+  /// False: no frame is left. Throws BadFootage.
   virtual bool next(Image& image) = 0;
-  /// As the file says; 0: it does not.
+  /// From the file; 0: the file does not contain it.
   virtual double frames_per_second() const = 0;
 };
 
 struct FootageDecoder {
   /// `where`: for messages. Throws BadFootage where the bytes are no image.
   std::function<Image(std::span<const std::byte> bytes, const std::string& where)> image;
-  /// Throws BadFootage where the file is no video that can be read.
+  /// Throws BadFootage if the file is not a readable video.
   std::function<std::unique_ptr<FrameReader>(const std::filesystem::path& file)> video;
 };
 

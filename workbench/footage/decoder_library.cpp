@@ -90,7 +90,7 @@ Functions functions_of(void* library, const std::filesystem::path& file) {
 /// Where it may lie.
 std::vector<std::filesystem::path> decoder_places() {
   std::vector<std::filesystem::path> places;
-  if (const char* const told = std::getenv("REORIENT_DECODER"); told != nullptr && *told != '\0') return {told};
+  if (const char* const named = std::getenv("REORIENT_DECODER"); named != nullptr && *named != '\0') return {named};
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return {};

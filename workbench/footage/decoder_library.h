@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-/// What it returns throws BadFootage with one line that says what to install where the library is nowhere.
+/// What it returns throws BadFootage with one line with the packages to install if the library is missing.
 FootageDecoder decoder_library();
 
 }  // namespace reorient

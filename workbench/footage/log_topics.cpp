@@ -102,7 +102,7 @@ class Chooser {
                      in_quotes(topic) + others());
   }
 
-  /// `without`: what helps where there is no such topic.
+  /// `without`: a remedy if the topic is missing.
   [[noreturn]] void fail(Content content, const std::set<std::string>& candidates,
                          std::string_view without = "") const {
     if (candidates.empty())

@@ -29,7 +29,7 @@ struct McapLogOptions {
 /// damage, then throws BadFootage.
 class McapLog : public FootageSource {
  public:
-  /// Throws BadFootage where the file is no MCAP file, or its topics cannot be chosen.
+  /// Throws BadFootage if the file is not an MCAP file, or its topics cannot be chosen.
   McapLog(const std::filesystem::path& file, McapLogOptions options);
   /// `name` of the log, for errors.
   McapLog(std::unique_ptr<mcap::Source> source, std::string name, McapLogOptions options);

@@ -85,8 +85,7 @@ class VideoFootage : public FootageSource {
         rate_(video_->frames_per_second()) {
     if (rate_ > 0.0) return;
     if (!request.times_are_given)
-      throw BadFootage(name_ +
-                       ": expected a number of frames a second, found none; say how many images a second there are");
+      throw BadFootage(name_ + ": expected a number of frames a second, found none; set the number of images a second");
     rate_ = 1.0;
   }
 

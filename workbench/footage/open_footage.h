@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Footage from a disk, whatever it is: a folder of images, a video, a log.
+// Footage from a disk: a folder of images, a video, a log.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// What is read, and what a person has to say where it does not say so itself.
+/// What is read, and settings for what it does not contain itself.
 struct FootageRequest {
   std::filesystem::path source;  ///< a folder of images, a table (.csv), a video or a log (.mcap)
   std::filesystem::path
@@ -27,7 +27,7 @@ bool is_image_file(const std::filesystem::path& file);
 /// The images in a folder, by name. Throws BadFootage where there are none.
 std::vector<std::filesystem::path> images_in(const std::filesystem::path& folder);
 
-/// Of one image. Throws BadFootage where it is no regular file, or cannot be decoded.
+/// Of one image. Throws BadFootage if it is not a regular file, or cannot be decoded.
 Image read_image(const std::filesystem::path& file, const FootageDecoder& decoder);
 
 /// The table that open_footage() reads; empty: no table.

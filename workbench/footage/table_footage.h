@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// How the images of a footage were taken, where nothing else says so.
+/// How the images of a footage were taken, if the table does not contain it.
 struct FootageCamera {
   CameraOptics optics;  ///< its fields of view are those of images of its shape; of others, the horizontal one counts
   double usual_height = 0.5;  ///< m above the ground
@@ -22,7 +22,7 @@ CameraModel camera_of(const FootageCamera& camera, int width, int height);
 
 class TableFootage : public FootageSource {
  public:
-  /// Called for row after row. False: there is no image any more. Throws BadFootage.
+  /// Called for row after row. False: no image is left. Throws BadFootage.
   using ReadImage = std::function<bool(const FrameRow& row, std::size_t index, Image& image)>;
 
   /// `name`: of the table, for messages. Rows without times are a second apart: the caller then gives images per

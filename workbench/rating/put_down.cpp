@@ -84,7 +84,7 @@ class Brain {
   }
   const BehaviorOutput& wanted() const { return behaviors_.wanted(); }
 
-  /// What behaviors want, and what of it is granted. Valid until the next call.
+  /// Commands of the behaviors, and those that are granted. Valid until the next call.
   const Arbitration& decide(const World& world) {
     behaviors_.tick(world);
     return arbiter_.arbitrate(behaviors_.wanted().commands, behaviors_.leases(), world);

@@ -16,7 +16,7 @@ using Looks = std::vector<ColorHistogram>;
 
 /// Draws them: the model's mean, plus its standard deviation times `scale` times a normal number in each bin. A tile
 /// that is not known for `trusted_after` seconds shows what a random known tile of its row shows. The same amount of
-/// random numbers is used whatever the model contains, so that two models can be compared by the same ones.
+/// random numbers is used for any contents of the model, so that two models can be compared by the same ones.
 Looks draw_looks(const BackgroundModel& model, const Wall& wall, double trusted_after, double scale, Random random);
 
 /// The scale with which looks differ from the known tiles of the model by `misfit` on average (Hellinger distance, 0 to

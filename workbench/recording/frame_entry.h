@@ -26,7 +26,7 @@ inline constexpr std::string_view kOwnSchemaEncoding = "ros1msg";
 inline constexpr std::string_view kOwnSchemaText = "uint8[] data\n";
 
 /// Of what these topics hold. It changes with what their bytes mean (the magic numbers of a frame's entry, its inputs,
-/// its record and the engine's state tell it, too): frames of another format cannot be made again, though looked at.
+/// its record and the engine's state tell it, too): frames of another format cannot be replayed, only viewed.
 inline constexpr int kRecordingFormat = 9;
 
 /// A topic that decides nothing.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An image so that a general compression finds little left to say of it: luma, Cb and Cr each on their own, each value
+// An image prepared for a general compression: luma, Cb and Cr each on their own, each value
 // less its left neighbor. On cameras' noise that halves what zstd makes of the pixels as they come.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording as a robot: what it observed, what it was told, and where it really was. Where a stretch of frames that
+// A recording as a robot: its observations, the inputs that were set, and its true pose. Where a stretch of frames that
 // can be made again ends, the robot is gone; there may be another stretch.
 #pragma once
 

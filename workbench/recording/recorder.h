@@ -23,7 +23,7 @@ struct RecorderOptions {
   /// Every how many frames the cameras' images are recorded: 1: all, so that frames can be made again; 0: none.
   int images_every = 1;
   double state_every = 60.0;  ///< s between two states of the engine
-  int jpeg_quality = 75;      ///< of the images that are only to be looked at, 1 to 100; 0: none
+  int jpeg_quality = 75;      ///< of the images for viewing only, 1 to 100; 0: none
   int particles_every = 6;    ///< frames between two looks at the pose filter's particles; 0: none
   /// A new file begins after so many bytes or s of the robot: run.mcap, run.2.mcap, run.3.mcap. 0: never.
   std::uint64_t rotate_bytes = 0;

@@ -29,7 +29,7 @@ std::span<const std::byte> own_bytes(const mcap::Message& message) {
   ByteReader in(message.data);
   std::uint32_t length = 0;
   in(length);
-  check_bytes(length == in.left(), "a message has not as many bytes as it says");
+  check_bytes(length == in.left(), "the length of a message differs from its bytes");
   return message.data.last(length);
 }
 
@@ -208,7 +208,7 @@ bool Recording::go_to(double time) {
         found = chunk;
         found_time = message.time;
       }
-    } catch (const mcap::Damage&) {  // told when it is read
+    } catch (const mcap::Damage&) {  // reported when it is read
     }
     return found.has_value();
   };

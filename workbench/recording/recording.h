@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording, to be read: its frames in order, from any time on. What is damaged is left out, and told.
+// Reads the frames of a recording in order, from any time on. Damaged parts are left out and reported.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct RecordedFrame {
   std::array<Image, 2> images;     ///< where entry.image_is_exact
   std::vector<std::byte> state;    ///< of the engine before it; empty: none was recorded here
   bool follows = false;            ///< the frame read before is the one before it
-  std::vector<ViewMessage> views;  ///< what there is to look at, where the recording was asked to read that, too
+  std::vector<ViewMessage> views;  ///< messages for viewers, if the recording reads them, too
 };
 
 /// s; times of a recording are read off, and named again, with two decimals.
@@ -33,14 +33,14 @@ inline constexpr double kReadingError = 0.01;
 
 class Recording {
  public:
-  /// Throws std::runtime_error with one line: it cannot be read, or is no recording of ours.
+  /// Throws std::runtime_error with one line: it cannot be read, or is not a recording of reorient.
   explicit Recording(const std::filesystem::path& file);
   /// `name`: for messages.
   explicit Recording(std::unique_ptr<mcap::Source> source, std::string name = "the recording");
 
   const mcap::Contents& contents() const { return contents_; }
   const mcap::Source& source() const { return *source_; }
-  /// What was said of the run: "scenario", "seed", "version".
+  /// Metadata of the run: "scenario", "seed", "version".
   const mcap::Texts& about() const { return about_; }
 
   /// s of the robot: of its first and last message.

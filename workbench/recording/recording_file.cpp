@@ -108,7 +108,7 @@ void RecordingFile::add_own_message(std::uint16_t channel, std::uint64_t time) {
   add_message(channel, time, own_);
 }
 
-/// Viewers list what a file says it has: so a topic is named when there is something of it.
+/// Viewers list all topics of a file, so a topic is written only with its first message.
 std::uint16_t RecordingFile::channel_of(std::size_t view) {
   View& wanted = views_.at(view);
   if (wanted.channel) return *wanted.channel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file that a recorder writes: on the disk within half a second, and readable up to there whatever happens.
+// The file that a recorder writes: on the disk within half a second, and readable up to there after any failure.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ struct Rewritten {
   std::uint64_t lost = 0;                    ///< frames that were there once, between these or as the end tells
 };
 
-/// Whether what is only to be looked at comes along.
+/// Whether messages for viewers are copied, too.
 enum class Views { kept, left_out };
 
 /// All that can be read, in a file that is whole. Throws std::runtime_error with one line.

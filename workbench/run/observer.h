@@ -32,7 +32,7 @@ class Observer {
   /// Before a frame: what goes into it, and the engine that it goes to. Valid during the call only.
   virtual void before(const FrameInputs& /*inputs*/, const FrameLoop& /*engine*/) {}
 
-  /// What it reads of this frame beyond the topics that are always filled; asked after before().
+  /// The topics that it reads of this frame beyond those that are always filled; called after before().
   virtual Topics wanted() const { return {}; }
 
   /// Once a frame. Both are valid during the call only.

@@ -16,7 +16,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 RunLoop::RunLoop(RunParts parts) : parts_(std::move(parts)), start_(Clock::now()) {}
 
 std::optional<RunEnd> RunLoop::is_over() const {
-  // Not before there is a frame, without which there is nothing to tell and no picture of it.
+  // Wait for the first frame, because without it there is no record and no picture.
   if (any_frame_ && parts_.stop && parts_.stop()) return RunEnd::stopped;
   if (scene_.scenario.verdict) return RunEnd::verdict;
   const double time = parts_.engine.record().world.time - first_time_;

@@ -30,7 +30,7 @@ struct RunParts {
   RecordedBehaviors* behaviors = nullptr;  ///< what the scenario sees of them
   std::vector<InputSource*> sources;
   std::vector<Observer*> observers;
-  std::function<bool()> stop;  ///< asked after each frame; may be empty
+  std::function<bool()> stop;  ///< called after each frame; may be empty
   double longest = 0.0;        ///< s of the robot's time, from its first frame on; 0: no limit
   bool in_real_time = false;   ///< waits for the wall clock where the robot's own does not
 };
@@ -39,9 +39,9 @@ class RunLoop {
  public:
   explicit RunLoop(RunParts parts);
 
-  /// One frame. Nothing: the run goes on.
+  /// One frame. Nothing: the run continues.
   std::optional<RunEnd> step();
-  /// Until its end; then the observers are told.
+  /// Runs until the end, then notifies the observers.
   RunEnd run();
 
   const SceneTruth& scene() const { return scene_; }

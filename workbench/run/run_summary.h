@@ -20,7 +20,7 @@ struct PoseError {
 };
 PoseError pose_error(const Pose2& belief, const Pose2& truth);
 
-/// Nearer to the truth than to its reflection, by what tells the two apart: the direction, and close enough to count.
+/// Nearer to the truth than to its reflection, by what distinguishes the two: the direction, and close enough to count.
 bool is_correct(const Pose2& belief, const Pose2& truth);
 
 /// One granted reorientation against the truth.
@@ -38,9 +38,9 @@ struct StoppedScript {
   std::string last;    ///< the last of them, with its place
 };
 
-/// The result; empty optionals where there is nothing to tell.
+/// The result; empty optionals for values that do not exist.
 struct RunSummary {
-  bool succeeded = false;  ///< the scenario said so
+  bool succeeded = false;  ///< by the verdict of the scenario
   std::string verdict;     ///< the scenario's words, or how the run ended without any
   bool correct = false;    ///< the belief is correct at the end
   /// s, start of the last time that the belief was wrong after it had been correct, or after the robot was put

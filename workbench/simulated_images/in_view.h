@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// Where it is in the robot frame, m; `clearly`: whether the image shows enough of it to be asked for.
+/// Where it is in the robot frame, m; `clearly`: whether the image shows enough of it to count.
 struct Thing {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   bool clearly = false;

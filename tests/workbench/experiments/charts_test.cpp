@@ -16,7 +16,7 @@
 namespace reorient {
 namespace {
 
-TEST(Markup, WritesWhatPeopleSayAsTextAndNothingElse) {
+TEST(Markup, WritesTextOfPeopleOnlyAsText) {
   EXPECT_EQ(escaped("<script>alert('a' & \"b\")</script>"),
             "&lt;script&gt;alert(&#39;a&#39; &amp; &quot;b&quot;)&lt;/script&gt;");
   EXPECT_EQ(escaped("a\x01\xFF\n\tb\x7F"), "a\\x01\\xFF  b\\x7F");
@@ -100,7 +100,7 @@ TEST(Plot, KeepsAValueUntilTheNextStep) {
   EXPECT_EQ(steps[3].y, 0.5);
 }
 
-TEST(IntervalStrip, ShowsThatAnIntervalGoesOn) {
+TEST(IntervalStrip, ShowsThatAnIntervalExceedsTheAxis) {
   const auto drawn = [](double high) {
     Markup out;
     draw_interval(out, "", {"", 0.0, 1.0}, 0.5, {0.25, high}, "s0");

@@ -63,7 +63,7 @@ TEST(HorizonCamera, FollowsTheBeliefTheTiltAndTheDistortion) {
   }
 }
 
-TEST(HorizonCamera, SaysWhichColumnsAreCovered) {
+TEST(HorizonCamera, ReportsWhichColumnsAreCovered) {
   const Image image(160, 120);
   RoomObservation view = level_view(image);
   const std::vector<CoveredArea> covered{{40, 30, 60, 90}, {100, 70, 120, 119}};  // the second one below the horizon
@@ -80,7 +80,7 @@ TEST(Sectors, HaveTheirReflectionsHalfOfThemFurtherOn) {
   EXPECT_EQ(sector_of(-1e-18, 80), 79);
 }
 
-TEST(ColorClasses, TellTheColorsOfARoomApart) {
+TEST(ColorClasses, DistinguishTheColorsOfARoom) {
   std::vector<Ycbcr> colors;
   for (int i = 0; i < 300; ++i) {
     const auto grain = static_cast<std::uint8_t>(i % 7);

@@ -53,7 +53,7 @@ TEST(CompassRows, PoolAllButTheLastAxisFirst) {
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].method, i % methods);
 }
 
-TEST(CompassRows, TellWhoKnowsFromWhoGuesses) {
+TEST(CompassRows, DistinguishKnowledgeFromGuessing) {
   const auto rows = compass_rows(experiment_of_rooms_and_lights(), cells_with({1.0, 2.0, 3.0}));
   for (const CompassFigure& figure : rows[0].figures) {
     EXPECT_EQ(figure.area, 1.0);

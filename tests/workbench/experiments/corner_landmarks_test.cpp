@@ -200,7 +200,7 @@ CornerCompassParameters narrow_gates() {
   return parameters;
 }
 
-TEST(CornerCompass, SaysTheMirroredPoseWhereTheBeliefIsMirrored) {
+TEST(CornerCompass, PrefersTheMirroredPoseIfTheBeliefIsMirrored) {
   TurningRobot learner(test::PaintedRoom::colorful(5), {0.5, 0.3, 0.0});
   CornerCompass right(narrow_gates());
   learner.teach(right);
@@ -211,7 +211,7 @@ TEST(CornerCompass, SaysTheMirroredPoseWhereTheBeliefIsMirrored) {
   EXPECT_GE(learner.frames_until_flip(mirrored, true), 1);
 }
 
-TEST(CornerCompass, SaysLittleInARoomThatIsTheSameAfterHalfATurn) {
+TEST(CornerCompass, HasLittleEvidenceInASymmetricRoom) {
   // In the middle of the field, where a pose and its mirrored pose are at one place: elsewhere the assumed distance of
   // the landmarks alone speaks for the place where they were learned.
   TurningRobot learner(test::PaintedRoom::symmetric(5), {0.0, 0.0, 0.0});

@@ -74,7 +74,7 @@ TEST(ExperimentFile, IsAConditionVariedAlongAxes) {
   EXPECT_EQ(cells[5].condition.width, 160);
 }
 
-TEST(ExperimentFile, SaysWhereAParameterIsSetAndTheLastOneCounts) {
+TEST(ExperimentFile, ReportsWhereAParameterIsSetAndUsesTheLastValue) {
   const std::vector<Cell> cells = cells_of(parsed(kTwoAxes));
   const std::vector<ParameterChange>& changes = cells[1].condition.parameters;
   ASSERT_EQ(changes.size(), 3U);
@@ -110,7 +110,7 @@ TEST(ExperimentFile, MayNameConditionsThatSeveralExperimentsShare) {
   EXPECT_EQ(cells[1].condition.measurement.limit, 5.0) << "and what it says itself counts most";
 }
 
-TEST(ExperimentFile, SaysWhichConditionThereIsNot) {
+TEST(ExperimentFile, NamesTheConditionThatIsMissing) {
   try {
     parse_experiment("title = \"x\"\n[condition]\nscenario = \"a\"\nconditions = [\"papper\"]", "x.toml",
                      named_condition);
@@ -170,7 +170,7 @@ struct Mistake {
 };
 class MistakenExperiment : public ::testing::TestWithParam<Mistake> {};
 
-TEST_P(MistakenExperiment, IsRefusedInOneLineThatSaysWhere) {
+TEST_P(MistakenExperiment, IsRefusedInOneLineWithItsPosition) {
   const std::string told = refusal(GetParam().text);
   EXPECT_NE(told.find(GetParam().told), std::string::npos) << told;
   EXPECT_TRUE(told.starts_with("some/where.toml:")) << told;
@@ -230,7 +230,7 @@ failed = 0.1
 mean_s = 45.4
 )";
 
-TEST(ExperimentFile, MayTellWhatOthersMeasured) {
+TEST(ExperimentFile, MayContainPublishedResults) {
   const Experiment experiment = parsed(kTwoAxes + std::string(kReference));
   ASSERT_EQ(experiment.references.size(), 1U);
   const Reference& reference = experiment.references[0];
@@ -257,7 +257,8 @@ TEST(ExperimentFile, ThatIsNotThereIsNamed) {
     read_experiment("/no/such/file.toml", {});
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("/no/such/file.toml: there is no such experiment"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("/no/such/file.toml: the experiment file does not exist"),
+              std::string::npos);
   }
 }
 

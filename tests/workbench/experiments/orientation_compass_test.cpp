@@ -69,7 +69,7 @@ class Learner {
 
 class EachCompass : public ::testing::TestWithParam<std::size_t> {};
 
-TEST_P(EachCompass, TellsAPoseFromItsReflection) {
+TEST_P(EachCompass, DistinguishesAPoseFromTheMirroredPose) {
   Learner learner(PaintedRoom::colorful(5));
   const auto learned = compass(GetParam());
   learner.teach(*learned);
@@ -95,7 +95,7 @@ TEST_P(EachCompass, HasARuleForFlipsWhereOneIsKnown) {
   EXPECT_EQ(other->wants_flip(), false);
 }
 
-TEST_P(EachCompass, SaysLittleInARoomThatIsTheSameAfterHalfATurn) {
+TEST_P(EachCompass, HasLittleEvidenceInASymmetricRoom) {
   // Landmarks whose distance is assumed speak for the place where they were learned, even in a symmetric room:
   // corner_landmarks_test.cpp asks in the middle of the field.
   if (kCompassMethods[GetParam()] == "corner landmarks") GTEST_SKIP() << "it depends on the place";
@@ -113,13 +113,13 @@ TEST_P(EachCompass, SaysLittleInARoomThatIsTheSameAfterHalfATurn) {
   EXPECT_LT(imagined, (has_particles ? 1.0 : 0.35) * told);
 }
 
-TEST_P(EachCompass, SaysNothingBeforeItHasLearnedAnything) {
+TEST_P(EachCompass, HasNoEvidenceBeforeItHasLearned) {
   Learner learner(PaintedRoom::colorful(5));
   if (kCompassMethods[GetParam()] == "its paper recipe") GTEST_SKIP() << "its particles are never without an opinion";
   EXPECT_EQ(learner.ask(*compass(GetParam()), false), 0.0);
 }
 
-TEST_P(EachCompass, SaysNothingOfWhatItCannotSee) {
+TEST_P(EachCompass, HasNoEvidenceWithoutAView) {
   Learner learner(PaintedRoom::colorful(5));
   const auto learned = compass(GetParam());
   learner.teach(*learned);

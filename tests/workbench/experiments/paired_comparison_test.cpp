@@ -43,7 +43,7 @@ TEST(PairedComparison, LeavesOutPairsWithAnUndisturbedTrial) {
   EXPECT_EQ(comparison.failed_p, 1.0);
 }
 
-TEST(PairedComparison, TellsAConstantDelayWithAnIntervalOfNoWidth) {
+TEST(PairedComparison, ReportsAConstantDelayWithAnIntervalOfNoWidth) {
   std::vector<Outcome> first, second;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     first.push_back(came_right(seed, static_cast<double>(seed)));

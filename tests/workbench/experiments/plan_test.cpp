@@ -70,7 +70,7 @@ TEST(TaskNumbers, AreASortedListWithoutRepetitions) {
   EXPECT_EQ(numbers_in("68-70,1,3-4,4", 70), (std::vector<int>{1, 3, 4, 68, 69, 70}));
 }
 
-TEST(TaskNumbers, OutOfRangeOrNoneAreToldInOneLine) {
+TEST(TaskNumbers, OutOfRangeOrInvalidAreRefusedInOneLine) {
   EXPECT_EQ(refused("71"), "unknown task 71 (expected 1 to 70)");
   EXPECT_EQ(refused("0"), "unknown task 0 (expected 1 to 70)");
   EXPECT_EQ(refused("-3"), "unknown task -3 (expected 1 to 70)");

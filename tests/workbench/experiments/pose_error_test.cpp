@@ -96,7 +96,7 @@ TEST(PoseErrors, LeaveOutFallsAndTheFirstSecondsAfterThem) {
   EXPECT_NEAR(*row.located_p90, 4.0, 0.15);
 }
 
-TEST(PoseErrors, TellOfAFallAfterWhichOnlyTheReflectionIsFound) {
+TEST(PoseErrors, ReportAFallAfterWhichOnlyTheMirroredPoseIsFound) {
   Compared compared;
   compared.believe(kPlace, 1.0);
   compared.believe(kPlace, 3.0, true);
@@ -107,7 +107,7 @@ TEST(PoseErrors, TellOfAFallAfterWhichOnlyTheReflectionIsFound) {
   EXPECT_NEAR(*row.located_p90, 1.0, 0.15);
 }
 
-TEST(PoseErrors, TellWhenThePoseOrItsReflectionIsFirstFound) {
+TEST(PoseErrors, ReportWhenThePoseOrTheMirroredPoseIsFirstFound) {
   Compared compared;
   compared.believe(off_by(2.0, 0.0), 4.0);
   compared.believe(reflect(kPlace), 1.0);  // not for long enough
@@ -118,7 +118,7 @@ TEST(PoseErrors, TellWhenThePoseOrItsReflectionIsFirstFound) {
   EXPECT_EQ(row.located_in_time, 1);
 }
 
-TEST(PoseErrors, SayNothingInTheAir) {
+TEST(PoseErrors, CountNothingInTheAir) {
   Compared compared;
   compared.believe(kPlace, 0.1, false, true);
   compared.believe(off_by(2.0, 0.0), 5.0, false, true);

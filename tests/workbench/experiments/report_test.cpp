@@ -78,7 +78,7 @@ TEST(ReportPage, NeedsNoNetworkAndNoScript) {
     EXPECT_FALSE(has(page, word)) << word;
 }
 
-TEST(ReportPage, TakesNothingThatPeopleSayForMarkup) {
+TEST(ReportPage, TreatsTextOfPeopleNeverAsMarkup) {
   const std::string page = report_page(report_with(kHostile, 6));
   EXPECT_EQ(mistake_in_markup(page), "");
   EXPECT_FALSE(has(page, "<script"));
@@ -101,7 +101,7 @@ TEST(ReportPage, ShowsTheNumbersOfTheRows) {
   for (const char* text : {"123.4 [120.1, 129.9]", "77.7", "55.5 [51.0, 59.0]"}) EXPECT_TRUE(has(page, text)) << text;
 }
 
-TEST(ReportPage, SaysThatATimeIsLaterThanTheLimit) {
+TEST(ReportPage, ShowsThatATimeIsLaterThanTheLimit) {
   Report report = report_with("halls", 10);
   for (CellResults& cell : report.cells) {
     for (TrialResult& trial : cell.trials) trial.right_after = trial.mended_after = {};
@@ -119,7 +119,7 @@ TEST(ReportPage, PutsOnesOwnRowsBesideWhatOthersMeasured) {
   EXPECT_TRUE(has(page, "here, mode default"));
 }
 
-TEST(ReportPage, TellsWhichTrialsWereNeverMeasured) {
+TEST(ReportPage, ReportsWhichTrialsWereNeverMeasured) {
   Report report = report_with("x", 3);
   EXPECT_EQ(report_page(report).find("never reached the state"), std::string::npos);
   report.cells[1].trials[0].started = false;
@@ -230,7 +230,7 @@ TEST(TrialsCsv, QuotesWhatPeopleSay) {
   EXPECT_TRUE(is_utf8(csv));
 }
 
-TEST(ReportPictures, ShowSoManySeriesAsCanBeToldApartEachBesideTheFirst) {
+TEST(ReportPictures, ShowAsManySeriesAsCanBeDistinguishedEachBesideTheFirst) {
   std::vector<Series> series;
   for (std::size_t i = 0; i < 21; ++i)
     series.push_back({"series " + std::to_string(i), "s" + std::to_string(i % 7), {i}});

@@ -49,7 +49,7 @@ TEST(Row, CountsFailuresOfThoseThatWereDisturbed) {
   EXPECT_GT(row.failed_rate.high, 2.0 / 3.0);
 }
 
-TEST(Row, TellsOfTheKidnappedByThemselves) {
+TEST(Row, ReportsKidnappedTrialsSeparately) {
   TrialResult carried = corrected(4.0);
   TrialResult lost = failed();
   carried.kidnapped = lost.kidnapped = true;
@@ -66,7 +66,7 @@ TEST(Row, CountsATrialWithoutACommandAsLaterThanAllOthers) {
   EXPECT_FALSE(row.mended_p90);
 }
 
-TEST(Row, TellsTheTimesOfThoseThatDidNotFail) {
+TEST(Row, ReportsTheTimesOfTrialsThatDidNotFail) {
   const Row row = row_of({corrected(3.0), corrected(5.0), failed()});
   EXPECT_EQ(row.right.mean, 4.0);
   EXPECT_EQ(row.mended.mean, 2.0);
@@ -80,7 +80,7 @@ TEST(Row, CountsAFailedTrialAsLaterThanAllOthersInItsQuantiles) {
   EXPECT_FALSE(row.right_p90) << "a third of the trials never came so far";
 }
 
-TEST(Row, TellsFlipsFromPurges) {
+TEST(Row, DistinguishesFlipsFromPurges) {
   const Row row = row_of({corrected(3.0, Reorientation::flip_pose, 1.0), corrected(3.0, Reorientation::flip_pose, 2.0),
                           corrected(9.0, Reorientation::purge_reflection, 6.0)});
   EXPECT_EQ(row.flip, 2);
@@ -113,7 +113,7 @@ TEST(Row, AsksTheEvidenceOnlyWhereItIsUsedAndOneOfTheTwoPosesIsRight) {
   EXPECT_NEAR(*row.calibration_error, 0.9 - 2.0 / 3.0, 1e-9);
 }
 
-TEST(Row, TellsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
+TEST(Row, ReportsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
   TrialResult trial = in_peace(30.0, 0);
   trial.wrong_seconds = 10.0;
   trial.uninformative_seconds = 10.0;
@@ -121,7 +121,7 @@ TEST(Row, TellsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
   EXPECT_FALSE(row_of({TrialResult{}}).uninformative_time);
 }
 
-TEST(Row, TellsHowWellTheConfidencesTellWrongBeliefsFromRightOnes) {
+TEST(Row, ReportsHowWellTheConfidencesSeparateWrongBeliefsFromRightOnes) {
   TrialResult trial = in_peace(10.0, 0);
   EXPECT_FALSE(row_of({trial}).confidence_area);
   const auto seen = [&trial](double current, double opposite, bool correct, RoomStatus status) {

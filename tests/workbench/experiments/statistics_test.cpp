@@ -194,7 +194,7 @@ RC_GTEST_PROP(WilcoxonProperty, DoesNotCareWhichWayIsTheFirst, (const std::vecto
   RC_ASSERT(std::abs(p - wilcoxon_p(exchanged)) < 1e-9);
 }
 
-TEST(Calibration, IsRightAsOftenAsItSays) {
+TEST(Calibration, IsPerfectIfProbabilitiesMatchFrequencies) {
   std::vector<double> said(99, std::log(99.0));
   said.push_back(-std::log(99.0));
   const std::vector<CalibrationBin> bins = calibration_bins(said);

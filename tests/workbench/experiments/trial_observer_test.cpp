@@ -12,7 +12,7 @@ namespace {
 constexpr double kStep = 0.1;  // s
 const Pose2 kTruth(2.0, 1.0, 0.3);
 
-/// A trial that is only told what was believed, in which state of the scenario.
+/// A trial that gets only the belief and the state of the scenario.
 struct Told {
   explicit Told(const Measurement& measurement) : observer(measurement) {}
 
@@ -132,7 +132,7 @@ TEST(Trial, OfACarriedRobotIsJudgedOnceItStands) {
   EXPECT_TRUE(trial.result().correct_at_start);
 }
 
-TEST(Trial, TellsWhenTheRoomCanTell) {
+TEST(Trial, ReportsWhenTheRoomDistinguishesThePoses) {
   Told trial(from_lost());
   trial.believe(kTruth, 2.0);
   EXPECT_FALSE(trial.result().usable_after);
@@ -162,7 +162,7 @@ TEST(Trial, KnowsAKidnappedRobotFromOneThatIsPutBack) {
   EXPECT_FALSE(carried_to(Pose2(kTruth.position.x() + 0.05, kTruth.position.y(), kTruth.rotation)).kidnapped);
 }
 
-TEST(Trial, InASymmetricRoomHasNotFailedWhereTheRobotSaysSo) {
+TEST(Trial, InASymmetricRoomHasNotFailedIfTheRobotReportsSymmetry) {
   Measurement measurement = from_lost();
   measurement.symmetric_room = true;
   for (const RoomStatus status : {RoomStatus::usable, RoomStatus::symmetric}) {

@@ -92,7 +92,7 @@ TEST(FieldLabels, ThatMakeNoSenseAreRefusedWithTheirLine) {
   EXPECT_NE(complaint_about(kImage + kImage).find("occurs twice"), std::string::npos);
 }
 
-TEST(Recoloring, WithoutAChangeLeavesEachByteAsItIs) {
+TEST(Recoloring, WithoutAChangeLeavesEachByteUnchanged) {
   const Image image = filled(16, 8, {75, 105, 108});
   EXPECT_EQ(recolored(image.view(), {}).bytes(), image.bytes());
 }

@@ -74,7 +74,7 @@ TEST(BodyFile, OfTheBoostersPutsTheirCamerasWhereTheyWereMeasured) {
   EXPECT_NEAR(standing_camera_height(t1), 1.10, 0.001);
 }
 
-TEST(BodyFile, TellsWhatABodyDoesNotHaveByLeavingItOut) {
+TEST(BodyFile, OmitsWhatABodyDoesNotHave) {
   const std::string text = nao_text();
   const RobotBody body = parse_body(text.substr(0, text.find("[lower_camera]")), "robot.toml");
   EXPECT_FALSE(body.lower_camera);

@@ -92,7 +92,7 @@ TEST(FieldFile, OfEveryShippedFieldIsInOrder) {
   EXPECT_GE(fields, 5);
 }
 
-TEST(FieldFile, SaysToWhichPartOfALineItIsMeasured) {
+TEST(FieldFile, ContainsToWhichPartOfALineItIsMeasured) {
   EXPECT_NE(complaint_about(with("measured_to", "\"inside\"")).find("measured_to: expected \"middle of lines\""),
             std::string::npos);
 }
@@ -113,7 +113,7 @@ TEST(FieldFile, ThatIsMissingIsNamedInOneLine) {
   EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
-TEST(FieldFile, ThatIsNoTomlIsRefusedWithItsLine) {
+TEST(FieldFile, ThatIsNotTomlIsRefusedWithItsLine) {
   EXPECT_NE(complaint_about("length = 9.0\nwidth = = 6").find(":2: "), std::string::npos);
   EXPECT_NE(complaint_about(std::string("\0\xff\x01", 3)), "");
 }
@@ -124,7 +124,7 @@ TEST(FieldFile, WithAKeyOfAHundredThousandPartsDoesNotExhaustTheStack) {
   EXPECT_NE(complaint_about("\n" + key + " = 1").find(":2: the line is longer than 1000 letters"), std::string::npos);
 }
 
-TEST(FieldFile, TellsAnUnknownKeyOnOneLine) {
+TEST(FieldFile, ReportsAnUnknownKeyOnOneLine) {
   const std::string text = complaint_about("\"\\u001b[2J\\n\" = 1");
   EXPECT_NE(text.find("unknown key '\\x1B[2J '"), std::string::npos) << text;
 }

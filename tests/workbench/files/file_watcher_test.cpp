@@ -22,7 +22,7 @@ class Watcher : public ::testing::TestWithParam<FileWatcher::Means> {
   double time_ = 100.0;
 };
 
-TEST_P(Watcher, SaysNothingWhileNothingChanges) {
+TEST_P(Watcher, ReportsNothingWhileNothingChanges) {
   folder_.write("behaviors/a.lua", "1");
   FileWatcher watcher(folder_.path(), GetParam());
   EXPECT_EQ(reports(watcher), 0);

@@ -45,7 +45,7 @@ TEST_F(ParameterFile, HasTablesAsPrefixesAndLinesAsSources) {
   EXPECT_TRUE(find("orientation.lingering").source.ends_with("p.toml:6"));
 }
 
-TEST_F(ParameterFile, TellsItsMistakesWithFileAndLine) {
+TEST_F(ParameterFile, ReportsMistakesWithFileAndLine) {
   EXPECT_NE(refusal("[view]\nnoise = [1]\n").find("p.toml:2: a parameter is a number"), std::string::npos);
   EXPECT_NE(refusal("[view\n").find("p.toml:1"), std::string::npos);
   EXPECT_NE(refusal(std::string("\0\xff\x01", 3)).find("p.toml"), std::string::npos);
@@ -99,12 +99,12 @@ TEST_F(ParameterFile, HasLettersBeyondAsciiInQuotesAndCommentsOnly) {
     EXPECT_NE(refusal(text).find("p.toml:2: a letter that is not ASCII"), std::string::npos) << text;
 }
 
-TEST_F(ParameterFile, ThatIsNoTomlIsRefusedForThatWhateverLettersItHolds) {
+TEST_F(ParameterFile, ThatIsNotTomlIsRefusedWithAnyLetters) {
   EXPECT_EQ(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o"), refusal("\nother = -n\"\"\"\"[[((?o"));
   EXPECT_NE(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o").find("p.toml:2: "), std::string::npos);
 }
 
-TEST_F(ParameterFile, TellsMistakesOnOneLineWhateverBytesThereAre) {
+TEST_F(ParameterFile, ReportsMistakesOnOneLineForAnyBytes) {
   for (const std::string& text : {std::string("\"\\u001b[2J\\n\" = []\n"), std::string("a\x1b = 1"),
                                   std::string("a = \x07"), std::string("\xff\xfe"), std::string("a = 'x\0'", 8)}) {
     const std::string message = refusal(text);
@@ -114,7 +114,7 @@ TEST_F(ParameterFile, TellsMistakesOnOneLineWhateverBytesThereAre) {
   }
 }
 
-TEST_F(ParameterFile, KeepsWhatDiffersFromTheDefaults) {
+TEST_F(ParameterFile, StoresWhatDiffersFromTheDefaults) {
   Parameter noise;
   noise.name = "view.noise";
   noise.value = 0.123456789012345;

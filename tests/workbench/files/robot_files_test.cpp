@@ -21,7 +21,7 @@ std::string complaint(Parse parse, const std::string& text) {
   return "";
 }
 
-TEST(PlacesFile, SaysWhereEachPlayerStands) {
+TEST(PlacesFile, ContainsThePoseOfEachPlayer) {
   const Places places = parse_places("player_2 = [-3.2, -3.0, 90.0]\nplayer_20 = [1, 2, -180]\n", "file.toml");
   ASSERT_TRUE(places[1]);
   EXPECT_DOUBLE_EQ(places[1]->position.x(), -3.2);

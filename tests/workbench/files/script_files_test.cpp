@@ -33,7 +33,7 @@ TEST_F(ScriptFilesTest, AreTheLuaFilesBelowTheRootWithoutTestsAndAnnotations) {
   EXPECT_EQ(texts.root(), folder_.path().string());
 }
 
-TEST_F(ScriptFilesTest, ThatCannotBeUsedSayWhy) {
+TEST_F(ScriptFilesTest, ThatCannotBeUsedReportTheReason) {
   folder_.write("behaviors/large.lua", std::string(kLargestScript + 1, ' '));
   folder_.write("behaviors/full.lua", std::string(kLargestScript, ' '));
   std::filesystem::create_directories(folder_.path() / "behaviors" / "folder.lua");
@@ -54,7 +54,7 @@ TEST_F(ScriptFilesTest, ALinkLeadsNowhereOutOfTheRoot) {
   EXPECT_EQ(problem("behaviors/in.lua"), "");
 }
 
-TEST_F(ScriptFilesTest, AFolderThatIsNotThereIsSaidInOneLine) {
+TEST_F(ScriptFilesTest, AMissingFolderIsReportedInOneLine) {
   try {
     read_scripts(folder_.path() / "gone");
     FAIL();
@@ -95,7 +95,7 @@ TEST_F(ScriptFilesTest, AreNamedAsPeopleDo) {
   EXPECT_EQ(script_named(folder_.path(), "behaviors/a.lua"), "behaviors/a.lua");
 }
 
-TEST_F(ScriptFilesTest, AnEditIsToldWithinTheDebounceTime) {
+TEST_F(ScriptFilesTest, AnEditIsReportedWithinTheDebounceTime) {
   folder_.write("behaviors/a.lua", "old");
   folder_.write("behaviors/b.lua", "gone soon");
   ScriptFiles files(folder_.path());

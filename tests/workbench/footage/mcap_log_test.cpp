@@ -285,7 +285,7 @@ TEST(McapLog, OfFoxgloveInJsonIsRead) {
   EXPECT_NEAR(found.frames[1].robot_from_camera.translation().z(), 0.6, 1e-9);
 }
 
-TEST(McapLog, WithoutAnyUsableImageTellsWhy) {
+TEST(McapLog, WithoutAnyUsableImageReportsTheReason) {
   McapLogOptions options;
   options.frames.base_frame = "torso";
   const Read found = read(ros_log(walk(3)), options);

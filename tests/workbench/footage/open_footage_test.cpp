@@ -131,7 +131,7 @@ TEST_F(OpenFootage, IsAVideoWithOrWithoutATable) {
   EXPECT_EQ(frames[2].pose->position.x(), 2.0);
 }
 
-TEST_F(OpenFootage, SaysWhereAVideoAndItsTableDoNotFit) {
+TEST_F(OpenFootage, ReportsWhereAVideoAndItsTableDiffer) {
   const auto video = folder_.write("walk.mkv", "video");
   folder_.write("walk.csv", "time_s\n0\n1\n2\n3\n");
   {
@@ -171,7 +171,7 @@ TEST_F(OpenFootage, WaitsForNoPipe) {
     expect_refused(read(folder() / name).second, "found something that is not a regular file");
 }
 
-TEST_F(OpenFootage, SaysWhatIsNotThere) {
+TEST_F(OpenFootage, ReportsWhatIsMissing) {
   expect_refused(read(folder() / "nothing").second, "found nothing of that name");
   expect_refused(read(folder()).second, "expected frames.csv or images (JPEG, PNG, ...), found neither");
   folder_.write("a.jpg", "16 8 1");
@@ -181,7 +181,7 @@ TEST_F(OpenFootage, SaysWhatIsNotThere) {
   expect_refused(read(folder()).second, "frames.csv:1: expected a column 'image'");
 }
 
-TEST(DecoderLibrary, SaysWhichPackagesAreMissing) {
+TEST(DecoderLibrary, NamesTheMissingPackages) {
   setenv("REORIENT_DECODER", "/nowhere/reorient_decoder.so", 1);
   try {
     decoder_library().image({}, "a.jpg");

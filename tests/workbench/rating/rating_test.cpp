@@ -70,7 +70,7 @@ double mean_misfit(const SavedModel& model, double scale) {
   return sum / wall.tiles();
 }
 
-TEST(RoomRating, TellsHowSoonAMirroredRobotIsRightInARoomOfManyColors) {
+TEST(RoomRating, ReportsHowSoonAMirroredRobotIsCorrectedInAColorfulRoom) {
   const RoomRating rating = rate_room(some_model(1), a_robot(), few_robots());
   EXPECT_EQ(rating.verdict, RoomVerdict::works);
   ASSERT_TRUE(rating.times && rating.times->mean && rating.times->within_90);
@@ -85,7 +85,7 @@ TEST(RoomRating, TellsHowSoonAMirroredRobotIsRightInARoomOfManyColors) {
   for (const DirectionRating& one : rating.directions) EXPECT_GT(one.log_odds, 0.0) << one.azimuth;
 }
 
-TEST(RoomRating, SaysThatItsTwoFoldTwinIsSymmetric) {
+TEST(RoomRating, CallsItsTwoFoldTwinSymmetric) {
   const RoomRating rating = rate_room(two_fold(some_model(1)), a_robot(), few_robots());
   EXPECT_EQ(rating.verdict, RoomVerdict::symmetric);
   EXPECT_FALSE(rating.times);
@@ -93,7 +93,7 @@ TEST(RoomRating, SaysThatItsTwoFoldTwinIsSymmetric) {
   for (const DirectionRating& one : rating.directions) EXPECT_LT(std::abs(one.log_odds), 0.1) << one.azimuth;
 }
 
-TEST(RoomRating, SaysThatAQuarterOfAWallIsTooLittle) {
+TEST(RoomRating, ReportsThatAQuarterOfAWallIsTooLittle) {
   const RoomRating rating = rate_room(some_model(1, 0, 0.1, 0, 12), a_robot(), few_robots());
   EXPECT_EQ(rating.verdict, RoomVerdict::unlearned);
   EXPECT_NEAR(rating.coverage, 0.25, 1e-9);
@@ -101,7 +101,7 @@ TEST(RoomRating, SaysThatAQuarterOfAWallIsTooLittle) {
   EXPECT_FALSE(rating.banner);
 }
 
-TEST(RoomRating, SaysThatAModelWhichBehaviorsWouldLearnFurtherIsTooLittle) {
+TEST(RoomRating, ReportsThatAModelWhichBehaviorsWouldLearnFurtherIsTooLittle) {
   SavedModel model = some_model(1);
   model.learned = 2.0;
   const RoomRating rating = rate_room(model, a_robot(), few_robots());

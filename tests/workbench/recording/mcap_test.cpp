@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of MCAP: what is written is read, and what is damaged is told with its place.
+// Files of MCAP: what is written is read, and damage is reported with its position.
 #include <algorithm>
 #include <cstring>
 #include <string>
@@ -121,7 +121,7 @@ TEST_F(McapFile, IsBelievedAtItsEndWhereItsBeginningIsDamaged) {
   }
 }
 
-TEST_F(McapFile, ThatWasCutAnywhereGivesAllWholeChunksAndSaysWhereItEnds) {
+TEST_F(McapFile, ThatWasCutAnywhereGivesAllWholeChunksAndReportsItsEnd) {
   for (std::size_t size = 0; size < file_.size(); size += 1 + size / 97) {
     const MemorySource source(std::span<const std::byte>(file_).first(size));
     if (size < 8) {

@@ -149,7 +149,7 @@ TEST_F(RecordedRun, ThatWasCutIsMadeAgainUpToThere) {
   }
 }
 
-TEST_F(RecordedRun, GoesOnAtTheNextStateBehindADamage) {
+TEST_F(RecordedRun, ContinuesAtTheNextStateAfterDamage) {
   record(options());
   {
     const mcap::FileSource source(file());
@@ -278,7 +278,7 @@ struct OneChange : InputSource {
   bool is_done = false;
 };
 
-TEST_F(RecordedRun, SaysWhatWouldHaveBeenOtherwiseFirst) {
+TEST_F(RecordedRun, ReportsTheFirstDifference) {
   record(options());
   OneChange change({"head_scan.speed", "0.5", ParameterOrigin::live, ""});
   const Replayed again = replayed(0.0, &change);
@@ -288,7 +288,7 @@ TEST_F(RecordedRun, SaysWhatWouldHaveBeenOtherwiseFirst) {
   EXPECT_GT(again.different, 0u);
 }
 
-TEST_F(RecordedRun, OnADiskThatTakesNothingGoesOnWithoutARecording) {
+TEST_F(RecordedRun, ContinuesWithoutARecordingOnAFullDisk) {
   std::signal(SIGPIPE, SIG_IGN);  // as the program does
   // A pipe without a reader simulates it.
   ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);

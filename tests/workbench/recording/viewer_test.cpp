@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What viewers get: each message fits its schema, and says what the frame's record says.
+// What viewers get: each message fits its schema, and contains the values of the frame's record.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -102,7 +102,7 @@ class ViewerMessagesTest : public testing::Test {
   World last_world_;
 };
 
-TEST_F(ViewerMessagesTest, FitTheirSchemasAndSayWhatTheRecordSays) {
+TEST_F(ViewerMessagesTest, FitTheirSchemasAndContainTheValuesOfTheRecord) {
   EXPECT_EQ(mistakes_, std::vector<std::string>());
   for (const ViewerTopic topic : {ViewerTopic::transforms, ViewerTopic::pose, ViewerTopic::truth, ViewerTopic::percepts,
                                   ViewerTopic::world, ViewerTopic::machines, ViewerTopic::request, ViewerTopic::costs,

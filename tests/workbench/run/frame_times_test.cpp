@@ -37,7 +37,7 @@ RC_GTEST_PROP(FrameTimesProperty, KeepOrderWhateverWasMeasured, (const std::vect
   RC_ASSERT(all.percentile_99 <= all.longest);
 }
 
-TEST(FrameTimes, TellTheEnginesOwnPartFromTheRobots) {
+TEST(FrameTimes, SeparateTheEnginesPartFromTheRobots) {
   FrameTimes times;
   SceneTruth scene;
   scene.observing = 2.0;

@@ -40,7 +40,7 @@ class HalfTimeOfAScenario : public ::testing::Test {
   RefereeState referee;
 };
 
-TEST_F(HalfTimeOfAScenario, IsToldAndTurnsThePosesBehindIt) {
+TEST_F(HalfTimeOfAScenario, IsReportedAndRotatesLaterPoses) {
   act(Kind::put_down, place);
   EXPECT_TRUE(same(*hands.stands_at, place));
   act(Kind::half_time);
@@ -52,7 +52,7 @@ TEST_F(HalfTimeOfAScenario, IsToldAndTurnsThePosesBehindIt) {
   EXPECT_TRUE(same(external.initial_pose->pose, place)) << "the robot plays towards that end";
 }
 
-TEST_F(HalfTimeOfAScenario, TurnsAPoseThatWasToldJustBefore) {
+TEST_F(HalfTimeOfAScenario, RotatesAPoseThatWasSetJustBefore) {
   act(Kind::set_initial_pose, place);
   act(Kind::half_time);
   EXPECT_TRUE(same(external.initial_pose->pose, reflect(place)));
@@ -68,7 +68,7 @@ TEST_F(HalfTimeOfAScenario, LeavesWordsOfTeamMatesAsTheyAre) {
   EXPECT_EQ(external.messages[0].text, "I am at the center");
 }
 
-TEST_F(HalfTimeOfAScenario, LeavesWhatTheRefereeSaidBesidesAsItIs) {
+TEST_F(HalfTimeOfAScenario, LeavesOtherInputsOfTheRefereeUnchanged) {
   referee = {false, GameState::playing, false, KickOff::theirs};
   OperatorAction action{Kind::stop_game, {}, 0.0, false};
   action.referee.stopped = true;

@@ -9,7 +9,7 @@ namespace {
 
 const Pose2 kTruth(2.0, 1.0, 0.3);
 
-/// A run that is only told what was believed.
+/// A run that gets only the belief.
 struct Told {
   /// While the robot is at kTruth.
   void believe(const Pose2& belief, double from, double to, bool carried = false) {
@@ -82,7 +82,7 @@ TEST(Summary, OfABeliefThatWasNeverWrongHasNothingToCorrect) {
   EXPECT_EQ(summary.error->position, 0.0);
 }
 
-TEST(Summary, SaysHowLongItTookToCorrectTheBelief) {
+TEST(Summary, ReportsHowLongItTookToCorrectTheBelief) {
   Told run;
   run.believe(kTruth, 0.0, 10.0);
   run.believe(reflect(kTruth), 10.0, 16.0);
@@ -115,7 +115,7 @@ TEST(Summary, CountsAMomentOfRightBeliefToTheTimeThatItWasWrong) {
   EXPECT_NEAR(*run.summary().belief_wrong_at, 10.0, 1e-9);
 }
 
-TEST(Summary, TellsOfTheLastTimeThatTheBeliefWasWrong) {
+TEST(Summary, ReportsTheLastTimeThatTheBeliefWasWrong) {
   Told run;
   run.believe(reflect(kTruth), 0.0, 3.0);
   run.believe(kTruth, 3.0, 20.0);
@@ -141,7 +141,7 @@ TEST(Summary, CountsForHowLongTheBeliefWasWrong) {
   EXPECT_NEAR(run.summary().wrong_seconds, 4.0, 1e-9);
 }
 
-TEST(Summary, DoesNotSayThatABeliefWentWrongWhichWasNeverRight) {
+TEST(Summary, DoesNotReportThatABeliefBecameWrongIfItWasNeverRight) {
   Told run;
   run.believe(reflect(kTruth), 0.0, 10.0);
   EXPECT_FALSE(run.summary().belief_wrong_at);
@@ -159,7 +159,7 @@ TEST(Summary, ReportsThatTheOperatorMovedTheRobot) {
   EXPECT_DOUBLE_EQ(run.summary().belief_wrong_at.value(), 2.0);
 }
 
-TEST(Summary, TellsHowARunEndedWithoutAVerdict) {
+TEST(Summary, ReportsHowARunEndedWithoutAVerdict) {
   EXPECT_EQ(SummaryObserver().summary(RunEnd::stopped).verdict, "interrupted");
   EXPECT_EQ(SummaryObserver().summary(RunEnd::robot_gone).verdict, "the robot sends no more frames");
 }

@@ -26,7 +26,7 @@ class TimelineTest : public ::testing::Test {
   CommandHistory history;
 };
 
-TEST_F(TimelineTest, TellsChangesOfStatePausesAndCommandsInTheirOrder) {
+TEST_F(TimelineTest, ListsChangesOfStatePausesAndCommandsInOrder) {
   frame.world.time = 4.0;
   frame.transitions.push_back(transition("orientation"));
   frame.begun.push_back({Pause::training, issuer()});
@@ -47,7 +47,7 @@ TEST_F(TimelineTest, TellsChangesOfStatePausesAndCommandsInTheirOrder) {
   EXPECT_EQ(history.dropped(), 0u);
 }
 
-TEST_F(TimelineTest, TellsNotesAndNoOtherLogLines) {
+TEST_F(TimelineTest, ContainsNotesAndNoOtherLogLines) {
   frame.logs.push_back({kNoName, kNoName, "the referee moved it", 0, true});
   frame.logs.push_back({id("orientation"), id("watching"), "hello", 0, false});
   frame.logs.push_back({id("orientation"), id("watching"), "look here", 0, true});
@@ -59,7 +59,7 @@ TEST_F(TimelineTest, TellsNotesAndNoOtherLogLines) {
   EXPECT_EQ(events[1].state, "note: look here");
 }
 
-TEST_F(TimelineTest, TellsThatTheTeamsChangeSides) {
+TEST_F(TimelineTest, ReportsThatTheTeamsChangeSides) {
   EXPECT_TRUE(timeline_events(frame, scene).empty());
   frame.inputs.half_time = true;
   const std::vector<TimelineEvent> events = timeline_events(frame, scene);
@@ -69,7 +69,7 @@ TEST_F(TimelineTest, TellsThatTheTeamsChangeSides) {
   EXPECT_FALSE(events[0].reorients);
 }
 
-TEST_F(TimelineTest, KeepsTheLatestCommandsOfEachMachineAndCountsTheRest) {
+TEST_F(TimelineTest, StoresTheLatestCommandsOfEachMachineAndCountsTheRest) {
   frame.begun.push_back({Pause::training, issuer()});
   history.observe(frame, scene);
   frame.begun[0].issuer.machine = id("busy");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// HTML and SVG that are well-formed XML, whatever names and titles people give.
+// HTML and SVG that are well-formed XML, with any names and titles.
 #pragma once
 
 #include <initializer_list>
@@ -21,7 +21,7 @@ class Markup {
   void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
   /// An element without an end of its own, as HTML's <meta> and SVG's <path>.
   void single(std::string_view name, Attributes attributes);
-  /// As it stands: for what is no text of people, a doctype or a style sheet.
+  /// Unchanged, without escapes: for a doctype or a style sheet.
   void raw(std::string_view markup) { out_ += markup; }
 
   const std::string& str() const { return out_; }

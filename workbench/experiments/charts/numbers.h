@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers as people read them: the same text everywhere, whatever the locale.
+// Numbers as text for people, independent of the locale.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ std::vector<double> ticks(double low, double high, int wanted);
 /// 1, 2 and 5 times powers of ten within the bounds, 0 < `low` < `high`.
 std::vector<double> logarithmic_ticks(double low, double high);
 
-/// How many digits behind the point tell such ticks apart.
+/// How many decimal digits distinguish such ticks.
 int tick_digits(const std::vector<double>& ticks);
 
 /// The least bound from `high` > 0 on that is a tick itself.

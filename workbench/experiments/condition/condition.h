@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// File and line that say something: of "scenario", of "with head_scan".
+/// File and line of a setting, such as "scenario" or "with head_scan".
 using SaidAt = std::map<std::string, std::string>;
 
 struct Condition {
@@ -23,7 +23,7 @@ struct Condition {
   std::vector<std::string> with;             ///< behaviors beside those that the scenario lists
   std::vector<std::string> without;          ///< of those that the scenario lists
   std::vector<std::string> parameter_files;  ///< read one after the other
-  std::vector<ParameterChange> parameters;   ///< behind what the files say
+  std::vector<ParameterChange> parameters;   ///< applied after the files
   std::string room;                          ///< panorama, by its path or as a shipped one; empty: the built-in hall
   std::optional<std::uint64_t> hall_seed;    ///< of the built-in hall; nothing: the scenario's
   std::string field;                         ///< file, or the name of a shipped one; empty: the scenario's
@@ -33,7 +33,7 @@ struct Condition {
   bool room_awareness = true;
   double seconds = 600.0;       ///< of the robot's time, at most
   double learned_before = 0.0;  ///< s for which the robot learned the room on another day; 0: it did not
-  bool compasses = false;       ///< whether room awareness and its peers are asked the same (trial/compass_observer.h)
+  bool compasses = false;       ///< whether room awareness and its peers are compared (trial/compass_observer.h)
   bool pose_errors = false;     ///< whether the belief of each frame is compared with the truth
   Measurement measurement;
   SaidAt said_at;  ///< for messages
@@ -103,8 +103,8 @@ struct Experiment {
 /// Whether it stands beside a cell of these choices, one for each axis.
 bool belongs_to(const Reference& reference, const Experiment& experiment, const std::vector<std::string>& choices);
 
-/// Leaves only these choices of the axis so called. A name that is no choice of it becomes one by `otherwise`, or is
-/// refused by it. Throws std::runtime_error with one line where there is no such axis.
+/// Leaves only these choices of the axis of this name. `otherwise` makes a choice of an unknown name, or
+/// refuses it. Throws std::runtime_error with one line if the axis is unknown.
 void choose(Experiment& experiment, const std::string& axis, const std::vector<std::string>& names,
             const std::function<AxisChoice(const Axis& axis, const std::string& name)>& otherwise);
 

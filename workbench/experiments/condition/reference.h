@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What others measured, to stand beside one's own rows.
+// Published results, shown beside our rows.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// As much of a row as they tell; shares from 0 to 1.
+/// The published values of a row; fractions from 0 to 1.
 struct Reference {
   std::string label;                                         ///< "paper, real robot"
   std::vector<std::pair<std::string, std::string>> choices;  ///< axis and choice: the rows that it belongs to

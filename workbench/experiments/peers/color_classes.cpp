@@ -99,7 +99,7 @@ ColorClasses ColorClasses::of(std::span<const Ycbcr> colors, int classes, double
 }
 
 void RunningLight::add(const Ycbcr& color) {
-  constexpr int kDark = 15, kBright = 245;  // beyond these the camera does not tell what the light was
+  constexpr int kDark = 15, kBright = 245;  // beyond these the camera saturates
   if (color.y <= kDark || color.y >= kBright) return;
   sum_luma_ += color.y;
   sum_cb_ += color.cb;

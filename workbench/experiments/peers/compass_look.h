@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the compared methods said in one stretch of looking about: plain data.
+// Results of the compared methods in one period of looking around: plain data.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ inline constexpr std::array<std::string_view, 8> kCompassMethods{
 inline constexpr std::array<bool, kCompassMethods.size()> kHasFlipRule{true,  true,  false, false,
                                                                        false, false, false, true};
 
-/// After how many seconds of looking about a method is asked; 0: after a single frame.
+/// After how many seconds of looking around a method is evaluated; 0: after a single frame.
 inline constexpr std::array<double, 3> kLookTimes{0.0, 1.0, 3.0};
 
-/// What one method said at each of these times.
+/// Results of one method at each of these times.
 struct CompassScores {
   std::array<double, kLookTimes.size()> if_right{};      ///< of a belief that is right
   std::array<double, kLookTimes.size()> if_reflected{};  ///< of the reflection of that belief

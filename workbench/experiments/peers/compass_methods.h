@@ -16,7 +16,7 @@
 
 namespace reorient {
 
-/// How all methods are taught and asked.
+/// How all methods learn and are evaluated.
 struct ComparisonParameters {
   double learn_mirrored = 0.0;
   double mirrored_after = 0.0;

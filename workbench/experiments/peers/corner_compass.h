@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Corner landmarks: the rule by which a team of RoboCup's humanoid league tells the side of the field since July 2026
-// (NUbots, pull request 1823 of NUbots/NUbots), from its published description, not from its code. docs/peers.md says
-// what is known of it and what is chosen here.
+// Corner landmarks: the rule by which a team of RoboCup's humanoid league determines the side of the field since July
+// 2026 (NUbots, pull request 1823 of NUbots/NUbots), from its published description, not from its code. docs/peers.md
+// says what is known of it and what is chosen here.
 #pragma once
 
 #include "workbench/experiments/peers/corner_decision.h"

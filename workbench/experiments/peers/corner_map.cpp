@@ -84,7 +84,7 @@ bool CornerMap::is_lost(const CornerLandmark& landmark) const {
   return chances >= kLeastChances && landmark.seen < parameters_.least_share * chances;
 }
 
-/// In a full sector a new landmark takes the place of the one that was seen least, but of none that counts.
+/// In a full sector a new landmark replaces the one that was seen least, but never one that counts.
 void CornerMap::add(const Eigen::Vector3d& eye, const SeenCorner& corner) {
   const CornerLandmark landmark{eye + parameters_.distance * corner.ray, corner.descriptor, 1, 0};
   const int sector = sector_of(direction_of(landmark.position.head<2>()), kSectors);

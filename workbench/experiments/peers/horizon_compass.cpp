@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kRowPlaces = 160;  // places of the row, over the whole width of the image
 constexpr int kMapSectors = 144;
-constexpr int kLeastLooks = 10;  // frames; a sector that was looked at less says nothing
+constexpr int kLeastLooks = 10;  // frames; a sector with fewer does not count
 
 }  // namespace
 

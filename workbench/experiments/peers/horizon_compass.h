@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A compass on features of the horizon, after Anderson and Hengst, "Fast monocular visual compass for a computationally
-// limited robot" (RoboCup 2013), and their landmarks of 2012. docs/peers.md says what was known of them.
+// limited robot" (RoboCup 2013), and their landmarks of 2012. docs/peers.md lists what is known of them.
 #pragma once
 
 #include <vector>
@@ -39,7 +39,7 @@ void describe(HorizonCompassParameters& p, Visit&& visit) {
 }
 
 /// Learned is a map of landmarks by their azimuth. Compared is how well each feature fits the nearest landmark at its
-/// azimuth, and at the azimuth half a turn on.
+/// azimuth, and at the azimuth rotated by 180 degrees.
 class HorizonCompass : public OrientationCompass {
  public:
   explicit HorizonCompass(const HorizonCompassParameters& parameters = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room awareness, asked as its peers are.
+// Room awareness with the interface of its peers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// What it says.
+/// Its results.
 enum class RoomScore {
   evidence,     ///< its log-odds
   confidences,  ///< the smoothed confidence in the reflection less that in the pose: what the paper decides by

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Color histograms on tiles around the robot, whatever wall they are on: what is seen of a tile is compared with the
-// tile and with the one that lies there after half a turn. So walls can be measured by one and the same rule.
+// Color histograms on tiles around the robot, on any wall: the observation of a tile is compared with the
+// tile and with the one rotated by 180 degrees. So walls are compared by the same rule.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tiles on a cylinder: a single row of them, after Bader et al. 2012, the predecessor of the paper's wall
-// (docs/peers.md says what was known of it), or several, as the paper has it.
+// (docs/peers.md lists what is known of it), or several, as the paper has it.
 #pragma once
 
 #include <vector>

@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-constexpr int kLeastLines = 20;  // a sector of which less was learned says nothing
+constexpr int kLeastLines = 20;  // a sector with fewer does not count
 constexpr std::size_t kMostColors = 6000;
 constexpr int kLineSamples = 16;  // of a scan line
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A static visual compass on transitions between color classes, after Sturm and Visser, "An appearance-based visual
-// compass for mobile robots" (Robotics and Autonomous Systems 57, 2009). docs/peers.md says what was known of it.
+// compass for mobile robots" (Robotics and Autonomous Systems 57, 2009). docs/peers.md lists what is known of it.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ void describe(TransitionCompassParameters& p, Visit&& visit) {
 }
 
 /// Scan lines go up from the horizon, band by band. For each sector of the circle, each band and each ordered pair of
-/// color classes it is learned how often a line has none, one, or several transitions from the one to the other. A
+/// color classes it is learned how often a line has none, one, or several transitions from the first to the second. A
 /// line's log-likelihood in a sector is the sum over the pairs.
 class TransitionCompass : public OrientationCompass {
  public:

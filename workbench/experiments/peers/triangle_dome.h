@@ -11,15 +11,16 @@
 
 namespace reorient {
 
-/// An icosahedron about the field's center, an edge on top, so that half a turn about the vertical maps it onto itself.
-/// Each of its 20 faces is cut into `cuts`^2 equal triangles. Directions below the field belong to no triangle.
+/// An icosahedron about the field's center, an edge on top, so that a rotation by 180 degrees about the vertical maps
+/// it onto itself. Each of its 20 faces is cut into `cuts`^2 equal triangles. Directions below the field belong to no
+/// triangle.
 class TriangleDome {
  public:
   /// `radius`: of the corners, m.
   TriangleDome(double radius, int cuts);
 
   int tiles() const { return static_cast<int>(reflected_.size()); }
-  /// The triangle that lies there after half a turn.
+  /// The triangle rotated by 180 degrees.
   int reflected(int tile) const { return reflected_[static_cast<std::size_t>(tile)]; }
   Eigen::Vector3d center(int tile) const;
   bool surrounds(const Eigen::Vector3d& position) const;

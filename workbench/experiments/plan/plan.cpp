@@ -56,7 +56,7 @@ std::vector<int> numbers_in(std::string_view list, int count) {
   while (true) {
     const std::size_t comma = rest.find(',');
     const std::string_view part = rest.substr(0, comma);
-    const std::size_t dash = part.find('-', 1);  // a sign is no dash
+    const std::size_t dash = part.find('-', 1);  // the first character may be a sign
     const int first = number_in(part.substr(0, dash), list, count);
     const int last = dash == std::string_view::npos ? first : number_in(part.substr(dash + 1), list, count);
     if (last < first)

@@ -12,19 +12,20 @@ void draw_failures(Markup& out, const Report& report);
 void draw_false_flips(Markup& out, const Report& report);
 
 /// Detection and false flips along the last axis whose choices are at least three numbers of one unit ("30 %"), such
-/// as the strength of a room's symmetry; nothing where there is no such axis. Pools the rooms.
+/// as the strength of a room's symmetry; writes nothing without such an axis. Pools the rooms.
 void draw_ladder(Markup& out, const Report& report);
 
 /// Which share of the beliefs is right, over time: a line for each series, a picture for each group.
 void draw_time_to_right(Markup& out, const Report& report);
 
-/// How well the confidences tell a wrong belief from a right one: a line for each series.
+/// How well the confidences separate wrong beliefs from right ones: a line for each series.
 void draw_roc(Markup& out, const Report& report);
 
-/// Whether the evidence is right as often as it says: a line for each series.
+/// Calibration of the evidence: a line for each series.
 void draw_reliability(Markup& out, const Report& report);
 
-/// How well room awareness and its peers tell a pose from its reflection; nothing where no trial compared them.
+/// How well room awareness and its peers distinguish a pose from the mirrored pose; writes nothing if no trial compared
+/// them.
 void draw_compasses(Markup& out, const Report& report);
 
 /// The confidences of the best, the median, the worst and the failed trials of each series.

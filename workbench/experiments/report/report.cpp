@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kStyles = 7;  // as many as the style sheet tells apart
+constexpr std::size_t kStyles = 7;  // as many as the style sheet distinguishes
 
 /// Nothing where there are no axes.
 std::optional<std::size_t> series_axis(const Experiment& experiment) {

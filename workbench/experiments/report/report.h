@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a report tells, as plain data: the page, its figures and its files are made from this and nothing else.
+// All contents of a report, as plain data: the page, its figures and its files depend only on this.
 #pragma once
 
 #include <functional>

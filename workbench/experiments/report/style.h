@@ -6,8 +6,8 @@
 
 namespace reorient {
 
-/// Cascading style sheet. Colors of series are those of Okabe and Ito (2008), which the color-blind tell apart;
-/// dashes tell them apart without colors.
+/// Cascading style sheet. Colors of series are those of Okabe and Ito (2008), which color-blind people can distinguish;
+/// dashes distinguish them without colors.
 std::string_view report_style();
 
 }  // namespace reorient

@@ -157,7 +157,7 @@ void draw_references(Markup& out, const Report& report) {
       "start. Times: mean times until the command that corrected the belief, s.",
       {"case", "measured by"}, {"trials", "flip", "purge", "failed", "mean", "by flip", "by purge"});
   for (auto at = references.begin(); at != references.end();) {
-    // References of equal choices stand together, with one's own rows below.
+    // References of equal choices are grouped, with our rows below.
     const auto end = std::find_if(at, references.end(), [&](const auto& one) { return one.choices != at->choices; });
     const bool has_own = std::any_of(report.cells.begin(), report.cells.end(), [&](const CellResults& cell) {
       return belongs_to(*at, report.experiment, cell.choices);

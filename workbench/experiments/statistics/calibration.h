@@ -7,11 +7,11 @@
 
 namespace reorient {
 
-/// What was said with about the same certainty.
+/// Samples with about the same probability.
 struct CalibrationBin {
   int samples = 0;
-  int right = 0;      ///< times in which what was said to be the likelier one was the truth
-  double said = 0.0;  ///< sum of the chances that were given to it, from 0.5 on
+  int right = 0;      ///< number of samples whose more probable pose was the true one
+  double said = 0.0;  ///< sum of the probabilities of that pose, each at least 0.5
 
   double certainty() const { return said / samples; }
   double accuracy() const { return static_cast<double>(right) / samples; }

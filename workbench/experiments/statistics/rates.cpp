@@ -39,7 +39,7 @@ Interval wilson_interval(int events, int trials) {
   const double center = (share + squared / (2.0 * n)) / (1.0 + squared / n);
   const double half =
       kNormalQuantile / (1.0 + squared / n) * std::sqrt(share * (1.0 - share) / n + squared / (4.0 * n * n));
-  // Rounding must not tell of a rate that cannot be.
+  // Rounding must not give an impossible rate.
   return {events == 0 ? 0.0 : center - half, events == trials ? 1.0 : center + half};
 }
 

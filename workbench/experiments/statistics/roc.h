@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How well a number tells one case from the other.
+// How well a number separates two classes.
 #pragma once
 
 #include <cstdint>

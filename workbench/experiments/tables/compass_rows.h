@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How well each method tells a pose from its reflection, over many trials.
+// How well each method distinguishes a pose from the mirrored pose, over many trials.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct CompassFigure {
   Interval area_interval;       ///< by bootstrap of whole trials
   double equal_error = 0.0;
   Interval equal_error_interval;        ///< Wilson's, as if looks were independent
-  double silent = 0.0;                  ///< share of looks in which the method says nothing
+  double silent = 0.0;                  ///< fraction of looks without evidence of the method
   std::optional<double> flipped;        ///< share of mirrored poses that its own rule has flipped by then
   std::optional<double> false_flipped;  ///< the same of right poses; no value: no rule is known
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What became of one trial, as far as it is compared with others.
+// The outcome of one trial, as far as it is compared with other trials.
 #pragma once
 
 #include <cstdint>

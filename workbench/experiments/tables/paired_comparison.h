@@ -12,7 +12,7 @@ namespace reorient {
 
 struct PairedComparison {
   int pairs = 0;         ///< seeds that both ways were tried on
-  int without_pair = 0;  ///< trials of either way whose seed the other does not know
+  int without_pair = 0;  ///< trials of either choice whose seed the other choice does not have
 
   // Of the pairs in which both beliefs were wrong at the start:
   int disturbed = 0;

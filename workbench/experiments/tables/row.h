@@ -19,7 +19,7 @@ struct TimeRow {
   std::optional<Interval> interval;  ///< of the mean, by bootstrap
 };
 
-/// Trials whose belief was wrong when their clock started tell how it is corrected; those whose belief was right,
+/// Trials whose belief was wrong when their clock started show how it is corrected; those whose belief was right,
 /// whether it is left so.
 struct Row {
   int trials = 0;
@@ -44,10 +44,10 @@ struct Row {
   int false_purges = 0;
   double right_hours = 0.0;  ///< for which the belief was right
   Interval false_flip_rate;  ///< per right hour; 0 to infinity where there are none
-  int kidnapped = 0;         ///< trials whose robot was put down elsewhere than it was picked up
+  int kidnapped = 0;         ///< trials whose robot was moved to another place while lifted
   int kidnapped_failed = 0;  ///< of those
   TimeRow kidnapped_right;   ///< as `right`, of those
-  TimeRow usable;            ///< time until the room told the two poses apart, of the trials in which it did
+  TimeRow usable;            ///< time until the room distinguished the two poses, of the trials in which it did
   int uninformative = 0;     ///< of the failed: in the end the robot took its room for symmetric
   /// Share of the time in which the robot stood that it took its room for symmetric; nothing where it never stood.
   std::optional<double> uninformative_time;
@@ -59,10 +59,10 @@ struct Row {
 
 Row row_of(const std::vector<TrialResult>& results);
 
-/// What the evidence said while it was used, and the belief was right or the reflection of a right one.
+/// The evidence while it was used, and the belief was right or the reflection of a right one.
 std::vector<CalibrationBin> calibration_of(const std::vector<TrialResult>& results);
 
-/// The confidences' lead, opposite less current, wherever the room was looked at.
+/// The confidences' lead, opposite minus current, whenever the room was evaluated.
 struct ScoredSamples {
   std::vector<double> wrong, right;  ///< while the belief was so
 };

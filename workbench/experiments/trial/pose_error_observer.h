@@ -37,7 +37,7 @@ class PoseErrorObserver : public Observer {
   Since stands_, right_, located_;
   std::optional<double> stood_up_at_;  ///< after a fall
   bool has_fallen_ = false;
-  bool was_disturbed_ = false;  ///< fell or was carried, ever
+  bool was_disturbed_ = false;  ///< fell or was lifted at any time
 };
 
 }  // namespace reorient

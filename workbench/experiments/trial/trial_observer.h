@@ -16,7 +16,7 @@ struct Measurement {
   std::string from;     ///< state of the scenario, or one around it, whose first entry starts the clock; empty: at once
   double limit = 60.0;  ///< s, within which the belief must be right
   double hold = 10.0;   ///< s, for which it must stay so, beyond the limit if need be
-  bool symmetric_room = false;  ///< nothing tells its two ends apart: a robot that says so has not failed
+  bool symmetric_room = false;  ///< nothing distinguishes its two ends: a robot that reports this has not failed
   bool to_the_end = true;       ///< false: a trial is over once its belief is right and has stayed so
 };
 

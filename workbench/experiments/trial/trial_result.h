@@ -42,11 +42,12 @@ struct TrialResult {
   double seconds = 0.0;          ///< that were measured
   bool correct_at_start = true;  ///< the belief
 
-  std::optional<double> right_after;   ///< from when on the belief was right and stayed so for as long as is asked
+  std::optional<double>
+      right_after;  ///< time from which the belief was right and stayed right for the required duration
   std::optional<double> mended_after;  ///< the first command that corrected a wrong belief: the paper's measure
   std::optional<Reorientation> mended_by;
-  std::optional<double> usable_after;  ///< from when on the room told the two poses apart
-  bool kidnapped = false;  ///< the robot was put down elsewhere than it was picked up, even before the clock
+  std::optional<double> usable_after;  ///< time from which the room distinguished the two poses
+  bool kidnapped = false;              ///< the robot was moved to another place while lifted, even before the clock
 
   int flips = 0;
   int purges = 0;
@@ -57,10 +58,10 @@ struct TrialResult {
   double wrong_seconds = 0.0;          ///< the same of a wrong one
   double uninformative_seconds = 0.0;  ///< for which the robot took its room for symmetric
   bool ended_uninformative = false;
-  bool symmetric_room = false;                ///< nothing tells its two ends apart: who says so has not failed
+  bool symmetric_room = false;  ///< nothing distinguishes its two ends: a robot that reports this has not failed
   std::vector<ConfidenceSample> confidences;  ///< twice a second
   std::vector<CompassLook> looks;             ///< empty unless the condition compares compasses
-  std::optional<PoseErrors> pose_errors;      ///< where the condition asks for them
+  std::optional<PoseErrors> pose_errors;      ///< if the condition requests them
 
   bool failed() const { return !right_after.has_value() && !(symmetric_room && ended_uninformative); }
   /// Its belief was wrong when the clock started; one whose clock never did counts as such.

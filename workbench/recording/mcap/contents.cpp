@@ -144,7 +144,7 @@ void add_loose_message(const Walk& walk, const RecordHead& head, std::vector<Chu
 
 constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of a chunk's or an attachment's head, names included
 
-/// What was met, and at which byte. A writer may say again what it has said.
+/// Records that were found, and at which byte. A writer may repeat records.
 struct Known {
   std::map<std::uint16_t, std::uint64_t> schemas, channels;  // by number
   std::map<std::uint64_t, std::size_t> metadata;             // by byte, its place in the list
@@ -199,7 +199,7 @@ void tell(const Damage& damage, Contents& contents) {
   if (!contents.damage) contents.damage = damage;
 }
 
-/// What a record of the summary says of a chunk: where it is.
+/// The position of a chunk, from a record of the summary.
 std::uint64_t read_chunk_index(ByteReader in) {
   std::uint64_t start_time = 0, end_time = 0, where = 0;
   in(start_time, end_time, where);
@@ -227,11 +227,11 @@ void keep_said_twice(const std::vector<Record>& in_data, const std::map<std::uin
   if (in_summary.empty()) in_summary = in_data;  // its writer does not repeat them
   for (const Record& record : in_data) {
     if (std::find(in_summary.begin(), in_summary.end(), record) == in_summary.end())
-      tell(Damage(places.at(record.id), "a topic or schema is not what the summary says of it"), contents);
+      tell(Damage(places.at(record.id), "a topic or schema is not described in the summary"), contents);
   }
 }
 
-/// Of metadata the summary says where they are and how they are called.
+/// The summary contains the position and the name of metadata.
 void take_metadata(const Walk& walk, ByteReader in, bool is_sound, Known& known, Contents& contents) {
   std::uint64_t where = 0, length = 0;
   std::string name;
@@ -239,7 +239,7 @@ void take_metadata(const Walk& walk, ByteReader in, bool is_sound, Known& known,
   if (!known.metadata.contains(where)) read_hidden(walk, where, Opcode::metadata, known, contents);
   const auto found = known.metadata.find(where);
   if (!is_sound || found == known.metadata.end() || contents.metadata[found->second].name == name) return;
-  tell(Damage(where, "metadata are not called as the summary says"), contents);
+  tell(Damage(where, "the name of metadata differs from the summary"), contents);
   contents.metadata[found->second].name = name;
 }
 
@@ -310,7 +310,7 @@ void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Kn
   contents.is_complete = true;
 }
 
-/// Where the summary begins, as the last record says; 0: nowhere.
+/// Where the summary begins, from the last record; 0: no summary.
 std::uint64_t summary_of(const Walk& walk, const Source& source) {
   if (source.size() < kFooter + 2 * kMagic.size()) return 0;
   const std::uint64_t footer = source.size() - kMagic.size() - kFooter;

@@ -18,12 +18,12 @@ namespace reorient::mcap {
 /// Uncompressed; larger ones are refused.
 inline constexpr std::uint64_t kLargestChunk = 256u << 20;
 
-/// Where a chunk is, and what its head says of it.
+/// The position of a chunk, and the contents of its head.
 struct ChunkPlace {
   std::uint64_t where = 0;                     ///< of its record
   std::uint64_t start_time = 0, end_time = 0;  ///< ns
   std::uint64_t size = 0;                      ///< bytes of its messages
-  std::uint32_t crc = 0;                       ///< of those; 0: not told
+  std::uint32_t crc = 0;                       ///< of those; 0: unknown
   std::string compression;
   std::uint64_t data = 0, data_size = 0;  ///< where they lie, and how many bytes that are
   std::uint64_t end = 0;                  ///< of its record
@@ -51,7 +51,7 @@ struct Contents {
   std::vector<ChunkPlace> loose;  ///< records with messages outside of chunks, as chunks without compression
   std::vector<AttachmentPlace> attachments;
   std::vector<Metadata> metadata;
-  std::optional<Statistics> statistics;  ///< as the summary tells them
+  std::optional<Statistics> statistics;  ///< from the summary
   std::optional<Damage> damage;          ///< the first; of what comes after it, what the summary names is listed
   bool is_complete = false;              ///< it has its end
 
@@ -62,7 +62,7 @@ struct Contents {
 
 /// Whether it begins as one.
 bool is_mcap(const Source& source);
-/// Throws Damage where it is no MCAP file at all.
+/// Throws Damage if it is not an MCAP file.
 Contents read_contents(const Source& source);
 
 }  // namespace reorient::mcap

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What MCAP files are read from, and what is said where a file is damaged.
+// The source from which MCAP files are read, and the exception for a damaged file.
 #pragma once
 
 #include <cstddef>

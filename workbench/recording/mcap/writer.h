@@ -36,7 +36,7 @@ class Writer {
   std::uint16_t add_channel(std::string_view topic, std::string_view encoding, std::uint16_t schema,
                             const Texts& metadata = {});
 
-  /// Into the chunk that is open. `time`: ns, of what it tells.
+  /// Into the chunk that is open. `time`: ns, of its content.
   void add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data);
   /// Bytes of messages that the sink has not got yet.
   std::size_t waiting() const { return chunk_.size(); }
@@ -70,7 +70,7 @@ class Writer {
   };
   struct Placed {
     std::uint64_t offset;            // of the record in the file
-    std::vector<std::byte> content;  // that tells of it in the summary
+    std::vector<std::byte> content;  // its description in the summary
   };
   struct ClosedChunk : Placed {
     std::uint64_t start, end;                                     // ns

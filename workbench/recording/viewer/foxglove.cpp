@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNanosecond = 1e-9;
 
-/// Messages are to be looked at: a tenth of a millimeter will do, and a fifth of what a double takes as text.
+/// Messages are for viewing, so a precision of 0.1 mm is enough. It takes a fifth of the text of a double.
 double rounded(double number, double steps = 1e4) {
   return std::isfinite(number) ? std::round(steps * number) / steps : 0.0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The messages of Foxglove that its viewer, Lichtblick and others draw without being told how, of the schemas in
+// The messages of Foxglove that its viewer, Lichtblick and others draw without configuration, of the schemas in
 // foxglove_schemas.h. Frames: x forward, y left, z up, m, rad.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace reorient::foxglove {
 Json time(double seconds);
 Json pose(const Pose2& pose);
 
-/// From the one frame to the other.
+/// Transformation between two frames.
 Json transform(double seconds, std::string_view parent, std::string_view child, const Isometry3& motion);
 Isometry3 on_the_ground(const Pose2& pose);
 /// What Foxglove calls a camera's frame, x right, y down, z ahead, in ours, x ahead, y left, z up.

@@ -137,7 +137,7 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
   const SceneTruth& scene_truth = viewed.scene;
   const double time = frame.world.time;
   const auto send = [&](ViewerTopic topic, const Json& message) {
-    // Scripts may log what is no UTF-8.
+    // Scripts may log invalid UTF-8.
     sink(topic, message.dump(-1, ' ', false, Json::error_handler_t::replace));
   };
 

@@ -25,7 +25,7 @@ struct ViewedFrame {
   const FrameRecord& extra;  ///< those of kViewedTopics that are filled: the same record, or another
   const SceneTruth& scene;
   std::array<ImageView, 2> images;  ///< of the upper and the lower camera; empty: none is shown
-  bool begins = false;              ///< a viewer may begin here: what lasts is told again
+  bool begins = false;              ///< a viewer may begin here: messages that last are sent again
 };
 
 class ViewerMessages {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a recording holds for people to look at, one row a topic: messages in JSON, which Foxglove, Lichtblick and
-// PlotJuggler open without being told how. The one table that recordings, live views and docs name them by.
+// PlotJuggler open without configuration. The one table that recordings, live views and docs name them by.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
 
 constexpr const ViewerTopicInfo& info(ViewerTopic topic) { return kViewerTopics[static_cast<std::size_t>(topic)]; }
 
-/// How the messages of a schema look: JSON Schema, as text. Throws std::out_of_range where there is no such schema.
+/// How the messages of a schema look: JSON Schema, as text. Throws std::out_of_range for an unknown schema.
 std::string schema_text(std::string_view schema);
 
 }  // namespace reorient
