@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Run by cmake --install: copies `headers` from `source` to `destination` in the prefix, below reorient/. In the tree an include
-# says where a file is ("geometry/angle.h"); among headers of other projects it must also contain the project.
+# contains the position of a file ("geometry/angle.h"); among headers of other projects it must also contain the project.
 file(REMOVE_RECURSE "${stage}")
 foreach(header ${headers})
   file(READ "${source}/${header}" text)

@@ -20,7 +20,7 @@ inline void require(bool promise, const char* what) {
 /// What a person reads about an input that is refused.
 inline void require_message(std::string_view message) {
   constexpr std::size_t kLongest = 2000;
-  require(!message.empty(), "a refusal says why");
+  require(!message.empty(), "a refusal has a reason");
   require(message.size() <= kLongest, "a refusal can be read");
   require(is_utf8(message), "a refusal is UTF-8");
   for (const char letter : message) {

@@ -112,7 +112,7 @@ class Trial {
     try {
       host_.load("fuzzed");
     } catch (const ScriptError& error) {
-      require(!error.fault.message.empty(), "a refusal says why");
+      require(!error.fault.message.empty(), "a refusal has a reason");
       loaded = false;
     }
     require(processor_seconds() - start < kLongestLoad, "loading takes a bounded time");
@@ -128,7 +128,7 @@ class Trial {
     require(records.size() <= 1, "one edit, one report");
     for (const ReloadRecord& record : records) {
       require(record.script == file_, "the report names the file");
-      require(record.accepted || !record.fault.message.empty(), "a refusal says why");
+      require(record.accepted || !record.fault.message.empty(), "a refusal has a reason");
     }
     look_at_definitions();
   }

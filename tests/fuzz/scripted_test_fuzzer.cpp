@@ -33,7 +33,7 @@ void look_at(const TestCase& test) {
   require(test.name.size() <= kLongestText, "a name can be read");
   require(!test.skipped, "nothing is skipped where there is a simulator");
   for (const TestFailure& failure : test.failures) {
-    require(!failure.text.empty(), "a failure says why");
+    require(!failure.text.empty(), "a failure has a reason");
     require(failure.text.size() <= kLongestText, "a failure can be read");
   }
 }

@@ -17,7 +17,7 @@ bool is_home(const std::filesystem::path& folder) {
 
 std::filesystem::path find_home() {
   if (const char* named = std::getenv("REORIENT_HOME")) {
-    if (is_home(told)) return told;
+    if (is_home(named)) return named;
     throw std::runtime_error("REORIENT_HOME is '" + std::string(named) +
                              "' (expected the project's folder, with scripts/behaviors and assets/)");
   }

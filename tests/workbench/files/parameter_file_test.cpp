@@ -99,7 +99,7 @@ TEST_F(ParameterFile, HasLettersBeyondAsciiInQuotesAndCommentsOnly) {
     EXPECT_NE(refusal(text).find("p.toml:2: a letter that is not ASCII"), std::string::npos) << text;
 }
 
-TEST_F(ParameterFile, ThatIsNotTomlIsRefusedWithAnyLetters) {
+TEST_F(ParameterFile, ThatIsNoTomlIsRefusedForThatWhateverLettersItHolds) {
   EXPECT_EQ(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o"), refusal("\nother = -n\"\"\"\"[[((?o"));
   EXPECT_NE(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o").find("p.toml:2: "), std::string::npos);
 }
