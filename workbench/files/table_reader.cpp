@@ -26,7 +26,7 @@ std::string read_data_file(const std::filesystem::path& file, const std::string&
   std::error_code missing;
   if (!std::filesystem::is_regular_file(file, missing))
     throw std::runtime_error(
-        as_line(file.string() + ": the " + kind + " file does not exist; " + folder + " contains examples"));
+        as_line(file.string() + ": the file does not exist (expected: " + kind + "; examples in " + folder + ")"));
   std::optional<std::string> text = read_toml_text(file);
   if (!text) throw std::runtime_error(as_line(file.string() + ": it cannot be read; check its permissions"));
   return *std::move(text);

@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// The text of a data file. `kind`: what it is; `folder`: of assets, which has some. Throws std::runtime_error with one
+/// The text of a data file. `kind`: what it is; `folder`: with examples. Throws std::runtime_error with one
 /// line.
 std::string read_data_file(const std::filesystem::path& file, const std::string& kind, const std::string& folder);
 /// `name`: for messages. Throws std::runtime_error with one line.

@@ -189,15 +189,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Trials", "title = \"x\"\ntrials = 0", ":2: trials: expected a whole number from 1 to 100000"},
         Mistake{"Text", "title = 3", ":1: title: expected a text in quotes"},
         Mistake{"Width", kBegin + "width = 200", ":4: width: expected 160, 320, 544 or 640 pixels"},
-        Mistake{"Cameras", kBegin + "cameras = \"lower\"", ":4: cameras is"},
+        Mistake{"Cameras", kBegin + "cameras = \"lower\"", ":4: cameras: expected"},
         Mistake{"Seconds", kBegin + "seconds = nan", ":4: seconds: expected a number from 1 to 86400"},
-        Mistake{"SecondsText", kBegin + "seconds = \"10\"", ":4: seconds is a number"},
+        Mistake{"SecondsText", kBegin + "seconds = \"10\"", ":4: seconds: expected a number"},
         Mistake{"Seed", kBegin + "hall_seed = -1", ":4: hall_seed: expected a whole number from 0"},
         Mistake{"List", kBegin + "with = \"a\"", ":4: with: expected a list of texts"},
         Mistake{"ListOfNumbers", kBegin + "with = [1]", ":4: with: expected a text in quotes"},
         Mistake{"Flag", kBegin + "room_awareness = 1", ":4: room_awareness: expected true or false"},
         Mistake{"Parameter", kBegin + "parameters.lead = 1", ":4: expected a parameter in the table of its module"},
-        Mistake{"ParameterValue", kBegin + "parameters.a.b = [1]", ":4: a.b is a number, true, false or a name"},
+        Mistake{"ParameterValue", kBegin + "parameters.a.b = [1]", ":4: a.b: expected a number, true, false or a name"},
         Mistake{"Times", "title = \"x\"\ntimes = \"soon\"",
                 ":2: times: expected \"command\" or \"belief\", found \"soon\""},
         Mistake{"Conditions", kBegin + "conditions = [\"paper\"]", ":4: unknown key 'conditions'"},
@@ -257,7 +257,7 @@ TEST(ExperimentFile, ThatIsNotThereIsNamed) {
     read_experiment("/no/such/file.toml", {});
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("/no/such/file.toml: the experiment file does not exist"),
+    EXPECT_NE(std::string(error.what()).find("/no/such/file.toml: the file does not exist (expected: experiment"),
               std::string::npos);
   }
 }

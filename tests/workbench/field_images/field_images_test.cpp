@@ -77,12 +77,12 @@ TEST(FieldLabels, ThatMakeNoSenseAreRefusedWithTheirLine) {
        {std::pair{"lines = [[1, 2, 3]]", "each of lines: expected a list of 2 or more points"},
         {"lines = [[1, 2]]", "each of lines: expected a list of 2 or more points"},
         {"lines = 5", "lines: expected a list of lists"},
-        {"lines = [[1, 2, \"3\", 4]]", "each of lines is a number"},
+        {"lines = [[1, 2, \"3\", 4]]", "each of lines: expected a number"},
         {"lines = [[1, 2, nan, 4]]", "expected a number from"},
         {"boards = [[1, 2, 3, 4]]", "each of boards: expected a list of 3 or more points"},
         {"balls = [[1, 2, 0]]", "each of balls: expected [u, v, radius]"},
         {"posts = [[1, 2]]", "each of posts: expected a list of 4 numbers"},
-        {"raw = [0, 480, 36]", "raw is [width, height, bytes of the header]"},
+        {"raw = [0, 480, 36]", "raw: expected [width, height, bytes of the header]"},
         {"roll = 90", "roll: expected a number from -89 to 89"},
         {"line = []", "unknown key 'line' (did you mean 'lines'?)"}}) {
     const std::string found = complaint_about(kImage + text);

@@ -146,7 +146,8 @@ TEST(BodyFile, ThatIsMissingIsNamedInOneLine) {
     static_cast<void>(load_body("nowhere/robot.toml"));
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "nowhere/robot.toml: there is no such robot; assets/robots has some");
+    EXPECT_STREQ(error.what(),
+                 "nowhere/robot.toml: the file does not exist (expected: robot; examples in assets/robots)");
   }
 }
 

@@ -59,7 +59,7 @@ TEST_F(ScriptFilesTest, AMissingFolderIsReportedInOneLine) {
     read_scripts(folder_.path() / "gone");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("there is no such folder"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("the folder of scripts does not exist"), std::string::npos);
   }
 }
 
