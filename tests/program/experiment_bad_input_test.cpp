@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         UnmeantExperiment{"MoreTrialsThanAnybodyCanWaitFor",
                           many_cells(3),
                           {"--trials", "100000"},
-                          "short would be 100000000 trials; at most 1000000"},
+                          "short: expected at most 1000000 trials, found 100000000"},
         UnmeantExperiment{"NoSuchRoom", with_line("room = \"gone.hdr\""), {}, "room 'gone.hdr' does not exist"},
         UnmeantExperiment{"NoSuchField", with_line("field = \"spll\""), {}, "did you mean 'spl"},
         UnmeantExperiment{"NoSuchParameters", with_line("params = [\"papre\"]"), {}, "did you mean 'paper'?"},

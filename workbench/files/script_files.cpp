@@ -101,7 +101,7 @@ std::vector<ScriptEdit> ScriptFiles::poll(double time) {
   try {
     now = read_scripts(root_);
   } catch (const std::runtime_error&) {
-    return {};  // the folder is gone for a moment, as some editors and version control make it: the scripts stay
+    return {};  // some editors and version control remove the folder for a moment: the scripts stay
   }
   std::vector<ScriptEdit> edits = edits_between(texts_, now);
   texts_ = std::move(now);

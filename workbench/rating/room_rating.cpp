@@ -204,7 +204,7 @@ RoomRating rate_room(const SavedModel& model, const RatedRobot& robot, const Rat
     result.false_flips = false_flips(rating, rated);
   }
   result.verdict = verdict_of(status, result.times);
-  // Of a room that is hardly known, a banner would be most of what is known: that says nothing about the room.
+  // Of a room that is hardly known, a banner would be most of what is known: that does not rate the room.
   if (options.banner_width > 0.0 && result.verdict != RoomVerdict::unlearned)
     result.banner = rate_banners(rating, model, rated);
   return result;

@@ -245,7 +245,7 @@ Recorder::Counts Recorder::counts() const {
   return shared_->counts;
 }
 
-/// The thread. What was queued is written, whatever happens to the frames.
+/// The thread. It writes all queued data, also after an error of the frames.
 void Recorder::write_items(Shared& shared) {
   // Woken up while a frame still runs, it takes no processor away from it: it waits until there is one.
   const sched_param none{};

@@ -58,7 +58,7 @@ Element::Element(Markup& out, std::string_view name, Markup::Attributes attribut
 }
 
 Element::~Element() {
-  // A line break is a blank where text goes on.
+  // A line break counts as a blank within text.
   const bool is_within_text = name_ == "a" || name_ == "code" || name_ == "strong" || name_ == "span";
   out_.out_.append("</").append(name_).append(is_within_text ? ">" : ">\n");
 }

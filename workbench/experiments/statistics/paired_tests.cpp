@@ -38,7 +38,7 @@ SignedRanks signed_ranks(std::vector<double> differences) {
 }
 
 double exact_p(const SignedRanks& ranks) {
-  // With which probability the positive ones add up to each sum, were each sign as likely as the other.
+  // With which probability the positive ones add up to each sum, if both signs were equally probable.
   std::vector<double> probability(ranks.total + 1, 0.0);
   probability[0] = 1.0;
   std::size_t reached = 0;

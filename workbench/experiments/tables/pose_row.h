@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// Errors are of the true pose or, where the belief looks the other way, of its reflection.
+/// Errors relative to the true pose or, if the belief is mirrored, to the mirrored true pose.
 struct PoseRow {
   double position = 0.0;        ///< m, root mean square over all frames of all trials
   double rotation = 0.0;        ///< rad, the same

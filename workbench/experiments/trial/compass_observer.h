@@ -17,7 +17,7 @@
 namespace reorient {
 
 /// Before the trial's clock starts the compasses learn, whenever the belief is right. From then on each of them is
-/// there twice: one sees the right pose, the other one its reflection, both with the error that the pose filter has.
+/// there twice: one gets the right pose, the other the mirrored pose, both with the error that the pose filter has.
 /// The right pose is the belief or, after a robot was placed on its mirrored pose, the reflection of the belief. After
 /// a while in which they get used to the light, the time is cut into stretches of looking about; one in which the
 /// belief is neither throughout, or the robot not upright, does not count. With `mirrored_after` both copies see the
