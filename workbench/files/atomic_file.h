@@ -11,16 +11,15 @@
 
 namespace reorient {
 
-/// Throws std::runtime_error with one line; then the file is as it was before.
+/// Throws std::runtime_error with one line; then the file is unchanged.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// For files that are written in parts: a temporary file beside `file`, which replaces it once it is
-/// whole.
+/// For files that are written in parts: a temporary file beside `file`, which replaces it once it is complete.
 class FileInTheMaking {
  public:
   /// Throws std::runtime_error with one line.
   explicit FileInTheMaking(std::filesystem::path file);
-  /// Nothing stays of what was not ended.
+  /// Removes a file that was not completed.
   ~FileInTheMaking();
   FileInTheMaking(const FileInTheMaking&) = delete;
   FileInTheMaking& operator=(const FileInTheMaking&) = delete;

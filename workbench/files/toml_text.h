@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Limits of a TOML text for the parser. The parser follows any depth and any length of the text, so
-// it must not be given just anything.
+// Limits of a TOML text for the parser. The parser follows any depth and any length of the text, so excessive texts
+// must be refused before.
 #pragma once
 
 #include <filesystem>

@@ -33,8 +33,7 @@ inline constexpr int kRecordingFormat = 9;
 struct ViewTopic {
   std::string name, encoding;
   std::string schema, schema_encoding, schema_text;  ///< schema: empty: no schema
-  bool lasts =
-      false;  ///< a message is valid until the next one, so a reader that starts in the middle needs the previous one
+  bool lasts = false;  ///< a message is valid until the next one: a reader that starts in between needs it
 };
 
 // Metadata of such a topic, and of the file, for readers.

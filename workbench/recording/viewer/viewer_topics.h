@@ -39,8 +39,7 @@ struct ViewerTopicInfo {
   std::string_view name;
   std::string_view schema;
   std::string_view description;
-  bool lasts =
-      false;  ///< a message is valid until the next one, so a reader that starts in the middle needs the previous one
+  bool lasts = false;  ///< a message is valid until the next one: a reader that starts in between needs it
 };
 
 inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
