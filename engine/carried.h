@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one frame leaves for the next.
+// State that one frame passes to the next.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace reorient {
 
-/// Beside this, each module has a memory of its own: the filters, the room, the arbiter (whose last() says what is
-/// paused), the machines. Until a stage replaces a value, it is that of the frame before.
+/// In addition, each module has its own memory: the filters, the room, the arbiter (whose last() contains what is
+/// paused), the machines. Until a stage replaces a value, it is that of the previous frame.
 struct Carried {
   WorldTracker world;
   std::optional<Pose2> odometry{};  ///< dead reckoning, as observed; nothing before the first frame

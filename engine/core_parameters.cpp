@@ -12,7 +12,7 @@ namespace {
 
 double half_diagonal(const FieldDimensions& field) { return 0.5 * pinned::hypot(field.length, field.width); }
 
-/// The wall stands as far beyond the field's corners, in proportion, and its tiles at the same angles above the eyes.
+/// Scales the wall's distance with the field's corners; its tiles are at the same angles above the eyes.
 void fit_wall(double distance, double eye, double usual_eye, WallParameters& wall) {
   const auto raised = [&](double height) {
     return height + (eye - usual_eye) + (height - usual_eye) * (distance - 1.0);
@@ -33,12 +33,12 @@ CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody
   fit_wall(half_diagonal(field) / half_diagonal(usual_field), eye, usual_eye, parameters.room.wall);
   ViewParameters& views = parameters.room.views;
   views.reach = std::min(views.reach, body.neck.yaw);
-  constexpr double kWidest = 1.57;  // rad, of the parameter
+  constexpr double kWidest = 1.57;  // rad, upper limit of the parameter
   views.half_width *= body.upper_camera.field_of_view_horizontal / usual_body.upper_camera.field_of_view_horizontal;
   views.half_width = std::min(views.half_width, kWidest);
 
-  // Lines are looked for as far away as they are equally many pixels wide, what stands upright as far away as its place
-  // on the ground is equally sure.
+  // The range of lines keeps their width in pixels; the range of upright objects keeps the uncertainty of their
+  // position on the ground.
   const auto field_of_view = [](const RobotBody& one) { return one.upper_camera.field_of_view_horizontal; };
   const double line = std::sqrt(height * (field.line_width / usual_field.line_width) *
                                 (field_of_view(usual_body) / field_of_view(body)));

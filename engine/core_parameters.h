@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of everything below the scripts, in one place, changed live through the registry.
+// All parameters of the engine except those of scripts; the registry changes them live.
 #pragma once
 
 #include "engine/world/arbiter.h"
@@ -32,11 +32,11 @@ struct CoreParameters {
   ArbiterParameters arbiter;
 };
 
-/// The defaults, which were chosen for a NAO on the Standard Platform League's field, as they suit this body on this
-/// field: what has to do with how far it can see and turn, and with how far away the room is, follows from both.
+/// The defaults, chosen for a NAO on the Standard Platform League's field, adapted to this body and this
+/// field: ranges of sight and neck, and the distance of the room, are computed from both.
 CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody& body);
 
-/// Declares every number of `parameters` in the registry, which changes them in place: both must live equally long.
+/// Declares all `parameters` in the registry, which changes them in place: they must outlive it.
 void declare(CoreParameters& parameters, ParameterRegistry& registry);
 
 }  // namespace reorient

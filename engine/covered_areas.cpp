@@ -12,7 +12,7 @@ void collect_covered(const FieldPercept& percept, std::vector<CoveredArea>& cove
   }
   for (const GoalPost& post : percept.goal_posts) {
     const auto [left, right] = std::minmax(post.base.x(), post.top.x());
-    const float half_width = 0.1f * (post.base.y() - post.top.y());  // a post is an eighth as wide as it is high
+    const float half_width = 0.1f * (post.base.y() - post.top.y());  // half width of a post relative to its height
     covered.push_back({static_cast<int>(left - half_width), static_cast<int>(post.top.y()),
                        static_cast<int>(right + half_width), static_cast<int>(post.base.y())});
   }

@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// What stands on the field hides the room behind it: a tile counts only where it is really seen.
+/// Objects on the field hide the room behind them: a tile counts only where it is visible.
 void collect_covered(const FieldPercept& percept, std::vector<CoveredArea>& covered);
 
 }  // namespace reorient

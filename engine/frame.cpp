@@ -40,7 +40,7 @@ FrameLoop::FrameLoop(FrameSetup setup)
   record_.names = behaviors_.host().names().table();
 }
 
-/// Before the modules are made: they begin with the overridden values.
+/// Runs before the modules are constructed, so that they start with the overridden values.
 std::uint64_t FrameLoop::declare_parameters(const std::vector<ParameterChange>& overrides) {
   for (const ParameterChange& change : overrides) registry_.set_early(change);
   declare(parameters_, registry_);
@@ -114,15 +114,15 @@ void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {
     record_.logs.push_back(
         {0, 0, "a set pose undoes a flip: the room that was learned is turned by half a turn", 0, true});
   }
-  // It is newer than the last belief of another localization.
+  // It is newer than the last belief of the external localization.
   if (!has_external_belief) carried_.external.in_use = false;
   localizer_.set_initial_pose(initial.pose, initial.position_deviation, initial.rotation_deviation);
   carried_.world.take_initial_pose();
   if (room_) room_->restart();
 }
 
-/// Half-time: the axes are the team's, so whatever is believed and known gets the coordinates of the reflected place.
-/// A belief of another localization is turned by that itself.
+/// Half-time: the axes are the team's, so belief and room get the coordinates of the reflected pose.
+/// An external localization mirrors its belief itself.
 void FrameLoop::change_sides() {
   carried_.world.change_sides();
   localizer_.flip_pose();
@@ -130,7 +130,7 @@ void FrameLoop::change_sides() {
   if (room_) room_->turn_half();
 }
 
-/// A robot that fell or was carried may stand elsewhere, and what was seen before says nothing any more.
+/// A robot that fell or was lifted may stand elsewhere, so earlier observations are not valid.
 void FrameLoop::follow_posture(const SensedPosture& posture, const BodySample& body) {
   localizer_.feel_gravity(posture.now == Posture::upright, body.acceleration, body.torso, body.time);
   record_.posture_change.reset();
@@ -146,7 +146,7 @@ CameraPercepts FrameLoop::see_field(const Observation& observation) {
   return reorient::see_field(observation, world(), localizer_.bias(), field_vision_, record_.inputs, record_.percepts);
 }
 
-/// A belief that jumps is another belief: what was seen before was compared with the old one.
+/// After a jump of the belief the confidences restart, since they were computed for the old belief.
 void FrameLoop::localize(const Observation& observation, const CameraPercepts& seen) {
   const StageTimer timer(record_, Stage::localization);
   const Pose2 odometry_step = carried_.odometry ? carried_.odometry->inverse() * observation.odometry : Pose2();
@@ -181,7 +181,7 @@ void FrameLoop::describe_room() {
   carried_.world.judge_room(parameters_.room_status);
 }
 
-/// From here on, belief and room are those after the reorientation, if one is granted.
+/// From here, belief and room are those after the granted reorientation, if any.
 Decision FrameLoop::act() {
   const StageTimer timer(record_, Stage::behaviors);
   const Decision decision = decide(world(), record_.inputs.messages, behaviors_, arbiter_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One frame, from the inputs to the answer: the order in which everything happens.
+// One frame from inputs to answer: the order of the stages.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@
 
 namespace reorient {
 
-/// What a run begins with.
+/// Initial configuration of a run.
 struct FrameSetup {
   FieldDimensions field;
   RobotBody body{};
@@ -30,32 +30,32 @@ struct FrameSetup {
   bool room_awareness = true;  ///< false: no view of the room, confidences stay at zero
   ScriptTexts scripts{"the scripts"};
   std::vector<std::string> behaviors;       ///< to be loaded: "orientation", or a file below the scripts' root
-  std::vector<ParameterChange> parameters;  ///< overrides of defaults; names that nobody declares are kept
-  std::optional<SavedModel> model{};        ///< of the room, learned before
+  std::vector<ParameterChange> parameters;  ///< overrides of defaults; undeclared names are stored
+  std::optional<SavedModel> model{};        ///< of the room, learned in an earlier run
 };
 
-/// The engine. Everything that it does follows from its setup and the inputs: the same ones give the same records.
+/// The engine. It is deterministic: the same setup and inputs give the same records.
 class FrameLoop {
  public:
   /// Throws std::runtime_error (of a script: ScriptError, of a model: UnfitModel) with one line.
   explicit FrameLoop(FrameSetup setup);
-  /// Goes on from what save() wrote. Throws BadBytes.
+  /// Continues from the bytes that save() wrote. Throws BadBytes.
   explicit FrameLoop(std::span<const std::byte> state);
   FrameLoop(const FrameLoop&) = delete;
   FrameLoop& operator=(const FrameLoop&) = delete;
 
-  /// One frame. `wanted`: topics that somebody reads beyond those that are always filled. The record is valid until the
+  /// One frame. `wanted`: requested topics besides those that are always filled. The record is valid until the
   /// next call.
   const FrameRecord& step(const FrameInputs& inputs, Topics wanted = {});
 
-  /// Of the last frame, or of none.
+  /// Of the last frame; empty before the first.
   const FrameRecord& record() const { return record_; }
 
-  /// Between two frames: all that decides what comes next, appended as bytes. The frames that follow are the same for
-  /// this loop and for one that is made of the bytes, in whatever process of the same program.
+  /// Appends the whole state between two frames as bytes. The following frames are the same for this loop and for a
+  /// loop that is made from the bytes, in any process of the same program.
   void save(std::vector<std::byte>& state) const;
 
-  // Between frames, for those who list and check.
+  // Between frames, for listing and checking.
   std::vector<Parameter> parameters() const { return registry_.list(); }
   std::vector<const MachineDefinition*> machines() const { return behaviors_.host().definitions(); }
   const ScriptTexts& scripts() const { return behaviors_.host().texts(); }
@@ -87,8 +87,8 @@ class FrameLoop {
   ParameterRegistry registry_;
   CoreParameters parameters_;
   ScriptLimits limits_;
-  std::uint64_t revision_;             ///< of the registry, that the modules have
-  std::uint64_t listed_revision_ = 0;  ///< that the record lists
+  std::uint64_t revision_;             ///< revision of the registry that the modules use
+  std::uint64_t listed_revision_ = 0;  ///< revision that the record lists
 
   RobotBody body_;
   PostureEstimator posture_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that reaches a frame. Nothing else does.
+// All inputs of a frame.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ struct FrameInputs {
   Observation observation;
   std::vector<ParameterChange> parameter_changes;
   std::vector<ScriptEdit> script_edits;  ///< texts, not files
-  ExternalInputs external;               ///< by others than the robot's own software: a person, a scenario
+  ExternalInputs external;               ///< from outside the robot's software: an operator, a scenario
 };
 
 }  // namespace reorient

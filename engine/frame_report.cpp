@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame leaves behind for those who watch: its record, as far as the stages have not filled it already.
+// Fills the parts of a frame's record that the stages have not filled already.
 #include "engine/frame.h"
 #include "engine/stage_timer.h"
 
@@ -18,7 +18,7 @@ void FrameLoop::complete_record(const Observation& observation, const Decision& 
   behaviors_.host().read_published(record_.published);
   const ScriptOutput& said = behaviors_.said();
   record_.transitions.assign(said.transitions.begin(), said.transitions.end());
-  record_.logs.insert(record_.logs.end(), said.logs.begin(), said.logs.end());  // after what people noted
+  record_.logs.insert(record_.logs.end(), said.logs.begin(), said.logs.end());  // after notes of the operator
   record_.faults.assign(said.faults.begin(), said.faults.end());
   record_.commands.assign(decision.arbitration.commands.begin(), decision.arbitration.commands.end());
   record_.begun.assign(decision.arbitration.begun.begin(), decision.arbitration.begun.end());

@@ -5,13 +5,13 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x4565746174537252ull;  // "RrStateE": another layout gets another number
+constexpr std::uint64_t kStateMagic = 0x4565746174537252ull;  // "RrStateE": change it with the layout
 
-/// What a loop is made with, as it would have to be said now. The seed is of no use any more: the random numbers go on.
+/// The setup for a loop with the current values. The seed is unused, because the random numbers continue.
 FrameSetup read_setup(ByteReader& in) {
   std::uint64_t magic = 0;
   in(magic);
-  check_bytes(magic == kStateMagic, "this is no saved state of this version of the program");
+  check_bytes(magic == kStateMagic, "state: not saved by this version of the program");
   FrameSetup setup;
   in(setup.field, setup.body, setup.room_awareness, setup.parameters);
   return setup;
@@ -37,15 +37,16 @@ FrameLoop::FrameLoop(ByteReader&& state) : FrameLoop(read_setup(state)) {
   archive(state, *this);
   behaviors_.host().restore(state);
   state.finish();
-  check_bytes(std::isfinite(world().time) && world().time_step >= 0.0, "a time is not a time");
-  check_bytes(world().pose.pose.position.allFinite() && world().pose.covariance.allFinite(), "a believed pose is none");
+  check_bytes(std::isfinite(world().time) && world().time_step >= 0.0, "state: invalid time");
+  check_bytes(world().pose.pose.position.allFinite() && world().pose.covariance.allFinite(),
+              "state: believed pose: expected finite values");
   record_.names = behaviors_.host().names().table();
 }
 
 FrameLoop::FrameLoop(std::span<const std::byte> state) try : FrameLoop(ByteReader(state)) {
 } catch (const BadBytes&) {
   throw;
-} catch (const std::exception& error) {  // what a setup is refused with
+} catch (const std::exception& error) {  // errors of the setup
   throw BadBytes(error.what());
 }
 

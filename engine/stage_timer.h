@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long each stage of a frame takes, where somebody wants to know.
+// Measures the time of each stage of a frame if requested.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// Adds the time until its end to a stage, where somebody wants to know.
+/// Adds the time of its lifetime to a stage if requested.
 class StageTimer {
  public:
   StageTimer(FrameRecord& record, Stage stage) : record_(record), stage_(stage) {

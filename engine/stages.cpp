@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kUpper = 0, kLower = 1;  // in arrays with one element for each camera
 
-/// The robot's motion from when the image was exposed until now, in its present frame: two cameras are seldom exposed
+/// The robot's motion since the exposure of the image, in its current frame: two cameras are rarely exposed
 /// at the same instant.
 Pose2 moved_since(const CameraFrame& frame, const Observation& observation) {
   return observation.odometry.inverse() * frame.odometry;
@@ -103,7 +103,7 @@ LocalizerInputs localizer_inputs(const Observation& observation, const World& wo
 std::optional<HeadCamera> look_at_room(const Observation& observation, const CameraPercepts& seen, const World& world,
                                        std::vector<CoveredArea>& covered, RoomAwareness& room) {
   if (!observation.upper && !observation.lower) return std::nullopt;
-  // The upper camera sees more of the wall; the lower one is looked through where there is nothing else.
+  // The upper camera sees more of the wall; the lower one is used only without an upper image.
   const bool is_upper = observation.upper.has_value();
   const CameraFrame& frame = is_upper ? *observation.upper : *observation.lower;
   const CameraPercept& camera = seen[is_upper ? kUpper : kLower];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stages of a frame. What each of them reads and writes stands in its signature; FrameLoop::step() calls them in
-// their order.
+// The stages of a frame. The signatures show what each reads and writes; FrameLoop::step() calls them in
+// this order.
 #pragma once
 
 #include <array>
@@ -29,54 +29,54 @@ using FieldVision = std::array<FieldFeatures, 2>;
 using FieldPercepts = std::array<FieldPercept, 2>;
 using CameraPercepts = std::array<CameraPercept, 2>;
 
-/// The body sample of the observation; one without a time was taken with it.
+/// The body sample of the observation; a sample without a time gets the observation's time.
 BodySample latest_sample(const Observation& observation);
 
-/// What the body's own senses say of its posture. `latest`: of the observation. `asked_to_get_up`: by the last answer.
+/// Updates the posture from the body's sensors. `latest`: of the observation. `asked_to_get_up`: by the last answer.
 SensedPosture sense_posture(const Observation& observation, const BodySample& latest, const RobotBody& body,
                             bool asked_to_get_up, const PostureParameters& parameters, PostureEstimator& estimator);
 
-/// Fills in the camera records and the percepts; what is returned refers to `percepts`. `bias`: of the camera's angles.
+/// Fills in the camera records and the percepts; the result refers to `percepts`. `bias`: of the camera's angles.
 CameraPercepts see_field(const Observation& observation, const World& world, const CameraBias& bias,
                          FieldVision& vision, InputRecord& cameras, FieldPercepts& percepts);
 
-/// The belief of another localization where one is given; ours rests then. If none can be read, the last one moves with
-/// the odometry for a while. Nothing: the robot goes by its own localization.
+/// The belief of an external localization if given; ours pauses then. If it cannot be read, the last one moves with
+/// the odometry for some time. Nothing: the robot uses its own localization.
 std::optional<SensedBelief> read_external_belief(const Observation& observation, const World& last,
                                                  const Pose2& odometry_step, const CoreParameters& parameters,
                                                  ExternalBeliefReader& reader, ExternalUse& external);
 
-/// What the own localization uses of this frame. `room`: as the frame before has left it.
+/// Inputs of the own localization in this frame. `room`: after the previous frame.
 LocalizerInputs localizer_inputs(const Observation& observation, const World& world, const Pose2& odometry_step,
                                  const CameraPercepts& seen, const std::optional<RoomAwareness>& room,
                                  const CoreParameters& parameters);
 
-/// Trains the model of the room and compares it with what is seen, as far as the world permits. Returns the camera
-/// through which the room was seen; nothing: there is no image. `covered`: memory that is used again.
+/// Trains the model of the room and compares it with the view, if the world permits. Returns the camera
+/// that was used for the room; nothing: no image. `covered`: reused memory.
 std::optional<HeadCamera> look_at_room(const Observation& observation, const CameraPercepts& seen, const World& world,
                                        std::vector<CoveredArea>& covered, RoomAwareness& room);
 
-/// What behaviors see of the field.
+/// Observations of the field for behaviors.
 SensedField summary_of(const FieldPercepts& percepts, const HeadAngles& head);
 
-/// What the behaviors want, and what of their commands is granted. Refers to the behaviors' and the arbiter's memory.
+/// Requests of the behaviors, and the granted command. Refers to the behaviors' and the arbiter's memory.
 struct Decision {
   const Arbitration& arbitration;
   const BehaviorOutput& wanted;
 };
 Decision decide(const World& world, std::span<const Message> heard, Behaviors& behaviors, Arbiter& arbiter);
 
-/// The particles of the localization in use, or its pose where it has none, appended.
+/// Appends the particles of the localization in use, or its pose if it has no particles.
 void append_poses(const ExternalUse& external, const ExternalBeliefReader& reader, const Localizer& localizer,
                   const Pose2& believed, std::vector<Pose2>& poses);
 
-/// Carries out a granted reorientation on the belief and on what was compared with it. An external localization carries
-/// it out itself, or not; what becomes of its belief, the next observations say.
+/// Applies a granted reorientation to the belief and to the confidences. An external localization applies it
+/// itself, or not; the next observations contain its belief.
 ReorientationRecord apply(const CommandRecord& granted, bool is_external, const PoseClusterParameters& clusters,
                           Localizer& localizer, std::optional<RoomAwareness>& room, RepeatedPose& repeated_pose,
                           WorldTracker& world);
 
-/// What the robot is asked for. `world`: after the reorientation, if there was one.
+/// The requests to the robot. `world`: after a reorientation, if any.
 void fill_answer(const World& world, const Decision& decision, const std::optional<ReorientationRecord>& reorientation,
                  Answer& answer);
 

@@ -29,7 +29,7 @@ int edit_distance(std::string_view left, std::string_view right) {
 
 namespace {
 
-/// The shortest known name that begins with what was wanted: "flip_pose" for "flip".
+/// The shortest known name with this prefix: "flip_pose" for "flip".
 std::optional<std::string> longer_name(std::string_view wanted, std::span<const std::string> known) {
   constexpr std::size_t kShortest = 3;
   if (wanted.size() < kShortest) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<std::string> longer_name(std::string_view wanted, std::span<const 
 }  // namespace
 
 std::optional<std::string> nearest_name(std::string_view wanted, std::span<const std::string> known) {
-  constexpr std::size_t kLongest = 80;  // nobody mistypes more than that
+  constexpr std::size_t kLongest = 80;  // longer texts are not typing errors
   if (wanted.empty() || wanted.size() > kLongest) return std::nullopt;
   constexpr int kFar = std::numeric_limits<int>::max();
   const int tolerated = std::max(1, static_cast<int>(wanted.size()) / 3);
@@ -55,15 +55,15 @@ std::optional<std::string> nearest_name(std::string_view wanted, std::span<const
   };
   for (const std::string& name : known) {
     if (name.size() > kLongest) continue;
-    // As many letters more or fewer, and it cannot be near.
+    // A difference in length is a lower bound of the distance.
     const bool may_be_near = length_difference(name) <= static_cast<std::size_t>(tolerated);
     int distance = may_be_near ? edit_distance(wanted, name) : kFar;
-    // Without its prefix a name is still recognised: "lingering" for "orientation.lingering".
+    // Recognize a name without its prefix: "lingering" for "orientation.lingering".
     const std::size_t dot = name.rfind('.');
     if (dot != std::string::npos && wanted.find('.') == std::string_view::npos) {
       distance = std::min(distance, edit_distance(wanted, std::string_view(name).substr(dot + 1)));
     }
-    // Of two that are equally near, letters were rather exchanged than forgotten.
+    // Of two equally near names, prefer the one of equal length.
     const bool is_better = distance < best_distance || (best != nullptr && distance == best_distance &&
                                                         length_difference(name) < length_difference(*best));
     if (is_better) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// "Did you mean ...?", and what else there is.
+// "Did you mean ...?", and lists of names for messages.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace reorient {
 
-/// How many letters must be inserted, removed, replaced or swapped with their neighbour (Damerau and Levenshtein).
+/// Number of letters to insert, remove, replace or swap with an adjacent letter (Damerau and Levenshtein).
 int edit_distance(std::string_view left, std::string_view right);
 
-/// The known name that looks most like `wanted`, if one is near enough to be a slip of the finger, or begins with it.
+/// The known name nearest to `wanted`, if it is near enough for a typing error or begins with `wanted`.
 std::optional<std::string> nearest_name(std::string_view wanted, std::span<const std::string> known);
 
 /// " (did you mean 'x'?)", or nothing.
 std::string did_you_mean(std::string_view wanted, std::span<const std::string> known);
 
-/// "a, b, c": the first dozen, and that there are more.
+/// "a, b, c, ...": at most the first twelve.
 std::string list_of(std::span<const std::string> names);
 
 }  // namespace reorient

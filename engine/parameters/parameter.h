@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tunable number: its name, what it means, what it may be, and who set it.
+// A parameter: name, description, range, value and origin.
 #pragma once
 
 #include <concepts>
@@ -17,7 +17,7 @@ constexpr int enum_count(ParameterKind) { return 4; }
 /// In the order of ParameterKind; a choice is its name.
 using ParameterValue = std::variant<double, int, bool, std::string>;
 
-/// Who set a value. A later one outranks an earlier one: a file never undoes what the command line says.
+/// Origin of a value. A later one outranks an earlier one: a file never replaces a value of the command line.
 enum class ParameterOrigin { default_value, file, command_line, live };
 constexpr int enum_count(ParameterOrigin) { return 4; }
 
@@ -30,7 +30,7 @@ struct ParameterDeclaration {
   double minimum = 0.0;                ///< of real and whole ones, both ends included
   double maximum = 0.0;
   std::string unit;
-  std::string description;           ///< what it is
+  std::string description;           ///< quantity and effect
   std::vector<std::string> choices;  ///< of a choice
 };
 
@@ -53,34 +53,34 @@ void fields(Visit&& visit, T& parameter) {
   visit(parameter.value, parameter.origin);
 }
 
-/// Somebody wants a value.
+/// A request to set a value.
 struct ParameterChange {
   std::string name;
-  std::string value;  ///< as a person writes it
+  std::string value;  ///< as text
   ParameterOrigin origin = ParameterOrigin::live;
-  std::string source;  ///< where it was written, for messages: "team.toml:12"; may be empty
+  std::string source;  ///< position for messages: "team.toml:12"; may be empty
 };
 template <typename Visit, typename T>
 requires std::same_as<std::remove_const_t<T>, ParameterChange>
 void fields(Visit&& visit, T& change) { visit(change.name, change.value, change.origin, change.source); }
 
-/// What became of such a change.
+/// Result of such a change.
 struct ParameterOutcome {
   std::string name;
-  std::string value;    ///< as it is now; empty where there is no such parameter
-  std::string refusal;  ///< empty: it was taken
+  std::string value;    ///< the current value; empty for an unknown parameter
+  std::string refusal;  ///< empty: the change was accepted
 };
 template <typename Visit, typename T>
 requires std::same_as<std::remove_const_t<T>, ParameterOutcome>
 void fields(Visit&& visit, T& outcome) { visit(outcome.name, outcome.value, outcome.refusal); }
 
-/// As a person writes it, and as parse_parameter() reads it back without loss.
+/// The value as text that parse_parameter() reads back without loss.
 std::string to_text(const ParameterValue& value);
 
 /// Throws std::runtime_error with one line when `text` is not of the parameter's type or outside of its range.
 ParameterValue parse_parameter(const ParameterDeclaration& parameter, std::string_view text);
 
-/// The nearest value that the parameter may have; its default where `text` is not even of its type.
+/// The nearest valid value; the default if `text` is not of the parameter's type.
 ParameterValue clamp_parameter(const ParameterDeclaration& parameter, std::string_view text);
 
 /// "0 to 10 s", "true or false", "hellinger, ssd3".

@@ -11,7 +11,7 @@
 namespace reorient {
 namespace {
 
-/// Throws std::runtime_error, with where the value was written.
+/// Throws std::runtime_error with the source of the value.
 ParameterValue parse_change(const ParameterDeclaration& declaration, const ParameterChange& change) {
   try {
     return parse_parameter(declaration, change.value);
@@ -31,7 +31,8 @@ void ParameterRegistry::assign(Entry& entry, ParameterValue value, ParameterOrig
 
 void ParameterRegistry::declare(ParameterDeclaration declaration, Apply apply) {
   const std::string name = declaration.name;
-  if (entries_.contains(name)) throw std::runtime_error("parameter " + name + " is declared twice; rename one of them");
+  if (entries_.contains(name))
+    throw std::runtime_error("parameter " + name + " is declared twice (rename one of them)");
   ParameterValue value = declaration.default_value;
   ParameterOrigin origin = ParameterOrigin::default_value;
   if (const auto found = overrides_.find(name); found != overrides_.end()) {
@@ -57,7 +58,7 @@ std::vector<std::string> ParameterRegistry::declare_for(const std::string& owner
   for (const ParameterDeclaration& declaration : declarations) {
     if (belongs_to_program(declaration.name)) {
       throw std::runtime_error("parameter " + declaration.name + " of script " + owner +
-                               " already belongs to the program; rename the script or the parameter");
+                               ": name is used by the program (rename the script or the parameter)");
     }
   }
   forget(owner, declarations);
@@ -73,7 +74,7 @@ std::vector<std::string> ParameterRegistry::declare_for(const std::string& owner
       try {
         parse_change(declaration, found->second);
       } catch (const std::runtime_error& error) {
-        warnings.push_back(std::string(error.what()) + "; it is now " + to_text(value));
+        warnings.push_back(std::string(error.what()) + "; clamped to " + to_text(value));
         found->second.value = to_text(value);
       }
     }
@@ -100,7 +101,7 @@ bool ParameterRegistry::belongs_to_program(std::string_view name) const {
 bool ParameterRegistry::set(std::string_view name, std::string_view text, ParameterOrigin origin) {
   const auto found = entries_.find(name);
   if (found == entries_.end()) {
-    throw std::runtime_error("there is no parameter '" + as_line(name) + "'" + did_you_mean(name, names()));
+    throw std::runtime_error("unknown parameter '" + as_line(name) + "'" + did_you_mean(name, names()));
   }
   Entry& entry = found->second;
   ParameterValue value = parse_parameter(entry.parameter, text);
@@ -114,7 +115,7 @@ ParameterOutcome ParameterRegistry::change(const ParameterChange& change) {
   ParameterOutcome outcome{change.name, {}, {}};
   try {
     if (!set(change.name, change.value, change.origin))
-      outcome.refusal = "parameter " + change.name + " keeps its value: a change from '" +
+      outcome.refusal = "parameter " + change.name + " is unchanged: a change from '" +
                         std::string(to_string(change.origin)) + "' does not replace one from '" +
                         std::string(to_string(find(change.name)->origin)) + "'";
   } catch (const std::runtime_error& error) {
@@ -144,7 +145,7 @@ const Parameter* ParameterRegistry::find(std::string_view name) const {
 
 const ParameterValue& ParameterRegistry::value(std::string_view name) const {
   const Parameter* parameter = find(name);
-  if (parameter == nullptr) throw std::runtime_error("there is no parameter '" + as_line(name) + "'");
+  if (parameter == nullptr) throw std::runtime_error("unknown parameter '" + as_line(name) + "'");
   return parameter->value;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every tunable number of the program under one roof: listed, overridden by a file, the command line or live.
+// All parameters of the program: listed, and overridden by a file, the command line or live.
 #pragma once
 
 #include <cstdint>
@@ -20,43 +20,43 @@ class ParameterRegistry {
  public:
   using Apply = std::function<void(const ParameterValue&)>;
 
-  /// Declares every member that `describe(parameters, visit)` visits as "prefix.name"; later changes are written into
-  /// `parameters`, which must live as long as the registry. Throws when a name is taken or an override does not fit.
+  /// Declares every member that `describe(parameters, visit)` visits as "prefix.name" and writes later changes to
+  /// `parameters`, which must outlive the registry. Throws if a name is in use or an override is invalid.
   template <typename Parameters>
   void bind(const std::string& prefix, Parameters& parameters);
 
-  /// `apply` is called with the value at once and with each later one. Throws as bind() does.
+  /// Calls `apply` with the value at once and with each later one. Throws as bind() does.
   void declare(ParameterDeclaration declaration, Apply apply = {});
 
-  /// What one script declares, in place of what it declared before; several scripts may declare one name (a shared
-  /// library's). An override that no longer fits is clamped; returned is one line about each that was.
+  /// Replaces the declarations of one script; several scripts may declare the same name (of a shared
+  /// library). Clamps overrides that are out of range and returns one line about each.
   std::vector<std::string> declare_for(const std::string& owner, const std::vector<ParameterDeclaration>& declarations);
 
   /// Returns false if the value comes from a stronger origin (ParameterOrigin) and stays. Throws std::runtime_error
-  /// with one line: the name is unknown, the text is of a wrong type or out of range.
+  /// with one line if the name is unknown, or the text is of a wrong type or out of range.
   bool set(std::string_view name, std::string_view text, ParameterOrigin origin);
 
-  /// The same as a value: what became of it, with nothing thrown.
+  /// As set(), but returns the result instead of throwing.
   ParameterOutcome change(const ParameterChange& change);
 
-  /// As set(), but a name that nobody has declared yet is kept until somebody does. The message begins with the source.
+  /// As set(), but stores the value of an undeclared name until it is declared. The message begins with the source.
   void set_early(const ParameterChange& change);
 
   const Parameter* find(std::string_view name) const;
   const ParameterValue& value(std::string_view name) const;  ///< throws on an unknown name
   std::vector<Parameter> list() const;                       ///< by name
-  /// All that was set so far, by name, whether or not anybody declares it: set_early() of each makes them hold again.
+  /// All values set so far, by name, including undeclared names: set_early() of each restores them.
   std::vector<ParameterChange> overrides() const;
 
-  /// What `declaration` would get if it were declared now: an override, clamped into its range, or the default.
+  /// The value that `declaration` would get now: an override, clamped to its range, or the default.
   ParameterValue preview(const ParameterDeclaration& declaration) const;
 
-  /// Throws with one line when an override of this name does not fit the declaration.
+  /// Throws with one line if an override of this name does not fit the declaration.
   void check_override(const ParameterDeclaration& declaration) const;
-  /// The program itself declared this name, so that no script can.
+  /// Whether the program itself declared this name, so that no script can.
   bool belongs_to_program(std::string_view name) const;
 
-  /// Changes whenever some value does.
+  /// Changes with each change of a value.
   std::uint64_t revision() const { return revision_; }
 
  private:
@@ -76,7 +76,7 @@ class ParameterRegistry {
   std::uint64_t revision_ = 1;
 };
 
-/// The visitor that describe() is called with.
+/// The visitor for describe().
 struct ParameterRegistry::Binder {
   ParameterRegistry& registry;
   std::string prefix;

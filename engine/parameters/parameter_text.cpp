@@ -31,7 +31,7 @@ std::optional<double> read_any(const ParameterDeclaration& parameter, std::strin
 
 ParameterValue as_value(const ParameterDeclaration& parameter, double number) {
   if (parameter.kind == ParameterKind::integer) return static_cast<int>(number);
-  return number + 0.0;  // TOML reads "-0" as 0: there is one zero
+  return number + 0.0;  // -0 becomes 0, as in TOML
 }
 
 std::optional<bool> read_boolean(std::string_view text) {
@@ -40,9 +40,10 @@ std::optional<bool> read_boolean(std::string_view text) {
   return std::nullopt;
 }
 
-std::runtime_error refusal(const ParameterDeclaration& parameter, std::string_view text, const std::string& why) {
-  return std::runtime_error("parameter " + as_line(parameter.name) + " cannot be '" + as_line(text.substr(0, 60)) +
-                            "': " + why);
+std::runtime_error refusal(const ParameterDeclaration& parameter, std::string_view text, const std::string& expected,
+                           const std::string& hint = "") {
+  return std::runtime_error("parameter " + as_line(parameter.name) + ": invalid value '" + as_line(text.substr(0, 60)) +
+                            "' (" + expected + ")" + hint);
 }
 
 }  // namespace
@@ -87,18 +88,18 @@ std::string range_text(const ParameterDeclaration& parameter) {
 ParameterValue parse_parameter(const ParameterDeclaration& parameter, std::string_view text) {
   if (parameter.kind == ParameterKind::boolean) {
     if (const std::optional<bool> yes = read_boolean(text)) return *yes;
-    throw refusal(parameter, text, "it is true or false");
+    throw refusal(parameter, text, "expected true or false");
   }
   if (parameter.kind == ParameterKind::choice) {
     const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), text);
     if (found != parameter.choices.end()) return *found;
-    throw refusal(parameter, text, "choose one of " + range_text(parameter) + did_you_mean(text, parameter.choices));
+    throw refusal(parameter, text, "expected one of " + range_text(parameter), did_you_mean(text, parameter.choices));
   }
   const std::optional<double> number = read_any(parameter, text);
   const char* kind = parameter.kind == ParameterKind::integer ? "a whole number" : "a number";
-  if (!number) throw refusal(parameter, text, std::string("it is ") + kind + " from " + range_text(parameter));
+  if (!number) throw refusal(parameter, text, std::string("expected ") + kind + " from " + range_text(parameter));
   if (*number < parameter.minimum || *number > parameter.maximum) {
-    throw refusal(parameter, text, "its range is " + range_text(parameter));
+    throw refusal(parameter, text, "expected " + range_text(parameter));
   }
   return as_value(parameter, *number);
 }

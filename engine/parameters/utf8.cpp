@@ -7,8 +7,8 @@
 namespace reorient {
 namespace {
 
-/// Bytes of the letter with which the text begins; 0 where it begins with none: cut short, overlong, a surrogate,
-/// beyond Unicode.
+/// Bytes of the text's first letter; 0 if it is invalid: truncated, overlong, a surrogate,
+/// or outside Unicode.
 std::size_t first_letter(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripts, file names and people may hold any bytes; files that others read may not.
+// Converts arbitrary bytes of scripts, file names and input to valid UTF-8 for output files.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@ namespace reorient {
 
 bool is_utf8(std::string_view text);
 
-/// The text with each byte that is not part of valid UTF-8 written out, as in "\xFF".
+/// The text with each byte that is not valid UTF-8 escaped, as in "\xFF".
 std::string as_utf8(std::string_view text);
 
-/// The same on one line that a terminal shows as it stands: line ends and tabs as blanks, other control characters
-/// written out.
+/// The same on one line for a terminal: line ends and tabs become spaces, other control characters
+/// are escaped.
 std::string as_line(std::string_view text);
 
 /// "\x1B" for each byte.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fingerprint of a run: the same observations, beliefs and commands give the same 64 bits.
+// Digest of a run: the same observations, beliefs and commands give the same 64 bits.
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@
 
 namespace reorient {
 
-/// Eight bytes at a time through a multiply and a shift; not for secrets.
+/// Eight bytes at a time with a multiplication and a shift; not cryptographic.
 class Digest {
  public:
   void add(std::uint64_t word) {

@@ -6,7 +6,7 @@
 namespace reorient {
 namespace {
 
-/// The same pixels in memory of our own, without gaps between the rows.
+/// Copies the pixels to own memory, without gaps between the rows.
 void own(ImageView& view, std::vector<std::uint8_t>& bytes) {
   if (view.empty() || view.data == bytes.data()) return;
   const std::size_t row = 2 * static_cast<std::size_t>(view.width);
@@ -29,7 +29,7 @@ std::string_view to_string(Stage stage) {
     case Stage::room:
       return "room awareness";
     case Stage::behaviors:
-      return "behaviours";
+      return "behaviors";
     case Stage::record:
       return "record";
   }

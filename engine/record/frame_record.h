@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one frame saw, believed, decided, asked for, and what it took: plain data, that every observer reads and none
-// can change. Reused from frame to frame; what is expensive to copy is filled only where an observer wants it
+// Observations, belief, decisions, requests and costs of one frame: plain data that observers read but cannot
+// change. Reused from frame to frame; data that is expensive to copy is filled only if an observer requests it
 // (topics.h).
 #pragma once
 
@@ -40,19 +40,19 @@ void fields(Visit&& visit, T& camera) {
   visit(camera.time, camera.camera, camera.robot_from_camera, camera.width, camera.height);
 }
 
-/// What went in.
+/// The inputs.
 struct InputRecord {
   std::optional<CameraRecord> upper;
   std::optional<CameraRecord> lower;
   BodySample body;
   Pose2 odometry;
-  int body_samples = 0;  ///< how many more frequent samples of the body were used as well
+  int body_samples = 0;  ///< number of additional, more frequent samples of the body
   ReportedPosture reported_posture = ReportedPosture::unknown;
   bool external_belief = false;
-  std::optional<HeadCamera> room_camera;    ///< through which the room was looked at; nothing: through none
-  std::optional<InitialPose> initial_pose;  ///< as it was told
-  std::vector<Message> messages;            ///< of team mates
-  bool half_time = false;                   ///< the teams changed sides before this frame: all of it is in the new axes
+  std::optional<HeadCamera> room_camera;    ///< camera used for the room; nothing: no camera
+  std::optional<InitialPose> initial_pose;  ///< as it was set
+  std::vector<Message> messages;            ///< of teammates
+  bool half_time = false;  ///< the teams changed sides before this frame, so all of it is in the new axes
 };
 template <typename Visit, ConstOr<InputRecord> T>
 void fields(Visit&& visit, T& in) {
@@ -75,24 +75,24 @@ void fields(Visit&& visit, T& record) {
 /// Topic::pose_particles.
 struct PoseParticlesRecord {
   std::vector<Pose2> particles;  ///< at the end of the frame
-  std::vector<Pose2> before;     ///< before this frame's reorientation; empty where there was none
+  std::vector<Pose2> before;     ///< before this frame's reorientation; empty without one
 };
 template <typename Visit, ConstOr<PoseParticlesRecord> T>
 void fields(Visit&& visit, T& record) {
   visit(record.particles, record.before);
 }
 
-/// Topic::room. Empty where room awareness is off.
+/// Topic::room. Empty if room awareness is off.
 struct RoomRecord {
   ModelBasis basis;
   double half_width = 0.0;               ///< rad, of the virtual field of view
   double goal_half_width = 0.0;          ///< rad
-  std::optional<double> center_of_view;  ///< rad, where on the wall the belief looks
+  std::optional<double> center_of_view;  ///< rad, direction on the wall according to the belief
   Light light;
   std::vector<TileModel> model;
   std::vector<PerceivedTile> perceived;
-  std::vector<ViewParticle> particles;  ///< of the view filter; empty where it is a grid
-  std::vector<ViewCell> cells;          ///< of the grid; empty where there are particles
+  std::vector<ViewParticle> particles;  ///< of the view filter; empty if it is a grid
+  std::vector<ViewCell> cells;          ///< of the grid; empty if the filter uses particles
   std::vector<ViewCluster> clusters;
 };
 template <typename Visit, ConstOr<RoomRecord> T>
@@ -101,7 +101,7 @@ void fields(Visit&& visit, T& room) {
         room.particles, room.cells, room.clusters);
 }
 
-/// Topic::images: views of somebody's pixels, valid as long as that robot's frame; or this record's own.
+/// Topic::images: views of the robot's pixels, valid as long as its frame; or of this record's own copy.
 struct ImagesRecord {
   ImageView upper;
   ImageView lower;
@@ -119,7 +119,7 @@ enum class Stage { inputs, field, localization, room, behaviors, record };
 inline constexpr int kStageCount = 6;
 std::string_view to_string(Stage stage);
 
-/// Topic::costs: of this computer, so neither part of a decision nor of a digest.
+/// Topic::costs: depends on the computer, so it is part of neither decisions nor digests.
 struct CostsRecord {
   std::array<double, kStageCount> seconds{};  ///< by stage, in wall-clock time
   std::vector<MachineCost> machines;
@@ -140,7 +140,7 @@ void fields(Visit&& visit, T& change) {
 
 struct FrameRecord {
   Topics filled = Topics::always();
-  std::shared_ptr<const NameTable> names = std::make_shared<NameTable>();  ///< what all NameIds stand for
+  std::shared_ptr<const NameTable> names = std::make_shared<NameTable>();  ///< names of all NameIds
 
   InputRecord inputs;
   World world;
@@ -151,8 +151,8 @@ struct FrameRecord {
   std::vector<NameId> published;  ///< by the active states
 
   std::vector<CommandRecord> commands;
-  std::vector<Lease> leases;  ///< all that are held
-  std::vector<Lease> begun;   ///< those that were not held in the frame before
+  std::vector<Lease> leases;  ///< all active leases
+  std::vector<Lease> begun;   ///< leases that were not held in the previous frame
   std::optional<ReorientationRecord> reorientation;
 
   Answer answer;
@@ -172,8 +172,8 @@ struct FrameRecord {
 
   const std::string& name(NameId id) const { return (*names)[id]; }
 
-  /// Copies the images' pixels into the record, so that it outlives the robot's frame. A copy of a record has to be
-  /// told so itself, while the original is there.
+  /// Copies the images' pixels into the record, so that it outlives the robot's frame. Call it for a copy of a record,
+  /// too, while the original exists.
   void own_images();
 };
 

@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// Written from `view`; read into `own`, of which `view` is then.
+/// Writes from `view`; reads into `own` and makes `view` refer to it.
 template <typename Archive>
 void archive_image(Archive& archive, auto& view, auto& own) {
   std::uint16_t width = static_cast<std::uint16_t>(view.empty() ? 0 : view.width);
@@ -19,7 +19,7 @@ void archive_image(Archive& archive, auto& view, auto& own) {
   const std::size_t row = 2 * std::size_t{width};
   if constexpr (Archive::kReads) {
     check_bytes(width % 2 == 0 && archive.left() / std::max<std::size_t>(row, 1) >= height,
-                "an image is larger than its bytes");
+                "image: larger than its bytes");
     own.resize(row * height);
     archive.raw(own.data(), own.size());
     view = {own.data(), width, height, static_cast<int>(row)};

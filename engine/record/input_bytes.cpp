@@ -9,9 +9,9 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kInputMagic = 0x354E4952;  // "RIN5": another layout gets another number
+constexpr std::uint32_t kInputMagic = 0x354E4952;  // "RIN5": change it with the layout
 
-/// A list that the inputs only look at.
+/// A list that the inputs refer to without owning it.
 template <typename Archive, typename T>
 void archive_view(Archive& archive, auto& view, std::vector<T>& memory) {
   if constexpr (Archive::kReads) {
@@ -23,7 +23,7 @@ void archive_view(Archive& archive, auto& view, std::vector<T>& memory) {
   }
 }
 
-/// Whether a value is there; one that is read is made.
+/// Whether an optional has a value; reading creates the value.
 template <typename Archive>
 bool archive_presence(Archive& archive, auto& value) {
   bool is_there = value.has_value();
@@ -77,7 +77,7 @@ StoredInputs::StoredInputs(std::span<const std::byte> bytes) {
   ByteReader in(bytes);
   std::uint32_t magic = 0;
   in(magic);
-  check_bytes(magic == kInputMagic, "these are no inputs of this version of the program");
+  check_bytes(magic == kInputMagic, "inputs: not written by this version of the program");
   archive_inputs(in, inputs_, memory_);
   in.finish();
 }

@@ -6,7 +6,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kRecordMagic = 0x42465252;  // "RRFB": another number with each change of what a topic holds
+constexpr std::uint32_t kRecordMagic = 0x42465252;  // "RRFB": change it with the content of a topic
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>
@@ -65,11 +65,11 @@ FrameRecord read_record(std::span<const std::byte> bytes) {
   ByteReader reader(bytes);
   std::uint32_t magic = 0;
   reader(magic);
-  if (magic != kRecordMagic) throw BadBytes("these bytes are not a frame's record of this version");
+  if (magic != kRecordMagic) throw BadBytes("record: not written by this version of the program");
   FrameRecord record;
   NameTable names;
   reader(record.filled, names);
-  if (names.names.empty()) throw BadBytes("the table of names is empty");
+  if (names.names.empty()) throw BadBytes("record: table of names is empty");
   record.names = std::make_shared<NameTable>(std::move(names));
   for (const TopicInfo& row : kTopics) {
     if (record.filled.has(row.topic)) visit_topic(reader, row.topic, record);

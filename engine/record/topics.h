@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame's record is made of, one row a topic: the one table that recordings, live views and docs name them by.
+// The topics of a frame's record, one row per topic: the names in recordings, live views and docs.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ enum class Topic {
   commands,
   answer,
   events,
-  // From here on: filled only where somebody wants it.
+  // The following are filled only if an observer requests them.
   images,
   pose_particles,
   room,
@@ -32,25 +32,24 @@ struct TopicInfo {
   Topic topic;
   std::string_view name;
   std::string_view description;
-  bool always = true;        ///< filled in every frame; otherwise only where an observer wants it
+  bool always = true;        ///< filled in every frame; otherwise only if an observer requests it
   bool reproducible = true;  ///< the same for the same inputs, on every computer
 };
 
 inline constexpr std::array<TopicInfo, kTopicCount> kTopics{{
-    {Topic::inputs, "inputs", "what went in: cameras, body, odometry, what was told"},
-    {Topic::world, "world", "what was believed: posture, pose, confidences; what behaviours could read"},
-    {Topic::percepts, "percepts", "what was seen of the field, camera by camera"},
-    {Topic::machines, "machines", "the state of every machine, the changes of state, what states publish"},
-    {Topic::commands, "commands", "what behaviours asked for, each with a verdict; pauses; the reorientation"},
-    {Topic::answer, "answer", "what the robot was asked for"},
+    {Topic::inputs, "inputs", "inputs: cameras, body, odometry, settings from outside"},
+    {Topic::world, "world", "world that behaviors read: posture, pose, confidences"},
+    {Topic::percepts, "percepts", "observations of the field per camera"},
+    {Topic::machines, "machines", "states of all machines, changes of state, published flags"},
+    {Topic::commands, "commands", "commands of behaviors with verdicts; pauses; the reorientation"},
+    {Topic::answer, "answer", "requests to the robot"},
     {Topic::events, "events", "changes of posture, log lines, faults of scripts, reloads, changed parameters"},
     {Topic::images, "images", "the cameras' pixels", false},
     {Topic::pose_particles, "pose_particles", "the pose filter's particles, before a reorientation as well", false},
     {Topic::room, "room", "wall, background model, perceived tiles, the view filter's belief", false},
-    {Topic::conditions, "conditions", "transitions that may be taken: what their conditions said, and for how long",
-     false},
+    {Topic::conditions, "conditions", "possible transitions: results of their conditions, and for how long", false},
     {Topic::parameters, "parameters", "every parameter with its value, range and origin", false},
-    {Topic::costs, "costs", "how long each stage took, and what each script costs", false, false},
+    {Topic::costs, "costs", "computing time of each stage, and cost of each script", false, false},
 }};
 
 constexpr const TopicInfo& info(Topic topic) { return kTopics[static_cast<std::size_t>(topic)]; }

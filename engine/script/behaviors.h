@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The behaviours of a robot in one frame: from the world to what they want.
+// The behaviors of a robot in one frame: from the world to their requests.
 #pragma once
 
 #include <memory>
@@ -17,12 +17,12 @@ namespace reorient {
 
 class Behaviors {
  public:
-  /// References must outlive the behaviours.
+  /// References must outlive the behaviors.
   Behaviors(ScriptTexts texts, ParameterRegistry& parameters, const ScriptLimits& limits = kDefaultLimits)
       : host_(std::move(texts), language_, parameters, limits) {}
 
-  /// Each behaviour sees this world, what the others were when the frame began, and what team mates said since the
-  /// last one.
+  /// Each behavior reads this world, the other behaviors' states at the start of the frame, and the messages of
+  /// teammates since the last frame.
   void tick(const World& world, std::span<const Message> heard = {}) {
     language_.actions().hear(heard);
     values_.clear();
@@ -32,7 +32,7 @@ class Behaviors {
     host_.append_leases(leases_);
   }
 
-  /// Between two frames. The arbiter is the one that judges what these behaviors want: it holds names of theirs.
+  /// Between two frames. The arbiter judges the commands of these behaviors and stores names of theirs.
   std::vector<ReloadRecord> apply(std::span<const ScriptEdit> edits, Arbiter& arbiter) {
     const std::shared_ptr<const NameTable> before = host_.names().table();
     std::vector<ReloadRecord> reloads = host_.apply(edits);
@@ -43,7 +43,7 @@ class Behaviors {
   // Of the last tick.
   const ScriptOutput& said() const { return *said_; }
   const BehaviorOutput& wanted() const { return language_.output(); }
-  std::span<const Lease> leases() const { return leases_; }  ///< all that are held now
+  std::span<const Lease> leases() const { return leases_; }  ///< all active leases
 
   ScriptHost& host() { return host_; }
   const ScriptHost& host() const { return host_; }

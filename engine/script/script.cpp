@@ -23,12 +23,11 @@ int refuse_unknown_global(lua_State* L) {
   }
   std::sort(known.begin(), known.end());
   const std::string hint = did_you_mean(name, known);
-  return luaL_error(L, "there is no '%s'%s", name.c_str(), hint.c_str());
+  return luaL_error(L, "unknown name '%s'%s", name.c_str(), hint.c_str());
 }
 
 int refuse_new_global(lua_State* L) {
-  return luaL_error(L,
-                    "'%s' would be a global variable, which no reload keeps: write 'local %s', or keep { } for memory",
+  return luaL_error(L, "unknown variable '%s': write 'local %s', or keep { } for values that survive a reload",
                     luaL_tolstring(L, 2, nullptr), luaL_tolstring(L, 2, nullptr));
 }
 
@@ -64,7 +63,7 @@ Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage
   hashes_ = nullptr;
   if (!declarations_->machines.empty()) return;
   const std::string word(to_string(language.kind()));
-  throw ScriptError({file, 1, "the script declares nothing: it needs " + word + " \"name\" { ... }", {}});
+  throw ScriptError({file, 1, "missing declaration: expected " + word + " \"name\" { ... }", {}});
 }
 
 void Script::add_globals(const MachineDirectory& directory) {
@@ -110,7 +109,7 @@ std::string_view Script::read(const std::string& file) {
     const std::size_t slash = file.rfind('/');
     const std::string folder = file.substr(0, slash == std::string::npos ? 0 : slash);
     const std::string hint = did_you_mean(file, texts_->in_folder(folder));
-    throw ScriptError({file, 0, "there is no such script below " + texts_->root() + hint, {}});
+    throw ScriptError({file, 0, "script not found in " + texts_->root() + hint, {}});
   }
   if (!found->problem.empty()) throw ScriptError({file, 0, found->problem, {}});
   sources_.apply({file, *found});
@@ -150,11 +149,11 @@ int Script::require(lua_State* L) {
   try {
     const std::optional<std::string> file = module_file(module);
     if (script.is_loaded_) {
-      failure = "require stands at the top of a script, not in its functions";
+      failure = "require is only allowed at the top of a script, not in its functions";
     } else if (!file) {
-      failure = "require takes a name like \"lib.walk\"";
+      failure = "require: expected a name such as \"lib.walk\"";
     } else if (std::find(script.loading_.begin(), script.loading_.end(), *file) != script.loading_.end()) {
-      failure = *file + " requires itself, over others or directly";
+      failure = *file + " requires itself directly or through other files";
     } else {
       script.load_module(*file);
     }
@@ -260,7 +259,7 @@ double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
   const StateDefinition& definition = machine.definition().states[static_cast<std::size_t>(state)];
   throw ScriptError({definition.file,
                      definition.position.line,
-                     "a function for lasting or after must give a number of seconds, 0 or more",
+                     "a function for lasting or after must return a non-negative number of seconds",
                      {},
                      0});
 }
@@ -282,7 +281,7 @@ void Script::run_exit(Machine& machine, int state, int function) {
 
 Script::Memory Script::memory(std::vector<std::string>& left_out) const {
   Memory all;
-  std::size_t bytes = static_cast<std::size_t>(limits_.max_memory) * 1024 / 2;  // the next version has to hold it too
+  std::size_t bytes = static_cast<std::size_t>(limits_.max_memory) * 1024 / 2;  // must fit into the next version, too
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One version of one script: a behaviour or scenario and all that it requires, compiled, declared and validated.
+// One version of one script: a behavior or scenario and its required modules, compiled, declared and validated.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@
 
 namespace reorient {
 
-/// The files of a script as they were read, by name; no hash: there was no such file.
+/// The files of a script as they were read, by name; no hash: the file was missing.
 using BundleHashes = std::map<std::string, std::optional<std::uint64_t>>;
 
 class Script : public MachineCallbacks {
  public:
-  /// Reads, compiles, runs the declarations and validates them. Throws ScriptError. `hashes` gets every file that was
-  /// looked at, also on failure. All references but `texts` and `hashes` must outlive the script.
+  /// Reads, compiles, runs the declarations and validates them. Throws ScriptError. `hashes` gets every file that it
+  /// tried to read, also on failure. All references except `texts` and `hashes` must outlive the script.
   Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
          const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes);
   Script(const Script&) = delete;
@@ -42,9 +42,9 @@ class Script : public MachineCallbacks {
   Sandbox& sandbox() { return sandbox_; }
   const Sandbox& sandbox() const { return sandbox_; }
   const ScriptLimits& limits() const { return limits_; }
-  /// The files that it was made of, as they were.
+  /// The files of the script, as they were read.
   const ScriptTexts& sources() const { return sources_; }
-  /// The fields of each module that it requires and that is a table.
+  /// The fields of each required module that is a table.
   std::map<std::string, std::set<std::string>> module_fields() const;
 
   /// Before the machines tick: the frame's world, changed parameters, a new budget.
@@ -54,11 +54,11 @@ class Script : public MachineCallbacks {
   std::vector<ScriptFault>& exit_faults() { return exit_faults_; }
 
   using Memory = std::map<std::string, KeptTable>;
-  /// The `keep` memory of all its files. `left_out` names what could not be kept.
+  /// The `keep` memory of all its files. `left_out` names values that could not be stored.
   Memory memory(std::vector<std::string>& left_out) const;
-  /// What another version kept, and removed. What is declared here alone keeps its first value.
+  /// Takes over what another version kept and removed. Values declared only here keep their initial value.
   void take_over(const Script& before, std::vector<std::string>& left_out);
-  /// The memory of this same version, which was just loaded: it then holds that and nothing else.
+  /// Replaces the memory of this newly loaded script with the memory of the same version.
   void restore(const Memory& memory);
 
   bool holds(Machine& machine, int state, int function) override;
@@ -89,10 +89,10 @@ class Script : public MachineCallbacks {
   Sandbox sandbox_;
   std::unique_ptr<WorldTables> world_;
   std::unique_ptr<Declarations> declarations_;
-  Memory known_;  ///< what was ever in its memory when it was loaded or took over: of that it knows what it removed
+  Memory known_;  ///< all that was in its memory after loading or taking over, to find what it removed
   std::uint64_t parameter_revision_ = 0;
   std::vector<ScriptFault> exit_faults_;
-  int loaded_ = LUA_NOREF;  ///< table of what was required so far
+  int loaded_ = LUA_NOREF;  ///< table of the modules required so far
   bool is_loaded_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A script that failed, as an exception: thrown by the host's own code once Lua's stack is unwound, never through it.
+// The error of a script as an exception: thrown by the host after Lua's stack is unwound, never through it.
 #pragma once
 
 #include <stdexcept>
@@ -14,7 +14,7 @@ struct ScriptError : std::runtime_error {
   explicit ScriptError(ScriptFault what) : std::runtime_error(what.text()), fault(std::move(what)), all{fault} {}
 
   ScriptFault fault;
-  std::vector<ScriptFault> all;  ///< that one look at the script found, `fault` among them
+  std::vector<ScriptFault> all;  ///< all errors found, including `fault`
 };
 
 }  // namespace reorient

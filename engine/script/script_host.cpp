@@ -29,7 +29,7 @@ void ScriptHost::load(const std::string& name) {
   }
   std::unique_ptr<Script> script = compile(*slot, slot->read);
   for (const ParameterDeclaration& declaration : script->parameters()) {
-    // At the start a setting that does not fit is a mistake to be told; at a reload it is clamped.
+    // At the start an invalid setting is an error; at a reload it is clamped.
     try {
       parameters_.check_override(declaration);
     } catch (const std::runtime_error& error) {
@@ -55,7 +55,7 @@ void ScriptHost::refuse_taken_names(const ScriptSlot& slot, const Script& script
         throw ScriptError(
             {machine.file,
              machine.position.line,
-             "'" + machine.name + "' is declared in " + other->file + " too; rename one of them, or leave one out",
+             "'" + machine.name + "' is also declared in " + other->file + " (rename or omit one of them)",
              {},
              machine.position.column});
       }
@@ -63,18 +63,18 @@ void ScriptHost::refuse_taken_names(const ScriptSlot& slot, const Script& script
   }
   for (const ParameterDeclaration& declaration : script.parameters()) {
     if (!parameters_.belongs_to_program(declaration.name)) continue;
-    throw ScriptError({slot.file, 0, "param " + declaration.name + " already belongs to the program; rename it", {}});
+    throw ScriptError({slot.file, 0, "param " + declaration.name + ": name is used by the program (rename it)", {}});
   }
 }
 
-/// Hands everything that the engine keeps over to another version of the script, which changes places with the present
-/// one. Returns what the user should know.
+/// Passes all data of the engine to another version of the script, which replaces the current
+/// one. Returns warnings.
 std::vector<std::string> ScriptHost::swap_in(ScriptSlot& slot, std::unique_ptr<Script>& script) {
   std::vector<std::string> warnings = parameters_.declare_for(slot.file, script->parameters());
   if (slot.script) {
     std::vector<std::string> left_out;
     script->take_over(*slot.script, left_out);
-    for (const std::string& name : left_out) warnings.push_back("keep: '" + name + "' cannot be kept over a reload");
+    for (const std::string& name : left_out) warnings.push_back("keep: '" + name + "' cannot survive a reload");
   }
   script->intern(names_);
   std::vector<ScriptSlot::Running> machines;
@@ -160,7 +160,7 @@ const ScriptOutput& ScriptHost::tick(double time, std::span<const double> world)
   return output_;
 }
 
-/// A script that was stopped holds nothing; once it is repaired it stands where it stood, and holds what it held.
+/// A stopped script holds no leases; once it is fixed, it resumes its state and its leases.
 void ScriptHost::append_leases(std::vector<Lease>& leases) const {
   for (const auto& slot : slots_) {
     if (slot->stopped) continue;
@@ -187,19 +187,19 @@ void ScriptHost::tick(ScriptSlot& slot, std::span<const double> world) {
   note_faults(slot, std::move(faults));
 }
 
-/// All of one frame and of one version: what it did besides in the frame that ended it does not count against the
-/// version that took over.
+/// Of one frame and one version: errors of a version in its last frame do not count against the
+/// version that replaced it.
 void ScriptHost::note_faults(ScriptSlot& slot, std::vector<ScriptFault> faults) {
   bool has_ended = false;
   for (ScriptFault& fault : faults) {
-    if (fault.file.empty()) fault.file = slot.file;  // where memory is lacking, Lua says no place
+    if (fault.file.empty()) fault.file = slot.file;  // Lua reports no position if memory is exhausted
     const auto consequence = has_ended ? FaultRecord::Consequence::none : count_fault(slot, fault);
     has_ended |= consequence != FaultRecord::Consequence::none;
     output_.faults.push_back({slot.file, std::move(fault), consequence});
   }
 }
 
-/// Too many in a row end this version: the last good one takes over, or the script is stopped.
+/// Too many errors end this version: the last good one takes over, or the script is stopped.
 FaultRecord::Consequence ScriptHost::count_fault(ScriptSlot& slot, const ScriptFault& fault) {
   if (time_ - slot.last_error_at > limits_.error_window) slot.recent_errors = 0;
   ++slot.errors;
@@ -214,7 +214,7 @@ FaultRecord::Consequence ScriptHost::count_fault(ScriptSlot& slot, const ScriptF
   std::unique_ptr<Script> script = std::move(slot.last_good);
   for (const std::string& warning : swap_in(slot, script)) {
     const NameId machine = slot.machines.empty() ? kNoName : slot.machines.front().machine.definition().name_id;
-    output_.logs.push_back({machine, kNoName, "the version before took over: " + warning, 0, false});
+    output_.logs.push_back({machine, kNoName, "the previous version took over: " + warning, 0, false});
   }
   return FaultRecord::Consequence::rolled_back;
 }

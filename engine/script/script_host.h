@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scripts of one kind: loaded, ticked once a frame, reloaded while they run. What survives a reload is kept here.
+// The scripts of one type: loaded, ticked once per frame, reloaded while they run. Stores what survives a reload.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,23 @@
 
 namespace reorient {
 
-/// How a machine stands after a tick.
+/// The status of a machine after a tick.
 struct MachineStatus {
   NameId machine = kNoName;
   NameId state = kNoName;   ///< path
   double entered_at = 0.0;  ///< s
   bool stopped = false;     ///< after too many errors
-  int errors = 0;           ///< of its script, since it was loaded
+  int errors = 0;           ///< of its script since loading
 };
 template <typename Visit, ConstOr<MachineStatus> T>
 void fields(Visit&& visit, T& status) {
   visit(status.machine, status.state, status.entered_at, status.stopped, status.errors);
 }
 
-/// What a machine's script costs: of this computer, so never part of a decision or of a digest.
+/// Cost of a machine's script: depends on the computer, so it is part of neither decisions nor digests.
 struct MachineCost {
   NameId machine = kNoName;
-  double microseconds = 0.0;      ///< in the frame before
+  double microseconds = 0.0;      ///< in the previous frame
   std::int64_t instructions = 0;  ///< per frame on average
   std::uint64_t memory = 0;       ///< bytes
 };
@@ -47,38 +47,38 @@ struct ScriptSlot;
 
 class ScriptHost : public MachineDirectory {
  public:
-  /// All references must outlive the host; changed limits hold for what is loaded from then on. `directory`: whose
-  /// machines scripts see as `behaviors`; nullptr: this host's own.
+  /// All references must outlive the host; changed limits apply to scripts that are loaded later. `directory`: the
+  /// machines that scripts read as `behaviors`; nullptr: this host's own.
   ScriptHost(ScriptTexts texts, ScriptLanguage& language, ParameterRegistry& parameters,
              const ScriptLimits& limits = kDefaultLimits, const MachineDirectory* directory = nullptr);
   ~ScriptHost() override;
   ScriptHost(const ScriptHost&) = delete;
   ScriptHost& operator=(const ScriptHost&) = delete;
 
-  /// "orientation" or "behaviors/orientation.lua". Throws ScriptError; a script that is loaded already is left as it
-  /// is.
+  /// "orientation" or "behaviors/orientation.lua". Throws ScriptError; without effect if the script is already
+  /// loaded.
   void load(const std::string& name);
 
   /// One frame: every machine ticks, in the order of loading. `world`: values in the order of the language's fields.
   /// The output is valid until the next tick.
   const ScriptOutput& tick(double time, std::span<const double> world);
 
-  /// All leases that are held now, appended.
+  /// Appends all active leases.
   void append_leases(std::vector<Lease>& leases) const;
 
-  /// Takes edits over and swaps in every script that they concern and that is right. One report for each such script.
+  /// Applies edits and replaces every affected script that is valid. Reports one result per affected script.
   std::vector<ReloadRecord> apply(std::span<const ScriptEdit> edits);
 
   const ScriptTexts& texts() const { return texts_; }
   const Names& names() const { return names_; }
 
-  /// All that decides what comes next: texts, machines, what scripts keep, errors, versions to fall back to. What a
-  /// script holds in locals is none of it.
+  /// The whole state: texts, machines, kept values, errors, versions to fall back to. Local variables of a script
+  /// are not included.
   void save(ByteWriter& out) const;
-  /// Into a host without scripts, whose parameters have been restored. Throws BadBytes.
+  /// Restores into a host without scripts, whose parameters have been restored. Throws BadBytes.
   void restore(ByteReader& in);
 
-  // Into lists that keep their memory.
+  // Write into lists whose memory is reused.
   void read_status(std::vector<MachineStatus>& all) const;
   void read_costs(std::vector<MachineCost>& all) const;
   void read_conditions(std::vector<OpenCondition>& all) const;
@@ -86,7 +86,7 @@ class ScriptHost : public MachineDirectory {
 
   /// The declared machines, for graphs, checks and coverage.
   std::vector<const MachineDefinition*> definitions() const;
-  /// What each module that was required offers, by its name ("lib.walk").
+  /// The fields of each required module, by its name ("lib.walk").
   std::map<std::string, std::set<std::string>> module_fields() const;
 
   bool look_up(std::string_view name, MachineSight& sight) const override;
@@ -113,7 +113,7 @@ class ScriptHost : public MachineDirectory {
   Names names_;
   std::vector<std::unique_ptr<ScriptSlot>> slots_;
   ScriptOutput output_;
-  std::vector<NameId> published_;  ///< as the frame began
+  std::vector<NameId> published_;  ///< at the start of the frame
   double time_ = 0.0;
 };
 

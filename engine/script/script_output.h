@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts of any kind said in one frame. The names stand in the host's table.
+// The output of scripts in one frame. The names are in the host's table.
 #pragma once
 
 #include <string>
@@ -24,18 +24,18 @@ void fields(Visit&& visit, T& record) {
 }
 
 struct LogRecord {
-  NameId machine = 0;  ///< the empty name: a person
+  NameId machine = 0;  ///< the empty name: the operator
   NameId state = 0;
   std::string text;
   int dropped = 0;       ///< lines after this one in the frame, beyond what a machine may log
-  bool is_note = false;  ///< to be found again by whoever looks at the run later
+  bool is_note = false;  ///< a note, which can be searched for in a recording
 };
 template <typename Visit, ConstOr<LogRecord> T>
 void fields(Visit&& visit, T& record) {
   visit(record.machine, record.state, record.text, record.dropped, record.is_note);
 }
 
-/// A run-time error, and what the host did about it.
+/// A run-time error, and the host's reaction.
 struct FaultRecord {
   enum class Consequence { none, rolled_back, stopped };
   friend constexpr int enum_count(Consequence) { return 3; }
@@ -49,12 +49,12 @@ void fields(Visit&& visit, T& record) {
   visit(record.script, record.fault, record.consequence);
 }
 
-/// What became of an edit.
+/// Result of an edit.
 struct ReloadRecord {
   std::string script;                 ///< file, from the scripts' root
   bool accepted = false;              ///< false: the previous version keeps running
-  ScriptFault fault;                  ///< where it was not accepted
-  std::vector<std::string> warnings;  ///< states that are gone, parameters that were clamped, memory left out
+  ScriptFault fault;                  ///< if it was not accepted
+  std::vector<std::string> warnings;  ///< removed states, clamped parameters, memory that was not kept
 };
 template <typename Visit, ConstOr<ReloadRecord> T>
 void fields(Visit&& visit, T& record) {

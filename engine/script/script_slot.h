@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A script's place in the host.
+// A script in the host.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace reorient {
 
-/// One script's place: its present version, the last good one, and what the engine keeps for it.
+/// One script: its current version, the last good one, and its state in the engine.
 struct ScriptSlot {
   struct Running {
     Machine machine;
-    std::string_view seen_state;  ///< as the frame began
+    std::string_view seen_state;  ///< at the start of the frame
     double seen_entered_at = 0.0;
 
-    /// As the version before was seen when the frame began; its texts go with it. Where its state is gone, as it is
-    /// now.
+    /// The previous version's state at the start of the frame, since its texts are destroyed with it; the current state
+    /// if that state was removed.
     void see_as(const Running& before) {
       const int same = machine.definition().find(std::string(before.seen_state));
       seen_state = same < 0 ? machine.state() : machine.definition().states[static_cast<std::size_t>(same)].path;
@@ -31,7 +31,7 @@ struct ScriptSlot {
 
   std::string file;
   std::unique_ptr<Script> script;
-  std::unique_ptr<Script> last_good;  ///< while the present version is on trial_time
+  std::unique_ptr<Script> last_good;  ///< while the current version is within its trial_time
   BundleHashes read;                  ///< the files as they were last read, accepted or not
   std::vector<Running> machines;
   double swapped_at = 0.0;

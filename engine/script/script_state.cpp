@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The state of the scripts as bytes. Lua's own memory is not in it: a script is compiled anew from the texts that it
-// was made of, and gets back what it keeps.
+// The state of the scripts as bytes. Lua's own memory is not included: a script is compiled again from its texts
+// and gets its kept values back.
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
 #include "engine/script/script_slot.h"
@@ -16,11 +16,11 @@ void archive_counters(Archive& archive, ScriptSlot& slot) {
           slot.stopped, slot.frames, slot.instructions_before);
 }
 
-/// Limits that nobody could have set would let a script run for ever.
+/// Limits outside of their ranges could let a script run forever.
 struct RangeCheck {
   template <typename Number>
   void operator()(const char*, Number& value, Number least, Number most, const char*, const char*) {
-    check_bytes(value >= least && value <= most, "a limit of a script is out of its range");
+    check_bytes(value >= least && value <= most, "script: limit out of range");
   }
 };
 
@@ -55,7 +55,7 @@ void ScriptHost::restore(ByteReader& in) {
 
 void ScriptHost::restore(ScriptSlot& slot, ByteReader& in) {
   archive_counters(in, slot);
-  for (const auto& other : slots_) check_bytes(other->file != slot.file, "a script that is there twice");
+  for (const auto& other : slots_) check_bytes(other->file != slot.file, "script: listed twice");
   slot.script = restored_script(slot, in);
   for (const MachineDefinition& definition : slot.script->machines()) {
     slot.machines.push_back({Machine(definition), {}, 0.0});

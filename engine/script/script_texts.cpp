@@ -14,7 +14,7 @@ void ScriptTexts::apply(const ScriptEdit& edit) {
   if (!edit.text) {
     files_.erase(edit.file);
   } else if (edit.text->text.size() > kLargestScript) {
-    files_[edit.file] = {"", "this script is longer than " + std::to_string(kLargestScript / 1024) + " KiB"};
+    files_[edit.file] = {"", "script is longer than " + std::to_string(kLargestScript / 1024) + " KiB"};
   } else {
     files_[edit.file] = *edit.text;
   }

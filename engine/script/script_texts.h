@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texts of all scripts, as values: whoever runs the engine reads the files, and hands edits in with a frame's
+// The texts of all scripts as values: the caller of the engine reads the files and passes edits with a frame's
 // inputs.
 #pragma once
 
@@ -15,14 +15,14 @@
 
 namespace reorient {
 
-/// Bytes. Lua's parser takes a quadratic time for some texts (thousands of `goto`s), and a reload happens within a
+/// Bytes. Lua's parser takes quadratic time for some texts (thousands of `goto`s), and a reload happens within a
 /// frame.
 inline constexpr std::size_t kLargestScript = 64 * 1024;
 
-/// What a file holds, or why it cannot be used.
+/// The content of a file, or why it cannot be used.
 struct ScriptText {
   std::string text;
-  std::string problem;  ///< empty: none; "this is not a plain file ..."
+  std::string problem;  ///< empty: usable
   bool operator==(const ScriptText&) const = default;
 };
 template <typename Visit, ConstOr<ScriptText> T>
@@ -30,11 +30,11 @@ void fields(Visit&& visit, T& text) {
   visit(text.text, text.problem);
 }
 
-/// A file that was written, or removed.
+/// A file that was written or removed.
 struct ScriptEdit {
   std::string file;                ///< "behaviors/orientation.lua"
-  std::optional<ScriptText> text;  ///< nothing: the file is gone
-  bool again = false;              ///< to be read again even where this is the text that it had
+  std::optional<ScriptText> text;  ///< nothing: the file was removed
+  bool again = false;              ///< reload even if the text is unchanged
 };
 template <typename Visit, ConstOr<ScriptEdit> T>
 void fields(Visit&& visit, T& edit) {
@@ -44,14 +44,14 @@ void fields(Visit&& visit, T& edit) {
 /// Files by their path below the scripts' root, with '/'.
 class ScriptTexts {
  public:
-  /// `root`: how messages call the folder that the texts come from.
+  /// `root`: the name of the texts' folder in messages.
   explicit ScriptTexts(std::string root = "the scripts") : root_(std::move(root)) {}
 
   const std::string& root() const { return root_; }
 
-  /// nullptr: there is no such file.
+  /// nullptr: unknown file.
   const ScriptText* find(const std::string& file) const;
-  /// A text that is longer than kLargestScript is kept as a file that cannot be used.
+  /// A text longer than kLargestScript becomes a file that cannot be used.
   void apply(const ScriptEdit& edit);
 
   /// All files, by name.
@@ -64,7 +64,7 @@ class ScriptTexts {
     archive(self.root_, self.files_);
     if constexpr (Archive::kReads) {
       for (const auto& [file, text] : self.files_)
-        check_bytes(text.text.size() <= kLargestScript, "a script is too long");
+        check_bytes(text.text.size() <= kLargestScript, "script: text is too long");
     }
   }
 
@@ -78,7 +78,7 @@ std::uint64_t content_hash(std::string_view text);
 /// The same of all scripts, with their names.
 std::uint64_t content_hash(const ScriptTexts& texts);
 
-/// "lib.walk" as "lib/walk.lua"; nothing when it is not a name of that kind.
+/// "lib.walk" as "lib/walk.lua"; nothing if it is not a module name.
 std::optional<std::string> module_file(std::string_view module);
 
 /// "behaviors/orientation.lua" from "orientation"; a name that ends in .lua stays as it is.

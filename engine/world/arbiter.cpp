@@ -6,7 +6,7 @@
 namespace reorient {
 namespace {
 
-// As in the state machines: thirty frames of 1/30 s shall be a second.
+// As in the state machines: thirty frames of 1/30 s count as one second.
 constexpr double kTimeTolerance = 1e-6;
 
 bool is_same(const Lease& left, const Lease& right) {
@@ -30,7 +30,7 @@ double Arbiter::cooldown(Reorientation reorientation) const {
   return 0.0;
 }
 
-/// As if there were no other request.
+/// Ignores other requests.
 Verdict Arbiter::judge(const ReorientationRequest& request, const World& world) const {
   if (world.posture == Posture::lifted) return Verdict::not_allowed;
   if (!world.upright() && request.reorientation != Reorientation::reset_orientation) return Verdict::not_allowed;
@@ -63,7 +63,7 @@ const Arbitration& Arbiter::arbitrate(std::span<const ReorientationRequest> requ
   result_.granted.reset();
   result_.commands.clear();
   CommandRecord* winner = nullptr;
-  result_.commands.reserve(requests.size());  // so that the winner stays where it is
+  result_.commands.reserve(requests.size());  // so that the pointer to the winner stays valid
   for (const ReorientationRequest& request : requests) {
     CommandRecord& record = result_.commands.emplace_back(CommandRecord{request, judge(request, world)});
     if (record.verdict != Verdict::granted) continue;

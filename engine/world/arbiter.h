@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may rearrange the belief in this frame? Behaviours ask; the arbiter grants or refuses, each with a verdict.
+// Grants or refuses the commands of behaviors that change the belief in this frame, each with a verdict.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// After a reorientation was granted, the same one is refused for some time: its effect must show first.
+/// After a reorientation was granted, the same one is refused for some time, so that its effect shows first.
 struct ArbiterParameters {
   double flip_cooldown = 3.0;   // s
   double purge_cooldown = 3.0;  // s
@@ -21,18 +21,21 @@ struct ArbiterParameters {
 
 template <typename Visit>
 void describe(ArbiterParameters& p, Visit&& visit) {
-  visit("flip_cooldown", p.flip_cooldown, 0.0, 60.0, "s", "how long after a flip no other flip is granted");
-  visit("purge_cooldown", p.purge_cooldown, 0.0, 60.0, "s", "how long after a purge no other purge is granted");
-  visit("reset_cooldown", p.reset_cooldown, 0.0, 60.0, "s", "how long after a reset no other reset is granted");
+  visit("flip_cooldown", p.flip_cooldown, 0.0, 60.0, "s",
+        "time after a granted flip during which the arbiter refuses further flips");
+  visit("purge_cooldown", p.purge_cooldown, 0.0, 60.0, "s",
+        "time after a granted purge during which the arbiter refuses further purges");
+  visit("reset_cooldown", p.reset_cooldown, 0.0, 60.0, "s",
+        "time after a granted reset during which the arbiter refuses further resets");
 }
 
-/// What holds in this frame.
+/// Result for one frame.
 struct Arbitration {
   std::optional<CommandRecord> granted;  ///< one reorientation at most
-  bool train = true;                     ///< false: somebody holds a lease on pausing the training
+  bool train = true;                     ///< false: a state holds a lease on pausing the training
   bool evaluate = true;
   std::vector<CommandRecord> commands;  ///< one for each request, in their order
-  std::vector<Lease> begun;             ///< leases that were not held in the frame before
+  std::vector<Lease> begun;             ///< leases that were not held in the previous frame
 };
 
 class Arbiter {
@@ -41,16 +44,16 @@ class Arbiter {
 
   void set_parameters(const ArbiterParameters& parameters) { parameters_ = parameters; }
 
-  /// Among the requests that are allowed and not too soon the greatest priority wins, at a tie the first.
-  /// Not allowed: everything while the robot is lifted, since nothing is known of its camera then; a flip and a purge
+  /// Of the requests that are allowed and not too soon, the greatest priority wins, at a tie the first.
+  /// Not allowed: every request while the robot is lifted, since its camera's pose is unknown then; a flip and a purge
   /// also while it falls, lies or gets up. Pausing is always granted. The result is valid until the next call.
   const Arbitration& arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
                                const World& world);
 
-  /// The names of scripts have other numbers from now on; leases that are held stay so.
+  /// Maps held leases to new numbers of names; they remain held.
   void rename(const NameTable& before, const NameTable& now);
 
-  /// The latest one; before the first everything is allowed to happen.
+  /// The latest result; before the first one, training and evaluation are permitted.
   const Arbitration& last() const { return result_; }
 
   template <typename Archive>
@@ -65,7 +68,7 @@ class Arbiter {
 
   ArbiterParameters parameters_;
   std::array<std::optional<double>, 3> granted_at_;  ///< s, per reorientation
-  std::vector<Lease> held_;                          ///< in the frame before
+  std::vector<Lease> held_;                          ///< in the previous frame
   Arbitration result_;
 };
 

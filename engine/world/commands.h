@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands from behaviours to the core (the paper's Section 3.1), and what became of them.
+// Commands from behaviors to the core (the paper's Section 3.1), and the verdicts on them.
 #pragma once
 
 #include <string_view>
@@ -10,17 +10,17 @@
 
 namespace reorient {
 
-/// "flip_pose", "purge_reflection", "reset_orientation": as scripts call them.
+/// "flip_pose", "purge_reflection", "reset_orientation": the names in scripts.
 std::string_view to_string(Reorientation reorientation);
 
-/// What rests as long as the state that asked for it is active.
+/// What stops while the state that requested it is active.
 enum class Pause { training, evaluation };
 constexpr int enum_count(Pause) { return 2; }
 
 /// "pause_training", "pause_evaluation".
 std::string_view to_string(Pause pause);
 
-/// Who asks, and why.
+/// Origin of a request, and its reason.
 struct Issuer {
   NameId machine = 0;
   NameId state = 0;   ///< path, e.g. "watching/doubtful"
@@ -34,14 +34,14 @@ void fields(Visit&& visit, T& issuer) {
 struct ReorientationRequest {
   Reorientation reorientation = Reorientation::flip_pose;
   Issuer issuer;
-  double priority = 0.0;  ///< the behaviour's; the greater wins
+  double priority = 0.0;  ///< of the behavior; the greater wins
 };
 template <typename Visit, ConstOr<ReorientationRequest> T>
 void fields(Visit&& visit, T& request) {
   visit(request.reorientation, request.issuer, request.priority);
 }
 
-/// A pause that holds as long as the state in which it was issued.
+/// A pause that ends with the state in which it was issued.
 struct Lease {
   Pause pause = Pause::training;
   Issuer issuer;
@@ -56,7 +56,7 @@ constexpr int enum_count(Verdict) { return 4; }
 
 std::string_view to_string(Verdict verdict);
 
-/// A request, and what the arbiter said to it in the same frame.
+/// A request and the arbiter's verdict in the same frame.
 struct CommandRecord {
   ReorientationRequest request;
   Verdict verdict = Verdict::granted;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kKnownRotation = 0.6;  // rad, standard deviation
 constexpr double kKnownPosition = 1.5;  // m
-constexpr double kFarthest = 1e3;       // m; farther away is no field
+constexpr double kFarthest = 1e3;       // m; farther away is outside of any field
 
 bool is_pose(const Pose2& pose) {
   return std::isfinite(pose.rotation) && pose.position.allFinite() && pose.position.cwiseAbs().maxCoeff() < kFarthest;
@@ -27,7 +27,7 @@ bool is_covariance(const Eigen::Matrix3d& covariance) {
 ExternalBeliefReader::ExternalBeliefReader(const FieldDimensions& field)
     : half_size_(believable_half_size(field)), clusters_(field) {}
 
-/// False: there is none that weighs anything.
+/// False: no particle has weight.
 bool ExternalBeliefReader::take_particles(std::span<const ExternalBelief::Particle> particles) {
   particles = particles.first(std::min(particles.size(), kMostExternalParticles));
   if (particles_.size() != particles.size()) particles_ = ParticleSet(particles.size());
@@ -82,7 +82,7 @@ PoseBelief expected_after(Reorientation reorientation, const PoseBelief& belief)
     case Reorientation::reset_orientation:
       expected.covariance.row(2).setZero();
       expected.covariance.col(2).setZero();
-      expected.covariance(2, 2) = kPi * kPi / 3.0;  // of any direction
+      expected.covariance(2, 2) = kPi * kPi / 3.0;  // uniform over all directions
       break;
   }
   return expected;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The belief of somebody else's localization, read as ours is: where it is given as particles, their heaviest cluster.
+// Reads the belief of an external localization; of particles it uses the heaviest cluster.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace reorient {
 
-/// Particles beyond this many are left out.
+/// Further particles are ignored.
 inline constexpr std::size_t kMostExternalParticles = 10000;
 
 struct ExternalBeliefParameters {
@@ -23,14 +23,15 @@ struct ExternalBeliefParameters {
 template <typename Visit>
 void describe(ExternalBeliefParameters& p, Visit&& visit) {
   visit("patience", p.patience, 0.0, 60.0, "s",
-        "how long the last belief of another localization moves with the odometry if no belief can be read; then the "
+        "how long the last belief of the external localization moves with the odometry if no belief can be read; then "
+        "the "
         "robot continues with its own localization");
 }
 
-/// Whether the belief of another localization is used: what one frame leaves for the next.
+/// Whether the external localization is in use; passed from frame to frame.
 struct ExternalUse {
-  bool in_use = false;      ///< the belief of the frame before came from there
-  double unread_for = 0.0;  ///< s for which none could be read since then
+  bool in_use = false;      ///< the previous frame used the external belief
+  double unread_for = 0.0;  ///< s without a readable belief since then
 };
 template <typename Visit, ConstOr<ExternalUse> T>
 void fields(Visit&& visit, T& use) {
@@ -41,12 +42,12 @@ class ExternalBeliefReader {
  public:
   explicit ExternalBeliefReader(const FieldDimensions& field);
 
-  /// `last`: what was believed before; where particles are spread over several clusters, its own keeps its place as
-  /// with our pose filter. Nothing: there is no belief, or something in it is not finite, or is negative.
+  /// `last`: the previous belief; among several clusters of particles, its cluster is preferred as in our pose filter.
+  /// Nothing: no belief, or one with values that are not finite or negative.
   std::optional<PoseBelief> read(const std::optional<ExternalBelief>& external, const PoseBelief& last,
                                  const PoseClusterParameters& parameters);
 
-  /// Of what was read last: its particles, or the pose where there were none. Empty: it could not be read.
+  /// Of the last belief: its particles, or the pose if it had none. Empty: it could not be read.
   const std::vector<Pose2>& poses() const { return poses_; }
 
  private:
@@ -58,10 +59,10 @@ class ExternalBeliefReader {
   std::vector<Pose2> poses_;
 };
 
-/// Somebody can act on it: it says which way the robot looks, and more or less where.
+/// Whether the belief is certain enough to act on: direction and approximate position.
 bool is_known(const PoseBelief& belief);
 
-/// What the belief should become once a reorientation was carried out on it.
+/// The expected belief after a reorientation.
 PoseBelief expected_after(Reorientation reorientation, const PoseBelief& belief);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which goal is in view, by the room behind it (the paper's goal views, end of Section 3.4).
+// Recognizes which goal is in view by the room behind it (the paper's goal views, end of Section 3.4).
 #pragma once
 
 #include "localization/pose_belief.h"
@@ -14,8 +14,9 @@ struct GoalViewParameters {
 
 template <typename Visit>
 void describe(GoalViewParameters& p, Visit&& visit) {
-  visit("least", p.least, 0.0, 1.0, "", "share of view particles behind a goal from which it can be told");
-  visit("lead", p.lead, 1.0, 10.0, "", "how many times as many particles one goal must have as the other");
+  visit("least", p.least, 0.0, 1.0, "", "smallest fraction of view particles behind a goal at which it is recognized");
+  visit("lead", p.lead, 1.0, 10.0, "",
+        "smallest ratio of the particles behind the recognized goal to those behind the other goal");
 }
 
 inline SeenGoal seen_goal(const Confidences& confidence, const GoalViewParameters& parameters) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names as small numbers: what a frame records about scripts costs no text.
+// Names as small numbers, so that records contain no text of scripts.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace reorient {
 
-/// A name of a script's: a machine, the path of a state, a reason.
+/// A name in a script: a machine, the path of a state, a reason.
 using NameId = std::uint16_t;
 inline constexpr NameId kNoName = 0;
 inline constexpr NameId kStartName = 1;     ///< the reason of a machine's first state
-inline constexpr NameId kReloadedName = 2;  ///< the reason of a state that a reload led to
+inline constexpr NameId kReloadedName = 2;  ///< the reason of a state that a reload entered
 
-/// What the numbers stand for. Never changed: a script that brings new names makes a new table, in which the old ones
-/// keep their numbers.
+/// The names of the numbers. Immutable: a script with new names creates a new table, in which the old names
+/// have the same numbers.
 struct NameTable {
   std::vector<std::string> names{"", "start", "the script was reloaded"};
 
@@ -43,7 +43,7 @@ void fields(Visit&& visit, T& table) {
 /// The table while it grows.
 class Names {
  public:
-  /// The number of a name, new or known. Where all numbers are taken: 0.
+  /// The number of a name, new or known; 0 if all numbers are in use.
   NameId intern(std::string_view name) {
     if (const std::optional<NameId> known = table_->find(name)) return *known;
     if (size() > kMost) return 0;
@@ -57,9 +57,9 @@ class Names {
   const std::shared_ptr<const NameTable>& table() const { return table_; }
   std::size_t size() const { return table_->names.size(); }
 
-  /// For a script host that makes all names anew: after many edits most are of states that are gone.
+  /// For a script host that renumbers all names: after many edits most belong to removed states.
   void clear() { table_ = std::make_shared<NameTable>(); }
-  static constexpr std::size_t kMany = 8192;  ///< from here on it is worth it
+  static constexpr std::size_t kMany = 8192;  ///< number of names at which to renumber
   static constexpr std::size_t kMost = 65535;
 
   template <typename Archive>
@@ -67,7 +67,7 @@ class Names {
     NameTable table = *self.table_;
     archive(table);
     if constexpr (Archive::kReads) {
-      if (table.names.size() < NameTable().names.size()) throw BadBytes("the table of names is too short");
+      if (table.names.size() < NameTable().names.size()) throw BadBytes("table of names: too short");
       self.table_ = std::make_shared<NameTable>(std::move(table));
     }
   }

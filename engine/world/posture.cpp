@@ -11,13 +11,13 @@
 namespace reorient {
 namespace {
 
-constexpr double kLongestStep = 0.2;    // s; a longer gap says nothing about what happened in it
-constexpr double kClockReset = 1.0;     // s; a time that far back is of a clock that began anew
-constexpr double kUprightAngle = 0.3;   // rad; a robot that stands leans no more than this
-constexpr double kImpactTime = 0.05;    // s, that a knock shakes the gyroscopes
-constexpr double kBiasTime = 5.0;       // s, over which the accelerometer's error is followed
-constexpr double kLessThanLying = 0.1;  // rad; so that a noise does not lift a robot up
-constexpr double kPushedAngle = 0.1;    // rad; a body that sways about its feet tips over no further
+constexpr double kLongestStep = 0.2;    // s; after a longer gap the motion in it is unknown
+constexpr double kClockReset = 1.0;     // s; a time that far back means that the clock was reset
+constexpr double kUprightAngle = 0.3;   // rad; largest tilt of a standing robot
+constexpr double kImpactTime = 0.05;    // s, duration of an impact in the gyroscopes
+constexpr double kBiasTime = 5.0;       // s, time constant of the estimate of the accelerometer's error
+constexpr double kLessThanLying = 0.1;  // rad; hysteresis against noise
+constexpr double kPushedAngle = 0.1;    // rad; largest tilt of a body that sways on its feet
 
 bool is_finite(const BodySample& sample) {
   return std::isfinite(sample.time + sample.torso.roll + sample.torso.pitch + sample.foot_load) &&
@@ -34,7 +34,7 @@ std::string_view to_string(Posture posture) {
 void PostureEstimator::check() const {
   for (const double value : {since_, last_time_, unloaded_for_, loaded_for_, standing_for_, still_for_, tipping_,
                              climbed_, climbing_, bias_}) {
-    check_bytes(std::isfinite(value), "a posture is none");
+    check_bytes(std::isfinite(value), "posture: expected finite values");
   }
 }
 
@@ -48,7 +48,7 @@ void PostureEstimator::become(Posture posture, double time) {
   climbing_ = 0.0;
 }
 
-/// The accelerations along the vertical, summed up twice; what is long ago is forgotten.
+/// Integrates the vertical acceleration twice; old values decay.
 void PostureEstimator::follow_height(const BodySample& sample, double step, const PostureParameters& parameters) {
   const double upward = sample.acceleration.dot(up_in_torso(sample.torso)) - kGravity;
   const double forget = 1.0 - std::min(1.0, step / parameters.lift_memory);
@@ -122,11 +122,11 @@ Posture PostureEstimator::next(double tilt, bool feet_feel, const Hints& hints, 
       return tilt > p.lying_angle - kLessThanLying ? Posture::lying : Posture::getting_up;
     case Posture::getting_up:
       if (lies) return Posture::lying;
-      // Feet carry nothing while a robot gets up; where nobody asked it to, somebody has picked it up.
+      // The feet are unloaded while a robot gets up; without a request to get up, the operator has lifted it.
       if (!hints.gets_up && standing_for_ > p.upright_time && is_lifted) return Posture::lifted;
       return standing_for_ > p.upright_time && carries_itself ? Posture::upright : Posture::getting_up;
     case Posture::lifted:
-      // A robot can be carried in any attitude; it lies only where it has come to rest.
+      // A lifted robot can have any attitude; it lies only after it has come to rest.
       if (lies) return still_for_ > p.still_time ? Posture::lying : Posture::lifted;
       if (feet_feel) {
         if (tipping_ > p.falling_rate && tilt > p.falling_angle) return Posture::falling;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the robot stands, lies or hangs in somebody's hands: from its inertial unit, its feet where they can feel, and
-// what it says itself.
+// The posture of the robot, estimated from its inertial unit, foot sensors if it has them, and the posture that it
+// reports itself.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace reorient {
 
-/// A penalty is none: it often comes with a lift, and is what the referee says, not what the body feels.
+/// A penalty is not a posture: the referee reports it, although it often comes with a lift.
 enum class Posture {
-  upright,     ///< on its feet: only now the camera's pose can be computed from them
+  upright,     ///< on its feet: only then the camera's pose can be computed from them
   falling,     ///< on its way down
   lying,       ///< down
   getting_up,  ///< on its way up, by itself
-  lifted       ///< in somebody's hands
+  lifted       ///< in the operator's hands
 };
 inline constexpr int kPostures = 5;
 constexpr int enum_count(Posture) { return kPostures; }
 
-/// "getting_up": as scripts call it.
+/// "getting_up": the name in scripts.
 std::string_view to_string(Posture posture);
 
 /// Falling, lying or on its way up.
@@ -45,45 +45,49 @@ struct PostureParameters {
 
 template <typename Visit>
 void describe(PostureParameters& p, Visit&& visit) {
-  visit("lying_angle", p.lying_angle, 0.3, 1.5, "rad", "torso tilt beyond which the robot lies");
-  visit("falling_angle", p.falling_angle, 0.1, 1.5, "rad", "torso tilt beyond which an upright robot falls");
+  visit("lying_angle", p.lying_angle, 0.3, 1.5, "rad", "torso tilt above which the robot counts as lying");
+  visit("falling_angle", p.falling_angle, 0.1, 1.5, "rad", "torso tilt above which an upright robot counts as falling");
   visit("falling_rate", p.falling_rate, 0.1, 10.0, "rad/s",
-        "how fast the torso must tip over to count as falling before that angle is reached");
+        "smallest tipping rate of the torso at which the robot counts as falling below falling_angle");
   visit("lifted_load", p.lifted_load, 0.0, 1.0, "",
-        "share of the standing load on both feet below which they carry nothing");
-  visit("lifted_time", p.lifted_time, 0.0, 2.0, "s", "how long a change of the feet's load must last to count");
+        "fraction of the standing load on both feet below which they count as unloaded");
+  visit("lifted_time", p.lifted_time, 0.0, 2.0, "s", "shortest time for which a change of the feet's load must last");
   visit("lifted_height", p.lifted_height, 0.0, 1.0, "m",
-        "by how much the torso must have gone up meanwhile: a robot that falls has unloaded feet, too");
+        "smallest rise of the torso with unloaded feet that counts as a lift; excludes falls");
   visit("unloaded_time", p.unloaded_time, 0.0, 5.0, "s",
-        "unloaded feet for so long are a lift, however the torso moved");
-  visit("upright_time", p.upright_time, 0.0, 5.0, "s", "how long a robot that was down must stand to be upright");
+        "time with unloaded feet that counts as a lift without a rise of the torso");
+  visit("upright_time", p.upright_time, 0.0, 5.0, "s",
+        "time for which a robot that was down must stand to count as upright");
   visit("lift_height", p.lift_height, 0.01, 1.0, "m",
-        "without foot sensors: by how much the torso must have gone up lately to be lifted");
+        "without foot sensors: smallest recent rise of the torso that counts as a lift");
   visit("lift_memory", p.lift_memory, 0.1, 5.0, "s",
-        "without foot sensors: for how long accelerations are summed up to a height");
+        "without foot sensors: time constant of the integration of accelerations to a height");
   visit("still_rate", p.still_rate, 0.01, 2.0, "rad/s",
-        "without foot sensors: a lifted robot that turns no faster than this may have been put down");
+        "without foot sensors: largest rotation rate at which a lifted robot may count as placed on the ground");
   visit("still_acceleration", p.still_acceleration, 0.05, 10.0, "m/s^2",
-        "without foot sensors: and whose acceleration differs from gravity by no more than this");
-  visit("still_time", p.still_time, 0.05, 10.0, "s", "without foot sensors: for how long it must be so still");
+        "without foot sensors: largest difference of acceleration and gravity at which a lifted robot may count as "
+        "placed");
+  visit(
+      "still_time", p.still_time, 0.05, 10.0, "s",
+      "without foot sensors: time below still_rate and still_acceleration after which a lifted robot counts as placed");
 }
 
 class PostureEstimator {
  public:
-  /// What the engine knows beside the body's own senses.
+  /// Knowledge of the engine in addition to the body's sensors.
   struct Hints {
     ReportedPosture reported = ReportedPosture::unknown;
-    bool gets_up = false;  ///< it was asked to
+    bool gets_up = false;  ///< a behavior requested it
   };
 
-  /// One sample of the body; those that are a little out of order, or that hold what is not finite, are
-  /// left out.
+  /// Adds a sample of the body; ignores samples that are slightly out of order or have values that are not
+  /// finite.
   void update(const BodySample& sample, std::optional<double> standing_load, const Hints& hints,
               const PostureParameters& parameters);
 
   Posture posture() const { return posture_; }
-  Posture before() const { return before_; }  ///< the posture before this one
-  double since() const { return since_; }     ///< s, when this one began
+  Posture before() const { return before_; }  ///< previous posture
+  double since() const { return since_; }     ///< s, start of the posture
 
   /// Throws BadBytes.
   template <typename Archive>
@@ -103,14 +107,14 @@ class PostureEstimator {
   Posture posture_ = Posture::upright;
   Posture before_ = Posture::upright;
   double since_ = 0.0;
-  double last_time_ = 0.0;  ///< s, of the sample before
+  double last_time_ = 0.0;  ///< s, of the previous sample
   bool seen_any_ = false;
   double unloaded_for_ = 0.0;  ///< s
   double loaded_for_ = 0.0;    ///< s
-  double standing_for_ = 0.0;  ///< s that the torso has been about upright
+  double standing_for_ = 0.0;  ///< s for which the torso has been nearly upright
   double still_for_ = 0.0;     ///< s
   double tipping_ = 0.0;       ///< rad/s, how fast the tilt grows, smoothed over an impact
-  double climbed_ = 0.0;       ///< m that the torso has gone up lately
+  double climbed_ = 0.0;       ///< m, recent rise of the torso
   double climbing_ = 0.0;      ///< m/s
   double bias_ = 0.0;          ///< m/s^2, of the accelerometer along the vertical
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pose that is set again because the robot has flipped it: a hint that the room was learned mirrored.
+// Detects a pose that is set again after a flip: a sign that the room was learned mirrored.
 #pragma once
 
 #include <cmath>
@@ -17,21 +17,21 @@ struct RepeatedPoseParameters {
 template <typename Visit>
 void describe(RepeatedPoseParameters& p, Visit&& visit) {
   visit("within", p.within, 0.0, 600.0, "s",
-        "a pose that is set, flipped and set again, each within this time of the one before, turns what was learned of "
-        "the room by half a turn; 0: never");
+        "longest time between setting a pose, its flip, and setting it again, after which the learned room is "
+        "rotated by 180 degrees; 0: never");
 }
 
-/// Set poses and flips, in their order. A robot whose room was learned mirrored flips every true pose that is set. One
-/// set pose cannot show this, since a wrong one is what flips are for; a person who sees the flip and sets the pose
-/// again can.
+/// Set poses and flips, in their order. A robot whose room was learned mirrored flips every correct pose that is set.
+/// A single flip does not show this, since it may correct a wrong pose; an operator who sees the flip and sets the pose
+/// again does.
 class RepeatedPose {
  public:
   void note_flip(double time) {
     if (set_at_) flipped_at_ = time;
   }
-  /// The robot was carried or fell: what is set next is another pose.
+  /// The robot was lifted or fell: the next set pose is a different one.
   void forget() { *this = {}; }
-  /// A pose was set while the robot believed `belief`. Whether it undoes the flip of the pose that was set before.
+  /// A pose was set while the robot believed `belief`. Returns whether it undoes the flip of the previous set pose.
   bool note_set(const Pose2& pose, const Pose2& belief, double time, const RepeatedPoseParameters& parameters) {
     const auto is_soon = [&](double from, double to) { return to - from < parameters.within; };
     const bool undoes =
@@ -47,14 +47,14 @@ class RepeatedPose {
     archive(self.set_at_, self.flipped_at_);
     if constexpr (Archive::kReads) {
       for (const std::optional<double>& time : {self.set_at_, self.flipped_at_})
-        check_bytes(!time || std::isfinite(*time), "the time of a set pose is not a number");
-      check_bytes(self.set_at_ || !self.flipped_at_, "a flip of no pose");
+        check_bytes(!time || std::isfinite(*time), "repeated pose: time of a set pose: expected a finite number");
+      check_bytes(self.set_at_ || !self.flipped_at_, "repeated pose: flip without a set pose");
     }
   }
 
  private:
-  /// Nearer to the reflection of `belief` than to `belief`, by direction and, but for what a robot may be off, by
-  /// place: at the center of the field both places are one.
+  /// Whether it is nearer to the reflection of `belief` than to `belief` in direction and, within a tolerance, in
+  /// position: at the center of the field both positions are the same.
   static bool is_opposite(const Pose2& pose, const Pose2& belief) {
     constexpr double kOff = 0.5;  // m
     return std::abs(angle_difference(pose.rotation, belief.rotation)) > 0.5 * kPi &&

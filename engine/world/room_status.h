@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// May the room speak? Whether the confidences can tell the believed pose from its reflection, and if not, why not: said
-// once, for every behaviour.
+// Whether the confidences can distinguish the believed pose from its reflection, and if not, why not: decided here
+// once for all behaviors.
 #pragma once
 
 #include <string_view>
@@ -19,21 +19,22 @@ struct RoomStatusParameters {
 
 template <typename Visit>
 void describe(RoomStatusParameters& p, Visit&& visit) {
-  visit("coverage", p.coverage, 0.0, 1.0, "", "share of the wall that must be learned before the room may speak");
+  visit("coverage", p.coverage, 0.0, 1.0, "", "smallest learned fraction of the wall at which the confidences count");
   visit("distinctiveness", p.distinctiveness, 0.0, 1.0, "",
-        "how much the room must differ from itself turned by half a turn");
+        "smallest difference of the room from itself rotated by 180 degrees at which the confidences count");
   visit("separability", p.separability, 0.0, 1.0, "",
-        "how probable it must be that half a turn changes the room, or the room is called symmetric");
+        "smallest probability that a rotation by 180 degrees changes the room; below it the room counts as symmetric");
   visit("recovery_probability", p.recovery_probability, 0.0, 1.0, "",
-        "beyond this the pose filter counts as lost: then both poses may be wrong");
-  visit("age", p.age, 0.0, 60.0, "s", "how long known tiles must have been in view since the confidences began anew");
+        "recovery probability above which the pose filter counts as lost: then both poses may be wrong");
+  visit("age", p.age, 0.0, 60.0, "s",
+        "shortest time with known tiles in view after a restart of the confidences before they count");
 }
 
-/// The first reason in the order of RoomStatus.
+/// Returns the first reason that applies in the order of RoomStatus.
 RoomStatus room_status(const World& world, const RoomStatusParameters& parameters);
 
-/// Whether the room can tell the believed pose from its reflection: it is known, not symmetric, and being compared.
-/// Whether it has been seen for long enough is a different question (fresh), and so is whether both poses are wrong
+/// Whether the room can distinguish the believed pose from its reflection: learned, not symmetric, and evaluated.
+/// Independent of whether it was seen for long enough (fresh), and of whether both poses are wrong
 /// (lost).
 bool can_tell(RoomStatus status);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the camera looks, by the room alone: a heading for a pose filter that is lost.
+// The camera's direction from the room alone: a heading for a pose filter that is lost.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,15 @@ struct SeenViewParameters {
 
 template <typename Visit>
 void describe(SeenViewParameters& p, Visit&& visit) {
-  visit("share", p.share, 0.5, 1.0, "", "share of the belief of the view that must gather at one place of the wall");
+  visit("share", p.share, 0.5, 1.0, "",
+        "smallest fraction of the view filter's weight that must be near one direction of the wall");
   visit("separability", p.separability, 0.5, 1.0, "",
-        "how probable it must be that the room can tell a pose from its reflection");
+        "smallest probability that the room distinguishes a pose from its reflection");
   visit("deviation", p.deviation, 0.01, 1.0, "rad",
-        "by how much, at least, the view may be off, since the robot may stand far from where it learned the room");
+        "smallest standard deviation of the view, since the robot may stand far from where it learned the room");
 }
 
-/// Of the last frame that the room has seen. `odometry_rotation`: now, rad. Nothing where the room cannot say.
+/// Of the last frame with a view of the room. `odometry_rotation`: current, rad. Nothing if the room is not decisive.
 inline std::optional<SeenView> seen_view(const RoomAwareness& room, double odometry_rotation,
                                          const SeenViewParameters& parameters) {
   const auto clusters = room.view_filter().clusters();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world as behaviours see it: one snapshot a frame, read-only for scripts. SI units, field frame unless said.
+// The world that behaviors read: one snapshot per frame, read-only. SI units and field frame unless noted.
 #pragma once
 
 #include <cstdint>
@@ -18,55 +18,54 @@
 
 namespace reorient {
 
-/// Whether the confidences say something about the believed pose and its reflection (room_status.h).
+/// Whether the confidences are valid for the believed pose and its reflection (room_status.h).
 enum class RoomStatus {
   usable,
   off,        ///< this robot has no room awareness
-  resting,    ///< what is seen is not compared: paused, or the robot is not on its feet
-  unlearned,  ///< too little of the room is known
-  symmetric,  ///< the room looks the same after half a turn
+  resting,    ///< no evaluation: paused, or the robot is not on its feet
+  unlearned,  ///< too little of the room is learned
+  symmetric,  ///< the room looks the same after a rotation by 180 degrees
   lost,       ///< the pose filter is lost: both poses may be wrong
-  fresh       ///< too little was seen since the confidences began anew
+  fresh       ///< too little was seen since the confidences restarted
 };
 inline constexpr int kRoomStatuses = 7;
 constexpr int enum_count(RoomStatus) { return kRoomStatuses; }
 
-/// "usable": as scripts call it.
+/// "usable": the name in scripts.
 std::string_view to_string(RoomStatus status);
 
 struct World {
   double time = 0.0;              ///< s
-  double time_step = 1.0 / 30.0;  ///< s since the frame before
+  double time_step = 1.0 / 30.0;  ///< s since the previous frame
   std::uint64_t frame = 0;
 
   Posture posture = Posture::upright;
-  Posture posture_before = Posture::upright;  ///< the one before the present one
-  double posture_for = 0.0;                   ///< s, how long it has been so
+  Posture posture_before = Posture::upright;  ///< previous posture
+  double posture_for = 0.0;                   ///< s since the posture changed
   RefereeState referee;
-  bool may_walk = true;        ///< as far as the referee says
-  bool sides_changed = false;  ///< the team plays towards the end that was its own at first
-  double time_since_disturbance =
-      0.0;  ///< s since the robot was last anything but upright and in the game; 0 while it is
+  bool may_walk = true;                 ///< permitted by the referee
+  bool sides_changed = false;           ///< the teams have changed sides
+  double time_since_disturbance = 0.0;  ///< s since the robot was last not upright or not in the game; 0 during that
   HeadAngles head;
-  double head_reach = 0.0;  ///< rad that the neck turns to either side
+  double head_reach = 0.0;  ///< rad, largest yaw of the head to either side
   bool can_walk = true;     ///< this body
   bool can_get_up = true;
-  double cruise = 0.0;  ///< m/s at which this body goes far; 0: it does not walk
+  double cruise = 0.0;  ///< m/s, walking speed over long distances; 0: it cannot walk
 
   PoseBelief pose;
-  double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
-  bool pose_tracked = true;           ///< what is seen fits the belief, or its reflection, for seconds
+  double recovery_probability = 0.0;  ///< 0 to 1: how much worse than usual the particles fit the field
+  bool pose_tracked = true;           ///< the observations have fitted the belief or its reflection for seconds
   std::uint64_t body = 0;             ///< digest_of() it
-  CameraBias camera_bias;             ///< by how much the measured angles are wrong, as far as that is known
-  bool pose_known = false;            ///< somebody told where the robot stands, or the filter has found it
+  CameraBias camera_bias;             ///< estimated errors of the measured angles
+  bool pose_known = false;            ///< an initial pose was set, or the filter has found the pose
 
   bool room_awareness = true;
   Confidences confidence;
   InformativeViews views;
   RoomStatus room_status = RoomStatus::resting;
   double trained_seconds =
-      0.0;                ///< s, for which the background model was trained, before this run, too; 0.2 an image at most
-  bool training = false;  ///< in the frame before
+      0.0;                ///< s of training of the background model, including earlier runs; at most 0.2 per image
+  bool training = false;  ///< in the previous frame
   bool evaluating = false;
   int goal_posts = 0;  ///< seen in this frame
   int line_points = 0;
@@ -77,7 +76,7 @@ struct World {
   FieldDimensions field;
 
   bool upright() const { return posture == Posture::upright; }
-  /// Anything else than upright and in the game: the belief may not hold any more.
+  /// Not upright or not in the game: the belief may have become wrong.
   bool disturbed() const { return !upright() || referee.penalized; }
 };
 template <typename Visit, ConstOr<World> T>
@@ -90,7 +89,7 @@ void fields(Visit&& visit, T& world) {
         world.intersections, world.ball, world.ball_distance, world.ball_bearing, world.field);
 }
 
-/// What is worth keeping of the angles for another day; nothing: too little is known.
+/// The errors of the angles to save for later runs; nothing: too uncertain.
 inline std::optional<KnownBias> known_bias(const World& world) {
   constexpr double kSureEnough = from_degrees(0.7);
   const double deviation = world.camera_bias.deviation;  // 0 if it is not learned
@@ -98,7 +97,7 @@ inline std::optional<KnownBias> known_bias(const World& world) {
   return is_known ? std::optional(KnownBias{world.body, world.camera_bias}) : std::nullopt;
 }
 
-/// Of a body on a field, before anything was seen.
+/// Of a body on a field, before the first observation.
 inline World world_of(const FieldDimensions& field, const RobotBody& body) {
   World world;
   world.field = field;

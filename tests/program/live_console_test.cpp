@@ -246,8 +246,7 @@ TEST_F(LiveConsoleTest, TellsWhatDiffersFromTheDefaults) {
 // ---- the world
 
 TEST_F(LiveConsoleTest, ShowsTheWorldAsBehaviorsSeeIt) {
-  EXPECT_EQ(answer("world robot.posture"),
-            "  robot.posture = upright  (how it stands, lies or hangs in somebody's hands)\n");
+  EXPECT_EQ(answer("world robot.posture"), "  robot.posture = upright  (current posture of the robot)\n");
   EXPECT_EQ(answer("world pose.known").substr(0, 22), "  pose.known = false  ");
   EXPECT_EQ(answer("world *.step").substr(0, 24), "  clock.step = 0.033 s  ");
   const std::string pose = answer("world pose.*");

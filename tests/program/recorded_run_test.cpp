@@ -98,7 +98,7 @@ TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
   std::filesystem::remove(scripts / "behaviors" / "wall_gaze.lua");
   const ProgramRun without = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
   EXPECT_EQ(without.code, 2);
-  EXPECT_NE(without.err.find("behaviors/wall_gaze.lua: there is no such script"), std::string::npos) << without.err;
+  EXPECT_NE(without.err.find("behaviors/wall_gaze.lua: script not found"), std::string::npos) << without.err;
 }
 
 TEST_F(RunThatIsRecorded, BecomesTablesAndPicturesOfAnyMoment) {

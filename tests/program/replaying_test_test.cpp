@@ -87,7 +87,7 @@ TEST_F(ReplayingTest, TellsWhatIsWrongInATestAndGoesOn) {
       {"replay(nil)", "string expected"},
       {"replay(\"recordings/recorded_flip.mcap\\0x\")", "no file has such a name"},
       {flip + "advance_to(42)", "this replay is at 42.9"},
-      {flip + "advance_to(0/0)", "a finite number expected"},
+      {flip + "advance_to(0/0)", "finite number expected"},
       {flip + "advance_to(1e300)", "the recording ends at 43.9"},
       {flip + "advance(10)", "the recording ends at 43.9"},
       {flip + "set_world { pose = { x = 1 } }", "the world of a replay is the one that was recorded"},

@@ -14,12 +14,12 @@ namespace {
 constexpr WorldTable kTruth{"truth", "Where the robot really is; only where a simulator or a tracking camera knows."};
 
 constexpr std::array<WorldField, 5> kTruthFields{{
-    {"truth", "x", "m", "towards the opponent goal", WorldField::Type::number, {}},
+    {"truth", "x", "m", "position toward the opponents' goal", WorldField::Type::number, {}},
     {"truth", "y", "m", "to the left", WorldField::Type::number, {}},
     {"truth",
      "rotation",
      "rad",
-     "0 looks towards the opponent goal, positive turns left",
+     "direction: 0 toward the opponents' goal, positive to the left",
      WorldField::Type::number,
      {}},
     {"truth", "fallen", "", "the robot really lies", WorldField::Type::boolean, {}},
@@ -42,7 +42,7 @@ Enum named(std::string_view name, const char* what) {
 Message message_of(std::int64_t sender, std::string_view text) {
   if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("a sender is the number of a player");
   if (text.size() > kLongestMessage)
-    throw std::runtime_error("a message has at most 240 bytes, this one has " + std::to_string(text.size()));
+    throw std::runtime_error("message has " + std::to_string(text.size()) + " bytes (expected at most 240)");
   return {static_cast<int>(sender), std::string(text)};
 }
 
@@ -127,12 +127,11 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
                                 "A random number from low on and below high; the run's seed says which."),
       script_function<&A::succeed>("verdict.succeed", {"text"}, "Ends the run: the robot did right, and why."),
       script_function<&A::fail>("verdict.fail", {"text"}, "Ends the run: the robot did wrong, and why."),
-      script_function<&A::inform>("log.info", {"text"},
-                                  "Writes a line into the run's log, with the time and the state."),
-      script_function<&A::note>("log.note", {"text"},
-                                "The same, marked as a note, to be found again in a recording of the run."),
-      script_function<&A::time_in_state>("time_in_state", {},
-                                         "Seconds since the state was entered whose function asks."),
+      script_function<&A::inform>("log.info", {"text"}, "Writes a line to the run's log, with time and state."),
+      script_function<&A::note>(
+          "log.note", {"text"},
+          "Writes a line to the run's log and marks it as a note, which can be searched for in a recording."),
+      script_function<&A::time_in_state>("time_in_state", {}, "Seconds since the calling state was entered."),
   };
   return functions;
 }
@@ -220,7 +219,7 @@ void write_truth(GroundTruth& truth, std::string_view name, const WorldValue& va
     return;
   }
   const std::string wanted = "truth." + std::string(name);
-  throw std::runtime_error("the world has no " + wanted + did_you_mean(wanted, known));
+  throw std::runtime_error("unknown world field '" + wanted + "'" + did_you_mean(wanted, known));
 }
 
 }  // namespace reorient

@@ -14,37 +14,37 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
   using A = BehaviorActions;
   static const std::vector<ScriptFunction> functions{
       script_function<&A::flip_pose>("command.flip_pose", {},
-                                     "Asks that the belief be turned into its reflection, in this frame."),
-      script_function<&A::purge_reflection>("command.purge_reflection", {},
-                                            "Asks that beliefs in the reflected pose be removed, in this frame."),
+                                     "Requests that the belief be replaced with its reflection in this frame."),
+      script_function<&A::purge_reflection>(
+          "command.purge_reflection", {},
+          "Requests that the particles near the reflected pose be removed in this frame."),
       script_function<&A::reset_orientation>(
           "command.reset_orientation", {},
-          "Asks that the orientation be forgotten and the position kept, in this frame."),
+          "Requests in this frame that the orientation become unknown; the position does not change."),
       script_function<&A::pause_training>(
-          "command.pause_training", {},
-          "Stops the training of the background model until the state that says so is left."),
+          "command.pause_training", {}, "Pauses the training of the background model until the calling state is left."),
       script_function<&A::pause_evaluation>("command.pause_evaluation", {},
-                                            "Stops the evaluation of the room until the state that says so is left."),
+                                            "Pauses the evaluation of the room until the calling state is left."),
       script_function<&A::look>(
           "head.look", {"yaw", "pitch", "speed"},
-          "Turns the head to these angles (rad; to the left, downwards) at a speed (rad/s). Holds for one frame."),
+          "Turns the head to these angles (rad, positive left and downward) at a speed (rad/s). Lasts one frame."),
       script_function<&A::walk_with>("walk.velocity", {"forward", "left", "turn"},
-                                     "Walks with this velocity (m/s, m/s, rad/s to the left). Holds for one frame."),
-      script_function<&A::stand>("walk.stand", {}, "Stands still: a walk request like any other. Holds for one frame."),
-      script_function<&A::get_up>("motion.get_up", {}, "Gets up after a fall. Holds for one frame."),
-      script_function<&A::heard>("team.heard", {}, "How many messages of team mates came with this frame."),
+                                     "Walks with this velocity (m/s, m/s, rad/s to the left). Lasts one frame."),
+      script_function<&A::stand>("walk.stand", {}, "Stands still; counts as a walk request. Lasts one frame."),
+      script_function<&A::get_up>("motion.get_up", {}, "Gets up after a fall. Lasts one frame."),
+      script_function<&A::heard>("team.heard", {}, "Number of messages from teammates in this frame."),
       script_function<&A::sender_of>("team.sender", {"which"},
-                                     "Who sent this one of them, the first being 1: the number of a player."),
-      script_function<&A::text_of>("team.text", {"which"}, "What it says: bytes as they came, at most 240."),
+                                     "Player number of the sender of this message (1 is the first message)."),
+      script_function<&A::text_of>("team.text", {"which"},
+                                   "Text of this message (1 is the first message): unchanged bytes, at most 240."),
       script_function<&A::send>(
           "team.send", {"text"},
-          "Sends a message of at most 240 bytes to the team mates. The team's own program carries it."),
-      script_function<&A::inform>("log.info", {"text"},
-                                  "Writes a line into the run's log, with the time and the state."),
-      script_function<&A::note>("log.note", {"text"},
-                                "The same, marked as a note, to be found again in a recording of the run."),
-      script_function<&A::time_in_state>("time_in_state", {},
-                                         "Seconds since the state was entered whose function asks."),
+          "Sends a message of at most 240 bytes to the teammates. The team's own program transmits it."),
+      script_function<&A::inform>("log.info", {"text"}, "Writes a line to the run's log, with time and state."),
+      script_function<&A::note>(
+          "log.note", {"text"},
+          "Writes a line to the run's log and marks it as a note, which can be searched for in a recording."),
+      script_function<&A::time_in_state>("time_in_state", {}, "Seconds since the calling state was entered."),
   };
   return functions;
 }
@@ -72,7 +72,7 @@ void BehaviorActions::pause(Pause pause) {
 
 void BehaviorActions::look(double yaw, double pitch, std::optional<double> speed) {
   require_acting();
-  if (speed && *speed <= 0.0) throw std::runtime_error("the head's speed is more than 0 rad/s");
+  if (speed && *speed <= 0.0) throw std::runtime_error("head.look: speed must be more than 0 rad/s");
   const double priority = machine().definition().priority;
   if (!(priority > head_priority_)) return;
   head_priority_ = priority;
@@ -98,15 +98,16 @@ void BehaviorActions::get_up() {
 const Message& BehaviorActions::message(std::int64_t which) const {
   if (which >= 1 && which <= static_cast<std::int64_t>(heard_.size()))
     return heard_[static_cast<std::size_t>(which - 1)];
-  throw std::runtime_error("there is no such message: " + std::to_string(heard_.size()) + " came with this frame");
+  throw std::runtime_error("unknown message " + std::to_string(which) + ": this frame has " +
+                           std::to_string(heard_.size()) + (heard_.size() == 1 ? " message" : " messages"));
 }
 
 void BehaviorActions::send(std::string_view text) {
-  constexpr std::size_t kMost = 8;  // of one machine in a frame: one that is out of its mind silences no other
+  constexpr std::size_t kMost = 8;  // per machine and frame, so that a runaway one does not block the others
   require_acting();
   if (text.size() > kLongestMessage)
-    throw std::runtime_error("a message has at most 240 bytes, this one has " + std::to_string(text.size()));
-  if (text.find('\0') != std::string_view::npos) throw std::runtime_error("a message has no byte 0 in it");
+    throw std::runtime_error("message has " + std::to_string(text.size()) + " bytes (expected at most 240)");
+  if (text.find('\0') != std::string_view::npos) throw std::runtime_error("message contains a zero byte");
   if (sender_ != &machine()) sent_ = 0;
   sender_ = &machine();
   if (sent_++ >= kMost) throw std::runtime_error("too many messages in one frame: at most 8");

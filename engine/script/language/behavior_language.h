@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What behaviours can do: the functions behind command, head, walk, motion and team. What they can see: world_fields.h.
+// Functions of behaviors: command, head, walk, motion and team. What behaviors can read: world_fields.h.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@
 
 namespace reorient {
 
-/// What the behaviours want in one frame. The greatest priority has each channel; the first one at a tie.
+/// Requests of the behaviors in one frame. Per channel the greatest priority wins; at a tie the first.
 struct BehaviorOutput {
   std::vector<ReorientationRequest> commands;
   Request request;                    ///< to the robot
-  std::vector<std::string> messages;  ///< to the team mates
+  std::vector<std::string> messages;  ///< to the teammates
 };
 
 class BehaviorActions : public ScriptActions {
  public:
   void begin_frame(ScriptOutput& output, double time) override;
   const BehaviorOutput& output() const { return output_; }
-  /// What comes with the next frame; must outlive it.
+  /// Sets the messages of the next frame, which must outlive it.
   void hear(std::span<const Message> messages) { heard_ = messages; }
 
   // command
@@ -56,8 +56,8 @@ class BehaviorActions : public ScriptActions {
 
   BehaviorOutput output_;
   std::span<const Message> heard_;
-  const Machine* sender_ = nullptr;  ///< that sent the latest message of the frame
-  std::size_t sent_ = 0;             ///< by it
+  const Machine* sender_ = nullptr;  ///< of the latest message of the frame
+  std::size_t sent_ = 0;             ///< messages of this sender in the frame
   double head_priority_ = -std::numeric_limits<double>::infinity();
   double walk_priority_ = -std::numeric_limits<double>::infinity();
 };

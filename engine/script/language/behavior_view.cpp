@@ -11,7 +11,9 @@ const MachineDirectory& directory_of(lua_State* L) {
   return *static_cast<const MachineDirectory*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
 
-int refuse_setting(lua_State* L) { return luaL_error(L, "behaviors are read-only: nobody sets another's state"); }
+int refuse_setting(lua_State* L) {
+  return luaL_error(L, "behaviors is read-only: a script cannot set a behavior's state");
+}
 
 MachineSight look_up(lua_State* L, const char* name) {
   constexpr std::int64_t kPriceOfSearch = 20;
@@ -20,7 +22,7 @@ MachineSight look_up(lua_State* L, const char* name) {
   const MachineDirectory& directory = directory_of(L);
   if (directory.look_up(name, sight)) return sight;
   const std::string hint = did_you_mean(name, directory.machine_names());
-  luaL_error(L, "there is no behavior '%s'%s", name, hint.c_str());
+  luaL_error(L, "unknown behavior '%s'%s", name, hint.c_str());
   return sight;
 }
 
@@ -33,7 +35,7 @@ int read_field(lua_State* L) {
   } else if (key == "time_in_state") {
     lua_pushnumber(L, sight.time_in_state);
   } else {
-    return luaL_error(L, "a behavior has 'state' and 'time_in_state', not '%s'", key.data());
+    return luaL_error(L, "behaviors: unknown field '%s' (expected 'state' or 'time_in_state')", key.data());
   }
   return 1;
 }
@@ -63,9 +65,9 @@ int find_machine(lua_State* L) {
   return 1;
 }
 
-int refuse_publishing(lua_State* L) { return luaL_error(L, "published is read-only: a state publishes"); }
+int refuse_publishing(lua_State* L) { return luaL_error(L, "published is read-only: declare `publishes` in a state"); }
 
-/// Upvalue: the directory. Arguments: `published`, a name. What nobody publishes, or nobody who is loaded, is false.
+/// Upvalue: the directory. Arguments: `published`, a name. A name that no loaded script publishes is false.
 int read_published(lua_State* L) {
   constexpr std::int64_t kPriceOfSearch = 20;
   Sandbox::of(L).charge(kPriceOfSearch);
@@ -80,7 +82,7 @@ int read_published(lua_State* L) {
 void add_behavior_view(lua_State* L, const MachineDirectory& directory) {
   lua_newtable(L);
   lua_createtable(L, 0, 3);
-  // Lua has no pointer to const; the directory is only ever read through it.
+  // Lua has no pointer to const; the directory is only read through it.
   lua_pushlightuserdata(L, const_cast<MachineDirectory*>(&directory));
   lua_newtable(L);
   lua_pushcclosure(L, find_machine, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `behaviors.orientation.state` and `published.pose_is_searched`: how scripts see each other's machines.
+// `behaviors.orientation.state` and `published.pose_is_searched`: scripts read the machines of other scripts.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// A machine as it stood when the frame began, whatever has ticked since.
+/// A machine at the start of the frame, before any machine ticks.
 struct MachineSight {
   std::string_view state;      ///< path
   double time_in_state = 0.0;  ///< s
@@ -19,10 +19,10 @@ struct MachineSight {
 class MachineDirectory {
  public:
   virtual ~MachineDirectory() = default;
-  /// False: there is no such machine.
+  /// False: unknown machine.
   virtual bool look_up(std::string_view name, MachineSight& sight) const = 0;
   virtual std::vector<std::string> machine_names() const = 0;
-  /// Whether a state that publishes this was active when the frame began, in whatever machine.
+  /// Whether a state of any machine that publishes this flag was active at the start of the frame.
   virtual bool is_published(std::string_view flag) const = 0;
 };
 

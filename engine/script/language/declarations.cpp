@@ -22,7 +22,7 @@ struct Place {
   int line = 0;
 };
 
-/// Where the script's function at `level` of the call stack stands.
+/// Position of the script's function at `level` of the call stack.
 Place place_of(lua_State* L, int level) {
   lua_Debug record;
   if (lua_getstack(L, level, &record) == 0 || lua_getinfo(L, "Sl", &record) == 0) return {};
@@ -43,10 +43,10 @@ bool is_name(std::string_view text) {
 }
 
 double raw_number(lua_State* L, int table, int index, const char* what) {
-  if (lua_rawgeti(L, table, index) != LUA_TNUMBER) throw std::runtime_error(std::string(what) + " takes numbers");
+  if (lua_rawgeti(L, table, index) != LUA_TNUMBER) throw std::runtime_error(std::string(what) + ": expected numbers");
   const double number = lua_tonumber(L, -1);
   lua_pop(L, 1);
-  if (!std::isfinite(number)) throw std::runtime_error(std::string(what) + " takes finite numbers");
+  if (!std::isfinite(number)) throw std::runtime_error(std::string(what) + ": expected finite numbers");
   return number;
 }
 
@@ -65,16 +65,16 @@ void check_keys(lua_State* L, int table, const std::vector<std::string>& known) 
     const std::string key = lua_tostring(L, -2);
     bool found = false;
     for (const std::string& name : known) found |= name == key;
-    if (!found) throw std::runtime_error("there is no '" + key + "' here" + did_you_mean(key, known));
+    if (!found) throw std::runtime_error("unknown key '" + key + "'" + did_you_mean(key, known));
   }
 }
 
-/// What parameters of another kind have, and this one would not heed.
+/// Rejects keys of other types of parameters, which would have no effect here.
 void refuse_keys(lua_State* L, int table, const std::string& what, std::initializer_list<const char*> keys) {
   for (const char* const key : keys) {
     const int type = raw_field(L, table, key);
     lua_pop(L, 1);
-    if (type != LUA_TNIL) throw std::runtime_error(what + " and has no " + key);
+    if (type != LUA_TNIL) throw std::runtime_error(what + ": unexpected key '" + key + "'");
   }
 }
 
@@ -85,22 +85,23 @@ void push_value(lua_State* L, const ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) lua_pushlstring(L, text->data(), text->size());
 }
 
-/// What files, a command line and pictures can hold: what is tuned can be saved and loaded again, and states be drawn.
+/// Files, the command line and graphs must be able to contain the text.
 void require_printable(const std::string& text, const std::string& what) {
   const bool is_control =
       std::any_of(text.begin(), text.end(), [](unsigned char letter) { return letter < ' ' || letter == 0x7F; });
-  if (is_control || !is_utf8(text)) throw std::runtime_error(what + " is printable text in UTF-8, without line breaks");
+  if (is_control || !is_utf8(text))
+    throw std::runtime_error(what + ": expected printable UTF-8 text without line breaks");
 }
 
 }  // namespace
 
-/// Runs a member function; a std::exception becomes a Lua error whose message already says where.
+/// Runs a member function; a std::exception becomes a Lua error whose message includes the position.
 template <int (Declarations::*Method)(lua_State*)>
 int Declarations::bound(lua_State* L) {
   auto& self = *static_cast<Declarations*>(lua_touserdata(L, lua_upvalueindex(1)));
   int results = -1;
   try {
-    if (self.closed_) throw std::runtime_error("a script declares itself while it is loaded, not later");
+    if (self.closed_) throw std::runtime_error("declarations are only allowed while a script is loaded");
     results = (self.*Method)(L);
   } catch (const std::exception& error) {
     const std::string text = error.what();
@@ -133,7 +134,7 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
   declaration.unit = as_line(raw_text(L, table, "unit"));
   declaration.description = as_line(raw_text(L, table, "doc"));
   if (declaration.description.empty())
-    throw std::runtime_error("param " + name + " needs a sentence: doc = \"what it is\"");
+    throw std::runtime_error("param " + name + ": missing description: doc = \"what it is\"");
   const int type = lua_rawgeti(L, table, 1);
   if (type == LUA_TBOOLEAN) {
     declaration.kind = ParameterKind::boolean;
@@ -146,20 +147,20 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
     declaration.kind = ParameterKind::choice;
     declaration.default_value = std::string(lua_tostring(L, -1));
     lua_pop(L, 1);
-    refuse_keys(L, table, "param " + name + " begins with a string, so it is a choice", {"range", "integer"});
+    refuse_keys(L, table, "param " + name + " has a string as default, so it is a choice", {"range", "integer"});
     if (raw_field(L, table, "choices") != LUA_TTABLE)
-      throw std::runtime_error("param " + name + " needs choices = { ... }");
+      throw std::runtime_error("param " + name + ": missing choices = { ... }");
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
     for (lua_Integer i = 1; i <= count; ++i) {
-      if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
-        throw std::runtime_error("the choices of param " + name + " must be strings");
+      if (lua_rawgeti(L, -1, i) != LUA_TSTRING) throw std::runtime_error("param " + name + ": choices must be strings");
       declaration.choices.emplace_back(lua_tostring(L, -1));
       lua_pop(L, 1);
     }
     lua_pop(L, 1);
     return declaration;
   }
-  if (type != LUA_TNUMBER) throw std::runtime_error("param " + name + " begins with its default: { 0.5, range = ... }");
+  if (type != LUA_TNUMBER)
+    throw std::runtime_error("param " + name + ": missing default as first element: { 0.5, range = ... }");
   const double number = lua_tonumber(L, -1);
   lua_pop(L, 1);
   refuse_keys(L, table, "param " + name + " is a number", {"choices"});
@@ -167,19 +168,20 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
   const bool whole = lua_toboolean(L, -1) != 0;
   lua_pop(L, 1);
   if (raw_field(L, table, "range") != LUA_TTABLE)
-    throw std::runtime_error("param " + name + " needs range = { least, greatest }");
-  if (lua_rawlen(L, -1) != 2) throw std::runtime_error("the range of param " + name + " is { least, greatest }");
+    throw std::runtime_error("param " + name + ": missing range = { minimum, maximum }");
+  if (lua_rawlen(L, -1) != 2) throw std::runtime_error("param " + name + ": expected range = { minimum, maximum }");
   declaration.minimum = raw_number(L, lua_gettop(L), 1, "range");
   declaration.maximum = raw_number(L, lua_gettop(L), 2, "range");
   lua_pop(L, 1);
-  if (declaration.minimum > declaration.maximum) throw std::runtime_error("the range of param " + name + " is empty");
+  if (declaration.minimum > declaration.maximum) throw std::runtime_error("param " + name + ": range is empty");
   constexpr double kMostWhole = std::numeric_limits<int>::max();
   if (whole &&
       (std::abs(number) > kMostWhole || declaration.maximum > kMostWhole || declaration.minimum < -kMostWhole)) {
-    throw std::runtime_error("param " + name + " is too large for a whole number");
+    throw std::runtime_error("param " + name + ": range is too large for a whole number");
   }
   if (whole) {
-    if (number != std::floor(number)) throw std::runtime_error("the default of param " + name + " is a whole number");
+    if (number != std::floor(number))
+      throw std::runtime_error("param " + name + ": expected a whole number as default");
     declaration.kind = ParameterKind::integer;
     declaration.default_value = static_cast<int>(number);
   } else {
@@ -203,9 +205,9 @@ void Declarations::refuse(const std::string& file, std::vector<DeclarationError>
 
 void Declarations::read_parameter(lua_State* L, const std::string& file) {
   const std::string key = lua_tostring(L, -2);
-  if (!is_name(key)) throw std::runtime_error("'" + key + "' cannot be a param's name: letters, digits and _ only");
+  if (!is_name(key)) throw std::runtime_error("invalid name of a param '" + key + "' (expected letters, digits and _)");
   if (lua_type(L, -1) != LUA_TTABLE)
-    throw std::runtime_error("param " + key + " is a table: { default, range = { 0, 1 }, doc = \"...\" }");
+    throw std::runtime_error("param " + key + ": expected a table { default, range = { 0, 1 }, doc = \"...\" }");
   DeclaredParameter parameter;
   parameter.key = key;
   parameter.declaration = read_parameter_declaration(L, key);
@@ -213,7 +215,7 @@ void Declarations::read_parameter(lua_State* L, const std::string& file) {
   require_printable(stem_of(file), "the name of a script with parameters");
   for (const std::string& choice : parameter.declaration.choices) require_printable(choice, "a choice of param " + key);
   parse_parameter(parameter.declaration,
-                  to_text(parameter.declaration.default_value));  // the default must fit its range
+                  to_text(parameter.declaration.default_value));  // the default must lie within the range
   for (const DeclaredParameter& other : parameters) {
     if (other.declaration.name == parameter.declaration.name) {
       throw std::runtime_error("param " + parameter.declaration.name + " is declared twice");
@@ -229,7 +231,7 @@ int Declarations::param(lua_State* L) {
   const std::size_t first = parameters.size();
   std::vector<DeclarationError> errors;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("each param has a name: param { name = { ... } }");
+    if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("expected named params: param { name = { ... } }");
     const int key = lua_gettop(L) - 1;
     try {
       read_parameter(L, place.file);
@@ -262,8 +264,8 @@ void Declarations::set_value(DeclaredParameter& parameter, const ParameterValue&
 }
 
 int Declarations::keep(lua_State* L) {
-  constexpr std::size_t kMost = 100;  // each is read anew at a reload, also where many are one and the same table
-  if (memories.size() >= kMost) throw std::runtime_error("a script has at most 100 keep { }");
+  constexpr std::size_t kMost = 100;  // each is read again at a reload, even if many are the same table
+  if (memories.size() >= kMost) throw std::runtime_error("too many keep { } (expected at most 100)");
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
   const std::string file = place_of(L, 1).file;
@@ -276,7 +278,8 @@ int Declarations::keep(lua_State* L) {
 
 int Declarations::state(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
-  if (name.empty() || name.find('/') != std::string::npos) throw std::runtime_error("a state needs a name without '/'");
+  if (name.empty() || name.find('/') != std::string::npos)
+    throw std::runtime_error("state: expected a name without '/'");
   require_printable(name, "the name of a state");
   lua_pushlightuserdata(L, this);
   lua_pushvalue(L, 1);
@@ -296,7 +299,7 @@ int Declarations::state_body(lua_State* L) {
 
 int Declarations::machine(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
-  if (!is_name(name)) throw std::runtime_error("'" + name + "' cannot be a name here: letters, digits and _ only");
+  if (!is_name(name)) throw std::runtime_error("invalid name '" + name + "' (expected letters, digits and _)");
   lua_pushlightuserdata(L, this);
   lua_pushvalue(L, 1);
   lua_pushinteger(L, place_of(L, 1).line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words with which a script declares itself: param, keep, state, behavior, scenario.
+// The functions of declarations in scripts: param, keep, state, behavior, scenario.
 #pragma once
 
 #include <deque>
@@ -16,15 +16,15 @@
 
 namespace reorient {
 
-/// A `param` of a script: what was declared, and where its value lies in Lua.
+/// A `param` of a script: its declaration, and where Lua stores its value.
 struct DeclaredParameter {
   ParameterDeclaration declaration;  ///< named "file.name"
   std::string key;                   ///< "name"
   int values = LUA_NOREF;            ///< table in the registry
-  double number = 0.0;               ///< the present value, for dwell times
+  double number = 0.0;               ///< current value, for dwell times
 };
 
-/// A `keep` table, named by the file and its place there.
+/// A `keep` table, named by its file and its position in it.
 struct KeptMemory {
   std::string name;
   int table = LUA_NOREF;
@@ -34,7 +34,7 @@ class Declarations {
  public:
   using Preview = std::function<ParameterValue(const ParameterDeclaration&)>;
 
-  /// `places_of` a loaded file's declarations; `preview`: a parameter's value as it will be.
+  /// `places_of`: positions of a loaded file's declarations; `preview`: the value that a parameter will get.
   Declarations(lua_State* L, bool is_scenario, PlacesOf places_of, Preview preview);
 
   /// From now on, declaring anything is an error.
@@ -44,7 +44,7 @@ class Declarations {
   std::deque<MachineDefinition> machines;
   std::vector<DeclaredParameter> parameters;
   std::vector<KeptMemory> memories;
-  std::vector<ScriptFault> faults;  ///< all that is wrong with the declaration that was refused
+  std::vector<ScriptFault> faults;  ///< all errors of the refused declaration
 
   void set_value(DeclaredParameter& parameter, const ParameterValue& value);
 

@@ -6,8 +6,8 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kBytesPerValue = 64;  // about what Lua needs for one, or for an empty table
-constexpr std::size_t kMostNames = 20;      // of what was left out
+constexpr std::size_t kBytesPerValue = 64;  // approximate memory in Lua of a value or an empty table
+constexpr std::size_t kMostNames = 20;      // of values that were left out
 
 std::string describe_key(lua_State* L, int index) {
   switch (lua_type(L, index)) {
@@ -42,7 +42,7 @@ struct Reader {
   std::size_t& bytes;
   std::vector<std::string>& left_out;
 
-  /// False: there is no room left for a value with so long a text.
+  /// False: a value with a text of this length exceeds the limit.
   bool pay(std::size_t length) {
     const std::size_t price = kBytesPerValue + length;
     if (price > bytes) return false;
@@ -54,9 +54,9 @@ struct Reader {
     return lua_type(L, index) == LUA_TSTRING ? static_cast<std::size_t>(lua_rawlen(L, index)) : 0;
   }
 
-  /// False: the value at the stack's top cannot be kept.
+  /// False: the value on top of the stack cannot be stored.
   bool value(int depth, KeptValue& kept) {
-    // Also a text that stands in many places is paid for in each: what is kept are copies.
+    // A text that occurs several times counts each time, because the stored values are copies.
     if (!pay(length_of(L, -1) + length_of(L, -2))) return false;
     if (lua_type(L, -1) == LUA_TTABLE) {
       if (depth >= KeptValue::kDeepest) return false;
@@ -115,7 +115,7 @@ void push_plain(lua_State* L, const KeptValue& kept) {
 
 bool is_in_list(const KeptKey& key) { return std::holds_alternative<lua_Integer>(key); }
 
-/// Whole numbers come first among the keys.
+/// Whole numbers are the first among the keys.
 bool has_list(const KeptTable& table) { return !table.empty() && is_in_list(table.begin()->first); }
 
 const KeptTable& table_at(const KeptTable& table, const KeptKey& key) {
@@ -148,7 +148,7 @@ unsigned list_types(const KeptTable& kept) {
   return types;
 }
 
-/// Whether the list at `table` gives way to the kept one: not where the script now has a list of other things there.
+/// Whether the stored list replaces the list at `table`: not if the script now has elements of other types there.
 bool takes_list(lua_State* L, int table, const KeptTable& kept, const KeptTable& gone, KeptFor whom) {
   if (!has_list(kept) && !has_list(gone)) return false;
   if (whom == KeptFor::same_version) return true;
@@ -157,7 +157,7 @@ bool takes_list(lua_State* L, int table, const KeptTable& kept, const KeptTable&
   return before == 0 || now == 0 || (before & now) != 0;
 }
 
-/// What is not in the kept list. On the way through a table its fields may be set to nil.
+/// Removes what is not in the stored list. Lua allows setting fields to nil while iterating over a table.
 void shorten_list(lua_State* L, int table, const KeptTable& kept) {
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
     if (lua_isinteger(L, -2) == 0) continue;

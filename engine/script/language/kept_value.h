@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A script's `keep` memory outside of Lua: plain values, so that it survives a reload.
+// A script's `keep` memory outside of Lua: plain values, which survive a reload.
 #pragma once
 
 #include <cstddef>
@@ -21,34 +21,34 @@ using KeptTable = std::map<KeptKey, KeptValue>;
 struct KeptValue {
   std::variant<bool, lua_Integer, double, std::string, KeptTable> value;
 
-  /// Throws BadBytes where tables lie in each other deeper than read_kept() goes.
+  /// Throws BadBytes if tables are nested deeper than read_kept() reads.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    if (archive.depth() > kDeepest) throw BadBytes("what a script keeps is too deep");
+    if (archive.depth() > kDeepest) throw BadBytes("kept value: nested too deeply");
     const typename Archive::Level level(archive);
     archive(self.value);
   }
   static constexpr int kDeepest = 16;
 };
 
-/// The plain values of the table at `index`. What cannot be kept (functions, tables within themselves, more than the
-/// `bytes` that are left, which are reduced) is left out; the first such keys are named in `left_out`.
+/// The plain values of the table at `index`, without those that cannot be stored (functions, recursive tables, more
+/// than the remaining `bytes`, which are reduced); `left_out` names the first such keys.
 KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std::string>& left_out);
 
-/// Of what was known to be in the table at `index`: what is no longer there. A key that is gone has a plain value; a
-/// table that is still there holds what is gone from it.
+/// The part of `known` that is no longer in the table at `index`. A missing key has a plain value; a table that still
+/// exists contains what is missing from it.
 KeptTable gone_from(lua_State* L, int index, const KeptTable& known);
-/// The same, of a table that holds these values.
+/// The same for a table with these values.
 KeptTable gone_from(const KeptTable& values, const KeptTable& known);
 
-/// Adds what is not there yet.
+/// Adds the keys that are missing in `known`.
 void add_kept(KeptTable& known, const KeptTable& more);
 
 enum class KeptFor { another_version, same_version };
 
-/// Writes kept values over the table at `index`, and takes out of it what is gone. Where another version has a value of
-/// another type, that one stays: the script has changed its mind about what it keeps there. What has whole numbers as
-/// keys is a list, which is the kept one or the table's own, never a mixture.
+/// Overwrites the table at `index` with kept values, and removes what is gone. If another version has a value of
+/// another type, that value stays, because the script now stores something else there. A table with whole numbers as
+/// keys is a list: either the kept one or the table's own, never a mixture.
 void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable& gone, KeptFor whom);
 
 }  // namespace reorient

@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kDeepestNesting = 16;
 constexpr std::size_t kMostStates = 1000;
-constexpr std::size_t kMostTransitions = 2000;  // one table can stand in many states, and a few lines make millions
+constexpr std::size_t kMostTransitions = 2000;  // one table can be in many states, so a few lines can make millions
 
-// Keys that no script can write: their addresses.
+// Their addresses are keys that no script can write.
 const char kStateName = 'n';
 const char kStateLine = 'l';
 const char kStateFile = 'f';
@@ -102,11 +102,11 @@ void MachineReader::read_state(int table, int state, SourceLocations::Table& pla
   definition.exit = read_function(table, "exit");
   definition.publishes = read_flag(table);
   const int history = raw_field(lua_, table, "history");
-  if (history != LUA_TNIL && history != LUA_TBOOLEAN) note_at("history", "history is true or false");
+  if (history != LUA_TNIL && history != LUA_TBOOLEAN) note_at("history", "history: expected true or false");
   definition.history = lua_toboolean(lua_, -1) != 0;
   lua_pop(lua_, 1);
   read_common(table, state, place);
-  // `definition` dangles from here on: states are added.
+  // `definition` is invalid from here: states are added.
   const auto count = static_cast<lua_Integer>(lua_rawlen(lua_, table));
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(lua_, table, i);
@@ -116,10 +116,10 @@ void MachineReader::read_state(int table, int state, SourceLocations::Table& pla
   --depth_;
 }
 
-/// What stands in a state's table without a name: states and transitions.
+/// Elements of a state's table without a key: states and transitions.
 void MachineReader::read_item(int item, int state, SourceLocations::Table& place) {
   if (!lua_istable(lua_, item)) {
-    note("here stand states and transitions, not a " + std::string(luaL_typename(lua_, item)));
+    note("expected a state or a transition, found a " + std::string(luaL_typename(lua_, item)));
   } else if (is_state(lua_, item)) {
     read_inner_state(item, state);
   } else {
@@ -154,7 +154,7 @@ void MachineReader::read_inner_state(int item, int parent) {
 }
 
 void MachineReader::read_common(int table, int state, SourceLocations::Table& place) {
-  constexpr const char* kMisread = "common is a list of transitions: common = { { \"target\", when = ... } }";
+  constexpr const char* kMisread = "common: expected a list of transitions: common = { { \"target\", when = ... } }";
   const int type = raw_field(lua_, table, "common");
   const int list = lua_gettop(lua_);
   if (type != LUA_TNIL && type != LUA_TTABLE) note_at("common", kMisread);
@@ -179,7 +179,7 @@ void MachineReader::read_transition(int table, int state, bool common, SourceLoc
   const bool has_target = lua_rawgeti(lua_, table, 1) == LUA_TSTRING;
   if (has_target) transition.target = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
-  if (transition.target.empty()) return note("a transition begins with the name of the state that it leads to");
+  if (transition.target.empty()) return note("transition: expected the name of the target state as first element");
   const std::optional<TextPosition> written = places().transition(place, transition.target, common);
   if (!written) transition.maker = maker_of(table);
   here_.position = written.value_or(place.position);
@@ -194,8 +194,7 @@ void MachineReader::read_transition(int table, int state, bool common, SourceLoc
   here_.position = outside;
 }
 
-/// Lua does not say where a table was made, but where its functions were. Empty: in the file that is being read, or
-/// nobody knows.
+/// Lua knows where functions were defined, but not tables. Empty: the file that is being read, or an unknown one.
 std::string MachineReader::maker_of(int transition) {
   for (const char* const key : {"when", "lasting", "after"}) {
     if (raw_field(lua_, transition, key) != LUA_TFUNCTION) {
@@ -220,10 +219,10 @@ Dwell MachineReader::read_dwell(int table, const char* key) {
     dwell.text = std::string(lua_tostring(lua_, -1)) + " s";
     lua_pop(lua_, 1);
     if (!(dwell.seconds >= 0.0) || !std::isfinite(dwell.seconds))
-      note_at(key, std::string(key) + " is a number of seconds, 0 or more");
+      note_at(key, std::string(key) + ": expected a non-negative number of seconds");
   } else if (type == LUA_TFUNCTION) {
     dwell.kind = Dwell::Kind::function;
-    dwell.text = "what a function says";
+    dwell.text = "the result of a function";
     lua_pushvalue(lua_, -1);
     dwell.index = luaL_ref(lua_, LUA_REGISTRYINDEX);
   } else if (type == LUA_TSTRING) {
@@ -231,16 +230,16 @@ Dwell MachineReader::read_dwell(int table, const char* key) {
     dwell.text = lua_tostring(lua_, -1);
     dwell.index = find_parameter(dwell.text);
     if (dwell.index < 0)
-      note_at(key, "there is no param '" + dwell.text + "'" + did_you_mean(dwell.text, short_names(parameters_)));
+      note_at(key, "unknown param '" + dwell.text + "'" + did_you_mean(dwell.text, short_names(parameters_)));
   } else if (type != LUA_TNIL) {
     note_at(key, std::string(key) +
-                     " is a number of seconds, the name of a param, or a function that says how many seconds");
+                     ": expected a number of seconds, the name of a param, or a function that returns seconds");
   }
   lua_pop(lua_, 1);
   return dwell;
 }
 
-/// -1: there is no such param. Backwards: a file's own come after those of the libraries that it requires.
+/// -1: unknown param. Searches backward: a file's own params come after those of the libraries that it requires.
 int MachineReader::find_parameter(const std::string& name) {
   for (std::size_t i = parameters_.size(); i-- > 0;) {
     if (parameters_[i] == name || short_name(parameters_[i]) == name) return static_cast<int>(i);
@@ -252,7 +251,7 @@ int MachineReader::read_function(int table, const char* key) {
   const int type = raw_field(lua_, table, key);
   if (type == LUA_TFUNCTION) return luaL_ref(lua_, LUA_REGISTRYINDEX);
   lua_pop(lua_, 1);
-  if (type != LUA_TNIL) note_at(key, std::string(key) + " is a function, not a " + lua_typename(lua_, type));
+  if (type != LUA_TNIL) note_at(key, std::string(key) + ": expected a function, found a " + lua_typename(lua_, type));
   return LUA_NOREF;
 }
 
@@ -265,13 +264,13 @@ std::string MachineReader::read_text(int table, const char* key) {
   return text;
 }
 
-/// Others write it behind a dot.
+/// Must be an identifier: scripts write `published.NAME`.
 std::string MachineReader::read_flag(int table) {
   std::string flag = read_text(table, "publishes");
   const auto fits = [](char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
   const bool is_name = std::all_of(flag.begin(), flag.end(), fits) && (flag.empty() || flag[0] > '9');
   if (is_name) return flag;
-  note_at("publishes", "publishes is a name of a-z, 0-9 and _, such as \"pose_is_searched\"");
+  note_at("publishes", "publishes: expected a name of a-z, 0-9 and _, such as \"pose_is_searched\"");
   return {};
 }
 
@@ -280,19 +279,19 @@ double MachineReader::read_priority(int table) {
   const double priority = lua_tonumber(lua_, -1);
   lua_pop(lua_, 1);
   const bool fits = type == LUA_TNIL || (type == LUA_TNUMBER && std::isfinite(priority));
-  if (!fits) note_at("priority", "priority is a finite number");
+  if (!fits) note_at("priority", "priority: expected a finite number");
   return fits ? priority : 0.0;
 }
 
 void MachineReader::read_behaviors(int table) {
   const int type = raw_field(lua_, table, "behaviors");
-  if (type != LUA_TNIL && type != LUA_TTABLE) note_at("behaviors", "behaviors is a list of names");
+  if (type != LUA_TNIL && type != LUA_TTABLE) note_at("behaviors", "behaviors: expected a list of names");
   const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(lua_, -1)) : 0;
   for (lua_Integer i = 1; i <= count; ++i) {
     if (lua_rawgeti(lua_, -1, i) == LUA_TSTRING) {
       machine_.behaviors.emplace_back(lua_tostring(lua_, -1));
     } else {
-      note_at("behaviors", "behaviors is a list of names");
+      note_at("behaviors", "behaviors: expected a list of names");
     }
     lua_pop(lua_, 1);
   }
@@ -306,9 +305,9 @@ void MachineReader::read_setting(int table) {
   const bool fits = lua_isinteger(lua_, -1) != 0 && lua_tointeger(lua_, -1) >= 0;
   if (fits) machine_.setting.hall_seed = static_cast<std::uint64_t>(lua_tointeger(lua_, -1));
   lua_pop(lua_, 1);
-  if (type != LUA_TNIL && !fits) note_at("hall_seed", "hall_seed is a whole number from 0 on");
+  if (type != LUA_TNIL && !fits) note_at("hall_seed", "hall_seed: expected a non-negative whole number");
   if (machine_.setting.hall_seed && !machine_.setting.room.empty())
-    note_at("hall_seed", "a scenario has a room or a hall_seed, not both");
+    note_at("hall_seed", "expected a room or a hall_seed, found both");
 }
 
 void MachineReader::check_keys(int table, std::span<const char* const> known) {
@@ -317,7 +316,7 @@ void MachineReader::check_keys(int table, std::span<const char* const> known) {
     if (lua_type(lua_, -2) != LUA_TSTRING) continue;
     const std::string key = lua_tostring(lua_, -2);
     const bool found = std::find(names.begin(), names.end(), key) != names.end();
-    if (!found) note_at(key, "there is no '" + key + "' here" + did_you_mean(key, names));
+    if (!found) note_at(key, "unknown key '" + key + "'" + did_you_mean(key, names));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the tables of a `behavior` or `scenario` to a MachineDefinition.
+// Converts the tables of a `behavior` or `scenario` to a MachineDefinition.
 #pragma once
 
 #include <map>
@@ -18,27 +18,27 @@ namespace reorient {
 /// Pushes the field of the table at `index`, without metamethods, and returns its type.
 int raw_field(lua_State* L, int index, const char* name);
 
-/// Stack indices of what a state is called and where it is written.
+/// Stack indices of a state's name and position.
 struct StateMark {
   int name = 0;
   int line = 0;
   int file = 0;
 };
-/// Notes in the table at `table` that it is a state.
+/// Marks the table at `table` as a state.
 void mark_state(lua_State* L, int table, StateMark mark);
 
 class MachineReader {
  public:
-  /// `parameters`: full names of what `lasting` and `after` may refer to; `places_of`: the script's files. What is
-  /// wrong is appended to `errors`; reading goes on, so that one look shows all.
+  /// `parameters`: full names for `lasting` and `after`; `places_of`: positions in the script's files. Appends errors
+  /// to `errors` and continues, so that one run shows all.
   MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
                 const PlacesOf& places_of, std::vector<DeclarationError>& errors);
 
-  /// Reads the machine's table, which Lua met in this line. Throws std::runtime_error where there is far too much.
+  /// Reads the machine's table, declared in this line. Throws std::runtime_error if it is far too large.
   void read(int table, int line);
 
  private:
-  /// The state or transition that is being read, and where it is written.
+  /// Position of the state or transition that is being read.
   struct Here {
     std::string file;
     TextPosition position;
@@ -63,14 +63,14 @@ class MachineReader {
   const SourceLocations& places();
   std::string maker_of(int transition);
   void note(const std::string& message) { errors_.push_back({here_.position, message, here_.file}); }
-  /// At the key in question, where that is to be found.
+  /// At the key's position if it is known.
   void note_at(const std::string& key, const std::string& message);
 
   lua_State* lua_;
   MachineDefinition& machine_;
   std::span<const std::string> parameters_;
   const PlacesOf& places_of_;
-  std::map<std::string, const SourceLocations*> places_;  ///< those that were asked for: asking has its price
+  std::map<std::string, const SourceLocations*> places_;  ///< cache, because a look-up is expensive
   std::vector<DeclarationError>& errors_;
   Here here_;
   int depth_ = 0;

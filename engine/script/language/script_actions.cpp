@@ -5,8 +5,9 @@ namespace reorient {
 
 void ScriptActions::require_acting() const {
   if (phase_ == Phase::loading)
-    throw std::runtime_error("a script acts in a state's functions, not while it is loaded");
-  if (phase_ == Phase::looking) throw std::runtime_error("a condition only looks; act in enter, update or exit");
+    throw std::runtime_error("actions are not allowed while a script is loaded; use them in enter, update or exit");
+  if (phase_ == Phase::looking)
+    throw std::runtime_error("actions are not allowed in a condition; use them in enter, update or exit");
 }
 
 void ScriptActions::speak(Machine* machine, int state, Phase phase) {
@@ -36,12 +37,12 @@ void ScriptActions::log(std::string_view text, bool is_note) {
   if (logged_++ < kMostPerFrame) {
     logs.push_back({who.machine, who.state, std::string(text), 0, is_note});
   } else {
-    ++logs.back().dropped;  // its own: machines tick one after the other
+    ++logs.back().dropped;  // of the same machine: machines tick one after the other
   }
 }
 
 double ScriptActions::time_in_state() {
-  if (phase_ == Phase::loading) throw std::runtime_error("there is no state yet while a script is loaded");
+  if (phase_ == Phase::loading) throw std::runtime_error("time_in_state: no state is active while a script is loaded");
   return time_ - machine_->entered_at(state_);
 }
 

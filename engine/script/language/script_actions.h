@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every script can do, whatever its kind: write into the log, ask how long its state has lasted. Behaviours and
+// Functions of all scripts: write to the log, read the time in a state. Behaviors and
 // scenarios add their own (behavior_language.h; the workbench's scenario_language.h).
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace reorient {
 
-/// The object that a kind of script's functions act on; one for all scripts of a host, since they speak one after
-/// the other.
+/// The object on which the functions of a type of script act. All scripts of a host share it, because they run one
+/// after the other.
 class ScriptActions {
  public:
   enum class Phase { loading, looking, acting };  ///< looking: a `when` is evaluated, which must not act
@@ -28,11 +28,11 @@ class ScriptActions {
     counted_ = nullptr;
   }
 
-  /// Who speaks from now on.
+  /// Sets the machine and state that run from now on.
   void speak(Machine* machine, int state, Phase phase);
   void fall_silent() { speak(nullptr, 0, Phase::loading); }
 
-  /// Log lines, and commands or actions, of each machine: one that is out of its mind silences no other.
+  /// Log lines, and commands or actions, per machine, so that a runaway machine does not block the others.
   static constexpr std::size_t kMostPerFrame = 100;
 
   void inform(std::string_view text) { log(text, false); }
@@ -41,7 +41,7 @@ class ScriptActions {
 
  protected:
   void require_acting() const;
-  /// Throws where a machine has done too much in this frame.
+  /// Throws if a machine has done too much in this frame.
   void count_action();
   Machine& machine() const { return *machine_; }
   int state() const { return state_; }
@@ -57,7 +57,8 @@ class ScriptActions {
   int state_ = 0;
   Phase phase_ = Phase::loading;
 
-  const Machine* counted_ = nullptr;  ///< whose log lines and actions these are; machines tick one after the other
+  const Machine* counted_ =
+      nullptr;  ///< the machine whose log lines and actions are counted; machines tick in sequence
   std::size_t logged_ = 0;
   std::size_t acted_ = 0;
 };

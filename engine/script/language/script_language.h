@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one kind of script can see, say and do, declared once: the bindings, the reference page, the checks and the
-// editor annotations are all made from it.
+// What one type of script can read and do, declared once: the bindings, the reference page, the checks and the
+// editor annotations are generated from it.
 #pragma once
 
 #include <limits>
@@ -27,13 +27,13 @@ struct WorldField {
   std::string_view table;        ///< "robot"
   std::string_view name;         ///< "posture"
   std::string_view unit;         ///< "m", or empty
-  std::string_view description;  ///< in a few words
+  std::string_view description;  ///< one phrase with quantity and effect
   Type type = Type::number;
-  std::span<const std::string_view> names;                    ///< of a name: all that it can be; its value is the index
+  std::span<const std::string_view> names;                    ///< possible values of a name; its number is the index
   double minimum = -std::numeric_limits<double>::infinity();  ///< of a number
   double maximum = std::numeric_limits<double>::infinity();
   bool is_integer = false;            ///< of a number
-  std::string_view replacement = {};  ///< of a former name, for scripts that still have it: the field to use instead
+  std::string_view replacement = {};  ///< of a former name, which scripts may still use: the new field
 
   std::string full_name() const { return std::string(table) + "." + std::string(name); }
   std::string_view type_name() const {
@@ -48,7 +48,7 @@ struct WorldTable {
 
 struct ArgumentDoc {
   std::string name;
-  std::string type;  ///< "number", "boolean", "string"; with a "?" where it may be left out
+  std::string type;  ///< "number", "boolean", "string"; with a "?" if it is optional
 };
 
 struct ScriptFunction {
@@ -63,19 +63,19 @@ struct ScriptFunction {
   std::string full_name() const { return table.empty() ? name : table + "." + name; }
 };
 
-/// A table of functions that earlier versions called otherwise: scripts may use both names.
+/// Former name of a table of functions: scripts may use both names.
 struct FormerTable {
   std::string_view name;
   std::string_view replacement;
 };
 
-/// Two stand behind it: behaviours', and the workbench's for scenarios.
+/// Implemented for behaviors, and in the workbench for scenarios.
 class ScriptLanguage {
  public:
   virtual ~ScriptLanguage() = default;
 
   virtual ScriptKind kind() const = 0;
-  /// The folder below the scripts' root in which a name is looked for.
+  /// The folder below the scripts' root in which a name is searched.
   virtual std::string_view folder() const = 0;
   virtual std::span<const WorldTable> tables() const = 0;
   virtual std::span<const WorldField> world() const = 0;
@@ -84,7 +84,7 @@ class ScriptLanguage {
   virtual ScriptActions& actions() = 0;
 };
 
-/// "behavior", "scenario": the word with which such a script declares a machine.
+/// "behavior", "scenario": the function with which such a script declares a machine.
 std::string_view to_string(ScriptKind kind);
 
 /// Makes the functions as globals of `L`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What behaviours see of the world, declared once: the Lua tables, the reference page and the editor annotations are
+// What behaviors see of the world, declared once: the Lua tables, the reference page and the editor annotations are
 // all made from this list.
 #pragma once
 

@@ -22,8 +22,8 @@ std::vector<std::string> keys_of(lua_State* L, int index) {
   return keys;
 }
 
-/// Upvalues: what the table is called; the language, where it is one of the world's. Arguments: the table of values, a
-/// key that it does not have.
+/// Upvalues: the table's name; the language, if it is a table of the world. Arguments: the table of values, an unknown
+/// key.
 int refuse_unknown(lua_State* L) {
   const std::string table = lua_tostring(L, lua_upvalueindex(1));
   if (lua_type(L, 2) != LUA_TSTRING) {
@@ -33,8 +33,7 @@ int refuse_unknown(lua_State* L) {
   if (const auto* language = static_cast<const ScriptLanguage*>(lua_touserdata(L, lua_upvalueindex(2)))) {
     for (const WorldField& field : language->world()) {
       if (field.table != table || field.name != key) continue;
-      return luaL_error(L,
-                        "%s.%s is not known here: on this robot nothing measures it, or a script is still being loaded",
+      return luaL_error(L, "%s.%s has no value: this robot does not measure it, or the script is still being loaded",
                         table.c_str(), key.c_str());
     }
   }
@@ -44,7 +43,7 @@ int refuse_unknown(lua_State* L) {
 
 int refuse_writing(lua_State* L) { return luaL_error(L, "%s is read-only", lua_tostring(L, lua_upvalueindex(1))); }
 
-/// Upvalue: the table of values. `pairs` over a read-only table walks through the values.
+/// Upvalue: the table of values. `pairs` over a read-only table iterates over the values.
 int pairs_of_values(lua_State* L) {
   lua_getglobal(L, "pairs");
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -60,7 +59,7 @@ int length_of_values(lua_State* L) {
 void add_unknown_name_error(lua_State* L, const std::string& what, const ScriptLanguage* language) {
   lua_createtable(L, 0, 1);
   lua_pushlstring(L, what.data(), what.size());
-  // Lua has no pointer to const; the language is only ever read through it.
+  // Lua has no pointer to const; the language is only read through it.
   lua_pushlightuserdata(L, const_cast<ScriptLanguage*>(language));
   lua_pushcclosure(L, refuse_unknown, 2);
   lua_setfield(L, -2, "__index");

@@ -17,7 +17,7 @@ class WorldTables {
   /// Makes the tables of a language as globals of `L`. The fields must outlive them.
   WorldTables(lua_State* L, const ScriptLanguage& language);
 
-  /// Writes what changed since the last call; `values` in the order of the language's fields, NaN: not known.
+  /// Writes the values that changed since the last call; `values` in the order of the language's fields, NaN: unknown.
   void refresh(std::span<const double> values);
 
  private:
@@ -31,9 +31,9 @@ class WorldTables {
   std::vector<Shown> shown_;
 };
 
-/// Makes the table on top of the stack read-only: it is replaced by an empty table through which its fields are seen.
-/// `what` names it in errors ("robot"). A field that is not there is an error, with "did you mean".
-/// `language`: where the table is one of its world, which must outlive it.
+/// Makes the table on top of the stack read-only: an empty table replaces it and gives access to its fields.
+/// `what` names it in errors ("robot"). An unknown field is an error, with "did you mean".
+/// `language`: if the table is one of its world; must outlive it.
 void make_read_only(lua_State* L, const std::string& what, const ScriptLanguage* language = nullptr);
 
 }  // namespace reorient

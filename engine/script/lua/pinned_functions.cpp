@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mathematics of Lua's `math` and `^`: CMakeLists.txt beside this file renames what the Lua library asks of the C
-// library.
+// The mathematics of Lua's `math` and `^`: CMakeLists.txt in this folder renames the functions that the Lua library
+// uses of the C library.
 #include "geometry/pinned_math.h"
 
 extern "C" {

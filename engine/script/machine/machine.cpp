@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
-// Frame times are sums of rounded steps: thirty of 1/30 s shall be a second.
+// Frame times are sums of rounded steps: thirty of 1/30 s count as one second.
 constexpr double kTimeTolerance = 1e-6;
 
 }  // namespace
@@ -21,7 +21,7 @@ Machine::Machine(const MachineDefinition& definition)
       holding_since_(definition.transitions.size(), kNever),
       looks_(definition.transitions.size()),
       last_child_(definition.states.size(), -1) {
-  // As deep as it goes, and a pause of each kind in every active state: then no transition allocates.
+  // The maximum depth, and each type of pause in every active state, so that no transition allocates.
   active_.reserve(definition.states.size());
   leases_.reserve(2 * definition.states.size());
 }
@@ -93,7 +93,7 @@ int Machine::ready_transition(MachineCallbacks& script, double time) {
   return -1;
 }
 
-/// Where the machine is already, it cannot go, unless a state leads to itself.
+/// A transition to an active state is not possible, except from a state to itself.
 bool Machine::is_barred(const TransitionDefinition& transition) const {
   const bool to_itself = !transition.common && transition.to == transition.from;
   return is_active(transition.to) && !to_itself;
@@ -129,7 +129,7 @@ bool Machine::is_ready(MachineCallbacks& script, int index, double time) {
 void Machine::take(MachineCallbacks& script, int index, double time, std::vector<TransitionRecord>& transitions) {
   const TransitionDefinition& transition = definition_->transitions[index];
   const NameId from = state_id();
-  // The states that stay: common ancestors of the target, not the target itself.
+  // The states that remain active: common ancestors of the target, not the target itself.
   std::size_t kept = 0;
   while (kept < active_.size() && active_[kept] != transition.to &&
          definition_->is_within(transition.to, active_[kept]))
@@ -141,7 +141,7 @@ void Machine::take(MachineCallbacks& script, int index, double time, std::vector
     std::erase_if(leases_, [&](const Held& held) { return held.state == state; });
   }
   active_.resize(kept);
-  // From below what stays down to the target's parent.
+  // From below the remaining states down to the target's parent.
   const int innermost = active_.back();
   for (int state = definition_->states[transition.to].parent; state != innermost;
        state = definition_->states[state].parent) {
@@ -213,7 +213,7 @@ std::string Machine::adopt(const Machine& old) {
   if (const int inner = definition_->states[active_.back()].initial; inner >= 0) descend(inner);
   not_entered_ = active_.size() - std::min(survived, old.active_.size() - old.not_entered_);
   for (std::size_t i = 0; i < before.transitions.size(); ++i) {
-    if (!old.is_active(before.transitions[i].from)) continue;  // what it says is of an earlier visit
+    if (!old.is_active(before.transitions[i].from)) continue;  // its result is of an earlier visit
     for (std::size_t j = 0; j < definition_->transitions.size(); ++j) {
       if (definition_->transitions[j].key == before.transitions[i].key) holding_since_[j] = old.holding_since_[i];
     }
@@ -227,7 +227,7 @@ std::string Machine::adopt(const Machine& old) {
     return {};
   }
   lost_state_ = not_entered_ == 0 ? kNoName : old.state_id();
-  return definition_->name + ": the state '" + old.state() + "' is gone; it goes on in '" + state() + "'";
+  return definition_->name + ": state '" + old.state() + "' was removed; it continues in '" + state() + "'";
 }
 
 void Machine::rename(const NameTable& before, Names& names) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A running state machine. What is here survives a reload of the script that declared it.
+// A running state machine. Its data survives a reload of the script that declared it.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +16,17 @@ namespace reorient {
 
 class Machine;
 
-/// What a transition's `when` said when the machine asked it last.
+/// The result of the last evaluation of a transition's `when`.
 enum class WhenValue {
-  none,     ///< it has none: it waits for its time alone
-  unasked,  ///< not since its state was entered
+  none,     ///< without `when`: waits for its time alone
+  unasked,  ///< not evaluated since its state was entered
   no,
   yes,
-  failed  ///< the script failed in it, or in the function that says how long it must last
+  failed  ///< the script failed in it or in a function for a dwell time
 };
 constexpr int enum_count(WhenValue) { return 5; }
 
-/// A transition that may be taken from where the machine stands, and how far it is.
+/// A possible transition from the active states, and its progress.
 struct OpenCondition {
   NameId machine = kNoName;
   NameId from = kNoName;    ///< path of the state whose transition it is; empty: the machine's own
@@ -34,8 +34,8 @@ struct OpenCondition {
   NameId reason = kNoName;
   int line = 0;  ///< of the script's file
   WhenValue when = WhenValue::none;
-  double held = 0.0;     ///< s that `when` has held; 0 where it does not
-  double lasting = 0.0;  ///< s that it must hold; NaN: a function says it, and was not asked yet
+  double held = 0.0;     ///< s for which `when` has held; 0 if it does not hold
+  double lasting = 0.0;  ///< s for which it must hold; NaN: from a function that was not called yet
   double waited = 0.0;   ///< s since `from` was entered
   double after = 0.0;    ///< s that must have passed since then; NaN: as above
 };
@@ -45,14 +45,14 @@ void fields(Visit&& visit, T& condition) {
         condition.held, condition.lasting, condition.waited, condition.after);
 }
 
-/// How a machine reaches its script's functions. They throw ScriptError when the script fails.
+/// Calls the functions of a machine's script. They throw ScriptError if the script fails.
 class MachineCallbacks {
  public:
   virtual ~MachineCallbacks() = default;
   virtual bool holds(Machine& machine, int state, int function) = 0;
   virtual double seconds(Machine& machine, int state, const Dwell& dwell) = 0;
   virtual void run(Machine& machine, int state, int function) = 0;
-  /// As run(), but an error is only noted: leaving a state cannot be refused.
+  /// As run(), but only records an error, because leaving a state cannot be refused.
   virtual void run_exit(Machine& machine, int state, int function) = 0;
 };
 
@@ -64,7 +64,7 @@ class Machine {
   const MachineDefinition& definition() const { return *definition_; }
 
   /// One frame: at most one transition (or the start), then `update` of all active states from the outside in.
-  /// A transition that was begun is always completed as far as the state goes, even when a function fails.
+  /// A started transition always completes its change of state, even if a function fails.
   void tick(MachineCallbacks& script, double time, std::vector<TransitionRecord>& transitions);
 
   /// Path of the innermost active state; empty before the start.
@@ -72,25 +72,25 @@ class Machine {
   NameId state_id() const;
   double entered_at(int state) const { return entered_[state]; }
   double entered_at() const;                 ///< the innermost active state
-  NameId reason() const { return reason_; }  ///< of the transition before
+  NameId reason() const { return reason_; }  ///< of the previous transition
 
   /// Holds `pause` until `state` is left.
   void lease(Pause pause, int state);
   void append_leases(std::vector<Lease>& all) const;
-  /// What the active states publish.
+  /// The flags that the active states publish.
   void append_published(std::vector<NameId>& all) const;
-  /// The transitions of the active states, from the outside in, with what they said when they were last asked: no
-  /// function of the script runs.
+  /// The transitions of the active states, from the outside in, with the results of their last evaluation: no
+  /// function of the script is called.
   void append_conditions(MachineCallbacks& script, double time, std::vector<OpenCondition>& all);
 
-  /// Takes over where `old` stood, by the paths of the states: times, dwell, leases, history. States that are gone fall
-  /// back to the nearest ancestor that is still there. Returned is a line about that, or nothing.
+  /// Takes over the status of `old` by paths of states: times, dwell, leases, history. Removed states fall
+  /// back to the nearest remaining ancestor. Returns a line about that, or nothing.
   std::string adopt(const Machine& old);
 
-  /// For a new table of names: looks up in `before` what the numbers stood for.
+  /// For a new table of names: maps numbers of `before` by name.
   void rename(const NameTable& before, Names& names);
 
-  /// Everything but the definition; throws BadBytes where it does not fit that.
+  /// Everything except the definition; throws BadBytes if it does not fit the definition.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.active_, self.entered_, self.holding_since_, self.looks_, self.last_child_, self.leases_, self.reason_,
@@ -108,10 +108,10 @@ class Machine {
   friend void fields(Visit&& visit, T& held) {
     visit(held.pause, held.state, held.reason);
   }
-  /// What was heard when a transition was last looked at, for those who ask why.
+  /// The last evaluation of a transition, for explanations.
   struct Look {
     WhenValue when = WhenValue::unasked;
-    double lasting = std::numeric_limits<double>::quiet_NaN();  ///< s, as a function said
+    double lasting = std::numeric_limits<double>::quiet_NaN();  ///< s, result of a function
     double after = std::numeric_limits<double>::quiet_NaN();
   };
   template <typename Visit, ConstOr<Look> T>
@@ -138,8 +138,8 @@ class Machine {
   std::vector<int> last_child_;        ///< per state, for history; -1: none yet
   std::vector<Held> leases_;
   NameId reason_ = kNoName;
-  NameId lost_state_ = kNoName;    ///< after a reload: the path that is gone
-  std::uint64_t not_entered_ = 0;  ///< after a reload: how many of the innermost active states are still to be entered
+  NameId lost_state_ = kNoName;    ///< after a reload: the removed path
+  std::uint64_t not_entered_ = 0;  ///< after a reload: number of innermost active states to enter
 };
 
 }  // namespace reorient

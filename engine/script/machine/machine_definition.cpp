@@ -16,7 +16,7 @@ int child_named(const MachineDefinition& machine, int state, const std::string& 
   return -1;
 }
 
-/// A name is looked for among the state's own children, then its siblings, then outwards; a path from the top.
+/// Searches a name among the state's children, then its siblings, then outward; a path from the top.
 int find_target(const MachineDefinition& machine, int from, const std::string& target) {
   for (int scope = from; scope >= 0; scope = machine.states[scope].parent) {
     const int found = child_named(machine, scope, target);
@@ -56,8 +56,8 @@ void resolve_initial(MachineDefinition& machine, StateDefinition& state, std::ve
     if (state.children.size() == 1) {
       state.initial = state.children.front();
     } else {
-      errors.push_back({state.position, title(state) + " has several states: say which is the first, initial = \"...\"",
-                        state.file});
+      errors.push_back({state.position,
+                        title(state) + " has several states but no initial state: set initial = \"...\"", state.file});
     }
     return;
   }
@@ -67,7 +67,7 @@ void resolve_initial(MachineDefinition& machine, StateDefinition& state, std::ve
   std::vector<std::string> names;
   for (const int child : state.children) names.push_back(machine.states[child].name);
   errors.push_back({state.position,
-                    title(state) + " begins in " + in_quotes(state.initial_name) + ", which is not one of its states" +
+                    title(state) + ": unknown initial state " + in_quotes(state.initial_name) +
                         did_you_mean(state.initial_name, names),
                     state.file});
 }
@@ -78,7 +78,7 @@ void check_duplicates(const MachineDefinition& machine, const StateDefinition& s
     const StateDefinition& child = machine.states[state.children[i]];
     for (std::size_t j = 0; j < i; ++j) {
       if (machine.states[state.children[j]].name != child.name) continue;
-      errors.push_back({child.position, "there are two states " + in_quotes(child.path), child.file});
+      errors.push_back({child.position, "duplicate state " + in_quotes(child.path), child.file});
       break;
     }
   }
@@ -90,19 +90,19 @@ void resolve_transition(MachineDefinition& machine, TransitionDefinition& transi
   const std::string& file = machine.states[transition.from].file;
   transition.to = find_target(machine, transition.from, transition.target);
   if (transition.to < 0) {
-    constexpr std::size_t kMostHints = 20;  // to look for similar names among many takes long
+    constexpr std::size_t kMostHints = 20;  // limits the search for similar names
     const std::string hint =
         errors.size() < kMostHints ? did_you_mean(transition.target, state_names(machine)) : std::string();
-    errors.push_back({transition.position,
-                      from + " leads to " + in_quotes(transition.target) + ", which is not a state" + hint, file});
+    errors.push_back(
+        {transition.position, from + ": unknown target state " + in_quotes(transition.target) + hint, file});
   }
   const bool timed = transition.after.kind != Dwell::Kind::none;
   if (transition.when == LUA_NOREF && transition.lasting.kind != Dwell::Kind::none) {
-    errors.push_back({transition.position, from + ": 'lasting' needs a 'when'; for a time alone write 'after'", file});
+    errors.push_back({transition.position, from + ": 'lasting' requires 'when'; for a time alone write 'after'", file});
   } else if (transition.when == LUA_NOREF && !timed) {
-    errors.push_back({transition.position,
-                      from + " leads to " + in_quotes(transition.target) + " on no condition: give 'when' or 'after'",
-                      file});
+    errors.push_back(
+        {transition.position,
+         from + " leads to " + in_quotes(transition.target) + " without a condition: add 'when' or 'after'", file});
   }
   if (transition.because.empty()) transition.because = derived_reason(transition);
 }
@@ -117,7 +117,7 @@ int MachineDefinition::find(const std::string& path) const {
 }
 
 bool MachineDefinition::is_within(int state, int ancestor) const {
-  while (state > ancestor) state = states[state].parent;  // parents come before children
+  while (state > ancestor) state = states[state].parent;  // parents are before children
   return state == ancestor;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A state machine as data: what a script declared, before anything runs.
+// A state machine as data, as declared by a script.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace reorient {
 
-/// How long something must last: not at all, seconds, a parameter's value, or what a function says.
+/// A dwell time: zero, seconds, a parameter's value, or the result of a function.
 struct Dwell {
   enum class Kind { none, seconds, parameter, function };
 
   Kind kind = Kind::none;
   double seconds = 0.0;
   int index = 0;     ///< of the script's parameters, or the function's reference
-  std::string text;  ///< for people: "0.5 s", "proof"
+  std::string text;  ///< for messages: "0.5 s", "proof"
 };
 
 struct TransitionDefinition {
@@ -29,14 +29,14 @@ struct TransitionDefinition {
   std::string target;  ///< as written
   int to = -1;
   int when = LUA_NOREF;  ///< function
-  Dwell lasting;         ///< how long `when` must have held without a break
-  Dwell after;           ///< how long since `from` was entered
+  Dwell lasting;         ///< time for which `when` must have held without interruption
+  Dwell after;           ///< time since `from` was entered
   std::string because;   ///< the reason, never empty once validated
   NameId because_id = kNoName;
   bool common = false;    ///< checked before the others, and not while the target is active already
-  std::string key;        ///< names it across reloads
+  std::string key;        ///< identifies it across reloads
   TextPosition position;  ///< in the file of `from`
-  std::string maker;      ///< another file, one of whose functions made it; empty: it is written where it stands
+  std::string maker;      ///< file of the function that made it; empty: written in place
 };
 
 struct StateDefinition {
@@ -51,14 +51,14 @@ struct StateDefinition {
   int enter = LUA_NOREF;
   int update = LUA_NOREF;
   int exit = LUA_NOREF;
-  std::string publishes;  ///< what others may read while it is active; empty: nothing
+  std::string publishes;  ///< flag that scripts can read while it is active; empty: nothing
   NameId publishes_id = kNoName;
   std::vector<int> transitions;  ///< `common` ones first
-  std::string file;              ///< in which it is written: the machine's, or a library's
+  std::string file;              ///< of its text: the machine's, or a library's
   TextPosition position;
 };
 
-/// Where a scenario takes place; what it leaves open is up to the run.
+/// The setting of a scenario; the run decides what it does not specify.
 struct ScenarioSetting {
   std::string room;                        ///< panorama file; from the scripts' root, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of a procedural hall; not together with a room
@@ -72,27 +72,27 @@ struct MachineDefinition {
   TextPosition position;
   double priority = 0.0;
   bool is_scenario = false;
-  std::vector<std::string> behaviors;   ///< that a scenario wants to be loaded
+  std::vector<std::string> behaviors;   ///< requested by a scenario
   ScenarioSetting setting;              ///< of a scenario
   std::vector<StateDefinition> states;  ///< the first is the machine itself; parents before children
   std::vector<TransitionDefinition> transitions;
 
-  /// -1: there is no such state.
+  /// -1: unknown state.
   int find(const std::string& path) const;
   bool is_within(int state, int ancestor) const;  ///< also where both are the same
 };
 
-/// A declaration that cannot be right, or is worth a look.
+/// An error or warning about a declaration.
 struct DeclarationError {
   TextPosition position;
   std::string message;
-  std::string file{};  ///< empty: the one that is looked at
+  std::string file{};  ///< empty: the file being checked
 };
 
-/// Gives every name in it its number.
+/// Assigns numbers to all names.
 void intern_names(MachineDefinition& machine, Names& names);
 
-/// Resolves targets and initial states and fills in what is derived. All errors that were found, in file order.
+/// Resolves targets and initial states and fills in derived values. Returns all errors in file order.
 std::vector<DeclarationError> resolve(MachineDefinition& machine);
 
 }  // namespace reorient

@@ -17,7 +17,7 @@
 
 namespace reorient::lua {
 
-/// How a C++ type is read from and written to Lua's stack, and what the documentation calls it.
+/// Reads and writes a C++ type on Lua's stack, and names it for the documentation.
 template <typename T>
 struct Value;
 
@@ -26,7 +26,7 @@ struct Value<double> {
   static constexpr std::string_view name = "number";
   static double read(lua_State* L, int index) {
     const double number = luaL_checknumber(L, index);
-    if (!std::isfinite(number)) luaL_argerror(L, index, "a finite number expected");
+    if (!std::isfinite(number)) luaL_argerror(L, index, "finite number expected");
     return number;
   }
   static void push(lua_State* L, double number) { lua_pushnumber(L, number); }
@@ -49,7 +49,7 @@ struct Value<bool> {
   static void push(lua_State* L, bool yes) { lua_pushboolean(L, yes ? 1 : 0); }
 };
 
-/// Valid while the function runs: its caller holds the string.
+/// Valid while the function runs: the caller owns the string.
 template <>
 struct Value<std::string_view> {
   static constexpr std::string_view name = "string";
@@ -87,7 +87,7 @@ struct Bound<Method> {
   }
 
  private:
-  /// How many results were pushed; -1: an error message was.
+  /// Number of pushed results; -1: an error message was pushed.
   template <std::size_t... Index>
   static int attempt(lua_State* L, std::index_sequence<Index...>) {
     Self& self = *static_cast<Self*>(lua_touserdata(L, lua_upvalueindex(1)));

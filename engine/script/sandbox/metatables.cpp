@@ -31,7 +31,7 @@ void Metatables::admit(lua_State* L, int index) {
   if (!is_known) {
     if (held_ >= next_census_) take_census(L);
     if (held_ >= kMost) {
-      luaL_error(L, "a script holds at most %d metatables: let tables of one kind share theirs",
+      luaL_error(L, "too many metatables (expected at most %d): let tables of the same type share one",
                  static_cast<int>(kMost));
     }
     lua_pushvalue(L, metatable);
@@ -42,9 +42,9 @@ void Metatables::admit(lua_State* L, int index) {
   lua_pop(L, 1);
 }
 
-/// Counts those that are still in use; the list is on top of the stack. A script may well make a new one in each frame.
+/// Counts those that are still in use; the list is on top of the stack. A script may create a new one in each frame.
 void Metatables::take_census(lua_State* L) {
-  constexpr std::size_t kBytesPerInstruction = 16;  // to collect all garbage takes about 0.5 ns per byte
+  constexpr std::size_t kBytesPerInstruction = 16;  // a full garbage collection takes about 0.5 ns per byte
   Sandbox& sandbox = Sandbox::of(L);
   sandbox.charge(static_cast<std::int64_t>(sandbox.memory() / kBytesPerInstruction));
   lua_gc(L, LUA_GCCOLLECT);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many metatables a script may hold. Lua follows __index, __newindex and __call from table to table within one
-// instruction, where nothing counts; each link of such a chain has a metatable of its own, so few of them make short
-// chains. (Lua itself ends a circle of __index, and the sandbox one of __call: it fills the stack.)
+// Limits the number of metatables of a script. Lua follows __index, __newindex and __call from table to table within
+// one instruction, which the budget does not count; each link of such a chain has its own metatable, so few of them
+// limit the chain. (Lua itself ends a cycle of __index, and the sandbox a cycle of __call, because it fills the stack.)
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ namespace reorient {
 
 class Metatables {
  public:
-  /// Opens the list of them in the state's registry.
+  /// Creates their list in the state's registry.
   static void open(lua_State* L);
 
-  /// Before the table at `index` becomes a metatable. Raises a Lua error where the script holds as many as it may.
+  /// Call before the table at `index` becomes a metatable. Raises a Lua error if the script has reached the limit.
   void admit(lua_State* L, int index);
 
-  /// How many there are, perhaps with some that nothing refers to any more.
+  /// Their number, possibly including unreachable ones.
   std::size_t held() const { return held_; }
 
   static constexpr std::size_t kMost = 32;

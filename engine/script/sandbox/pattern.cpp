@@ -36,15 +36,15 @@ bool is_in_class(char kind, int letter) {
       return std::isalnum(letter) != 0;
     case 'x':
       return std::isxdigit(letter) != 0;
-    case 'z':  // no longer in the manual, but Lua's own still has it
+    case 'z':  // no longer in the manual, but still supported by Lua
       return letter == 0;
     default:
       return false;
   }
 }
 
-/// The sets of %a, %d ... by their letter; the upper-case letter is the complement, anything else stands for itself.
-/// Made once: a pattern of two thousand classes shall not cost more than its letters.
+/// The sets of %a, %d ... by their letter; an upper-case letter is the complement, any other character is itself.
+/// Created once, so that a pattern of two thousand classes does not cost more than its letters.
 std::array<Set, 256> make_classes() {
   std::array<Set, 256> classes;
   for (std::size_t letter = 0; letter < classes.size(); ++letter) {
@@ -64,13 +64,13 @@ const Set& letter_class(char letter) {
   return classes[code(letter)];
 }
 
-/// All letters from the first to the last; none where the last comes before the first.
+/// All characters from the first to the last; empty if the last is before the first.
 Set range(char first, char last) {
   if (code(last) < code(first)) return {};
   return (~Set() >> (255 - (code(last) - code(first)))) << code(first);
 }
 
-/// Where a set ends whose first letter stands at `at`: at the first ']' that is neither that letter nor behind a '%'.
+/// The end of a set whose first character is at `at`: the first ']' that is neither that one nor after a '%'.
 std::size_t end_of_set(std::string_view text, std::size_t at) {
   for (bool first = true;; first = false) {
     if (at >= text.size()) throw PatternError("malformed pattern (missing ']')");
@@ -80,8 +80,8 @@ std::size_t end_of_set(std::string_view text, std::size_t at) {
   }
 }
 
-/// A set in brackets; `at` stands behind the '[' and is moved behind the ']'. As in Lua, the end is looked for without
-/// regard to ranges, and a range takes its last letter as it is, also a '%'.
+/// A set in brackets; `at` is after the '[' and moves past the ']'. As in Lua, the search for the end ignores
+/// ranges, and the last character of a range is literal, also a '%'.
 Set read_set(std::string_view text, std::size_t& at) {
   Set set;
   const bool complement = at < text.size() && text[at] == '^';
@@ -193,13 +193,13 @@ Pattern::Pattern(std::string_view text) {
   if (!open.empty()) throw PatternError("unfinished capture");
 }
 
-/// One attempt at one place of the subject.
+/// One attempt at one position of the subject.
 class Pattern::Run {
  public:
   Run(const Pattern& pattern, std::string_view subject, std::int64_t& steps)
       : items_(pattern.items_), subject_(subject), steps_(steps), captures_(pattern.captures_) {}
 
-  /// Where a match of the items from `item` on ends that begins at `at`.
+  /// The end of a match at `at` of all items starting with `item`.
   std::optional<std::size_t> match(std::size_t at, std::size_t item) {
     if (++depth_ > kDeepest) throw PatternError("pattern too complex");
     const std::optional<std::size_t> end = follow(at, item);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lua's string patterns with a price: every step of a search is paid for, so that no pattern can run away.
+// Lua's string patterns with a cost: every step of a search counts toward the budget, so that no pattern can run away.
 // (Lua's own matcher is a C function, which an instruction hook cannot interrupt.)
 #pragma once
 
@@ -18,9 +18,9 @@ struct PatternError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The steps that were granted are used up.
+/// The granted steps are used up.
 struct PatternTooCostly : std::runtime_error {
-  PatternTooCostly() : std::runtime_error("the pattern takes too many steps") {}
+  PatternTooCostly() : std::runtime_error("pattern takes too many steps") {}
 };
 
 /// A pattern as the Lua 5.4 manual describes it, section 6.4.1.

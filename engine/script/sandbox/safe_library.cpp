@@ -24,7 +24,7 @@ int safe_pcall(lua_State* L) {
   return lua_gettop(L);
 }
 
-/// The handler runs after the stack was unwound, and in its own right.
+/// The handler runs after the stack was unwound, as a normal call.
 int safe_xpcall(lua_State* L) {
   luaL_checktype(L, 2, LUA_TFUNCTION);
   const int arguments = lua_gettop(L) - 2;
@@ -63,10 +63,10 @@ bool is_protected(lua_State* L, int index) {
 int safe_setmetatable(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   if (!lua_isnil(L, 2)) luaL_checktype(L, 2, LUA_TTABLE);
-  if (is_protected(L, 1)) return luaL_error(L, "this table's metatable is protected");
+  if (is_protected(L, 1)) return luaL_error(L, "metatable of this table is protected");
   lua_settop(L, 2);
   if (lua_istable(L, 2) && has_field(L, 2, "__gc")) {
-    return luaL_error(L, "a metatable cannot have __gc: finalizers are not for scripts");
+    return luaL_error(L, "metatable: __gc is not allowed in scripts");
   }
   if (lua_istable(L, 2)) Sandbox::of(L).metatables().admit(L, 2);
   lua_setmetatable(L, 1);
@@ -76,7 +76,7 @@ int safe_setmetatable(lua_State* L) {
 int safe_rawset(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   luaL_checkany(L, 3);
-  if (is_protected(L, 1)) return luaL_error(L, "this table is read-only");
+  if (is_protected(L, 1)) return luaL_error(L, "table is read-only");
   lua_settop(L, 3);
   lua_rawset(L, 1);
   return 1;
@@ -90,7 +90,7 @@ int safe_tostring(lua_State* L) {
   return 1;
 }
 
-/// A key by which tables are walked through in the same order on every machine and in every run.
+/// The sort key of the iteration of tables, which gives the same order on every computer and in every run.
 struct Key {
   int type = LUA_TNIL;
   double number = 0.0;    ///< of a boolean: 0 or 1
@@ -117,13 +117,13 @@ Key read_key(lua_State* L) {
     const char* const text = lua_tolstring(L, -1, &length);
     key.text = {text, length};
   } else {
-    luaL_error(L, "pairs finds a %s as a key, which has no order that is the same in each run; use numbers or texts",
+    luaL_error(L, "pairs: a key of type %s has no reproducible order (expected numbers or strings)",
                luaL_typename(L, -1));
   }
   return key;
 }
 
-/// Upvalues: the table, its keys in order, the index of the key before.
+/// Upvalues: the table, its keys in order, the index of the previous key.
 int next_pair(lua_State* L) {
   for (;;) {
     const lua_Integer index = lua_tointeger(L, lua_upvalueindex(3)) + 1;
@@ -132,7 +132,7 @@ int next_pair(lua_State* L) {
     if (lua_rawgeti(L, lua_upvalueindex(2), index) == LUA_TNIL) return 1;
     lua_pushvalue(L, -1);
     if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 2;
-    lua_pop(L, 2);  // it was removed meanwhile
+    lua_pop(L, 2);  // removed during the iteration
   }
 }
 
@@ -145,7 +145,7 @@ int safe_pairs(lua_State* L) {
   }
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
-  lua_newtable(L);  // the keys in the table's own order, which hold the texts
+  lua_newtable(L);  // the keys in the table's own order; keeps their strings alive
   std::vector<Key> keys;
   Sandbox::of(L).charge_walk();
   for (lua_pushnil(L); lua_next(L, 1) != 0;) {
@@ -170,8 +170,8 @@ int safe_pairs(lua_State* L) {
   return 1;
 }
 
-/// Table functions are C loops over as many elements as the table claims to have: they get plain tables only, whose
-/// length no metamethod can forge, and pay for it in advance.
+/// Table functions are C loops over the table's length: they accept plain tables only, whose
+/// length no metamethod can change, and are charged in advance.
 std::int64_t plain_length(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   if (lua_getmetatable(L, 1) != 0) luaL_argerror(L, 1, "a plain table expected, without a metatable");
@@ -190,7 +190,7 @@ int call_original(lua_State* L) {
 int few_results(lua_State* L) {
   constexpr int kMostResults = 250;
   const int results = call_original(L);
-  if (results > kMostResults) return luaL_error(L, "more than %d results", kMostResults);
+  if (results > kMostResults) return luaL_error(L, "too many results (expected at most %d)", kMostResults);
   return results;
 }
 
@@ -207,7 +207,7 @@ int paid_by_sorting(lua_State* L) {
   return call_original(L);
 }
 
-/// `first`: where the first index stands among the arguments, the last one follows it.
+/// `first`: position of the first index among the arguments; the last index follows it.
 void charge_range(lua_State* L, int first, std::int64_t length) {
   const lua_Integer from = luaL_optinteger(L, first, 1);
   const lua_Integer to = luaL_optinteger(L, first + 1, length);
@@ -226,7 +226,7 @@ int paid_unpack(lua_State* L) {
   return few_results(L);
 }
 
-/// A number in a long text is read letter by letter.
+/// The cost of reading a number grows with the length of the text.
 int paid_tonumber(lua_State* L) {
   if (lua_type(L, 1) == LUA_TSTRING) Sandbox::of(L).charge(static_cast<std::int64_t>(lua_rawlen(L, 1)));
   return call_original(L);
@@ -240,7 +240,7 @@ int paid_move(lua_State* L) {
   return call_original(L);
 }
 
-/// Wraps or copies fields of the library on top of the stack into the table below it; nullptr: as it is.
+/// Wraps or copies fields of the library on top of the stack into the table below it; nullptr: unchanged.
 struct Borrowed {
   const char* name;
   lua_CFunction wrapper;
@@ -264,7 +264,7 @@ void open_base(lua_State* L) {
       {"pcall", safe_pcall},   {"xpcall", safe_xpcall},     {"setmetatable", safe_setmetatable},
       {"rawset", safe_rawset}, {"tostring", safe_tostring}, {"pairs", safe_pairs},
       {nullptr, nullptr}};
-  // luaopen_base fills the globals table itself, so it is lent a table that is thrown away.
+  // luaopen_base fills the globals table itself, so it gets a temporary table.
   lua_newtable(L);
   lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
   lua_newtable(L);
@@ -295,7 +295,7 @@ int safe_random(lua_State* L) {
   }
   luaL_argcheck(L, low <= high, arguments, "interval is empty");
   const std::uint64_t range = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
-  // The least mask that covers the range; what lies beyond is drawn again.
+  // The smallest mask that covers the range; larger values are drawn again.
   const std::uint64_t mask = range == 0 ? 0 : ~std::uint64_t{0} >> std::countl_zero(range);
   std::uint64_t drawn = random() & mask;
   while (drawn > range) drawn = random() & mask;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of Lua's standard library that a script may have, with what could run away or escape replaced.
+// The parts of Lua's standard library that scripts may use, with safe replacements for unbounded or unsafe functions.
 #pragma once
 
 #include <lua.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// string.find, match, gmatch, gsub, rep and format for scripts: with the price of pattern.h, and with a longest result.
+// string.find, match, gmatch, gsub, rep and format for scripts, with the costs of pattern.h and a limited result.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -20,8 +20,7 @@ std::string_view text_at(lua_State* L, int index) {
 }
 
 int too_long(lua_State* L) {
-  return luaL_error(L, "the string would be longer than the %d bytes that a script may make",
-                    static_cast<int>(Sandbox::of(L).string_length()));
+  return luaL_error(L, "string too long (expected at most %d bytes)", static_cast<int>(Sandbox::of(L).string_length()));
 }
 
 /// Lua's "init": from 1, negative ones count from the end. In [0, size]; beyond: size + 1.
@@ -33,7 +32,7 @@ std::size_t start_of(lua_State* L, int index, std::size_t size) {
   return static_cast<std::size_t>(length + init);
 }
 
-/// Searches and pays; a malformed pattern or one that costs too much is a Lua error.
+/// Searches and charges the budget; a malformed or too expensive pattern is a Lua error.
 std::optional<Pattern::Match> search(lua_State* L, std::string_view subject, std::string_view pattern,
                                      std::size_t from) {
   Sandbox& sandbox = Sandbox::of(L);
@@ -105,7 +104,7 @@ int find_or_match(lua_State* L, bool find) {
 int safe_find(lua_State* L) { return find_or_match(L, true); }
 int safe_match(lua_State* L) { return find_or_match(L, false); }
 
-/// Upvalues: subject, pattern, where to search next, where the match before ended (0: nowhere).
+/// Upvalues: subject, pattern, start of the next search, end of the previous match (0: none).
 int next_match(lua_State* L) {
   const std::string_view subject = text_at(L, lua_upvalueindex(1));
   const std::string_view pattern = text_at(L, lua_upvalueindex(2));
@@ -115,7 +114,7 @@ int next_match(lua_State* L) {
     const std::optional<Pattern::Match> match = search(L, subject, pattern, from);
     if (!match) break;
     if (match->begin == match->end && static_cast<lua_Integer>(match->end) + 1 == last_end) {
-      from = match->end + 1;  // an empty match right behind the one before does not count
+      from = match->end + 1;  // an empty match directly after the previous one does not count
       continue;
     }
     lua_pushinteger(L, static_cast<lua_Integer>(match->end));
@@ -133,7 +132,7 @@ int next_match(lua_State* L) {
 int safe_gmatch(lua_State* L) {
   const std::string_view subject = text_at(L, 1);
   const std::string_view pattern = text_at(L, 2);
-  if (pattern.starts_with('^')) return luaL_argerror(L, 2, "gmatch has no use for an anchor '^'");
+  if (pattern.starts_with('^')) return luaL_argerror(L, 2, "gmatch: anchor '^' is not supported");
   const std::size_t from = start_of(L, 3, subject.size());
   lua_settop(L, 2);
   lua_pushinteger(L, static_cast<lua_Integer>(from));
@@ -142,7 +141,7 @@ int safe_gmatch(lua_State* L) {
   return 1;
 }
 
-/// Adds to a text that is being made. It never grows beyond what a script may make, and each part is paid for.
+/// Appends to a text. Checks the limit of length and charges each part.
 void append(lua_State* L, std::string& out, std::string_view part) {
   constexpr std::size_t kLettersPerInstruction = 16;
   Sandbox& sandbox = Sandbox::of(L);
@@ -181,7 +180,7 @@ void expand(lua_State* L, std::string& out, std::string_view subject, std::strin
   }
 }
 
-/// What takes the match's place: a text's expansion, a table's field, a function's result; false and nil: the match.
+/// The replacement of a match: a text's expansion, a table's field, a function's result; false and nil: the match.
 void replace(lua_State* L, std::string& out, std::string_view subject, const Pattern::Match& match) {
   if (lua_type(L, 3) != LUA_TTABLE && lua_type(L, 3) != LUA_TFUNCTION) {
     expand(L, out, subject, text_at(L, 3), match);
@@ -200,7 +199,7 @@ void replace(lua_State* L, std::string& out, std::string_view subject, const Pat
   } else if (lua_isstring(L, -1) != 0) {
     append(L, out, text_at(L, -1));
   } else {
-    luaL_error(L, "a replacement is a text or a number, not a %s", luaL_typename(L, -1));
+    luaL_error(L, "invalid replacement value of type %s (expected a string or a number)", luaL_typename(L, -1));
   }
   lua_pop(L, 1);
 }
@@ -210,7 +209,7 @@ int safe_gsub(lua_State* L) {
   const std::string_view pattern = text_at(L, 2);
   const int kind = lua_type(L, 3);
   const bool usable = kind == LUA_TSTRING || kind == LUA_TNUMBER || kind == LUA_TTABLE || kind == LUA_TFUNCTION;
-  if (!usable) return luaL_argerror(L, 3, "a text, a table or a function expected");
+  if (!usable) return luaL_argerror(L, 3, "string, table or function expected");
   const lua_Integer most = luaL_optinteger(L, 4, static_cast<lua_Integer>(subject.size()) + 1);
   std::string out;
   lua_Integer count = 0;
@@ -262,7 +261,7 @@ int safe_rep(lua_State* L) {
   return 1;
 }
 
-/// Upvalue: Lua's own format, which gets texts in place of tables (they would show addresses) and never %p.
+/// Upvalue: Lua's own format, which gets texts instead of tables (which would show addresses) and never %p.
 int safe_format(lua_State* L) {
   const std::string_view format = text_at(L, 1);
   for (std::size_t i = 0; i + 1 < format.size(); ++i) {
@@ -281,7 +280,7 @@ int safe_format(lua_State* L) {
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
   lua_call(L, count, 1);
-  // Writing a number with hundreds of digits takes a time that grows with their square.
+  // The time to write a number grows with the square of its digits.
   constexpr std::int64_t kMostDigits = 512;
   const auto length = std::min(static_cast<std::int64_t>(lua_rawlen(L, -1)), kMostDigits);
   Sandbox::of(L).charge(length * length / 64);

@@ -19,12 +19,12 @@ constexpr std::int64_t kRefusalsPerBudget = 2;
 constexpr std::int64_t kPriceOfAnError = 2'000;  // unwinding the stack takes about 10 us
 constexpr std::size_t kLettersPerInstruction = 128;
 constexpr std::size_t kMetatablesPerInstruction = 8;
-constexpr std::size_t kBytesWalkedPerInstruction = 256;  // places of a table, without a look at what is in them
+constexpr std::size_t kBytesWalkedPerInstruction = 256;  // slots of a table, without their content
 constexpr std::size_t kLargestStack = 128 * 1024;        // bytes
 constexpr int kMostArguments = 250;
 constexpr int kDeepestCall = 200;
 
-/// Pushes "file:line: " of the innermost function that is Lua, where there is one.
+/// Pushes "file:line: " of the innermost Lua function, if any.
 void push_place(lua_State* L) {
   lua_Debug record;
   for (int level = 0; lua_getstack(L, level, &record) != 0; ++level) {
@@ -63,7 +63,7 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
   if (sandbox.confined_ && new_size > held) {
     const bool is_string = block == nullptr && old_size == LUA_TSTRING;
     if (!sandbox.is_allowed(block, held, new_size, is_string)) {
-      // Lua now collects all garbage and tries again, which costs far more than an instruction.
+      // Lua collects all garbage and retries, which costs far more than an instruction.
       sandbox.remaining_ -= sandbox.granted_ / kRefusalsPerBudget;
       return nullptr;
     }
@@ -71,7 +71,7 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
     std::size_t& largest = is_string ? sandbox.longest_string_ : sandbox.largest_block_;
     largest = std::max(largest, new_size);
   }
-  // Before a table gets another size, Lua counts what is in it, and asks for its block also where that stays as it is.
+  // Before it resizes a table, Lua counts its elements, and requests its block even if the size does not change.
   if (sandbox.confined_) sandbox.remaining_ -= static_cast<std::int64_t>(held / kBytesWalkedPerInstruction);
   void* const result = std::realloc(block, new_size);
   if (result == nullptr) return nullptr;
@@ -80,19 +80,19 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
   return result;
 }
 
-/// What Lua frees when it is asked for a larger stack is the old one.
+/// The block that Lua frees after requesting a larger stack is the old stack.
 void Sandbox::find_stack() {
   finds_stack_ = true;
   lua_checkstack(lua_, 3 * LUA_MINSTACK);
   finds_stack_ = false;
 }
 
-/// Whether a script may have this much for this.
+/// Whether a script may allocate this size for this purpose.
 bool Sandbox::is_allowed(const void* block, std::size_t held, std::size_t new_size, bool is_string) const {
   const std::size_t cap = static_cast<std::size_t>(limits_.max_memory) * 1024;
   const bool too_long = is_string && new_size > string_length() + kStringHeader;
-  // Calling a table whose __call is that table again takes a place of the stack each time, and moves all before it.
-  // Lua doubles its stack, but for a few places at its end.
+  // Calling a table whose __call is the table itself uses a slot of the stack each time, and moves all arguments.
+  // Lua doubles its stack, except for a few slots at its end.
   constexpr std::size_t kEnd = 256;
   const bool is_stack = block == nullptr && new_size <= 2 * stack_.size && new_size + kEnd >= 2 * stack_.size;
   const bool too_deep = is_stack && new_size > kLargestStack;
@@ -107,13 +107,13 @@ void Sandbox::count(lua_State* L, lua_Debug* record) {
   lua_Debug outermost;
   if (lua_getstack(L, kDeepestCall, &outermost) != 0) {
     push_place(L);
-    lua_pushfstring(L, "functions call each other more than %d deep: a recursion that does not end", kDeepestCall);
+    lua_pushfstring(L, "calls nested more than %d deep (endless recursion?)", kDeepestCall);
     lua_concat(L, 2);
     lua_error(L);
   }
-  // "..." is copied whole by a single instruction.
+  // A single instruction copies all of "...".
   if (lua_getlocal(L, record, -kMostArguments - 1) != nullptr) {
-    luaL_error(L, "a function with more than %d arguments", kMostArguments);
+    luaL_error(L, "too many arguments (expected at most %d)", kMostArguments);
   }
 }
 
@@ -136,8 +136,8 @@ void Sandbox::charge(std::int64_t work) {
   raise_if_exhausted();
 }
 
-/// From the end of the budget on not one more instruction is run: an error first closes the variables that are to be
-/// closed, and functions that open new ones meanwhile would go on for ever.
+/// After the end of the budget no instruction runs: an error first closes the variables that are to be
+/// closed, and functions that open new ones meanwhile would run forever.
 void Sandbox::owe(std::int64_t work) {
   remaining_ = work > remaining_ ? -1 : remaining_ - work;
   if (remaining_ >= 0 || exhausted_) return;
@@ -146,10 +146,10 @@ void Sandbox::owe(std::int64_t work) {
 }
 
 void Sandbox::raise_if_exhausted() {
-  owe(0);  // what allocate() took, it could not say
+  owe(0);  // charges what allocate() could not report
   if (!exhausted_) return;
   push_place(lua_);
-  lua_pushfstring(lua_, "the budget of %I instructions is used up: a loop that does not end, or too much work",
+  lua_pushfstring(lua_, "budget of %I instructions used up: endless loop or too much work",
                   static_cast<LUAI_UACINT>(granted_));
   lua_concat(lua_, 2);
   lua_error(lua_);
@@ -166,7 +166,7 @@ int Sandbox::explain(lua_State* L) {
   const bool confined = sandbox.confined_;
   sandbox.confined_ = false;
   if (!lua_isstring(L, 1)) {
-    lua_pushfstring(L, "the error is a %s value, not a text", luaL_typename(L, 1));
+    lua_pushfstring(L, "error value of type %s (expected a string)", luaL_typename(L, 1));
     lua_replace(L, 1);
   }
   luaL_traceback(L, L, nullptr, 1);
@@ -195,7 +195,7 @@ std::optional<ScriptFault> Sandbox::call(int arguments, int results) {
   confined_ = confined;
   if (status == LUA_OK) return std::nullopt;
   ScriptFault fault = take_fault();
-  if (status == LUA_ERRMEM) fault.message = "more memory than a script may hold, or a string that is too long";
+  if (status == LUA_ERRMEM) fault.message = "memory limit exceeded, or string too long";
   return fault;
 }
 
@@ -203,11 +203,11 @@ std::optional<ScriptFault> Sandbox::compile(std::string_view text, const std::st
   const bool confined = std::exchange(confined_, true);
   const std::size_t largest_block = largest_block_;
   const int status = luaL_loadbufferx(lua_, text.data(), text.size(), ("@" + file).c_str(), "t");
-  largest_block_ = largest_block;  // the compiler's lists are no tables of the script
+  largest_block_ = largest_block;  // the compiler's lists are not tables of the script
   confined_ = confined;
   if (status == LUA_OK) return std::nullopt;
   ScriptFault fault = take_fault();
-  if (status == LUA_ERRMEM) fault.message = "the script needs more memory than it may hold, or has too long a string";
+  if (status == LUA_ERRMEM) fault.message = "script exceeds the memory limit, or contains a string that is too long";
   if (fault.file.empty()) fault.file = file;
   return fault;
 }

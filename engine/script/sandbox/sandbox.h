@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One script's own Lua: no way out, a budget of instructions, a memory cap, and string functions that cannot run away.
+// The isolated Lua state of one script: a budget of instructions, a memory limit, and bounded string functions.
 #pragma once
 
 #include <cstddef>
@@ -18,18 +18,18 @@
 
 namespace reorient {
 
-/// "behaviors/orientation.lua:12:5", without what is not known: both count from 1, 0 is not known.
+/// "behaviors/orientation.lua:12:5", without unknown parts: both count from 1, 0 is unknown.
 std::string place_text(const std::string& file, int line, int column);
 
-/// What went wrong in a script, and where. `line` and `column` count from 1; 0: not known.
+/// An error in a script and its position. `line` and `column` count from 1; 0: unknown.
 struct ScriptFault {
   std::string file;
   int line = 0;
-  std::string message;    ///< one line, without the place
+  std::string message;    ///< one line, without the position
   std::string traceback;  ///< several lines, may be empty
-  int column = 0;         ///< Lua itself tells none
+  int column = 0;         ///< not reported by Lua itself
 
-  /// "behaviors/orientation.lua:12:5: message", without what is not known.
+  /// "behaviors/orientation.lua:12:5: message", without unknown parts.
   std::string text() const;
 };
 
@@ -48,35 +48,35 @@ class Sandbox {
   lua_State* state() const { return lua_; }
   static Sandbox& of(lua_State* L);
 
-  /// Starts a new budget; what was left of the old one is gone.
+  /// Starts a new budget; the rest of the old one expires.
   void grant(std::int64_t instructions);
 
   /// Compiles text (never bytecode) and pushes it as a function; on a fault nothing is pushed.
   std::optional<ScriptFault> compile(std::string_view text, const std::string& file);
 
-  /// Calls the function below `arguments` values on the stack under the budget; on a fault nothing is left there.
+  /// Calls the function below `arguments` values on the stack within the budget; on a fault the stack is cleared.
   std::optional<ScriptFault> call(int arguments, int results);
 
-  /// For C++ functions that a script called: pays for their work; raises a Lua error when the budget is spent.
+  /// Charges the work of C++ functions that a script calls; raises a Lua error if the budget is used up.
   void charge(std::int64_t work);
-  /// Pays for a walk through a table, whose empty places nobody can count: as many as any table ever had.
+  /// Charges the iteration of a table with the size of the largest table, because empty slots cannot be counted.
   void charge_walk();
   /// An instruction may compare two texts, read a number in one (as the limit of a `for`), or follow a chain of
   /// metatables: its price grows with the longest text that the script ever made, and with its metatables.
   std::int64_t price_of_instruction() const;
-  /// What may still be spent.
+  /// The rest of the budget.
   std::int64_t remaining() const { return remaining_; }
   bool exhausted() const { return exhausted_; }
-  /// Raises a Lua error if the budget is spent: after each catch of a script's own errors.
+  /// Raises a Lua error if the budget is used up: call it after each catch of a script's own errors.
   void raise_if_exhausted();
   /// The message handler for each lua_pcall within a script: an error takes far more time than an instruction.
   static int pay_for_error(lua_State* L);
 
   Metatables& metatables() { return metatables_; }
-  /// The dice of the script.
+  /// The random numbers of the script.
   Random& random() { return random_; }
 
-  /// What a script's past decides of its future, apart from Lua's own memory: the dice, and what its texts cost.
+  /// The state besides Lua's own memory: the random numbers, and the cost of its texts.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     std::uint64_t longest_string = self.longest_string_;
@@ -85,8 +85,8 @@ class Sandbox {
   }
 
   std::size_t string_length() const { return static_cast<std::size_t>(limits_.string_length); }
-  std::size_t memory() const { return memory_; }        ///< bytes held
-  std::int64_t instructions() const { return spent_; }  ///< since the beginning, in steps of a hundred
+  std::size_t memory() const { return memory_; }        ///< bytes in use
+  std::int64_t instructions() const { return spent_; }  ///< since the start, in steps of a hundred
 
  private:
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
@@ -101,13 +101,13 @@ class Sandbox {
 
   ScriptLimits limits_;
   std::size_t memory_ = 0;
-  std::size_t longest_string_ = 0;  ///< bytes, that the script ever made
-  std::size_t largest_block_ = 0;   ///< bytes, of the tables that the script ever made
+  std::size_t longest_string_ = 0;  ///< bytes, of all strings of the script so far
+  std::size_t largest_block_ = 0;   ///< bytes, of all tables of the script so far
   struct Block {
     const void* place = nullptr;
     std::size_t size = 0;
   };
-  Block newest_;  ///< of what was asked for last; none where that was no new block
+  Block newest_;  ///< the last allocation; empty if it was no new block
   Block stack_;   ///< Lua's
   bool finds_stack_ = false;
   Metatables metatables_;
@@ -115,14 +115,14 @@ class Sandbox {
   std::int64_t remaining_ = 0;
   std::int64_t spent_ = 0;
   bool exhausted_ = false;
-  bool confined_ = false;  ///< a script runs: the caps hold. The host's own work must not fail on them.
+  bool confined_ = false;  ///< a script runs, so limits apply; the host's own work must not fail on them
   std::string traceback_;
   Random random_{kSeed};
   lua_State* lua_ = nullptr;
 };
 
-/// "behaviors/orientation.lua:12: message" or "...:12:5: message" in its parts; the whole text is the message where it
-/// has no such place.
+/// Splits "behaviors/orientation.lua:12: message" or "...:12:5: message"; without a position, the whole text is the
+/// message.
 ScriptFault read_fault(std::string_view text, const std::string& file);
 
 }  // namespace reorient

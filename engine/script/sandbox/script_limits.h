@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one script may use. Nothing here depends on the clock: a script behaves the same on a slow machine.
+// Limits of one script. They do not depend on the clock, so a script behaves the same on a slow computer.
 #pragma once
 
 #include "geometry/const_or.h"
@@ -21,17 +21,17 @@ inline constexpr ScriptLimits kDefaultLimits{};
 template <ConstOr<ScriptLimits> T, typename Visit>
 void describe(T& limits, Visit&& visit) {
   visit("instructions_per_frame", limits.instructions_per_frame, 1000, 100'000'000, "",
-        "how many Lua instructions a script may run in one frame");
+        "largest number of Lua instructions of a script in one frame");
   visit("instructions_per_load", limits.instructions_per_load, 1000, 1'000'000'000, "",
-        "how many Lua instructions a script may run while it is loaded");
-  visit("max_memory", limits.max_memory, 256, 1'048'576, "KiB", "how much memory a script may hold");
-  visit("string_length", limits.string_length, 256, 16'777'216, "byte", "the longest string that a script may make");
+        "largest number of Lua instructions of a script while it is loaded");
+  visit("max_memory", limits.max_memory, 256, 1'048'576, "KiB", "largest memory of a script");
+  visit("string_length", limits.string_length, 256, 16'777'216, "byte", "largest length of a string in a script");
   visit("max_errors", limits.max_errors, 1, 1000, "",
-        "after how many run-time errors a script is rolled back or stopped");
+        "number of run-time errors after which a script is rolled back or stopped");
   visit("error_window", limits.error_window, 0.1, 3600.0, "s",
-        "how long without an error until earlier ones are forgotten");
+        "time without an error after which earlier errors no longer count");
   visit("trial_time", limits.trial_time, 0.0, 3600.0, "s",
-        "how long a version must run without an error to count as good");
+        "time without an error after which a version counts as good");
 }
 template <typename Visit, ConstOr<ScriptLimits> T>
 void fields(Visit&& visit, T& limits) {

@@ -24,7 +24,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' |
 class Tokenizer {
  public:
   explicit Tokenizer(std::string_view text) : text_(text) {
-    if (text_.starts_with('#')) skip_line();  // as Lua: for scripts that a shell starts
+    if (text_.starts_with('#')) skip_line();  // as in Lua: for scripts that a shell starts
   }
 
   std::vector<LuaToken> all() {
@@ -53,7 +53,7 @@ class Tokenizer {
     while (!is_over() && at(0) != '\n') advance(1);
   }
 
-  /// How many = there are in a long bracket that opens here; -1: none does.
+  /// Number of = in the long bracket that opens here; -1: no bracket.
   int long_bracket() const {
     if (at(0) != '[') return -1;
     std::size_t level = 0;

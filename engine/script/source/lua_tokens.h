@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of a Lua script as tokens, for whoever must know where something stands: Lua itself reports lines, no
+// The tokens of a Lua script with their positions: Lua itself reports lines, but no
 // columns.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// Both count from 1; 0: not known.
+/// Both count from 1; 0: unknown.
 struct TextPosition {
   int line = 0;
   int column = 0;  ///< in bytes
@@ -27,14 +27,14 @@ struct LuaToken {
   Kind kind = Kind::end;
   std::string text;  ///< a text without its quotes, escapes as they were written
   TextPosition position;
-  int depth = 0;  ///< how many (, [ and { are open around it
+  int depth = 0;  ///< number of open (, [ and { around it
 
   bool is(Kind wanted, std::string_view written) const { return kind == wanted && text == written; }
   bool is_symbol(std::string_view written) const { return is(Kind::symbol, written); }
   bool is_keyword(std::string_view written) const { return is(Kind::keyword, written); }
 };
 
-/// Without comments; the last one is of the kind `end`. Never fails: what is no Lua becomes symbols.
+/// Without comments; the last one has the kind `end`. Never fails: text that is not Lua becomes symbols.
 std::vector<LuaToken> lua_tokens(std::string_view text);
 
 }  // namespace reorient

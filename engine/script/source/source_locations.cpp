@@ -46,7 +46,7 @@ std::optional<TextPosition> SourceLocations::transition(Table& table, std::strin
   std::size_t& cursor = common ? table.common_cursor : table.cursor;
   constexpr int kMostMisses = 8;
   if (table.begin == 0 || cursor == 0 || table.misses > kMostMisses) return std::nullopt;
-  // A transition's brace lies in the state's own table, that of an `common` one table deeper.
+  // A transition's brace is in the state's own table, that of a `common` one is one table deeper.
   const int depth = tokens_[table.begin - 1].depth + (common ? 2 : 1);
   for (std::size_t i = cursor; i + 2 < table.end; ++i) {
     const LuaToken& after = tokens_[i + 2];

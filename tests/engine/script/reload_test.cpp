@@ -92,7 +92,7 @@ TEST_F(ScriptReload, AStateThatIsGoneFallsBackToItsNearestAncestor) {
   const ReloadRecord report = edit("b", R"(behavior "b" { initial = "z", state "outer" { initial = "x",
     state "x" { enter = function() log.info("+x") end } }, state "z" {} })");
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_EQ(report.warnings[0], "b: the state 'outer/y' is gone; it goes on in 'outer/x'");
+  EXPECT_EQ(report.warnings[0], "b: state 'outer/y' was removed; it continues in 'outer/x'");
   tick();
   EXPECT_EQ(state("b"), "outer/x");
   EXPECT_EQ(logs, std::vector<std::string>{"+x"});
@@ -190,7 +190,7 @@ TEST_F(ScriptReload, WhatARollbackCannotKeepIsLogged) {
   ticks(limits.max_errors);
   ASSERT_EQ(faults.back().consequence, FaultRecord::Consequence::rolled_back);
   ASSERT_FALSE(logs.empty());
-  EXPECT_EQ(logs.back(), "the version before took over: keep: 'f' cannot be kept over a reload");
+  EXPECT_EQ(logs.back(), "the previous version took over: keep: 'f' cannot survive a reload");
 }
 
 TEST_F(ScriptReload, WhatAVersionDidInItsLastFrameDoesNotCountAgainstTheOneThatTakesOver) {
@@ -271,7 +271,7 @@ TEST_F(ScriptReload, WhatCannotBeKeptIsNamed) {
   tick();
   const ReloadRecord report = edit("b", text + " ");
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_EQ(report.warnings[0], "keep: 'f' cannot be kept over a reload");
+  EXPECT_EQ(report.warnings[0], "keep: 'f' cannot survive a reload");
 }
 
 TEST_F(ScriptReload, AKeptValueOfAnotherTypeGivesWayToTheNewDefault) {

@@ -44,7 +44,7 @@ TEST_P(HostileScript, StopsAloneWithinItsBudget) {
   EXPECT_LE(status("evil").memory, static_cast<std::size_t>(limits.max_memory) * 1024);
 }
 
-constexpr const char* kBudget = "budget of 50000 instructions is used up";
+constexpr const char* kBudget = "budget of 50000 instructions used up";
 constexpr const char* kMemory = "more memory";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -72,12 +72,12 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"DeepRecursionOverMetamethods",
                "local t = {} setmetatable(t, { __index = function(_, k) return t[k + 1] end }) local _ = t[1]", ""},
         Attack{"ChainOfCalls", "local f = type for _ = 1, 3000 do f = setmetatable({}, { __call = f }) end f()",
-               "at most 32 metatables"},
+               "too many metatables (expected at most 32)"},
         Attack{"ChainOfIndices", "local t = {} for _ = 1, 1900 do t = setmetatable({}, { __index = t }) end return t.x",
-               "at most 32 metatables"},
+               "too many metatables (expected at most 32)"},
         Attack{"ChainThatIsLinkedLater",
                "local kinds, t = {}, {} for i = 1, 1900 do kinds[i] = {} setmetatable({}, kinds[i]) end",
-               "at most 32 metatables"},
+               "too many metatables (expected at most 32)"},
         Attack{"CircleOfCalls", "local t = {} setmetatable(t, { __call = t }) t()", kMemory},
         Attack{"CircleOfIndices", "local t = {} setmetatable(t, { __index = t }) return t.x", "possible loop"},
         Attack{"StringBomb", "local s = \"x\" while true do s = s .. s end", kMemory},
@@ -119,16 +119,16 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"WritesIntoTheWorldsMetatable", "getmetatable(robot).__index = {}", "index a boolean"},
         Attack{"WritesAnothersState", "behaviors.honest.state = \"x\"", "read-only"},
         Attack{"ChangesTheStringMetatable", "getmetatable(\"\").__index = {}", "index a boolean"},
-        Attack{"WritesGlobals", "x = 1", "'x' would be a global variable"},
+        Attack{"WritesGlobals", "x = 1", "unknown variable 'x'"},
         Attack{"ReplacesGlobalsRaw", "rawset(_ENV, \"robot\", {})", "read-only"},
         Attack{"Finalizer", "setmetatable({}, { __gc = function() while true do end end })", "__gc"},
-        Attack{"ErrorOfNil", "error(nil)", "the error is a nil value"},
-        Attack{"ErrorOfTable", "error({})", "the error is a table value"},
+        Attack{"ErrorOfNil", "error(nil)", "error value of type nil"},
+        Attack{"ErrorOfTable", "error({})", "error value of type table"},
         Attack{"ErrorInErrorHandler", "local ok, what = xpcall(error, function() error(\"again\") end) error(what)",
                "again"},
         Attack{"CallsNil", "local f f()", "call a nil value"},
-        Attack{"RequiresLater", "require \"lib.walk\"", "require stands at the top"},
-        Attack{"DeclaresLater", "behavior \"second\" {}", "while it is loaded"},
+        Attack{"RequiresLater", "require \"lib.walk\"", "require is only allowed at the top"},
+        Attack{"DeclaresLater", "behavior \"second\" {}", "while a script is loaded"},
         Attack{"NotANumber", "head.look(0 / 0, 0)", "finite number"},
         Attack{"EndlessSpeed", "walk.velocity(math.huge, 0, 0)", "finite number"},
         Attack{"CommandFlood", "while true do command.flip_pose() end", "too many actions"},
@@ -136,8 +136,8 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"UnknownBehavior", "local _ = behaviors.honets.state", "did you mean 'honest'"},
         Attack{"UnknownField", "local _ = robot.penalised",
                "robot has no field 'penalised' (did you mean 'penalized'?)"},
-        Attack{"TheTruth", "local _ = truth.x", "there is no 'truth'"},
-        Attack{"TheOperator", "operator.pick_up()", "there is no 'operator'"}),
+        Attack{"TheTruth", "local _ = truth.x", "unknown name 'truth'"},
+        Attack{"TheOperator", "operator.pick_up()", "unknown name 'operator'"}),
     [](const auto& attack) { return std::string(attack.param.name); });
 
 class Sandboxed : public ScriptTest {};

@@ -274,7 +274,7 @@ TEST_F(ScriptTransitions, AConditionOnlyLooks) {
       R"(behavior "b" { initial = "one", state "one" { { "two", when = function() command.flip_pose() return true end } }, state "two" {} })");
   ticks(2);
   ASSERT_EQ(faults.size(), 1u);
-  EXPECT_NE(faults[0].fault.message.find("a condition only looks"), std::string::npos);
+  EXPECT_NE(faults[0].fault.message.find("not allowed in a condition"), std::string::npos);
   EXPECT_TRUE(commands.empty());
 }
 
@@ -284,8 +284,7 @@ TEST_F(ScriptTransitions, WhatIsWrongInALibrarysStateIsToldWhereItIsWritten) {
 })");
   const ScriptFault fault = refusal(R"(local states = require "lib.states"
 behavior "refused" { state "a" { states.pause() } })");
-  EXPECT_EQ(fault.text(), "lib/states.lua:2:47: state 'a/pause' leads to 'nowhere', which is not a state")
-      << fault.text();
+  EXPECT_EQ(fault.text(), "lib/states.lua:2:47: state 'a/pause': unknown target state 'nowhere'") << fault.text();
 }
 
 TEST_F(ScriptTransitions, ATimeThatIsNoneInALibrarysStateIsToldThereToo) {
@@ -344,36 +343,36 @@ INSTANTIATE_TEST_SUITE_P(
     Mistakes, MistakenDeclaration,
     ::testing::Values(
         Mistake{"SyntaxError", "behavior \"b\" {\n  initial = \n}", 3, "unexpected symbol"},
-        Mistake{"Nothing", "local x = 1", 1, "declares nothing"},
+        Mistake{"Nothing", "local x = 1", 1, "missing declaration"},
         Mistake{"UnknownTarget",
                 "behavior \"b\" { initial = \"watching\",\n state \"watching\" {\n  { \"corecting\", after = 1 } },\n "
                 "state \"correcting\" {} }",
-                3, "'corecting', which is not a state (did you mean 'correcting'?)"},
+                3, "unknown target state 'corecting' (did you mean 'correcting'?)"},
         Mistake{"UnknownInitial", "behavior \"b\" { initial = \"wathcing\", state \"watching\" {}, state \"b\" {} }", 1,
                 "did you mean 'watching'"},
         Mistake{"NoInitial", "behavior \"b\" { state \"a\" {}, state \"b\" {} }", 1, "say which is the first"},
         Mistake{"DuplicateState", "behavior \"b\" { initial = \"a\",\n state \"a\" {},\n state \"a\" {} }", 3,
-                "two states 'a'"},
+                "duplicate state 'a'"},
         Mistake{"StateThatNobodyCanRead", "behavior \"b\" {\n state \"\\27[2J\" {} }", 2, "printable text in UTF-8"},
         Mistake{"StateOfBytes", "behavior \"b\" {\n state \"\\xFF\" {} }", 2, "printable text in UTF-8"},
         Mistake{"NoCondition", "behavior \"b\" { state \"a\" { { \"a\" } } }", 1, "on no condition"},
         Mistake{"LastingWithoutWhen", "behavior \"b\" { state \"a\" { { \"a\", lasting = 1 } } }", 1,
-                "'lasting' needs a 'when'"},
+                "'lasting' requires 'when'"},
         Mistake{"UnknownDwell",
                 "param { settle = { 1, range = { 0, 2 }, doc = \"x\" } }\nbehavior \"b\" { state \"a\" { { \"a\", "
                 "after = \"setle\" } } }",
-                2, "there is no param 'setle' (did you mean 'settle'?)"},
+                2, "unknown param 'setle' (did you mean 'settle'?)"},
         Mistake{"UnknownKey", "behavior \"b\" {\n state \"a\" { entre = print } }", 2,
-                "there is no 'entre' here (did you mean 'enter'?)"},
-        Mistake{"NotAFunction", "behavior \"b\" { enter = 5 }", 1, "enter is a function, not a number"},
+                "unknown key 'entre' (did you mean 'enter'?)"},
+        Mistake{"NotAFunction", "behavior \"b\" { enter = 5 }", 1, "enter: expected a function, found a number"},
         Mistake{"NegativeDwell", "behavior \"b\" { state \"a\" { { \"a\", after = -1 } } }", 1, "0 or more"},
-        Mistake{"UnknownGlobal", "\nbehaviour \"b\" {}", 2, "there is no 'behaviour' (did you mean 'behavior'?)"},
+        Mistake{"UnknownGlobal", "\nbehaviour \"b\" {}", 2, "unknown name 'behaviour' (did you mean 'behavior'?)"},
         Mistake{"TwoMachinesOfAName", "behavior \"b\" {}\nbehavior \"b\" {}", 2, "declared twice"},
-        Mistake{"ParamWithoutSentence", "param { x = { 1, range = { 0, 1 } } }", 1, "needs a sentence"},
-        Mistake{"ParamOutOfItsRange", "param { x = { 5, range = { 0, 1 }, doc = \"x\" } }", 1, "its range is 0 to 1"},
-        Mistake{"ParamWithoutRange", "param { x = { 5, doc = \"x\" } }", 1, "needs range"},
+        Mistake{"ParamWithoutSentence", "param { x = { 1, range = { 0, 1 } } }", 1, "missing description"},
+        Mistake{"ParamOutOfItsRange", "param { x = { 5, range = { 0, 1 }, doc = \"x\" } }", 1, "expected 0 to 1"},
+        Mistake{"ParamWithoutRange", "param { x = { 5, doc = \"x\" } }", 1, "missing range"},
         Mistake{"EmptyRange", "param { x = { 5, range = { 1, 0 }, doc = \"x\" } }", 1, "is empty"},
-        Mistake{"ScenarioWord", "scenario \"b\" {}", 1, "there is no 'scenario'"}),
+        Mistake{"ScenarioWord", "scenario \"b\" {}", 1, "unknown name 'scenario'"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace

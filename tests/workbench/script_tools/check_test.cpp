@@ -41,16 +41,15 @@ behavior "wrong" {
   },
 }
 )");
-  EXPECT_EQ(
-      findings(),
-      R"(behaviors/wrong.lua:2:10: error: the machine begins in 'watchin', which is not one of its states (did you mean 'watching'?)
-behaviors/wrong.lua:5:7: error: state 'watching' leads to 'gonig', which is not a state (did you mean 'going'?)
+  EXPECT_EQ(findings(),
+            R"(behaviors/wrong.lua:2:10: error: the machine: unknown initial state 'watchin' (did you mean 'watching'?)
+behaviors/wrong.lua:5:7: error: state 'watching': unknown target state 'gonig' (did you mean 'going'?)
 behaviors/wrong.lua:5:62: error: there is no param 'prof' (did you mean 'proof'?)
-behaviors/wrong.lua:6:7: error: state 'watching' leads to 'going' on no condition: give 'when' or 'after'
-behaviors/wrong.lua:6:16: error: when is a function, not a number
+behaviors/wrong.lua:6:7: error: state 'watching' leads to 'going' without a condition: add 'when' or 'after'
+behaviors/wrong.lua:6:16: error: when: expected a function, found a number
 behaviors/wrong.lua:7:5: error: there is no 'entr' here (did you mean 'enter'?)
-behaviors/wrong.lua:10:19: error: after is a number of seconds, 0 or more
-behaviors/wrong.lua:11:7: error: state 'going' leads to 'watching' on no condition: give 'when' or 'after'
+behaviors/wrong.lua:10:19: error: after: expected a non-negative number of seconds
+behaviors/wrong.lua:11:7: error: state 'going' leads to 'watching' without a condition: add 'when' or 'after'
 )");
 }
 
@@ -64,8 +63,8 @@ behavior "wrong" {}
 )");
   const std::string found = findings();
   EXPECT_NE(found.find("wrong.lua:2:3: error: "), std::string::npos) << found;
-  EXPECT_NE(found.find("wrong.lua:3:3: error: param silent needs a sentence"), std::string::npos) << found;
-  EXPECT_NE(found.find("wrong.lua:4:3: error: param open needs range"), std::string::npos) << found;
+  EXPECT_NE(found.find("wrong.lua:3:3: error: param silent: missing description"), std::string::npos) << found;
+  EXPECT_NE(found.find("wrong.lua:4:3: error: param open: missing range"), std::string::npos) << found;
 }
 
 TEST_F(ScriptCheckTest, WarnsOfStatesThatAreNeverReachedAndOfThoseWithoutAWayOut) {
@@ -170,14 +169,15 @@ TEST_F(ScriptCheckTest, RefusesWhatAParameterOfItsKindWouldNotHeed) {
 }
 behavior "odd" { state "a" { history = "yes" } }
 )");
-  EXPECT_EQ(findings(),
-            "behaviors/odd.lua:2:3: error: param switch is true or false and has no range\n"
-            "behaviors/odd.lua:3:3: error: param choice begins with a string, so it is a choice and has no range\n"
-            "behaviors/odd.lua:4:3: error: param number is a number and has no choices\n"
-            "behaviors/odd.lua:5:3: error: the default of param whole is a whole number\n"
-            "behaviors/odd.lua:6:3: error: the range of param wide is { least, greatest }\n");
+  EXPECT_EQ(
+      findings(),
+      "behaviors/odd.lua:2:3: error: param switch is true or false: unexpected key 'range'\n"
+      "behaviors/odd.lua:3:3: error: param choice has a string as default, so it is a choice: unexpected key 'range'\n"
+      "behaviors/odd.lua:4:3: error: param number is a number: unexpected key 'choices'\n"
+      "behaviors/odd.lua:5:3: error: param whole: expected a whole number as default\n"
+      "behaviors/odd.lua:6:3: error: param wide: expected range = { minimum, maximum }\n");
   folder.write("behaviors/odd.lua", "behavior \"odd\" { state \"a\" { history = \"yes\" } }\n");
-  EXPECT_EQ(findings(), "behaviors/odd.lua:1:30: error: history is true or false\n");
+  EXPECT_EQ(findings(), "behaviors/odd.lua:1:30: error: history: expected true or false\n");
 }
 
 TEST_F(ScriptCheckTest, KnowsInTestsWhatTheScriptsDeclare) {
@@ -288,7 +288,7 @@ TEST_F(ScriptCheckTest, RefusesChoicesThatNoParameterFileCanHold) {
     folder.write("behaviors/a.lua",
                  std::string("local p = param { mode = { \"") + choice + "\", choices = { \"" + choice +
                      "\" }, doc = \"x\" } }\nbehavior \"a\" { update = function() print(p.mode) end }\n");
-    EXPECT_NE(findings().find("a choice of param mode is printable text in UTF-8, without line breaks"),
+    EXPECT_NE(findings().find("a choice of param mode: expected printable UTF-8 text without line breaks"),
               std::string::npos)
         << findings();
   }
@@ -307,9 +307,8 @@ TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
 TEST_F(ScriptCheckTest, TellsTwoBehaviorsOfOneName) {
   folder.write("behaviors/a.lua", "behavior \"a\" {}\n");
   folder.write("behaviors/b.lua", "behavior \"a\" {}\n");
-  EXPECT_EQ(
-      findings(),
-      "behaviors/b.lua:1:10: error: 'a' is declared in behaviors/a.lua too; rename one of them, or leave one out\n");
+  EXPECT_EQ(findings(),
+            "behaviors/b.lua:1:10: error: 'a' is also declared in behaviors/a.lua (rename or omit one of them)\n");
 }
 
 TEST_F(ScriptCheckTest, CanBeRestrictedToAFile) {
