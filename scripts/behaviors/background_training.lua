@@ -3,7 +3,7 @@
 --- sides, since only what is known together with its reflection can tell whether the room differs from it at all, and
 --- longer where it hardly seems to: a room that was called symmetric by mistake would not be learned any further. Until
 --- then somebody's word is all that speaks against the reflected pose, so reflected beliefs are purged on it. From then
---- on the model is trained only while the room speaks for the believed pose: training on a reflected belief would paint the
+--- on the model is trained only while the room supports the believed pose: training on a reflected belief would paint the
 --- room the wrong way round. Where a room that could tell seems symmetric from some moment on, though nothing happened to
 --- the robot, it is learned further all the same: more of it may show what half of it did not. While the robot is
 --- disturbed its camera is not where the pose says: both rest.
@@ -11,17 +11,17 @@
 -- SPDX-License-Identifier: MIT
 
 local p = param {
-  undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long to stand before the eyes count" },
-  min_time      = { 10.0, range = { 0, 600 }, unit = "s", doc = "how long to learn the room at least before it is trusted" },
-  max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "how long to learn at most, whatever is known" },
-  paired        = { 0.4,  range = { 0, 1 },               doc = "share of the wall that must be known with its other side to end sooner" },
-  patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "after which time less of it is enough: a still body cannot see more" },
-  least_paired  = { 0.25, range = { 0, 1 },               doc = "share that is enough then" },
-  separability  = { 0.7,  range = { 0, 1 },               doc = "what confidence.separability must reach to end sooner, too" },
-  lingering     = { 0.05, range = { 0, 1 },               doc = "share of reflected pose particles that is purged meanwhile" },
-  purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "how long to wait after such a purge" },
-  proof         = { 4.6,  range = { -50, 50 },             doc = "log-odds of the believed pose that it takes to train on" },
-  hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "how long it must do so" },
+  undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "time after standing up before views count" },
+  min_time      = { 10.0, range = { 0, 600 }, unit = "s", doc = "shortest learning time before the model of the room is used" },
+  max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "longest learning time, independent of what is known" },
+  paired        = { 0.4,  range = { 0, 1 },               doc = "fraction of the wall that must be known together with its opposite side to end sooner" },
+  patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "time after which least_paired is enough, because a standing robot cannot see more" },
+  least_paired  = { 0.25, range = { 0, 1 },               doc = "fraction that is enough after patience" },
+  separability  = { 0.7,  range = { 0, 1 },               doc = "smallest confidence.separability to end sooner" },
+  lingering     = { 0.05, range = { 0, 1 },               doc = "fraction of reflected pose particles that is purged while learning" },
+  purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "waiting time after such a purge" },
+  proof         = { 4.6,  range = { -50, 50 },             doc = "smallest log-odds of the believed pose for further training" },
+  hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "time for which the log-odds must reach proof" },
 }
 
 -- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
@@ -51,7 +51,7 @@ behavior "background_training" {
   priority = 40,
   initial = "waiting",
   common = {
-    { "disturbed", when = function() return robot.posture == "lifted" end, because = "somebody has lifted the robot" },
+    { "disturbed", when = function() return robot.posture == "lifted" end, because = "the robot is lifted" },
     { "disturbed", when = function() return robot.posture ~= "upright" end, because = "the robot falls, lies or gets up" },
     { "disturbed", when = function() return robot.penalized end, because = "the robot is penalized" },
   },
@@ -75,7 +75,7 @@ behavior "background_training" {
     { "trusting", when = knows_the_room, because = "the room is known" },
     { "learning",
       when = function() return is_vouched_for() and stands_on_the_field() end,
-      because = "the pose is known and the room is not" },
+      because = "the pose is known, but the room is not" },
   },
 
   state "learning" {
@@ -89,7 +89,7 @@ behavior "background_training" {
     state "studying" {
       { "purging",
         when = function() return pose.reflected_weight > p.lingering end,
-        because = "the pose was told, so its reflection is wrong" },
+        because = "the initial pose was set, so its reflection is wrong" },
     },
 
     state "purging" {
@@ -101,15 +101,15 @@ behavior "background_training" {
   state "trusting" {
     initial = "watching",
     enter = function() memory.has_begun = true end,
-    { "waiting", when = is_known_no_more, because = "the room was forgotten: the wall or the colours were set anew" },
+    { "waiting", when = is_known_no_more, because = "the room was forgotten: parameters of the wall or the colors were changed" },
 
     state "watching" {
       enter = function() command.pause_training() end,
-      { "refining", when = wins, lasting = "hold_time", because = "the room speaks for the believed pose" },
+      { "refining", when = wins, lasting = "hold_time", because = "the room supports the believed pose" },
     },
 
     state "refining" {
-      { "watching", when = function() return not still_wins() end, because = "the room does not speak clearly for the believed pose" },
+      { "watching", when = function() return not still_wins() end, because = "the room does not clearly support the believed pose" },
     },
   },
 }

@@ -3,7 +3,7 @@
 -- SPDX-License-Identifier: MIT
 
 param {
-  rest_time = { 1.0, range = { 0, 10 }, unit = "s", doc = "how long to lie still before getting up" },
+  rest_time = { 1.0, range = { 0, 10 }, unit = "s", doc = "time to lie still before getting up" },
 }
 
 local function is_on_its_feet_or_lifted() return robot.posture == "upright" or robot.posture == "lifted" end
@@ -27,6 +27,6 @@ behavior "get_up" {
       walk.stand()
       motion.get_up()
     end,
-    { "idle", when = is_on_its_feet_or_lifted, because = "the robot stands again, or somebody has lifted it" },
+    { "idle", when = is_on_its_feet_or_lifted, because = "the robot stands again or is lifted" },
   },
 }

@@ -9,13 +9,13 @@ local decision = require "lib.decision"
 local gaze = require "lib.gaze"
 
 param {
-  hold_time = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long the room must speak for one pose to end the search" },
-  unsure_time = { 10.0, range = { 0, 60 }, unit = "s", doc = "how long it may speak for neither before the search begins" },
+  hold_time = { 1.0,  range = { 0, 10 },   unit = "s", doc = "time for which the room must support one pose to end the search" },
+  unsure_time = { 10.0, range = { 0, 60 }, unit = "s", doc = "time for which the room may support neither pose before the search starts" },
   unsure_time_after_disturbance = { 4.0, range = { 0, 60 }, unit = "s",
-                doc = "the same just after a disturbance: the usual scan of the head is often enough" },
-  timeout   = { 20.0, range = { 1, 120 },  unit = "s", doc = "how long to search at most" },
-  dwell     = { 1.0,  range = { 0, 10 },   unit = "s", doc = "how long to look at one goal" },
-  reach_timeout = { 8.0, range = { 0.5, 60 }, unit = "s", doc = "after which time to try the other goal if one cannot be looked at" },
+                doc = "the same directly after a disturbance, when the normal scan of the head is often enough" },
+  timeout   = { 20.0, range = { 1, 120 },  unit = "s", doc = "longest time of a search" },
+  dwell     = { 1.0,  range = { 0, 10 },   unit = "s", doc = "time to look at one goal" },
+  reach_timeout = { 8.0, range = { 0.5, 60 }, unit = "s", doc = "time after which to try the other goal if the head cannot reach the first one" },
 }
 
 local memory = keep { looks = 0, is_there = false, saw_posts = false }   -- of this search; is_there: the head, now
@@ -57,7 +57,7 @@ behavior "goal_search" {
   },
 
   state "resting" {
-    { "searching", when = is_unsure, lasting = "unsure_time", because = "the room speaks for neither pose" },
+    { "searching", when = is_unsure, lasting = "unsure_time", because = "the room supports neither pose" },
   },
 
   state "disturbed" {
@@ -65,18 +65,18 @@ behavior "goal_search" {
   },
 
   state "put down" {
-    { "searching", when = is_unsure, lasting = "unsure_time_after_disturbance", because = "the room speaks for neither pose since then" },
+    { "searching", when = is_unsure, lasting = "unsure_time_after_disturbance", because = "the room supports neither pose since the disturbance" },
     { "resting",
       when = function() return is_sure() and confidence.status ~= "fresh" end,
-      lasting = "unsure_time_after_disturbance", because = "the room speaks for one pose, or cannot tell" },
+      lasting = "unsure_time_after_disturbance", because = "the room supports one pose, or cannot distinguish them" },
   },
 
   state "searching" {
     publishes = "pose_is_searched",
     initial = "choosing",
     enter = function() memory.looks, memory.is_there, memory.saw_posts = 0, false, false end,
-    { "resting", when = is_belief_worthless, because = "no goal stands where the belief says" },
-    { "resting", when = is_sure, lasting = "hold_time", because = "the room speaks for one pose" },
+    { "resting", when = is_belief_worthless, because = "no goal is at the believed position" },
+    { "resting", when = is_sure, lasting = "hold_time", because = "the room supports one pose" },
     { "resting", after = "timeout", because = "the search took too long" },
 
     state "choosing" {
@@ -90,8 +90,8 @@ behavior "goal_search" {
       exit = note_look,
       { "own goal",
         when = function() return gaze.is_at(opponent_goal()) end,
-        lasting = "dwell", because = "the goal was looked at" },
-      { "own goal", after = "reach_timeout", because = "the goal cannot be looked at" },
+        lasting = "dwell", because = "the goal was in view long enough" },
+      { "own goal", after = "reach_timeout", because = "the head cannot reach the goal" },
     },
 
     state "own goal" {
@@ -99,8 +99,8 @@ behavior "goal_search" {
       exit = note_look,
       { "opponent goal",
         when = function() return gaze.is_at(own_goal()) end,
-        lasting = "dwell", because = "the goal was looked at" },
-      { "opponent goal", after = "reach_timeout", because = "the goal cannot be looked at" },
+        lasting = "dwell", because = "the goal was in view long enough" },
+      { "opponent goal", after = "reach_timeout", because = "the head cannot reach the goal" },
     },
   },
 }

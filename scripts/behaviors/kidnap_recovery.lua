@@ -9,15 +9,15 @@ local decision = require "lib.decision"
 local walking = require "lib.walk"
 
 local p = param {
-  lift_time      = { 0.5,  range = { 0, 5 },   unit = "s",     doc = "how long somebody must hold the robot" },
-  share          = { 0.4,  range = { 0, 1 },                   doc = "confidence in the believed pose that it takes" },
-  hold_time      = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long the room must support the believed pose" },
-  cluster_weight = { 0.6,  range = { 0, 1 },                   doc = "share of the pose particles that must agree on the believed pose" },
-  recovery_probability = { 0.1, range = { 0, 1 },              doc = "how lost the pose filter may be: the place must fit, too" },
-  timeout        = { 25.0, range = { 1, 120 }, unit = "s",     doc = "how long to search before the orientation is forgotten, and after" },
-  no_goal_time   = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "how long no goal may have been in view then: it might help" },
-  longest        = { 90.0, range = { 5, 600 }, unit = "s",     doc = "how long to search with the believed pose, whatever the room says" },
-  turn           = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn on the spot meanwhile" },
+  lift_time      = { 0.5,  range = { 0, 5 },   unit = "s",     doc = "time for which the robot must be lifted" },
+  share          = { 0.4,  range = { 0, 1 },                   doc = "smallest confidence in the believed pose for a recovery" },
+  hold_time      = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "time for which the room must support the believed pose" },
+  cluster_weight = { 0.6,  range = { 0, 1 },                   doc = "fraction of the pose particles that must agree on the believed pose" },
+  recovery_probability = { 0.1, range = { 0, 1 },              doc = "largest pose.recovery_probability, because the position must fit, too" },
+  timeout        = { 25.0, range = { 1, 120 }, unit = "s",     doc = "longest search before the orientation is reset, and after it" },
+  no_goal_time   = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "time without a goal in view before that reset, because a goal may help" },
+  longest        = { 90.0, range = { 5, 600 }, unit = "s",     doc = "longest search with the believed pose, independent of the room" },
+  turn           = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "rotation speed on the spot during the search" },
 }
 
 local memory = keep { put_down_at = 0.0 }
@@ -42,7 +42,7 @@ behavior "kidnap_recovery" {
   common = {
     { "lifted",
       when = function() return robot.posture == "lifted" end,
-      lasting = "lift_time", because = "somebody carries the robot" },
+      lasting = "lift_time", because = "the robot is lifted" },
   },
 
   state "undisturbed" {},
@@ -51,7 +51,7 @@ behavior "kidnap_recovery" {
   state "lifted" {
     enter = function() command.pause_training() end,
     exit = function() memory.put_down_at = clock.time end,
-    { "searching", when = function() return robot.time_since_disturbance > 0.0 end, because = "the robot stands, who knows where" },
+    { "searching", when = function() return robot.time_since_disturbance > 0.0 end, because = "the robot stands at an unknown position" },
   },
 
   state "searching" {
@@ -60,12 +60,12 @@ behavior "kidnap_recovery" {
     enter = function() command.pause_training() end,
     update = function() walking.turn(p.turn) end,
     { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
-    { "interrupted", when = function() return not can_search() end, because = "the robot cannot search now" },
+    { "interrupted", when = function() return not can_search() end, because = "the robot cannot search at present" },
 
     state "with its belief" {
       { "with any orientation", when = is_stuck, lasting = "no_goal_time", after = "timeout", because = "neither pose won" },
-      { "lost", when = function() return not confidence.can_tell end, after = "timeout", because = "the room cannot tell" },
-      { "lost", after = "longest", because = "the room speaks, but the place does not fit" },
+      { "lost", when = function() return not confidence.can_tell end, after = "timeout", because = "the room cannot distinguish the poses" },
+      { "lost", after = "longest", because = "the room supports a pose, but the position does not fit" },
     },
 
     state "with any orientation" {

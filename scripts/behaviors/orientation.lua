@@ -10,11 +10,11 @@
 local decision = require "lib.decision"
 
 local p = param {
-  hold_time  = { 0.2,  range = { 0, 10 }, unit = "s", doc = "how long the room must say so" },
-  min_time   = { 3.0,  range = { 0, 30 }, unit = "s", doc = "how long to wait after a command, until its effect shows" },
-  lingering  = { 0.1,  range = { 0, 1 },              doc = "share of reflected pose particles that is worth a purge" },
-  settling   = { 5.0,  range = { 0, 60 }, unit = "s", doc = "how long the belief may still be turned into place once views speak" },
-  taken_back = { 0.05, range = { 0, 1 },              doc = "share of what it said that the room may take back meanwhile" },
+  hold_time  = { 0.2,  range = { 0, 10 }, unit = "s", doc = "time for which the evidence must exceed the threshold" },
+  min_time   = { 3.0,  range = { 0, 30 }, unit = "s", doc = "waiting time after a command until its effect shows" },
+  lingering  = { 0.1,  range = { 0, 1 },              doc = "fraction of reflected pose particles that causes a purge" },
+  settling   = { 5.0,  range = { 0, 60 }, unit = "s", doc = "time after the first known tiles during which lines and posts may still correct the belief" },
+  taken_back = { 0.05, range = { 0, 1 },              doc = "largest relative decrease of the evidence during settling" },
 }
 
 local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0, age = 0.0, began = 0.0,
@@ -55,7 +55,7 @@ behavior "orientation" {
   initial = "watching",
   update = watch_evidence,
   common = {
-    { "lifted", when = function() return robot.posture == "lifted" end, because = "somebody has lifted the robot" },
+    { "lifted", when = function() return robot.posture == "lifted" end, because = "the robot is lifted" },
     { "fallen", when = function() return robot.posture == "lying" end, because = "the robot fell" },
   },
 
@@ -79,7 +79,7 @@ behavior "orientation" {
         lasting = "hold_time", because = "the reflected pose won" },
       { "in doubt",
         when = function() return confidence.age < memory.age_in_peace end,
-        because = "what was seen before says nothing any more" },
+        because = "earlier views are not valid any more" },
     },
   },
 
@@ -92,7 +92,7 @@ behavior "orientation" {
     -- A flip that was refused has turned nothing, and a purge would take away what the room has just spoken for.
     { "purging",
       when = function() return confidence.evidence < 0 and pose.reflected_weight > p.lingering end,
-      because = "the flip turned right beliefs round too" },
+      because = "the flip also mirrored correct particles" },
     { "watching", after = "min_time" },
   },
 

@@ -9,14 +9,14 @@
 local walking = require "lib.walk"
 
 local p = param {
-  arrived     = { 0.15, range = { 0.05, 1 },              doc = "how near to a mark counts as there", unit = "m" },
-  pause       = { 1.0,  range = { 0, 60 },    unit = "s", doc = "how long to stand on a mark" },
-  turn_round  = { true,                                   doc = "turn round once at first and on a mark while the room is being learned" },
-  coverage    = { 0.8,  range = { 0, 1 },                 doc = "share of the wall from which on turning round is not needed" },
-  turn_speed  = { 0.6,  range = { 0.1, 2 }, unit = "rad/s", doc = "how fast to turn round" },
-  lost_time   = { 2.0,  range = { 0, 60 },    unit = "s", doc = "how long the pose must not be tracked before the robot looks round" },
-  longest_look = { 30.0, range = { 0, 600 },  unit = "s", doc = "how long to look round at most before it walks by what it believes" },
-  undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "how long the robot must stand again before it walks" },
+  arrived     = { 0.15, range = { 0.05, 1 },              doc = "distance at which the robot counts as on the mark", unit = "m" },
+  pause       = { 1.0,  range = { 0, 60 },    unit = "s", doc = "time to stand on a mark" },
+  turn_round  = { true,                                   doc = "rotate once at the start and on a mark while the room is being learned" },
+  coverage    = { 0.8,  range = { 0, 1 },                 doc = "learned fraction of the wall at which no rotation is needed" },
+  turn_speed  = { 0.6,  range = { 0.1, 2 }, unit = "rad/s", doc = "rotation speed" },
+  lost_time   = { 2.0,  range = { 0, 60 },    unit = "s", doc = "time without a tracked pose before the robot rotates on the spot" },
+  longest_look = { 30.0, range = { 0, 600 },  unit = "s", doc = "longest rotation on the spot before the robot walks by its belief" },
+  undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "time to stand after a disturbance before the robot walks" },
 }
 
 -- `side` of the mark to go to: -1 is the robot's own half, 1 the opponent's.
@@ -47,9 +47,9 @@ behavior "penalty_marks" {
   initial = "walking",
   common = {
     { "disturbed", when = is_disturbed, because = "the robot cannot walk now" },
-    { "held", when = function() return not robot.can_walk end, because = "this body does not walk" },
-    { "held", when = may_not_walk, because = "the referee lets nobody walk" },
-    { "waiting", when = must_wait, because = "others search for the pose" },
+    { "held", when = function() return not robot.can_walk end, because = "this body cannot walk" },
+    { "held", when = may_not_walk, because = "the referee does not permit walking" },
+    { "waiting", when = must_wait, because = "another behavior searches for the pose" },
   },
 
   state "walking" {
@@ -57,10 +57,10 @@ behavior "penalty_marks" {
     { "looking round", when = is_lost, lasting = "lost_time", because = "the lines do not fit the pose" },
     { "turning round",
       when = function() return not memory.has_turned and does_not_know_the_room() end,
-      because = "the robot begins to learn the room" },
+      because = "the robot starts to learn the room" },
     { "turning round",
       when = function() return is_there() and does_not_know_the_room() end,
-      because = "the robot is on the mark and does not know the whole room" },
+      because = "the robot is on the mark, and part of the room is unknown" },
     { "on the mark", when = is_there, because = "the robot is on the mark" },
   },
 
@@ -73,7 +73,7 @@ behavior "penalty_marks" {
 
   state "looking round" {
     update = function() walking.turn(p.turn_speed) end,
-    { "walking", when = is_found, because = "the pose is known, or others search for it" },
+    { "walking", when = is_found, because = "the pose is known, or another behavior searches for it" },
     { "walking", after = "longest_look", because = "nothing was found" },
   },
 
@@ -96,6 +96,6 @@ behavior "penalty_marks" {
 
   state "held" {
     update = function() walk.stand() end,
-    { "walking", when = function() return robot.may_walk and robot.can_walk end, because = "the game goes on" },
+    { "walking", when = function() return robot.may_walk and robot.can_walk end, because = "the game continues" },
   },
 }

@@ -10,11 +10,11 @@ local decision = require "lib.decision"
 local p = param {
   pitch = { -0.1,  range = { -0.6, 0.5 }, unit = "rad",   doc = "how far to look down" },
   speed = { 2.0,   range = { 0.1, 5.0 },  unit = "rad/s", doc = "how fast to turn the head" },
-  dwell = { 0.2,   range = { 0, 5.0 },    unit = "s",     doc = "how long to look at one place" },
-  timeout = { 2.0, range = { 0.2, 20.0 }, unit = "s",     doc = "after which time to look elsewhere if the place was not reached" },
-  study = { 0.4,   range = { 0, 5.0 },    unit = "s",     doc = "the same while the room is learned" },
-  least = { 0.05,  range = { 0, 10 },     unit = "tiles", doc = "worth of a view below which there is nothing to look at" },
-  unknown = { 3.0, range = { 0, 100 },    unit = "tiles", doc = "how much must be unknown in a view that is worth learning" },
+  dwell = { 0.2,   range = { 0, 5.0 },    unit = "s",     doc = "time to look in one direction" },
+  timeout = { 2.0, range = { 0.2, 20.0 }, unit = "s",     doc = "time after which to look elsewhere if a direction was not reached" },
+  study = { 0.4,   range = { 0, 5.0 },    unit = "s",     doc = "time to look in one direction while the room is learned" },
+  least = { 0.05,  range = { 0, 10 },     unit = "tiles", doc = "smallest score of a view at which the head turns to it" },
+  unknown = { 3.0, range = { 0, 100 },    unit = "tiles", doc = "smallest number of unknown tiles at which the head turns to a view" },
 }
 
 local NEAR = 0.08   -- rad
@@ -38,24 +38,24 @@ behavior "wall_gaze" {
   initial = "resting",
 
   state "resting" {
-    { "looking", when = is_in_doubt, because = "the walls have to tell which way the robot looks" },
-    { "studying", when = is_learning, because = "the walls are learned, and some are not known yet" },
+    { "looking", when = is_in_doubt, because = "the orientation is unconfirmed" },
+    { "studying", when = is_learning, because = "the room is being learned, and some tiles are unknown" },
   },
 
   state "looking" {
     enter = function() memory.yaw = views.best_yaw end,
     update = function() head.look(memory.yaw, p.pitch, p.speed) end,
-    { "resting", when = function() return not is_in_doubt() end, because = "the walls have told enough, or cannot tell" },
-    { "looking", when = is_there, lasting = "dwell", because = "the place was looked at" },
-    { "looking", after = "timeout", because = "the place cannot be looked at" },
+    { "resting", when = function() return not is_in_doubt() end, because = "the orientation is confirmed, or the room cannot distinguish the poses" },
+    { "looking", when = is_there, lasting = "dwell", because = "the view was held long enough" },
+    { "looking", after = "timeout", because = "the head cannot reach the view" },
   },
 
   state "studying" {
     enter = function() memory.yaw = views.unknown_yaw end,
     update = function() head.look(memory.yaw, p.pitch, p.speed) end,
-    { "resting", when = function() return not training.active end, because = "the walls are not learned any more" },
-    { "resting", when = is_known_there, lasting = "study", because = "what can be seen of the walls is known" },
-    { "studying", when = is_there, lasting = "study", because = "the place was learned" },
-    { "studying", after = "timeout", because = "the place cannot be looked at" },
+    { "resting", when = function() return not training.active end, because = "the training has ended" },
+    { "resting", when = is_known_there, lasting = "study", because = "the visible tiles are known" },
+    { "studying", when = is_there, lasting = "study", because = "the view was learned" },
+    { "studying", after = "timeout", because = "the head cannot reach the view" },
   },
 }

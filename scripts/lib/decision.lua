@@ -5,10 +5,10 @@
 -- SPDX-License-Identifier: MIT
 
 local p = param {
-  false_flips  = { 0.02,  range = { 0.0001, 1000 }, unit = "1/h", doc = "how many flips of a pose that was right are allowed in an hour" },
-  looks        = { 240.0, range = { 1, 100000 },    unit = "1/h", doc = "how often in an hour of peace all of the evidence is replaced" },
-  disturbances = { 5.0,   range = { 0.1, 10000 },   unit = "1/h", doc = "how often in an hour its pose is put in doubt" },
-  least        = { 2.0,   range = { 0, 20 },                      doc = "log-odds that are asked for in any case" },
+  false_flips  = { 0.02,  range = { 0.0001, 1000 }, unit = "1/h", doc = "permitted number of flips of a correct pose per hour" },
+  looks        = { 240.0, range = { 1, 100000 },    unit = "1/h", doc = "number of independent evaluations per hour of a confirmed pose" },
+  disturbances = { 5.0,   range = { 0.1, 10000 },   unit = "1/h", doc = "number of disturbances per hour that make the pose unconfirmed" },
+  least        = { 2.0,   range = { 0, 20 },                      doc = "lower limit of the thresholds in log-odds" },
 }
 
 local decision = {}

@@ -5,8 +5,8 @@
 local walking = require "lib.walk"
 
 local p = param {
-  near    = { 0.5, range = { 0.05, 5 }, unit = "m",   doc = "up to this error of position a belief is right" },
-  turned  = { 0.5, range = { 0.05, 3.2 }, unit = "rad", doc = "up to this error of direction a belief is right" },
+  near    = { 0.5, range = { 0.05, 5 }, unit = "m",   doc = "largest error of position of a correct belief" },
+  turned  = { 0.5, range = { 0.05, 3.2 }, unit = "rad", doc = "largest error of direction of a correct belief" },
 }
 
 local ground_truth = {}

@@ -3,12 +3,12 @@
 -- SPDX-License-Identifier: MIT
 
 local p = param {
-  speed    = { 1.0, range = { 0, 2 },                   doc = "how fast to walk forward: share of the speed at which the robot goes far" },
+  speed    = { 1.0, range = { 0, 2 },                   doc = "forward speed as a fraction of robot.cruise" },
   turn     = { 0.6, range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn" },
-  near     = { 0.3, range = { 0, 2 },   unit = "m",     doc = "from this distance on walk slower and without turning to the target" },
-  aligned  = { 0.4, range = { 0, 3.2 }, unit = "rad",   doc = "up to this bearing walk while turning; beyond turn on the spot" },
-  distance = { 0.1, range = { 0, 1 },   unit = "m",     doc = "how near counts as arrived" },
-  angle    = { 0.1, range = { 0, 3.2 }, unit = "rad",   doc = "which error of direction counts as arrived" },
+  near     = { 0.3, range = { 0, 2 },   unit = "m",     doc = "distance below which the robot walks slower and without turning to the target" },
+  aligned  = { 0.4, range = { 0, 3.2 }, unit = "rad",   doc = "largest bearing at which the robot walks while turning; above it turns on the spot" },
+  distance = { 0.1, range = { 0, 1 },   unit = "m",     doc = "distance at which the robot counts as arrived" },
+  angle    = { 0.1, range = { 0, 3.2 }, unit = "rad",   doc = "error of direction at which the robot counts as arrived" },
 }
 
 local walk_library = {}

@@ -7,9 +7,9 @@ local decision = require "lib.decision"
 local ground_truth = require "lib.ground_truth"
 
 param {
-  learn   = { 60.0,  range = { 0, 600 }, unit = "s", doc = "how long the robot may learn the room" },
-  stay    = { 10.0,  range = { 0, 60 },  unit = "s", doc = "how long the belief must be right and sure" },
-  timeout = { 120.0, range = { 1, 600 }, unit = "s", doc = "how long all that may take" },
+  learn   = { 60.0,  range = { 0, 600 }, unit = "s", doc = "time for which the robot learns the room" },
+  stay    = { 10.0,  range = { 0, 60 },  unit = "s", doc = "time for which the belief must be correct and confirmed" },
+  timeout = { 120.0, range = { 1, 600 }, unit = "s", doc = "longest time after the push" },
 }
 
 scenario "fallen" {
@@ -21,7 +21,7 @@ scenario "fallen" {
 
   state "placing" {
     enter = function() ground_truth.start() end,
-    { "learning", after = 0.1, because = "the robot was told where it stands" },
+    { "learning", after = 0.1, because = "the initial pose is set" },
   },
 
   state "learning" {
@@ -39,7 +39,7 @@ scenario "fallen" {
     state "down" {
       { "up again",
         when = function() return behaviors.orientation.state == "resetting" and not truth.fallen end,
-        because = "the robot got up and forgot its orientation" },
+        because = "the robot got up and reset its orientation" },
     },
 
     state "up again" {
@@ -51,7 +51,7 @@ scenario "fallen" {
     state "right" {
       enter = function()
         ground_truth.note("found")
-        verdict.succeed("the robot got up, forgot its orientation and found it again")
+        verdict.succeed("the robot got up, reset its orientation and found it again")
       end,
     },
   },
@@ -59,7 +59,7 @@ scenario "fallen" {
   state "failed" {
     enter = function()
       ground_truth.note("gave up")
-      verdict.fail("the robot was not sure of a right pose in time; its belief is " .. ground_truth.error_in_words())
+      verdict.fail("the robot did not confirm a correct pose in time; its belief is " .. ground_truth.error_in_words())
     end,
   },
 }

@@ -1,15 +1,15 @@
 --- The robot walks between the penalty marks and is pushed over from time to time. How exactly does it know its pose?
---- Either the operator sets the initial pose, or the robot is put down anywhere and no initial pose is set.
+--- Either the operator sets the initial pose, or the robot is placed anywhere and no initial pose is set.
 
 -- SPDX-License-Identifier: MIT
 
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
-  duration = { 600.0, range = { 1, 36000 }, unit = "s", doc = "how long the run takes; beyond 600 s it needs --seconds, too" },
-  falls    = { 2,     range = { 0, 100 }, integer = true, doc = "how often the robot is pushed over, at about even distances" },
+  duration = { 600.0, range = { 1, 36000 }, unit = "s", doc = "duration of the run; above 600 s also set --seconds" },
+  falls    = { 2,     range = { 0, 100 }, integer = true, doc = "number of times the robot is pushed over, at about equal intervals" },
   told     = { true,  doc = "whether the initial pose is set; otherwise the robot stands anywhere" },
-  margin   = { 0.5,   range = { 0, 3 }, unit = "m", doc = "how far from the lines it is put down at least if it is not told" },
+  margin   = { 0.5,   range = { 0, 3 }, unit = "m", doc = "smallest distance from the lines at which the robot is placed without an initial pose" },
 }
 
 local memory = keep { falls = 0, next_fall = 0.0 }
@@ -54,7 +54,7 @@ scenario "falls" {
 
     state "on its feet" {
       enter = plan_next_fall,
-      { "pushed over", when = is_fall_due, because = "somebody pushes the robot over" },
+      { "pushed over", when = is_fall_due, because = "the robot is pushed over" },
     },
 
     state "pushed over" {

@@ -7,9 +7,9 @@
 local ground_truth = require "lib.ground_truth"
 
 param {
-  learn    = { 40.0, range = { 0, 600 }, unit = "s", doc = "how long the robot may learn the room" },
-  duration = { 60.0, range = { 1, 600 }, unit = "s", doc = "how long the second half takes" },
-  patience = { 2.0,  range = { 0, 60 },  unit = "s", doc = "how long the belief may be wrong" },
+  learn    = { 40.0, range = { 0, 600 }, unit = "s", doc = "time for which the robot learns the room" },
+  duration = { 60.0, range = { 1, 600 }, unit = "s", doc = "duration of the second half" },
+  patience = { 2.0,  range = { 0, 60 },  unit = "s", doc = "longest time with a wrong belief" },
 }
 
 scenario "half_time" {
@@ -21,7 +21,7 @@ scenario "half_time" {
 
   state "placing" {
     enter = function() ground_truth.start() end,
-    { "first half", after = 0.1, because = "the robot was told where it stands" },
+    { "first half", after = 0.1, because = "the initial pose is set" },
   },
 
   state "first half" {
@@ -47,12 +47,12 @@ scenario "half_time" {
   state "right" {
     enter = function()
       ground_truth.note("after half-time")
-      verdict.succeed("the robot knows its place on the other side")
+      verdict.succeed("the robot knows its position after the change of sides")
     end,
   },
 
   state "flipped" {
-    enter = function() verdict.fail("half-time made the robot flip its belief") end,
+    enter = function() verdict.fail("the robot flipped its belief after half-time") end,
   },
 
   state "wrong" {

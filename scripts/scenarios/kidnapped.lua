@@ -7,14 +7,14 @@
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
-  learn    = { 60.0,  range = { 0, 600 },   unit = "s",   doc = "how long the robot may learn the room" },
-  carry    = { 2.0,   range = { 0.2, 30 },  unit = "s",   doc = "how long it is in the air" },
-  ahead    = { 1.0,   range = { -3, 3 },    unit = "m",   doc = "where it is put down: ahead of the reflection of its belief" },
-  left     = { 1.2,   range = { -3, 3 },    unit = "m",   doc = "and to the left of that" },
-  turn     = { 0.7,   range = { -3.2, 3.2 }, unit = "rad", doc = "and turned to the left" },
-  mark_tolerance = { 0.5,   range = { 0.1, 2 },   unit = "m",   doc = "how near to the right mark is right" },
-  stay     = { 0.5,   range = { 0, 10 },    unit = "s",   doc = "how long it must stay near a mark" },
-  timeout  = { 180.0, range = { 1, 600 },   unit = "s",   doc = "how long it may take after being put down" },
+  learn    = { 60.0,  range = { 0, 600 },   unit = "s",   doc = "time for which the robot learns the room" },
+  carry    = { 2.0,   range = { 0.2, 30 },  unit = "s",   doc = "time for which the robot is lifted" },
+  ahead    = { 1.0,   range = { -3, 3 },    unit = "m",   doc = "distance at which it is placed ahead of the reflection of its belief" },
+  left     = { 1.2,   range = { -3, 3 },    unit = "m",   doc = "distance to the left of the reflection of its belief" },
+  turn     = { 0.7,   range = { -3.2, 3.2 }, unit = "rad", doc = "rotation to the left relative to the reflection of its belief" },
+  mark_tolerance = { 0.5,   range = { 0.1, 2 },   unit = "m",   doc = "largest distance from the correct mark" },
+  stay     = { 0.5,   range = { 0, 10 },    unit = "s",   doc = "time for which it must stay near a mark" },
+  timeout  = { 180.0, range = { 1, 600 },   unit = "s",   doc = "longest time after it was placed" },
 }
 
 local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
@@ -39,7 +39,7 @@ scenario "kidnapped" {
 
   state "placing" {
     enter = function() ground_truth.start() end,
-    { "learning", after = 0.1, because = "the robot was told where it stands" },
+    { "learning", after = 0.1, because = "the initial pose is set" },
   },
 
   state "learning" {
@@ -52,7 +52,7 @@ scenario "kidnapped" {
       ground_truth.note("picked up")
       operator.pick_up()
     end,
-    { "elsewhere", after = "carry", because = "put down at another place" },
+    { "elsewhere", after = "carry", because = "the robot is placed elsewhere" },
   },
 
   state "elsewhere" {
@@ -72,14 +72,14 @@ scenario "kidnapped" {
     state "right" {
       enter = function()
         ground_truth.note("arrived")
-        verdict.succeed("the kidnapped robot found its place and walked to the right mark")
+        verdict.succeed("the kidnapped robot found its position and walked to the correct mark")
       end,
     },
 
     state "wrong" {
       enter = function()
         ground_truth.note("arrived")
-        verdict.fail("the robot believes that it stands on its mark, and is " .. ground_truth.error_in_words())
+        verdict.fail("the robot believes that it stands on its mark; its belief is " .. ground_truth.error_in_words())
       end,
     },
   },

@@ -9,11 +9,11 @@ local ground_truth = require "lib.ground_truth"
 local function set_true_pose() operator.set_initial_pose(truth.x, truth.y, truth.rotation) end
 
 local p = param {
-  learn    = { 60.0, range = { 0, 600 }, unit = "s", doc = "how long the robot learns with the mirrored pose as its belief" },
+  learn    = { 60.0, range = { 0, 600 }, unit = "s", doc = "learning time with the mirrored pose as belief" },
   remedy   = { "none", choices = { "none", "set", "set_again" },
-               doc = "what happens then: nothing, or the true pose is set, or it is set and set again after a flip" },
-  reaction = { 2.0, range = { 0, 60 }, unit = "s", doc = "how long after the first time it is set again at the earliest" },
-  timeout  = { 30.0, range = { 1, 36000 }, unit = "s", doc = "how long the belief is observed after that" },
+               doc = "action after learning: nothing, set the true pose, or set it and set it again after a flip" },
+  reaction = { 2.0, range = { 0, 60 }, unit = "s", doc = "shortest time until the pose is set again" },
+  timeout  = { 30.0, range = { 1, 36000 }, unit = "s", doc = "time for which the belief is observed" },
 }
 
 scenario "learned_mirrored" {

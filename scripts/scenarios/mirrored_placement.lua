@@ -8,12 +8,12 @@
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
-  learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "how long the robot may learn the room" },
-  carry   = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "how long it is in the air" },
-  mark_tolerance = { 0.5,   range = { 0.1, 2 },  unit = "m", doc = "how near to the right mark is right" },
-  settle  = { 2.0,   range = { 0, 30 },   unit = "s", doc = "how long the belief of one that cannot walk must stay right" },
-  stay    = { 0.5,   range = { 0, 10 },   unit = "s", doc = "how long it must stay near a mark" },
-  timeout = { 120.0, range = { 1, 600 },  unit = "s", doc = "how long it may take after being put down" },
+  learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "time for which the robot learns the room" },
+  carry   = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "time for which the robot is lifted" },
+  mark_tolerance = { 0.5,   range = { 0.1, 2 },  unit = "m", doc = "largest distance from the correct mark" },
+  settle  = { 2.0,   range = { 0, 30 },   unit = "s", doc = "time for which the belief of a robot that cannot walk must stay correct" },
+  stay    = { 0.5,   range = { 0, 10 },   unit = "s", doc = "time for which it must stay near a mark" },
+  timeout = { 120.0, range = { 1, 600 },  unit = "s", doc = "longest time after it was placed" },
 }
 
 local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
@@ -31,7 +31,7 @@ scenario "mirrored_placement" {
 
   state "placing" {
     enter = ground_truth.start,
-    { "learning", after = 0.1, because = "the robot was told where it stands" },
+    { "learning", after = 0.1, because = "the initial pose is set" },
   },
 
   state "learning" {
@@ -44,7 +44,7 @@ scenario "mirrored_placement" {
       ground_truth.note("picked up")
       operator.pick_up()
     end,
-    { "mirrored", after = "carry", because = "put down on the reflection of its belief" },
+    { "mirrored", after = "carry", because = "placed at the reflection of its belief" },
   },
 
   state "mirrored" {
@@ -86,7 +86,7 @@ scenario "mirrored_placement" {
   state "failed" {
     enter = function()
       ground_truth.note("gave up")
-      verdict.fail("the robot did not mend its belief, or not reach the right mark, in time")
+      verdict.fail("the robot did not correct its belief or did not reach the correct mark in time")
     end,
   },
 }

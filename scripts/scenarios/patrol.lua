@@ -6,8 +6,8 @@
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
-  duration = { 600.0, range = { 1, 36000 }, unit = "s", doc = "how long the run takes; beyond 600 s it needs --seconds, too" },
-  report   = { 60.0,  range = { 1, 3600 },  unit = "s", doc = "how often to write truth and belief into the log" },
+  duration = { 600.0, range = { 1, 36000 }, unit = "s", doc = "duration of the run; above 600 s also set --seconds" },
+  report   = { 60.0,  range = { 1, 3600 },  unit = "s", doc = "interval at which truth and belief are logged" },
 }
 
 local memory = keep { wrong = 0.0 }   -- s, how long the belief was wrong so far
@@ -27,7 +27,7 @@ scenario "patrol" {
 
   state "placing" {
     enter = function() ground_truth.start() end,
-    { "walking", after = 0.1, because = "the robot was told where it stands" },
+    { "walking", after = 0.1, because = "the initial pose is set" },
   },
 
   state "walking" {

@@ -8,9 +8,9 @@
 local ground_truth = require "lib.ground_truth"
 
 local p = param {
-  event = { "mirrored_placement", doc = "what happens to the robot", choices = {
+  event = { "mirrored_placement", doc = "event that happens to the robot", choices = {
     "none",           -- it is left in peace
-    "mirrored_placement",   -- it is carried, and put down on the reflection of its belief
+    "mirrored_placement",   -- it is carried, and placed at the reflection of its belief
     "put_back",       -- it is carried, and put down where it was
     "kidnapped",      -- it is carried, and put down anywhere on the field
     "fallen",         -- it is pushed over
@@ -18,14 +18,14 @@ local p = param {
     "misled",         -- it is brought to where it started, and told the reflection of that
     "half_time",      -- the teams change sides
   } },
-  side    = { "own", choices = { "own", "opponent" }, doc = "the half of the field beside which it starts" },
-  learn   = { 40.0,  range = { 0, 600 },   unit = "s", doc = "how long the robot may learn the room" },
-  wait_least = { 0.0, range = { 0, 600 },  unit = "s", doc = "how long nothing happens after that, at least" },
-  wait_most  = { 0.0, range = { 0, 600 },  unit = "s", doc = "the same at most; chance says which" },
-  carry   = { 1.5,   range = { 0.2, 30 },  unit = "s", doc = "how long it is in the air" },
-  penalty = { 10.0,  range = { 0.5, 120 }, unit = "s", doc = "how long it is out of the game" },
-  margin  = { 0.5,   range = { 0, 3 },     unit = "m", doc = "how far from the lines a kidnapped robot is put down at least" },
-  timeout = { 60.0,  range = { 1, 36000 }, unit = "s", doc = "how long its belief is watched" },
+  side    = { "own", choices = { "own", "opponent" }, doc = "half of the field beside which the robot starts" },
+  learn   = { 40.0,  range = { 0, 600 },   unit = "s", doc = "time for which the robot learns the room" },
+  wait_least = { 0.0, range = { 0, 600 },  unit = "s", doc = "shortest time after learning before the event" },
+  wait_most  = { 0.0, range = { 0, 600 },  unit = "s", doc = "longest time after learning before the event; the seed chooses between both" },
+  carry   = { 1.5,   range = { 0.2, 30 },  unit = "s", doc = "time for which the robot is lifted" },
+  penalty = { 10.0,  range = { 0.5, 120 }, unit = "s", doc = "duration of the penalty" },
+  margin  = { 0.5,   range = { 0, 3 },     unit = "m", doc = "smallest distance from the lines at which a kidnapped robot is placed" },
+  timeout = { 60.0,  range = { 1, 36000 }, unit = "s", doc = "time for which the belief is observed" },
 }
 
 local memory = keep { x = 0.0, y = 0.0, rotation = 0.0, wait = 0.0 }   -- the belief when something happens
@@ -79,7 +79,7 @@ scenario "trial" {
       operator.put_down(x, y, rotation)
       operator.set_initial_pose(x, y, rotation)
     end,
-    { "learning", after = 0.1, because = "the robot was told where it stands" },
+    { "learning", after = 0.1, because = "the initial pose is set" },
   },
 
   state "learning" {
@@ -92,10 +92,10 @@ scenario "trial" {
       operator.change_light()
     end,
     { "carried", when = function() return CARRIED[p.event] and time_in_state() >= memory.wait end,
-      because = "somebody takes the robot" },
+      because = "the operator lifts the robot" },
     { "out of the game", when = function() return p.event == "penalized" and time_in_state() >= memory.wait end,
       because = "the referee calls the robot" },
-    { "measured", when = function() return time_in_state() >= memory.wait end, because = "it is time" },
+    { "measured", when = function() return time_in_state() >= memory.wait end, because = "the waiting time is over" },
   },
 
   state "carried" {
@@ -103,7 +103,7 @@ scenario "trial" {
       remember_belief()
       operator.pick_up()
     end,
-    { "measured", after = "carry", because = "the robot is put down" },
+    { "measured", after = "carry", because = "the robot is placed" },
   },
 
   state "out of the game" {

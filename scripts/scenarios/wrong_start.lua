@@ -7,9 +7,9 @@
 local ground_truth = require "lib.ground_truth"
 
 param {
-  learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "how long the robot may learn the room" },
-  stay    = { 2.0,   range = { 0, 60 },   unit = "s", doc = "how long the belief must be right" },
-  timeout = { 200.0, range = { 1, 600 },  unit = "s", doc = "how long it may take; in the paper more counts as failed" },
+  learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "time for which the robot learns the room" },
+  stay    = { 2.0,   range = { 0, 60 },   unit = "s", doc = "time for which the belief must be correct" },
+  timeout = { 200.0, range = { 1, 600 },  unit = "s", doc = "longest time until the flip; in the paper a longer time counts as failed" },
 }
 
 scenario "wrong_start" {
@@ -19,7 +19,7 @@ scenario "wrong_start" {
 
   state "placing" {
     enter = function() ground_truth.start() end,
-    { "learning", after = 0.1, because = "the robot was told where it stands" },
+    { "learning", after = 0.1, because = "the initial pose is set" },
   },
 
   state "learning" {
@@ -41,7 +41,7 @@ scenario "wrong_start" {
     },
 
     state "right" {
-      enter = function() verdict.succeed("the robot noticed that it was told the reflection of its pose") end,
+      enter = function() verdict.succeed("the robot noticed that the initial pose was mirrored") end,
     },
   },
 

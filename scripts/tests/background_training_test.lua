@@ -10,7 +10,7 @@ end
 
 local DISTURBANCES = {
   lying = { { posture = "lying" }, { posture = "upright" }, "the robot falls, lies or gets up" },
-  lifted = { { posture = "lifted" }, { posture = "upright" }, "somebody has lifted the robot" },
+  lifted = { { posture = "lifted" }, { posture = "upright" }, "the robot is lifted" },
   penalized = { { penalized = true }, { penalized = false }, "the robot is penalized" },
 }
 
@@ -313,7 +313,7 @@ end)
 
 test("a reload in the middle keeps the leases", function()
   learned()
-  reload { from = "doc = \"how long it must do so\"", to = "doc = \"how long it must last\"" }
+  reload { from = "doc = \"time for which the log-odds must reach proof\"", to = "doc = \"how long it must last\"" }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")

@@ -32,7 +32,7 @@ test("succeeds when the robot got up and is sure of a right pose", function()
   fall()
   get_up()
   expect.state("fallen", "pushed over/up again")
-  expect.reason("fallen", "the robot got up and forgot its orientation")
+  expect.reason("fallen", "the robot got up and reset its orientation")
   set_world { confidence = { evidence = -9 } }
   advance(9)
   expect.state("fallen", "pushed over/up again")

@@ -35,7 +35,7 @@ test("leaves off when somebody lifts it", function()
   set_world { robot = { posture = "lifted" } }
   advance(0.1)
   expect.state("get_up", "idle")
-  expect.reason("get_up", "the robot stands again, or somebody has lifted it")
+  expect.reason("get_up", "the robot stands again or is lifted")
   expect.get_up(false)
 end)
 
@@ -60,7 +60,7 @@ test("goes on getting up until it stands, and takes a new rest after a second fa
   expect.state("get_up", "getting up")
   set_world { robot = { posture = "upright" } }
   advance(0.1)
-  expect.reason("get_up", "the robot stands again, or somebody has lifted it")
+  expect.reason("get_up", "the robot stands again or is lifted")
   set_world { robot = { posture = "lying" } }
   advance(0.5)
   expect.state("get_up", "lying")

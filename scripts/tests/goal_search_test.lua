@@ -35,7 +35,7 @@ local DISTURBANCES = {
   penalized = { { penalized = true }, { penalized = false } },
 }
 
-test("leaves head and legs to others while the room speaks for one pose", function()
+test("leaves head and legs to others while the room supports one pose", function()
   start()
   advance(60)
   expect.state("goal_search", "resting")
@@ -44,7 +44,7 @@ test("leaves head and legs to others while the room speaks for one pose", functi
   expect.state("goal_search", "resting")
 end)
 
-test("searches when the room speaks for neither pose for a while", function()
+test("searches when the room supports neither pose for a while", function()
   start()
   set_world { confidence = { evidence = -2 } }
   advance(9.5)
@@ -53,12 +53,12 @@ test("searches when the room speaks for neither pose for a while", function()
   expect.state("goal_search", "searching/opponent goal")
 end)
 
-test("gives as its reason that the room speaks for neither pose", function()
+test("gives as its reason that the room supports neither pose", function()
   start()
   set_world { confidence = { evidence = -2 } }
   advance(10.03)
   expect.state("goal_search", "searching/choosing")
-  expect.reason("goal_search", "the room speaks for neither pose")
+  expect.reason("goal_search", "the room supports neither pose")
   expect.walk(0, 0, 0)
 end)
 
@@ -77,7 +77,7 @@ test("does not search in a room that looks the same after half a turn", function
 end)
 
 for what, change in pairs(DISTURBANCES) do
-  test("waits for fresh confidences after the robot was " .. what .. ", then searches if the room speaks for neither pose", function()
+  test("waits for fresh confidences after the robot was " .. what .. ", then searches if the room supports neither pose", function()
     start()
     set_world { robot = change[1] }
     advance(1)
@@ -92,14 +92,14 @@ for what, change in pairs(DISTURBANCES) do
   end)
 end
 
-test("rests after a disturbance when the room speaks for one pose", function()
+test("rests after a disturbance when the room supports one pose", function()
   start()
   set_world { robot = { posture = "lifted" } }
   advance(1)
   set_world { robot = { posture = "upright" } }
   advance(4.2 + FRESH)
   expect.state("goal_search", "resting")
-  expect.reason("goal_search", "the room speaks for one pose, or cannot tell")
+  expect.reason("goal_search", "the room supports one pose, or cannot distinguish them")
 end)
 
 test("rests after a disturbance when the room is not known", function()
@@ -146,7 +146,7 @@ test("looks at both goals in turn and dwells on each", function()
   expect.state("goal_search", "searching/opponent goal")
   advance(0.2)
   expect.state("goal_search", "searching/own goal")
-  expect.reason("goal_search", "the goal was looked at")
+  expect.reason("goal_search", "the goal was in view long enough")
   expect.head(math.rad(45), 0.0)
   look_at(math.rad(45))
   expect.state("goal_search", "searching/opponent goal")
@@ -179,7 +179,7 @@ test("goes on to the other goal when one cannot be looked at", function()
   set_world { robot = { head_yaw = 0.3 }, confidence = { evidence = 0 } }
   advance(8.2)
   expect.state("goal_search", "searching/own goal")
-  expect.reason("goal_search", "the goal cannot be looked at")
+  expect.reason("goal_search", "the head cannot reach the goal")
 end)
 
 for _, case in ipairs { { "believed", -9 }, { "reflected", 9 } } do
@@ -191,7 +191,7 @@ for _, case in ipairs { { "believed", -9 }, { "reflected", 9 } } do
     expect.state("goal_search", "searching/opponent goal")
     advance(0.3)
     expect.state("goal_search", "resting")
-    expect.reason("goal_search", "the room speaks for one pose")
+    expect.reason("goal_search", "the room supports one pose")
   end)
 end
 
@@ -215,7 +215,7 @@ test("ends when no goal stands at either place: the belief is worth nothing", fu
   expect.state("goal_search", "searching/own goal")
   look_at(math.rad(45))
   expect.state("goal_search", "resting")
-  expect.reason("goal_search", "no goal stands where the belief says")
+  expect.reason("goal_search", "no goal is at the believed position")
   advance(5)
   expect.state("goal_search", "resting")
 end)
@@ -243,7 +243,7 @@ test("does not take a goal that is seen elsewhere for the one that was looked fo
     set_world { robot = { head_yaw = math.rad(45) } }
     advance(1.2)
   end
-  expect.reason("goal_search", "no goal stands where the belief says")
+  expect.reason("goal_search", "no goal is at the believed position")
 end)
 
 test("a fall ends the search", function()

@@ -20,7 +20,7 @@ local function put_down()
   set_world { robot = { posture = "lifted" } }
   advance(2.1)
   expect.state("kidnapped", "elsewhere/lost")
-  expect.reason("kidnapped", "put down at another place")
+  expect.reason("kidnapped", "the robot is placed elsewhere")
   expect.action("put_down")
   set_world { robot = { posture = "upright" } }
   set_truth(1.6, 2.0, -2.0)

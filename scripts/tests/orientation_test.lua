@@ -223,7 +223,7 @@ test("a robot that is dropped has fallen", function()
   set_world { robot = { posture = "lifted" } }
   advance(0.4)
   expect.state("orientation", "lifted")
-  expect.reason("orientation", "somebody has lifted the robot")
+  expect.reason("orientation", "the robot is lifted")
   set_world { robot = { posture = "lying" } }
   advance(0.1)
   expect.state("orientation", "fallen")
@@ -250,7 +250,7 @@ test("purges at once after a flip that turned right beliefs round too", function
   expect.command("flip_pose", "granted")   -- by which the evidence becomes -9
   expect.command("purge_reflection", "granted")
   expect.state("orientation", "purging")
-  expect.reason("orientation", "the flip turned right beliefs round too")
+  expect.reason("orientation", "the flip also mirrored correct particles")
 end)
 
 test("does not purge what the room has just spoken for where its flip was refused", function()
@@ -318,7 +318,7 @@ test("asks for more before it flips a pose that has proved right", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("is in doubt again when what was seen before says nothing any more", function()
+test("is in doubt again when earlier views are not valid any more", function()
   learned_room()
   set_world { confidence = { evidence = -9 } }
   advance(0.5)

@@ -42,7 +42,7 @@ test("turns round before its first steps while it learns the room", function()
   set_world { training = { active = true }, confidence = { coverage = 0.1 } }
   advance(0.1)
   expect.state("penalty_marks", "turning round")
-  expect.reason("penalty_marks", "the robot begins to learn the room")
+  expect.reason("penalty_marks", "the robot starts to learn the room")
   advance(2 * math.pi / 0.6)
   expect.state("penalty_marks", "walking")
   advance(3)
@@ -74,7 +74,7 @@ test("looks round while the lines do not fit the pose, but not for ever", functi
   set_world { pose = { tracked = true } }
   advance(0.1)
   expect.state("penalty_marks", "walking")
-  expect.reason("penalty_marks", "the pose is known, or others search for it")
+  expect.reason("penalty_marks", "the pose is known, or another behavior searches for it")
   set_world { pose = { tracked = false } }
   advance(2.1)
   expect.state("penalty_marks", "looking round")
@@ -130,7 +130,7 @@ test("a disturbance ends turning round", function()
   expect.state("penalty_marks", "disturbed")
 end)
 
-test("waits while others search for the pose, even on a mark", function()
+test("waits while another behavior searches for the pose, even on a mark", function()
   load_behavior "kidnap_recovery"
   load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
@@ -141,7 +141,7 @@ test("waits while others search for the pose, even on a mark", function()
   advance(5)
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.state("penalty_marks", "waiting")
-  expect.reason("penalty_marks", "others search for the pose")
+  expect.reason("penalty_marks", "another behavior searches for the pose")
   set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(3.2)
   expect.state("kidnap_recovery", "recovered")
@@ -189,7 +189,7 @@ test("an edit of the library counts without losing the way", function()
   expect.walk(0.3, 0, 0)
 end)
 
-test("stands as long as the referee lets nobody walk", function()
+test("stands as long as the referee does not permit walking", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
   set_world { robot = { may_walk = false } }
@@ -199,7 +199,7 @@ test("stands as long as the referee lets nobody walk", function()
   set_world { robot = { may_walk = true } }
   advance(0.1)
   expect.state("penalty_marks", "walking")
-  expect.reason("penalty_marks", "the game goes on")
+  expect.reason("penalty_marks", "the game continues")
 end)
 
 test("stands where the body does not walk", function()

@@ -19,7 +19,7 @@ test("leaves the head to the scan while the room has told enough", function()
   end
 end)
 
-test("leaves it where the room cannot tell", function()
+test("leaves it if the room cannot distinguish the poses", function()
   in_doubt()
   for _, status in ipairs { "off", "resting", "unlearned", "symmetric", "lost" } do
     set_world { confidence = { status = status } }
@@ -33,20 +33,20 @@ test("leaves it where there is nothing to see", function()
   set_world { views = { best_score = 0 } }
   advance(0.5)
   expect.state("wall_gaze", "resting")
-  expect.reason("wall_gaze", "the walls have told enough, or cannot tell")
+  expect.reason("wall_gaze", "the orientation is confirmed, or the room cannot distinguish the poses")
 end)
 
 test("looks where the walls tell most, and then at the next such place", function()
   in_doubt()
   expect.state("wall_gaze", "looking")
-  expect.reason("wall_gaze", "the walls have to tell which way the robot looks")
+  expect.reason("wall_gaze", "the orientation is unconfirmed")
   expect.head(-0.7, -0.1)
   set_world { views = { best_yaw = 0.5 } }
   advance(0.3)
   expect.head(-0.7, -0.1)   -- first things first
   set_world { robot = { head_yaw = -0.68 } }
   advance(0.3)
-  expect.reason("wall_gaze", "the place was looked at")
+  expect.reason("wall_gaze", "the view was held long enough")
   expect.head(0.5, -0.1)
 end)
 
@@ -54,7 +54,7 @@ test("looks elsewhere when a place cannot be looked at", function()
   in_doubt()
   set_world { views = { best_yaw = 0.5 } }
   advance(2.1)
-  expect.reason("wall_gaze", "the place cannot be looked at")
+  expect.reason("wall_gaze", "the head cannot reach the view")
   expect.head(0.5, -0.1)
 end)
 
@@ -73,11 +73,11 @@ test("looks where most is unknown while the room is learned", function()
   advance(0.3)
   expect.head(0.9, -0.1)   -- a tile is trusted after a while only
   advance(0.2)
-  expect.reason("wall_gaze", "the place was learned")
+  expect.reason("wall_gaze", "the view was learned")
   expect.head(-0.4, -0.1)
 end)
 
-test("leaves the head to the scan when what can be seen is known, once the place was looked at", function()
+test("leaves the head to the scan when what can be seen is known, once the view was held long enough", function()
   learning()
   set_world { views = { unknown_score = 1 } }
   advance(1)
@@ -85,7 +85,7 @@ test("leaves the head to the scan when what can be seen is known, once the place
   set_world { robot = { head_yaw = 0.9 } }
   advance(0.5)
   expect.state("wall_gaze", "resting")
-  expect.reason("wall_gaze", "what can be seen of the walls is known")
+  expect.reason("wall_gaze", "the visible tiles are known")
   expect.head(1.1, -0.1)
 end)
 

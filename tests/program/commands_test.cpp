@@ -153,10 +153,11 @@ TEST_F(CommandsTest, NewNeverOverwritesAndTakesPlainNamesOnly) {
 TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
   const ProgramRun listed = run({"params", "orientation.", "--set", "orientation.lingering=0.3"});
   EXPECT_EQ(listed.code, kSuccess) << listed.err;
-  EXPECT_NE(listed.out.find("  0.3  command line  0 to 1: share of reflected pose particles that is worth a purge"),
+  EXPECT_NE(listed.out.find("  0.3  command line  0 to 1: fraction of reflected pose particles that causes a purge"),
             std::string::npos)
       << listed.out;
-  EXPECT_NE(listed.out.find("  0.2  default       0 to 10 s: how long the room must say so"), std::string::npos)
+  EXPECT_NE(listed.out.find("  0.2  default       0 to 10 s: time for which the evidence must exceed the threshold"),
+            std::string::npos)
       << listed.out;
   EXPECT_EQ(listed.out.find("head_scan"), std::string::npos);
 }

@@ -4,7 +4,7 @@
 local p = param {
   sure  = { 0.5, range = { 0, 1 },                doc = "how far the believed pose must be ahead for the robot to be sure" },
   dwell = { 1.0, range = { 0.1, 10 }, unit = "s", doc = "how long to look to one side" },
-  angle = { 0.8, range = { 0, 2 }, unit = "rad",  doc = "how far to turn the head to each side" },
+  angle = { 0.8, range = { 0, 2 }, unit = "rad",  doc = "largest yaw of the head to each side" },
 }
 
 local memory = keep { looks = 0 }   -- survives a reload; local variables do not

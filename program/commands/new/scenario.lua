@@ -20,7 +20,7 @@ scenario "NAME" {
       operator.put_down(-1.0, 0.5, 0)
       operator.set_initial_pose(-1.0, 0.5, 0)
     end,
-    { "waiting", after = 0.1, because = "the robot was told where it stands" },
+    { "waiting", after = 0.1, because = "the initial pose is set" },
   },
 
   state "waiting" {

@@ -5,8 +5,8 @@
 -- SPDX-License-Identifier: MIT
 
 local p = param {
-  lead     = { 0.3, range = { 0, 1 },              doc = "how far a confidence must be ahead of the other to win" },
-  min_time = { 3.0, range = { 0, 30 }, unit = "s", doc = "how long to wait after a command, until its effect shows" },
+  lead     = { 0.3, range = { 0, 1 },              doc = "difference of the confidences at which the greater one wins" },
+  min_time = { 3.0, range = { 0, 30 }, unit = "s", doc = "waiting time after a command until its effect shows" },
 }
 
 local function lead() return confidence.current - confidence.opposite end

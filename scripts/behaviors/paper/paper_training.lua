@@ -7,8 +7,8 @@
 local walking = require "lib.walk"
 
 local p = param {
-  turn     = { 0.6,  range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn while the room is learned" },
-  min_time = { 20.0, range = { 0, 600 }, unit = "s",     doc = "how long to train before the evaluation begins" },
+  turn     = { 0.6,  range = { 0, 2 },   unit = "rad/s", doc = "rotation speed while the room is learned" },
+  min_time = { 20.0, range = { 0, 600 }, unit = "s",     doc = "training time before the evaluation starts" },
 }
 
 local function is_disturbed() return robot.time_since_disturbance == 0.0 end
@@ -33,7 +33,7 @@ behavior "paper_training" {
   state "waiting" {
     enter = function() command.pause_evaluation() end,
     { "training online", when = is_learned, because = "the room is known" },
-    { "learning", when = function() return pose.known end, because = "the pose is known and the room is not" },
+    { "learning", when = function() return pose.known end, because = "the pose is known, but the room is not" },
   },
 
   state "learning" {
