@@ -1,12 +1,11 @@
---- When may the background model of the room be trained, when may the room be compared with it, and when is it trusted?
---- With a known pose and no model the room is learned first, and the evaluation waits until enough of it is known on both
---- sides, since only what is known together with its reflection can tell whether the room differs from it at all, and
---- longer where it hardly seems to: a room that was called symmetric by mistake would not be learned any further. Until
---- then somebody's word is all that speaks against the reflected pose, so reflected beliefs are purged on it. From then
---- on the model is trained only while the room supports the believed pose: training on a reflected belief would paint the
---- room the wrong way round. Where a room that could tell seems symmetric from some moment on, though nothing happened to
---- the robot, it is learned further all the same: more of it may show what half of it did not. While the robot is
---- disturbed its camera is not where the pose says: both rest.
+--- Decides when the model of the room is trained, when the room is compared with it, and when the result is used. With a
+--- known pose and an unknown room, the room is learned first. The evaluation waits until enough of it is known on both
+--- sides, because only tiles that are known together with their reflections show whether the room is symmetric. It waits
+--- longer if the room seems symmetric, because a room that is wrongly called symmetric would not be learned further. Until
+--- then only the initial pose contradicts the reflected pose, so reflected particles are purged. After that, the model is
+--- trained only while the room supports the believed pose, because training on a reflected belief would learn the room
+--- mirrored. If a room that was not symmetric starts to seem symmetric without a disturbance, it is learned further, since
+--- more of it may show a difference. While the robot is disturbed, the camera's pose is unknown, so both pause.
 
 -- SPDX-License-Identifier: MIT
 
@@ -24,7 +23,7 @@ local p = param {
   hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "time for which the log-odds must reach proof" },
 }
 
--- Once the robot was lifted while it learned, nobody vouches any more for the pose that it was started with.
+-- After a lift during learning, the initial pose is not reliable any more.
 local memory = keep { has_begun = false, was_lifted = false }
 
 local function stands_on_the_field() return robot.time_since_disturbance > p.undisturbed_time end

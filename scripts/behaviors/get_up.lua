@@ -1,4 +1,4 @@
---- Gets up after a fall, once the robot has come to rest. A robot that somebody lifts is left alone.
+--- Gets up after a fall, once the robot lies still. Does nothing while the robot is lifted.
 
 -- SPDX-License-Identifier: MIT
 

@@ -1,7 +1,7 @@
---- Where are the goals? A robot that is unsure of its orientation stands still and looks in turn to both places where
---- the goals should be by its belief: there the wall tells the two ends of the field apart and the posts tell the place.
---- It decides nothing; it only brings the evidence before the eyes of those who do. Where no goal post is in view at
---- either place, the belief is worth nothing, and neither is looking where it says.
+--- Looks for the goals. A robot with an uncertain orientation stands still and looks in turn at both believed positions of
+--- the goals: the wall there distinguishes the ends of the field, and the posts show the position. It decides nothing; it
+--- only provides views for the behaviors that decide. If no goal post is in view at either position, the belief is useless,
+--- and so is looking where it points.
 
 -- SPDX-License-Identifier: MIT
 
@@ -24,8 +24,8 @@ local function opponent_goal() return field.length / 2, 0.0 end
 
 local function own_goal() return -field.length / 2, 0.0 end
 
--- Before the room is known, or where both of its ends look the same, looking at the goals would not help either; and
--- after a disturbance the head scans as usual until its views say something.
+-- Looking at the goals does not help in an unknown or symmetric room. After a
+-- disturbance the head scans as usual until the confidences are valid.
 local function is_unsure()
   return confidence.can_tell and confidence.status ~= "fresh" and not decision.for_either()
 end
@@ -42,7 +42,7 @@ local function look_for_posts(x, y)
   if seen.goal_posts > 0 and memory.is_there then memory.saw_posts = true end
 end
 
--- A goal that the head does not reach was not looked at, and says nothing of the belief.
+-- A goal that the head cannot reach gives no information about the belief.
 local function note_look()
   if memory.is_there then memory.looks = memory.looks + 1 end
 end

@@ -1,6 +1,6 @@
---- Lets the head sweep from side to side, once over the walls of the room and once over the lines of the field, so that
---- room awareness and self-localization both see enough. A robot that looks for its place looks at the lines only, but not
---- for ever: where no line is found, the room must be learned all the same.
+--- Moves the head from side to side, once over the walls of the room and once over the lines of the field, so that room
+--- awareness and self-localization both see enough. A robot that searches for its position looks only at the lines, but
+--- for a limited time: if no line is found, the room must be learned anyway.
 
 -- SPDX-License-Identifier: MIT
 
@@ -15,7 +15,7 @@ local p = param {
 
 local NEAR = 0.05   -- rad
 
-local memory = keep { began = 0.0, was_tracked = true }   -- when the robot began to look for its place, s
+local memory = keep { began = 0.0, was_tracked = true }   -- start of the search for the position, s
 
 local function side() return math.min(p.width, robot.head_reach) end   -- rad
 

@@ -1,7 +1,6 @@
---- Where am I, after somebody has carried me? A robot that was lifted distrusts its pose. Back on its feet it stays
---- where it is and turns, so that room awareness and self-localization see all around it, and nothing is learned, until
---- the room has supported the believed pose long enough. If neither pose wins, the orientation is forgotten, once.
---- Flips and purges are the business of orientation: a reflected pose wins or loses there.
+--- Finds the pose of a robot that was lifted. Back on its feet, the robot stays at its position and turns, so that room
+--- awareness and self-localization see all around it. Nothing is learned until the room has supported the believed pose for
+--- long enough. If neither pose wins, the orientation is reset once. The behavior orientation decides on flips and purges.
 
 -- SPDX-License-Identifier: MIT
 
@@ -33,7 +32,7 @@ end
 
 local function can_search() return robot.time_since_disturbance > 0.0 and robot.may_walk end
 
--- In a room that cannot tell the two ends apart a forgotten orientation would be found again by the toss of a coin.
+-- In a symmetric room, an orientation that was reset would be found again only at random.
 local function is_stuck() return confidence.can_tell and not decision.for_either() and seen.goal_posts == 0 end
 
 behavior "kidnap_recovery" {
@@ -47,7 +46,7 @@ behavior "kidnap_recovery" {
 
   state "undisturbed" {},
 
-  -- A robot that may not move, since it is penalized or nobody plays yet, cannot turn: its search begins when it may.
+  -- A robot that may not move (penalized, or before the game) cannot turn: its search starts when it may.
   state "lifted" {
     enter = function() command.pause_training() end,
     exit = function() memory.put_down_at = clock.time end,
@@ -74,7 +73,7 @@ behavior "kidnap_recovery" {
     },
   },
 
-  -- It fell, is penalized or has to wait for the kick-off: nothing was searched in that time, so none of it counts.
+  -- It fell, is penalized or waits for the kick-off: this time does not count as search.
   state "interrupted" {
     publishes = "pose_is_searched",
     enter = function() command.pause_training() end,
@@ -85,12 +84,12 @@ behavior "kidnap_recovery" {
   state "lost" {
     enter = function()
       command.pause_training()
-      log.info("still unsure of the pose, goes on with it")
+      log.info("still unsure of the pose, continues with it")
     end,
     { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
   },
 
   state "recovered" {
-    enter = function() log.info(string.format("recovered %.1f s after it was put down", clock.time - memory.put_down_at)) end,
+    enter = function() log.info(string.format("recovered %.1f s after it was placed", clock.time - memory.put_down_at)) end,
   },
 }

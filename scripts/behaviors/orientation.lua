@@ -1,9 +1,8 @@
---- Which of the two look-alike poses is the robot really in? When the room speaks for the reflection of the believed pose,
---- the belief is flipped; when it speaks for the believed pose while wrong beliefs linger, those are purged; after a fall
---- that the robot got up from, the orientation is reset. Whether the room may speak at all, the core says:
---- confidence.status. How much it must say is asked of lib.decision: less while the pose is in doubt, so that a robot that
---- was put down is soon right, and more in peace, where it would have to be wrong again and again for hours. What the room
---- says first, and then takes back, is not acted upon.
+--- Decides which of the two symmetric poses is correct. If the room supports the reflection of the believed pose, the
+--- belief is flipped. If it supports the believed pose while wrong particles remain, those are purged. After a fall from
+--- which the robot got up, the orientation is reset. confidence.status tells whether the confidences are valid. lib.decision
+--- sets the threshold: lower for an unconfirmed pose, so that a placed robot is soon correct, and higher for a confirmed
+--- pose, which is evaluated again and again for hours. Evidence that rises first and then falls causes no flip.
 
 -- SPDX-License-Identifier: MIT
 
@@ -20,8 +19,8 @@ local p = param {
 local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0, age = 0.0, began = 0.0,
   most_evidence = 0.0 }
 
--- A flip turns every belief round, right ones as well, and a reset spreads them: once the believed pose has proved right
--- after either, what is wrong is purged. The purge also says that the pose is known again, so that training may go on.
+-- A flip mirrors every particle, correct ones as well, and a reset spreads them: once the believed pose is confirmed
+-- after either, wrong particles are purged. The purge also makes the pose known again, so that training can continue.
 local function is_purge_due() return memory.confirm or pose.reflected_weight > p.lingering end
 
 local function may_decide() return confidence.status == "usable" end
@@ -35,9 +34,9 @@ local function watch_evidence()
   memory.most_evidence = math.max(memory.most_evidence, confidence.evidence)
 end
 
--- A robot that was put down a little turned sees everything beside the place where it knows it, until lines and posts have
--- turned its belief into place. What spoke for the reflection till then is taken back, tile by tile; of a belief that is the
--- reflection, more and more tiles say so.
+-- A robot that was placed slightly rotated sees everything beside the learned position, until lines and posts have
+-- corrected its belief. Evidence for the reflection then decreases, tile by tile; if the belief is the reflection,
+-- more and more tiles support it.
 local function is_taking_back()
   return clock.time - memory.began < p.settling and confidence.evidence < (1.0 - p.taken_back) * memory.most_evidence
 end
@@ -89,7 +88,7 @@ behavior "orientation" {
       memory.confirm = true
       command.flip_pose()
     end,
-    -- A flip that was refused has turned nothing, and a purge would take away what the room has just spoken for.
+    -- A refused flip has mirrored nothing, and a purge would remove the particles that the room supports.
     { "purging",
       when = function() return confidence.evidence < 0 and pose.reflected_weight > p.lingering end,
       because = "the flip also mirrored correct particles" },
@@ -102,7 +101,7 @@ behavior "orientation" {
       memory.confirm = false
       command.purge_reflection()
     end,
-    -- The room may change its mind: what was purged on the first views must not delay a flip.
+    -- The evidence may change: a purge on the first views must not delay a flip.
     { "correcting",
       when = reflected_pose_won,
       lasting = "hold_time", because = "the reflected pose won after a purge" },

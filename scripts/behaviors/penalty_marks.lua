@@ -1,8 +1,7 @@
---- Walks from one penalty mark to the other and back, always by the pose that the robot believes in. Where it learns a room
---- of which it knows nothing, it turns round once before it walks, and once more on the first visit of a mark if much of
---- the room is still unknown. After a disturbance it goes to its own mark
---- first. Whether the belief is worth walking by, others judge: while they search for the pose it waits, and while the lines
---- of the field do not fit the pose it turns on the spot, since a walk to a place that is not there ends anywhere.
+--- Walks from one penalty mark to the other and back by the believed pose. If it learns an unknown room, it rotates once
+--- before it walks, and again on the first visit of a mark if much of the room is still unknown. After a disturbance it
+--- goes to its own mark first. Other behaviors decide whether the belief is good enough: while they search for the pose it
+--- waits. While the lines do not fit the pose it rotates on the spot, since a walk by a wrong position ends anywhere.
 
 -- SPDX-License-Identifier: MIT
 
@@ -19,7 +18,7 @@ local p = param {
   undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "time to stand after a disturbance before the robot walks" },
 }
 
--- `side` of the mark to go to: -1 is the robot's own half, 1 the opponent's.
+-- `side` of the target mark: -1 is the robot's own half, 1 the opponents' half.
 local memory = keep { side = -1, has_turned = false }
 
 local function mark() return memory.side * field.penalty_mark_x end

@@ -1,7 +1,6 @@
---- Lets the head look where the walls of the room tell most, while it is in doubt which way the robot looks: where the room
---- differs most from itself after half a turn, is near, and was not looked at lately. While the room is learned, it looks
---- where most of it is still unknown. The core says where that is; here it is said when. Otherwise the head is left to
---- others.
+--- Turns the head to the view with the most information while the orientation is unconfirmed: where the room differs most
+--- from its reflection, is near, and was not seen recently. While the room is learned, it looks where most of it is
+--- unknown. The core computes the directions; this script decides when to use them. Otherwise it does not use the head.
 
 -- SPDX-License-Identifier: MIT
 
@@ -21,7 +20,7 @@ local NEAR = 0.08   -- rad
 
 local memory = keep { yaw = 0.0 }   -- where it looks
 
--- Where the pose filter is lost, the walls are not where the belief says, and neither is the most telling view.
+-- If the pose filter is lost, the believed directions of the walls, and so of the best view, are wrong.
 local function is_in_doubt()
   return confidence.can_tell and confidence.status ~= "lost" and not decision.for_either() and views.best_score > p.least
 end
@@ -30,7 +29,7 @@ local function is_learning() return training.active and views.unknown_score > p.
 
 local function is_there() return math.abs(robot.head_yaw - memory.yaw) < NEAR end
 
--- A place is looked at until it is learned, even if that was all: or the head would hover between here and its scan.
+-- The head stays until a view is learned, even the last one; otherwise it would alternate between this view and the scan.
 local function is_known_there() return is_there() and not is_learning() end
 
 behavior "wall_gaze" {

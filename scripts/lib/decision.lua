@@ -1,6 +1,6 @@
---- How much evidence does it take to act on it? What people want is a robot that errs at most so often.
---- Evidence is told in log-odds: where it says 99 in 100, it is wrong once in a hundred times that it has a chance to be.
---- So what is asked for follows from how often that is. One place decides it for all behaviours.
+--- How much evidence is needed for a decision, computed from the permitted number of errors. Evidence is given in log-odds:
+--- at 99 in 100 it is wrong once in a hundred chances to be wrong. So the permitted rate of errors determines the threshold.
+--- All behaviors share it.
 
 -- SPDX-License-Identifier: MIT
 
@@ -15,19 +15,19 @@ local decision = {}
 
 local function log_odds(chances) return math.max(p.least, math.log(chances / p.false_flips)) end
 
---- While nothing has happened to the robot that would put its pose in doubt.
+--- The threshold for a confirmed pose.
 ---@return number log_odds
 function decision.in_peace() return log_odds(p.looks) end
 
---- While it is not known which of the two poses is the right one: after a disturbance, each of them may be.
+--- The threshold for an unconfirmed pose, for example after a disturbance.
 ---@return number log_odds
 function decision.in_doubt() return log_odds(p.disturbances) end
 
---- Whether the room says that the believed pose is right.
+--- Whether the evidence for the believed pose reaches the threshold.
 ---@return boolean
 function decision.for_believed() return confidence.evidence < -decision.in_doubt() end
 
---- Whether the room says enough of either pose to act on it.
+--- Whether the evidence for either pose reaches the threshold.
 ---@return boolean
 function decision.for_either() return math.abs(confidence.evidence) >= decision.in_doubt() end
 

@@ -1,4 +1,4 @@
---- Looking at a place on the field: with the head where the neck reaches, else by turning the body as well.
+--- Looks at a point on the field: with the head within the reach of the neck, otherwise by turning the body, too.
 
 -- SPDX-License-Identifier: MIT
 
@@ -14,7 +14,7 @@ local p = param {
 
 local gaze = {}
 
---- How far the head has to turn from where it is until a point of the field is straight ahead of it.
+--- Angle by which the head must turn to look straight at a point of the field.
 ---@param x number m
 ---@param y number m
 ---@return number angle rad, never negative
@@ -23,13 +23,13 @@ function gaze.angle_to(x, y)
   return math.abs(bearing - robot.head_yaw)
 end
 
---- Whether the robot looks at a point of the field, by the pose that it believes in.
+--- Whether the robot looks at a point of the field, by the believed pose.
 ---@param x number m
 ---@param y number m
 ---@return boolean
 function gaze.is_at(x, y) return gaze.angle_to(x, y) < p.near end
 
---- One frame's look at a point of the field; the body turns while the neck alone does not reach it, else it stands.
+--- Looks at a point of the field for one frame; the body turns if the neck alone cannot reach it, otherwise it stands.
 ---@param x number m
 ---@param y number m
 function gaze.at(x, y)

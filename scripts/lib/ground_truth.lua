@@ -1,4 +1,4 @@
---- How right the belief is, for scenarios: they alone may know the truth.
+--- Measures the error of the belief, for scenarios: only they can read the truth.
 
 -- SPDX-License-Identifier: MIT
 
@@ -11,19 +11,19 @@ local p = param {
 
 local ground_truth = {}
 
---- Where a robot stands beside the field before a match: at the height of its own penalty mark, looking into the field.
+--- Start pose beside the field before a match: level with its own penalty mark, facing the field.
 ---@return number x m
 ---@return number y m
 ---@return number rotation rad
 function ground_truth.start_pose() return -field.penalty_mark_x, -field.width / 2 - 0.5, math.pi / 2 end
 
---- Puts the robot down at the start and tells it so.
+--- Places the robot at the start pose and sets it as initial pose.
 function ground_truth.start()
   operator.put_down(ground_truth.start_pose())
   operator.set_initial_pose(ground_truth.start_pose())
 end
 
---- How far the believed pose is from the true one.
+--- Difference of the believed pose and the true pose.
 ---@return number distance m
 ---@return number turn rad, never negative
 function ground_truth.error()
@@ -31,7 +31,7 @@ function ground_truth.error()
   return math.sqrt(dx * dx + dy * dy), math.abs(walking.normalize(truth.rotation - pose.rotation))
 end
 
---- Whether both errors are small enough to call the belief right.
+--- Whether both errors are small enough for a correct belief.
 ---@return boolean
 function ground_truth.is_belief_right()
   local distance, turn = ground_truth.error()
@@ -52,7 +52,7 @@ function ground_truth.give_verdict(is_right)
   judge("in the end the belief is " .. ground_truth.error_in_words())
 end
 
---- Whether the robot really stands near a penalty mark.
+--- Whether the robot truly stands near a penalty mark.
 ---@param side number -1 for the mark of its own half, 1 for the other
 ---@param distance number m
 ---@return boolean
@@ -61,8 +61,8 @@ function ground_truth.is_on_mark(side, distance)
   return dx * dx + dy * dy < distance * distance
 end
 
---- Writes truth and belief into the log.
----@param what string what happened just now
+--- Writes truth and belief to the log.
+---@param what string description of the event
 function ground_truth.note(what)
   log.info(string.format("%s: truth (%.2f, %.2f, %.0f deg), belief (%.2f, %.2f, %.0f deg)", what,
     truth.x, truth.y, math.deg(truth.rotation), pose.x, pose.y, math.deg(pose.rotation)))

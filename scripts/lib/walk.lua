@@ -1,4 +1,4 @@
---- Walking to a place on the field, by the pose that the robot believes in.
+--- Walks to a point on the field by the believed pose.
 
 -- SPDX-License-Identifier: MIT
 
@@ -26,7 +26,7 @@ local function forward_speed() return p.speed * robot.cruise end   -- m/s
 
 local function clamp(value, limit) return math.max(-limit, math.min(limit, value)) end
 
---- How far away a point on the field is, and where from the robot.
+--- Distance and bearing of a point on the field from the robot.
 ---@param x number m
 ---@param y number m
 ---@return number distance m
@@ -43,7 +43,7 @@ end
 ---@return boolean
 function walk_library.is_near(x, y, distance) return (walk_library.distance_and_bearing(x, y)) <= distance end
 
---- One frame's walk towards a point; there it turns to `rotation`, if one is given.
+--- Walks toward a point for one frame; there it turns to `rotation` if given.
 ---@param x number m
 ---@param y number m
 ---@param rotation? number rad
@@ -69,7 +69,7 @@ function walk_library.walk_to(x, y, rotation)
   return true
 end
 
---- One frame's turn on the spot.
+--- Turns on the spot for one frame.
 ---@param speed number rad/s, to the left
 function walk_library.turn(speed) walk.velocity(0.0, 0.0, speed) end
 

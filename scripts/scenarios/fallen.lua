@@ -1,5 +1,5 @@
---- A robot that has learned the room is pushed over. It should get up, forget its orientation (nobody knows how far the
---- feet slipped round), and find its pose again with the help of the room.
+--- A robot that has learned the room is pushed over. It should get up, reset its orientation (the rotation of the feet
+--- during a fall is unknown), and find its pose again with the help of the room.
 
 -- SPDX-License-Identifier: MIT
 

@@ -1,6 +1,6 @@
---- Half-time: a robot has learned the room when the teams change sides. It stays where it is and only the field's axes
---- turn; from one frame to the next its belief and all that it knows of the room must turn with them, and nothing that
---- it sees later may make it doubt.
+--- Half-time: a robot has learned the room when the teams change sides. It stays in place and only the field's axes rotate.
+--- Its belief and its model of the room must rotate with them within one frame, and later views must not make the belief
+--- unconfirmed.
 
 -- SPDX-License-Identifier: MIT
 

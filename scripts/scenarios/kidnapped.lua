@@ -1,6 +1,6 @@
---- A robot that has learned the room is picked up and put down at quite another place, some metres and some turn away
---- from the reflection of its belief: neither of its two look-alike poses is right, and the wrong one of the two new
---- poses is the nearer one. It should distrust its pose, search, and walk to its own penalty mark.
+--- A robot that has learned the room is lifted and placed elsewhere, some meters and some rotation away from the reflection
+--- of its belief. Both its believed pose and the reflection are wrong, and the wrong one of the two new poses is nearer. It
+--- should distrust its pose, search, and walk to its own penalty mark.
 
 -- SPDX-License-Identifier: MIT
 

@@ -1,7 +1,6 @@
---- The main job: a robot stands beside the field, is told where, and learns the room while it walks and looks about.
---- Then it is picked up and put down where its belief is the exact reflection of the truth. It should notice, flip its
---- belief, and walk to the right penalty mark. A robot that cannot walk has done its job as soon as its belief is right and
---- stays so.
+--- The main task: a robot stands beside the field with a known pose and learns the room while it walks and looks around.
+--- Then it is lifted and placed where its belief is the exact reflection of the truth. It should notice, flip its belief,
+--- and walk to the correct penalty mark. A robot that cannot walk succeeds when its belief is correct and stays so.
 
 -- SPDX-License-Identifier: MIT
 

@@ -1,5 +1,5 @@
---- Endurance: the robot walks between the penalty marks for a long time, and nobody does anything to it. It should
---- neither flip a right belief nor spoil what it has learned.
+--- Endurance: the robot walks between the penalty marks for a long time without any event. It should neither flip a correct
+--- belief nor damage what it has learned.
 
 -- SPDX-License-Identifier: MIT
 

@@ -1,7 +1,6 @@
---- One trial of an experiment: a robot that knows its room, then something happens to it, and what it believes from then
---- on is measured. The light is another one than that in which the room was learned, where the parameters `light.*` say
---- so. What happens, where and when is for parameters to say, too; the rest is left to chance, which is to say to the
---- seed. assets/experiments uses it throughout; `reorient run trial --set trial.event=fallen` shows one.
+--- One trial of an experiment: a robot that has learned its room, then an event, after which the belief is measured. The
+--- parameters `light.*` can change the light after learning. Parameters choose the event, its position and its time; the
+--- seed chooses the rest. assets/experiments uses it throughout; `reorient run trial --set trial.event=fallen` shows one.
 
 -- SPDX-License-Identifier: MIT
 
@@ -9,13 +8,13 @@ local ground_truth = require "lib.ground_truth"
 
 local p = param {
   event = { "mirrored_placement", doc = "event that happens to the robot", choices = {
-    "none",           -- it is left in peace
+    "none",           -- no event
     "mirrored_placement",   -- it is carried, and placed at the reflection of its belief
-    "put_back",       -- it is carried, and put down where it was
-    "kidnapped",      -- it is carried, and put down anywhere on the field
+    "put_back",       -- it is lifted and placed where it was
+    "kidnapped",      -- it is lifted and placed anywhere on the field
     "fallen",         -- it is pushed over
-    "penalized",      -- it is taken out of the game, and comes back from the sideline
-    "misled",         -- it is brought to where it started, and told the reflection of that
+    "penalized",      -- it is removed from the game and returns from the sideline
+    "misled",         -- it is placed at its start, and the reflection is set as pose
     "half_time",      -- the teams change sides
   } },
   side    = { "own", choices = { "own", "opponent" }, doc = "half of the field beside which the robot starts" },
@@ -45,7 +44,7 @@ local function put_down_anywhere()
   operator.put_down(chance.between(-x, x), chance.between(-y, y), chance.between(-math.pi, math.pi))
 end
 
--- What is done at the moment from which on the belief is watched.
+-- Executes the event; the belief is observed from this moment.
 local DEEDS = {
   none = function() end,
   mirrored_placement = function() operator.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,

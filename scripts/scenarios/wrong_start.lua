@@ -1,6 +1,6 @@
---- The paper's test (Section 4) with the paper's own behaviours: a robot stands beside the field and has learned the
---- room; then somebody tells it the reflection of its pose. It should notice and flip within 200 s, or it has failed.
---- Meant to be run with `--params paper`.
+--- The paper's test (Section 4) with the paper's own behaviors: a robot stands beside the field and has learned the room;
+--- then the reflection of its pose is set. It should notice and flip within 200 s, otherwise it has failed. Use it with
+--- `--params paper`.
 
 -- SPDX-License-Identifier: MIT
 

@@ -26,7 +26,7 @@ test("succeeds when the belief has turned with the axes", function()
   advance(59)
   expect.state("half_time", "second half/knowing")
   advance(2)
-  expect.verdict(true, "knows its place on the other side")
+  expect.verdict(true, "knows its position after the change of sides")
 end)
 
 test("fails when the belief stays as it was", function()
@@ -42,7 +42,7 @@ test("fails when the robot flips its belief", function()
   change_sides()
   set_world { confidence = { evidence = 9, coverage = 1, distinctiveness = 0.5, status = "usable" } }
   advance(10)
-  expect.verdict(false, "made the robot flip")
+  expect.verdict(false, "flipped its belief after half-time")
 end)
 
 test("loads the behaviours that it needs", function()

@@ -141,13 +141,13 @@ class LearnedMirrored : public ::testing::Test {
 TEST_F(LearnedMirrored, SpeaksAgainstTheTruePoseUntilThatIsSetAgain) {
   set_truth();
   run(3.0);
-  EXPECT_GT(evidence(), 5.0) << "what it learned is turned by half a turn";
+  EXPECT_GT(evidence(), 5.0) << "the learned room is rotated by 180 degrees";
   flip();
   set_truth();
   run(3.0);
   EXPECT_LT(evidence(), -5.0);
   ASSERT_EQ(notes_.size(), 1u);
-  EXPECT_NE(notes_.front().find("turned by half a turn"), std::string::npos);
+  EXPECT_NE(notes_.front().find("rotated by 180 degrees"), std::string::npos);
 }
 
 TEST_F(LearnedMirrored, KeepsItsRoomWhereTheRobotWasLiftedBeforeThePoseIsSetAgain) {

@@ -1,6 +1,6 @@
---- The decisions of the paper, to the letter (Sections 3.1 and 3.5): whichever pose wins is acted on, always, and the
---- orientation is reset after a fall. There is no question whether the room can tell its two ends apart, nor whether
---- enough of it is known. Goes with `--params paper`, where every command starts the confidences from zero.
+--- The decisions of the paper (Sections 3.1 and 3.5): every pose that wins causes a command, and the orientation is reset
+--- after a fall. It does not check whether the room is symmetric or learned enough. Use it with `--params paper`, where
+--- every command resets the confidences to zero.
 
 -- SPDX-License-Identifier: MIT
 

@@ -1,6 +1,6 @@
---- The training rule of the paper, to the letter (Sections 3.3, 3.5 and 4): a robot that knows its pose and not the room
---- stops the evaluation and turns round once to learn it; from then on the room is trained online in every frame. Only a
---- fall, a lift or a penalty interrupts it. A wrong belief is learned as well: that is the paper's 15 % of failures.
+--- The training rule of the paper (Sections 3.3, 3.5 and 4): a robot that knows its pose but not the room pauses the
+--- evaluation and rotates once to learn it; after that the room is trained online in every frame. Only a fall, a lift or a
+--- penalty interrupts it. A wrong belief is learned as well, which causes the paper's 15 % of failures.
 
 -- SPDX-License-Identifier: MIT
 
