@@ -47,7 +47,7 @@ test("it goes on learning until enough of the wall is known on both sides", func
   expect.state("background_training", "learning/studying")
 end)
 
-test("it goes on learning a room that hardly differs from itself turned by half a turn", function()
+test("it continues to learn a room that hardly differs from itself rotated by 180 degrees", function()
   start()
   set_world { training = { seconds = 12 }, confidence = { paired = 0.5, separability = 0.6 } }
   advance(1)
@@ -166,7 +166,7 @@ for what, change in pairs(DISTURBANCES) do
     advance(0.4)
     expect.state("background_training", "disturbed")
     expect_pause()
-    advance(0.3)   -- after it was lifted nobody vouches for its pose
+    advance(0.3)   -- after a lift its pose is not reliable
     expect.state("background_training", what == "lifted" and "waiting" or "learning/studying")
   end)
 
@@ -186,7 +186,7 @@ for what, change in pairs(DISTURBANCES) do
     expect.no_lease("pause_training")
   end)
 
-  test("the moment begins anew when the robot is " .. what .. " again", function()
+  test("the time restarts when the robot is " .. what .. " again", function()
     learned()
     set_world { robot = { posture = "lifted" } }
     advance(1)
@@ -279,7 +279,7 @@ test("after it was put down it does not train on confidences that are not usable
   expect.state("background_training", "trusting/refining")
 end)
 
-test("a robot that was lifted before it had learned the room does not learn from a pose that nobody vouches for", function()
+test("a robot that was lifted before it had learned the room does not learn from an unreliable pose", function()
   start()
   set_world { training = { seconds = 5 } }
   set_world { robot = { posture = "lifted" } }

@@ -62,7 +62,7 @@ test("fails when the time is up, and says how far off the belief is", function()
   expect.verdict(false, "2.24 m and 180 degrees off")
 end)
 
-test("loads the behaviours that it needs", function()
+test("loads the behaviors that it needs", function()
   fall()
   expect.state("orientation", "fallen")
   expect.state("background_training", "disturbed")

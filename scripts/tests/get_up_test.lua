@@ -19,7 +19,7 @@ test("gets up after a moment of rest", function()
   expect.get_up(false)
 end)
 
-test("does not kick while somebody carries it, in whatever attitude", function()
+test("does not move while it is lifted, in any attitude", function()
   load_behavior "get_up"
   set_world { robot = { posture = "lifted" } }
   advance(3)
@@ -27,7 +27,7 @@ test("does not kick while somebody carries it, in whatever attitude", function()
   expect.get_up(false)
 end)
 
-test("leaves off when somebody lifts it", function()
+test("stops when it is lifted", function()
   load_behavior "get_up"
   set_world { robot = { posture = "lying" } }
   advance(2)

@@ -111,7 +111,7 @@ test("rests after a disturbance when the room is not known", function()
   expect.state("goal_search", "resting")
 end)
 
-test("a disturbance while the confidences catch up begins the wait anew", function()
+test("a disturbance while the confidences catch up restarts the wait", function()
   start()
   set_world { robot = { posture = "lifted" } }
   advance(1)
@@ -223,7 +223,7 @@ end)
 test("does not take goals that cannot be looked at for empty ones", function()
   start()
   put_down()
-  look_at(0.0)   -- between the two, which the neck does not reach, and nobody turns the body
+  look_at(0.0)   -- between the two, which the neck does not reach, and the body does not turn
   advance(18)
   expect.state("goal_search", "searching/opponent goal")
   advance(4)

@@ -45,7 +45,7 @@ test("fails when the robot flips its belief", function()
   expect.verdict(false, "flipped its belief after half-time")
 end)
 
-test("loads the behaviours that it needs", function()
+test("loads the behaviors that it needs", function()
   change_sides()
   advance(0.1)
   expect.state("orientation", "watching/in doubt")

@@ -15,7 +15,7 @@ local function put_down()
   advance(0.4)
 end
 
-test("does nothing as long as nobody lifts the robot", function()
+test("does nothing while the robot is not lifted", function()
   load_behavior "kidnap_recovery"
   advance(60)
   expect.state("kidnap_recovery", "undisturbed")
@@ -155,7 +155,7 @@ for what, interrupted in pairs {
   ["a fall"] = { robot = { posture = "lying" } },
   ["a penalty"] = { robot = { penalized = true }, evaluation = { active = false } },   -- background_training pauses it
 } do
-  test(what .. " does not end the search: it begins anew afterwards", function()
+  test(what .. " does not end the search: it restarts afterward", function()
     put_down()
     advance(20)
     set_world(interrupted)
@@ -185,7 +185,7 @@ test("goes on in the end where the room speaks for the pose, but its place never
   expect.no_command()
 end)
 
-test("a robot that nobody lets walk yet neither searches nor forgets, and may recover meanwhile", function()
+test("a robot that may not walk yet neither searches nor resets, and may recover", function()
   put_down()
   set_world { game = { state = "set" }, robot = { may_walk = false }, confidence = { evidence = -3 } }
   advance(60)
@@ -196,7 +196,7 @@ test("a robot that nobody lets walk yet neither searches nor forgets, and may re
   expect.state("kidnap_recovery", "recovered")
 end)
 
-test("begins anew whenever it is lifted", function()
+test("restarts whenever it is lifted", function()
   put_down()
   set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(7)

@@ -75,7 +75,7 @@ test("fails when the time is up, and says how far off it is", function()
   expect.verdict(false, "did not reach its mark in time; its belief is 3.28 m and 0 degrees off")
 end)
 
-test("loads the behaviours that it needs", function()
+test("loads the behaviors that it needs", function()
   put_down()
   expect.state("orientation", "watching/in doubt")
   expect.state("get_up", "idle")

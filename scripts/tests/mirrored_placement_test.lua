@@ -49,7 +49,7 @@ test("fails when the time is up", function()
   expect.verdict(false, "in time")
 end)
 
-test("loads the behaviours that it needs", function()
+test("loads the behaviors that it needs", function()
   put_down()
   expect.state("orientation", "watching/in doubt")
   expect.state("get_up", "idle")

@@ -2,7 +2,7 @@
 
 -- SPDX-License-Identifier: MIT
 
-test("a robot that was turned round notices, flips and ends right", function()
+test("a mirrored robot notices, flips and ends with a correct belief", function()
   local is_right = simulate { scenario = "mirrored_placement", seed = 1 }
   expect.verdict(true, "walked to the right mark")
   expect.command("flip_pose", "granted")
@@ -26,7 +26,7 @@ end)
 
 test("a kidnapped robot distrusts its pose, searches, and finds its place", function()
   local is_right = simulate { scenario = "kidnapped", seed = 2 }
-  expect.verdict(true, "found its place")
+  expect.verdict(true, "found its position")
   expect.log("recovered")
   expect.equal(is_right, true)
 end)

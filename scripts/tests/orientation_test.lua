@@ -39,7 +39,7 @@ test("does not flip on evidence that does not last", function()
   expect.no_command()
 end)
 
-test("does not flip while the room takes back what it said", function()
+test("does not flip while the evidence decreases", function()
   learned_room()
   set_world { confidence = { age = 0.3, evidence = 12 } }
   advance(0.1)
@@ -65,7 +65,7 @@ test("forgets by a reset what the room said before it", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("what the room said before it began anew is forgotten", function()
+test("evidence before a restart of the confidences does not count", function()
   learned_room()
   set_world { confidence = { age = 0.5, evidence = 30 } }
   advance(0.1)
@@ -179,7 +179,7 @@ test("a robot that gets up is reset once it stands, not sooner", function()
   expect.command("reset_orientation", "granted")
 end)
 
-test("a robot that was helped up into somebody's hands is not reset: nobody knows where it will stand", function()
+test("a fallen robot that is lifted is not reset, since its next position is unknown", function()
   learned_room()
   set_world { robot = { posture = "lying" } }
   advance(3)
@@ -275,7 +275,7 @@ test("does nothing while it is carried", function()
   expect.no_command()
   set_world { robot = { posture = "upright" } }
   advance(0.3)
-  expect.no_command()   -- the confidences have begun anew
+  expect.no_command()   -- the confidences have restarted
   advance(0.3)
   expect.command("flip_pose", "granted")
 end)
@@ -323,7 +323,7 @@ test("is in doubt again when earlier views are not valid any more", function()
   set_world { confidence = { evidence = -9 } }
   advance(0.5)
   expect.state("orientation", "watching/in peace")
-  -- Somebody has told the robot its pose; this frame's own look counts already.
+  -- The initial pose was set; the view of this frame counts already.
   set_world { confidence = { age = 0.033, evidence = 0 } }
   advance(0.1)
   expect.state("orientation", "watching/in doubt")

@@ -60,7 +60,7 @@ test("the duration can be set", function()
   expect.verdict(true, "right in the end")
 end)
 
-test("loads the behaviours that it needs", function()
+test("loads the behaviors that it needs", function()
   start()
   expect.state("orientation", "watching/in doubt")
   expect.state("background_training", "waiting")

@@ -36,7 +36,7 @@ test("goes to the other mark after it was on one", function()
   expect.walk(0.2, 0, -2 * math.atan(0.05, 6.4))
 end)
 
-test("turns round before its first steps while it learns the room", function()
+test("rotates before its first steps while it learns the room", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
   set_world { training = { active = true }, confidence = { coverage = 0.1 } }
@@ -49,7 +49,7 @@ test("turns round before its first steps while it learns the room", function()
   expect.state("penalty_marks", "walking")   -- once is enough
 end)
 
-test("turns round once on a mark while it learns the room", function()
+test("rotates once on a mark while it learns the room", function()
   load_behavior "penalty_marks"
   advance(0.1)
   stand_at(-3.2, 0, 0)

@@ -1,4 +1,4 @@
---- On what a robot really saw: turned round in the scenario of that name (seed 1, 160 pixels wide), put down at 42.5 s.
+--- A recorded flip of a mirrored robot (seed 1, 160 pixels wide), placed at 42.5 s.
 --- Made by reorient record-test from its recording, 42.90 to 43.90 s.
 
 -- SPDX-License-Identifier: MIT

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inputs of a run on the simulator with the shipped behaviours in which much happens: carried away, fallen,
+// The inputs of a run on the simulator with the shipped behaviors in which much happens: carried away, fallen,
 // penalized, tuned, edited, told, with half-times. Stored as bytes, so that many loops can be fed the same.
 #pragma once
 
@@ -20,7 +20,7 @@ using Bytes = std::vector<std::byte>;
 
 inline const std::filesystem::path kShippedScripts = std::filesystem::path(kSourceFolder) / "scripts";
 
-/// A behaviour that keeps something, rolls dice and fails now and then.
+/// A behavior that keeps something, rolls dice and fails now and then.
 inline constexpr const char* kRestless = R"(local memory = keep { count = 0, seen = {} }
 behavior "restless" { initial = "turning",
   update = function()

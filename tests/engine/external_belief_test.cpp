@@ -53,7 +53,7 @@ TEST(ExternalBelief, OfParticlesIsTheirHeaviestCluster) {
   EXPECT_EQ(loop.record().pose_particles.particles.size(), particles.size());
 }
 
-TEST(ExternalBelief, ThatIsNoneIsLeftOut) {
+TEST(ExternalBelief, InvalidOnesAreIgnored) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ExternalBelief no_place = sure_of(kHere);
   no_place.pose.position.x() = nan;
@@ -126,7 +126,7 @@ TEST(ExternalBelief, ThatIsToBeResetIsExpectedToKnowNoDirection) {
   EXPECT_FALSE(is_known(after));
 }
 
-TEST(ExternalBelief, ThatEndsIsGoneOnWith) {
+TEST(ExternalBelief, ContinuesWithOdometryAfterItsEnd) {
   HandFedLoop loop(kIdle);
   loop.tell(Pose2(-2.0, 1.0, 3.0));
   loop.inputs.observation.belief = sure_of(kHere);
@@ -157,7 +157,7 @@ TEST(ExternalBelief, ThatCannotBeReadInOneFrameMovesWithTheOdometry) {
   expect_near(loop.world().pose.pose, kHere * step, 1e-12);
 }
 
-TEST(ExternalBelief, ThatHasEndedIsNotBelievedRatherThanAToldPose) {
+TEST(ExternalBelief, DoesNotReplaceASetPoseAfterItsEnd) {
   HandFedLoop loop(kIdle);
   loop.inputs.observation.belief = sure_of(kHere);
   loop.step(10);
@@ -201,7 +201,7 @@ class OwnLocalization : public Robot {
   Simulator& simulator_;
 };
 
-TEST(ExternalBelief, OfARobotThatIsTurnedRoundIsCorrectedByItsOwnLocalization) {
+TEST(ExternalBelief, OfAMirroredRobotIsCorrectedByItsOwnLocalization) {
   SimulatorParameters parameters;
   parameters.width = 160;
   FrameSetup setup;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame loop around one behaviour's text, fed by hand.
+// A frame loop around one behavior's text, fed by hand.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace reorient {
 
 inline constexpr const char* kIdle = R"(behavior "tested" {})";
 
-/// A behaviour that does `action` after half a second.
+/// A behavior that does `action` after half a second.
 inline std::string then(const std::string& action) {
   return R"(behavior "tested" { initial = "waiting",
     state "waiting" { { "acting", after = 0.5, because = "it is time" } },
@@ -27,7 +27,7 @@ inline void expect_near(const Pose2& a, const Pose2& b, double tolerance = 0.1) 
   EXPECT_LT(std::abs(angle_difference(a.rotation, b.rotation)), tolerance);
 }
 
-/// An image in which everything has another colour.
+/// An image in which everything has another color.
 inline Image colorful_image(int width, int height) {
   Image image(width, height);
   for (int y = 0; y < height; ++y) {

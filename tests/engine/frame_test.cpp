@@ -63,7 +63,7 @@ TEST(Frame, AnswersWithWhatScriptsAskFor) {
   EXPECT_EQ(request.walk.turn, 0.4);
 }
 
-TEST(Frame, BelievesWhatItIsToldInTheSameFrame) {
+TEST(Frame, BelievesASetPoseInTheSameFrame) {
   HandFedLoop loop(kIdle);
   loop.step();
   EXPECT_FALSE(loop.world().pose_known);
@@ -92,7 +92,7 @@ TEST(Frame, BelievesTheRobotsOwnSoftwareAsWell) {
 constexpr const char* kWalking = R"(behavior "restless" { initial = "on", state "on" {
   update = function() head.look(0.5, 0.1, 1) walk.velocity(0.1, 0, 0) end } })";
 
-TEST(Frame, NobodyWalksUnlessTheRefereeLetsHim) {
+TEST(Frame, WalksOnlyIfTheRefereePermits) {
   HandFedLoop loop(kWalking);
   const std::pair<RefereeState, bool> cases[] = {
       {{}, true},
@@ -167,7 +167,7 @@ TEST(Frame, SeesTheFieldWithBothCamerasEachWithItsOwnPose) {
   parameters.cameras = Cameras::both;
   const FieldDimensions field;
   Simulator simulator(parameters, RobotBody(), field, procedural_hall(1, {}), Pose2(-0.8, 0.0, 0.0),
-                      1);  // before the centre circle
+                      1);  // before the center circle
   FrameSetup setup;
   setup.scripts.apply({"behaviors/tested.lua", ScriptText{kIdle, ""}});
   setup.behaviors = {"tested"};
@@ -242,7 +242,7 @@ TEST(Frame, TrainsOnlyWithAPose) {
   EXPECT_NEAR(told.world().trained_seconds, 9 * kStep, 1e-9);  // not in the frame in which it was told
 }
 
-TEST(Frame, LearnsNothingFromTheFrameInWhichAPoseIsTold) {
+TEST(Frame, LearnsNothingInTheFrameInWhichAPoseIsSet) {
   ToldLoop loop(kIdle);
   loop.step(10);
   const double trained = loop.world().trained_seconds;
@@ -359,7 +359,7 @@ TEST(Frame, BeginsWithItsOverridesAndObeysAChange) {
   EXPECT_NE(loop.record().parameter_changes[0].refusal.find("10 to 10000"), std::string::npos);
 }
 
-TEST(Frame, TakesAnEditOverBeforeItsBehavioursTick) {
+TEST(Frame, AppliesAnEditBeforeItsBehaviorsTick) {
   HandFedLoop loop(R"(behavior "tested" { update = function() walk.velocity(0.1, 0, 0) end })");
   EXPECT_EQ(loop.step().answer.request.walk.forward, 0.1);
   loop.inputs.script_edits.push_back(
@@ -397,7 +397,7 @@ TEST(Frame, RefusesASetupWithWhatIsWrong) {
             "accepted");
 }
 
-TEST(Frame, FillsWhatIsExpensiveOnlyWhereSomebodyWantsIt) {
+TEST(Frame, FillsExpensiveTopicsOnlyOnRequest) {
   ToldLoop loop(then("command.flip_pose()"));
   loop.step(3);
   const FrameRecord& record = loop.record();

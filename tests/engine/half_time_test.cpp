@@ -37,7 +37,7 @@ TEST(HalfTimeFrame, TurnsTheBeliefInTheSameFrame) {
   expect_near(loop.world().pose.pose, before.pose, 0.02);
 }
 
-TEST(HalfTimeFrame, IsBelievedOnceWhoeverTellsIt) {
+TEST(HalfTimeFrame, IsAppliedOnceForAllSources) {
   HandFedLoop loop(kIdle);
   loop.tell(kStandsAt);
   loop.step(2);
@@ -48,7 +48,7 @@ TEST(HalfTimeFrame, IsBelievedOnceWhoeverTellsIt) {
   expect_near(loop.world().pose.pose, reflect(kStandsAt));
 }
 
-TEST(HalfTimeFrame, ComesBeforeThePoseThatIsToldWithIt) {
+TEST(HalfTimeFrame, IsAppliedBeforeThePoseThatIsSetWithIt) {
   HandFedLoop loop(kIdle);
   loop.inputs.observation.external.initial_pose = InitialPose{kStandsAt};
   loop.inputs.external.half_time = true;
@@ -84,16 +84,15 @@ TEST(HalfTimeFrame, IsInTheRecordAndInTheDigest) {
   EXPECT_NE(digests[0], digests[1]);
 }
 
-/// A robot on the simulator that turns round and learns the room, and a second engine that goes on from the same state.
+/// A robot on the simulator that rotates and learns the room, and a second engine that continues with the same state.
 class HalfTimeOnTheSimulator : public ::testing::Test {
  protected:
-  static constexpr const char* kTurnsRound =
-      R"(behavior "tested" { update = function() walk.velocity(0, 0, 0.6) end })";
+  static constexpr const char* kRotates = R"(behavior "tested" { update = function() walk.velocity(0, 0, 0.6) end })";
 
   HalfTimeOnTheSimulator()
       : simulator_(parameters(), RobotBody(), FieldDimensions(), procedural_hall(1, {}), kStandsAt, 1) {
     FrameSetup setup;
-    setup.scripts.apply({"behaviors/tested.lua", ScriptText{kTurnsRound, ""}});
+    setup.scripts.apply({"behaviors/tested.lua", ScriptText{kRotates, ""}});
     setup.behaviors.emplace_back("tested");
     engine_.emplace(std::move(setup));
   }

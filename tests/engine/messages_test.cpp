@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words between team mates: what a behaviour hears, and what it says.
+// Words between team mates: what a behavior hears, and what it says.
 #include <algorithm>
 
 #include <gtest/gtest.h>

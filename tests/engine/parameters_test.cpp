@@ -77,7 +77,7 @@ TEST_F(Parameters, AreListedWithValueDefaultAndOrigin) {
   EXPECT_EQ(to_string(list[0].origin), "default");
 }
 
-TEST_F(Parameters, MistakesAreToldInOneLineWithARemedy) {
+TEST_F(Parameters, ErrorsAreOneLineWithAHint) {
   EXPECT_EQ(refusal("view.nosie", "1"), "unknown parameter 'view.nosie' (did you mean 'view.noise'?)");
   EXPECT_EQ(refusal("noise", "1"), "unknown parameter 'noise' (did you mean 'view.noise'?)");
   EXPECT_EQ(refusal("view.noise", "2"), "parameter view.noise: invalid value '2' (expected 0 to 1 rad)");
@@ -160,7 +160,7 @@ TEST(NearestName, PrefersExchangedLettersAndTakesAnAbbreviation) {
   EXPECT_EQ(nearest_name("purge", known), std::nullopt);
 }
 
-TEST(EditDistance, ASwapOfNeighboursIsOneSlip) { EXPECT_EQ(edit_distance("wathcing", "watching"), 1); }
+TEST(EditDistance, ASwapOfAdjacentLettersCountsOnce) { EXPECT_EQ(edit_distance("wathcing", "watching"), 1); }
 
 }  // namespace
 }  // namespace reorient

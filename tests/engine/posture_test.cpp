@@ -143,7 +143,7 @@ TEST_F(Standing, LiesWithUnloadedFeetAndGetsUpWithoutBeingLifted) {
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, ThatNobodyAskedToGetUpWasPickedUp) {
+TEST_F(Standing, WithoutARequestToGetUpCountsAsLifted) {
   feel(felt(0.5, 0.0, 1.5), 2.0);
   feel(felt(0.0, 0.0, 0.1), 1.0);
   EXPECT_EQ(posture.posture(), Posture::lifted);
@@ -198,7 +198,7 @@ TEST_F(Standing, LeavesOutWhatIsNotFiniteOrOutOfOrder) {
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, GoesOnWhenTheRobotsClockBeginsAnew) {
+TEST_F(Standing, ContinuesWhenTheRobotsClockRestarts) {
   time = 1e6;
   feel(felt(kStanding), 1.0);
   time = 0.0;
@@ -206,7 +206,7 @@ TEST_F(Standing, GoesOnWhenTheRobotsClockBeginsAnew) {
   EXPECT_EQ(posture.posture(), Posture::lying);
 }
 
-RC_GTEST_PROP(PostureProperty, StaysFiniteAndGoesOnFromItsBytes, ()) {
+RC_GTEST_PROP(PostureProperty, StaysFiniteAndContinuesWithItsBytes, ()) {
   PostureEstimator one;
   const PostureParameters parameters;
   const std::optional<double> standing_load = *rc::gen::arbitrary<bool>() ? std::optional(5.3) : std::nullopt;

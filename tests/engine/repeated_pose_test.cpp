@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pose that is set again after the robot has flipped it turns the learned room by half a turn.
+// A pose that is set again after the robot has flipped it rotates the learned room by 180 degrees.
 #include "engine/world/repeated_pose.h"
 
 #include <string>
@@ -49,7 +49,7 @@ TEST(RepeatedPose, IsAnotherOneWhereTheRobotWasCarriedMeanwhile) {
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
 }
 
-TEST(RepeatedPose, UndoesNothingThatNobodySetBefore) {
+TEST(RepeatedPose, UndoesNothingWithoutASetPose) {
   RepeatedPose repeated;
   repeated.note_flip(11.0);
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
@@ -164,7 +164,7 @@ TEST_F(LearnedMirrored, KeepsItsRoomWhereTheRobotWasLiftedBeforeThePoseIsSetAgai
   EXPECT_TRUE(notes_.empty());
 }
 
-TEST_F(LearnedMirrored, GoesOnFromASavedStateAsItWouldHave) {
+TEST_F(LearnedMirrored, ContinuesTheSameWayAfterASavedState) {
   set_truth();
   run(3.0);
   flip();

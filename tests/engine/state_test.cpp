@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame is a function: the same state and the same inputs give the same record, whoever watches, in any process.
+// A frame is a function: the same state and the same inputs give the same record for any observer, in any process.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -66,7 +66,7 @@ TEST(Inputs, ComeBackFromBytesAsTheyWere) {
   }
 }
 
-TEST(Inputs, GiveTheSameRecordsWhoeverWatches) {
+TEST(Inputs, GiveTheSameRecordsForAnyObserver) {
   FrameLoop watched(eventful_setup());
   FrameLoop alone(eventful_setup());
   bool granted = false, fault = false, reload = false;
@@ -178,7 +178,7 @@ Bytes read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
-/// The second process: goes on from the state in the file that the environment names, and prints what comes out.
+/// The second process: continues with the state in the file that the environment names, and prints what comes out.
 TEST(StateInAnotherProcess, DISABLED_GoesOn) {
   const char* const file = std::getenv("REORIENT_TEST_STATE");
   ASSERT_NE(file, nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scenario, run between frames: it reads what the last frame recorded and where the robot really is, and what it does
-// goes to the person beside the field or into the next frame's inputs. Behaviours never meet it.
+// goes to the person beside the field or into the next frame's inputs. Behaviors never meet it.
 #pragma once
 
 #include <memory>
@@ -42,7 +42,7 @@ struct ScenarioView {
   std::optional<GroundTruth> truth;
 };
 
-/// The behaviours of a frame's record, for `behaviors.NAME.state`.
+/// The behaviors of a frame's record, for `behaviors.NAME.state`.
 class RecordedBehaviors : public MachineDirectory {
  public:
   /// Both must outlive the next look.
@@ -72,7 +72,7 @@ class ScenarioHost {
   ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
                const MachineDirectory& behaviors, std::uint64_t seed = 1);
 
-  /// The behaviours that it wants to be loaded.
+  /// The behaviors that it wants to be loaded.
   std::vector<std::string> wanted_behaviors() const;
 
   /// Where it takes place.

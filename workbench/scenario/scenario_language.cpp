@@ -11,19 +11,20 @@
 namespace reorient {
 namespace {
 
-constexpr WorldTable kTruth{"truth", "Where the robot really is; only where a simulator or a tracking camera knows."};
+constexpr WorldTable kTruth{"truth",
+                            "The true pose of the robot; only available from a simulator or a tracking camera."};
 
 constexpr std::array<WorldField, 5> kTruthFields{{
     {"truth", "x", "m", "position toward the opponents' goal", WorldField::Type::number, {}},
-    {"truth", "y", "m", "to the left", WorldField::Type::number, {}},
+    {"truth", "y", "m", "position to the left", WorldField::Type::number, {}},
     {"truth",
      "rotation",
      "rad",
      "direction: 0 toward the opponents' goal, positive to the left",
      WorldField::Type::number,
      {}},
-    {"truth", "fallen", "", "the robot really lies", WorldField::Type::boolean, {}},
-    {"truth", "carried", "", "the robot really hangs in the air", WorldField::Type::boolean, {}},
+    {"truth", "fallen", "", "whether the robot truly lies on the ground", WorldField::Type::boolean, {}},
+    {"truth", "carried", "", "whether the robot is truly in the air", WorldField::Type::boolean, {}},
 }};
 
 /// Throws std::runtime_error with one line where there is no such name.
@@ -40,7 +41,7 @@ Enum named(std::string_view name, const char* what) {
 }  // namespace
 
 Message message_of(std::int64_t sender, std::string_view text) {
-  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("a sender is the number of a player");
+  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("sender: expected the number of a player");
   if (text.size() > kLongestMessage)
     throw std::runtime_error("message has " + std::to_string(text.size()) + " bytes (expected at most 240)");
   return {static_cast<int>(sender), std::string(text)};
@@ -97,36 +98,35 @@ std::span<const WorldField> ScenarioLanguage::world() const {
 std::span<const ScriptFunction> ScenarioLanguage::functions() const {
   using A = ScenarioActions;
   static const std::vector<ScriptFunction> functions{
-      script_function<&A::pick_up>("operator.pick_up", {}, "Takes the robot off the ground."),
+      script_function<&A::pick_up>("operator.pick_up", {}, "Lifts the robot."),
       script_function<&A::put_down>("operator.put_down", {"x", "y", "rotation"},
-                                    "Puts the robot down at this pose (m, m, rad), upright and standing."),
+                                    "Places the robot at this pose (m, m, rad), upright and standing."),
       script_function<&A::push_over>("operator.push_over", {}, "Makes the robot fall."),
-      script_function<&A::penalize>("operator.penalize", {"penalized"},
-                                    "Takes the robot out of the game, or lets it in again."),
+      script_function<&A::penalize>("operator.penalize", {"penalized"}, "Penalizes the robot, or ends the penalty."),
       script_function<&A::set_game_state>(
           "operator.set_game_state", {"state"},
-          "The referee says: initial, ready, set, playing, finished, standby or unknown."),
+          "Sets the state of the game: initial, ready, set, playing, finished, standby or unknown."),
       script_function<&A::stop_game>("operator.stop_game", {"stopped"},
-                                     "Nobody may move any more, or everybody again."),
-      script_function<&A::set_kick_off>("operator.set_kick_off", {"side"},
-                                        "Who kicks off next: ours, theirs or nobody."),
+                                     "Stops all motion of the robots, or permits it again."),
+      script_function<&A::set_kick_off>(
+          "operator.set_kick_off", {"side"},
+          "Sets the team that kicks off next: ours, theirs or none (the value is \"nobody\")."),
       script_function<&A::set_exposure_compensation>(
           "operator.set_exposure_compensation", {"stops"},
-          "Changes the hall's light against the camera's exposure, in powers of two."),
+          "Changes the hall's light relative to the camera's exposure, in powers of two."),
       script_function<&A::change_light>("operator.change_light", {},
-                                        "Another light begins, as the parameters `light` say."),
+                                        "Changes the light as set by the parameters `light`."),
       script_function<&A::set_initial_pose>("operator.set_initial_pose", {"x", "y", "rotation"},
-                                            "Tells the robot where it stands (m, m, rad)."),
+                                            "Sets the initial pose (m, m, rad)."),
       script_function<&A::tell_message>("operator.tell_message", {"sender", "text"},
-                                        "Tells the robot what a team mate says, at most 240 bytes."),
-      script_function<&A::half_time>(
-          "operator.half_time", {},
-          "Tells the robot that the teams change sides; it stays where it is, and from here on "
-          "all poses are in the axes of the new half."),
+                                        "Sends the robot a message of a teammate, at most 240 bytes."),
+      script_function<&A::half_time>("operator.half_time", {},
+                                     "Signals that the teams change sides. The robot stays in place, and from then on "
+                                     "all poses are in the axes of the new half."),
       script_function<&A::draw>("chance.between", {"low", "high"},
-                                "A random number from low on and below high; the run's seed says which."),
-      script_function<&A::succeed>("verdict.succeed", {"text"}, "Ends the run: the robot did right, and why."),
-      script_function<&A::fail>("verdict.fail", {"text"}, "Ends the run: the robot did wrong, and why."),
+                                "A random number, at least low and less than high, from the run's seed."),
+      script_function<&A::succeed>("verdict.succeed", {"text"}, "Ends the run as succeeded, with a reason."),
+      script_function<&A::fail>("verdict.fail", {"text"}, "Ends the run as failed, with a reason."),
       script_function<&A::inform>("log.info", {"text"}, "Writes a line to the run's log, with time and state."),
       script_function<&A::note>(
           "log.note", {"text"},
@@ -186,7 +186,7 @@ void ScenarioActions::tell_message(std::int64_t sender, std::string_view text) {
 
 double ScenarioActions::draw(double low, double high) {
   require_acting();
-  if (!(low <= high)) throw std::runtime_error("chance.between wants the lower number first");
+  if (!(low <= high)) throw std::runtime_error("chance.between: expected the lower number first");
   return random_.uniform(low, high);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scenarios can see and do: everything that behaviours see, the truth, and what a person beside the field can do.
+// What scenarios can see and do: everything that behaviors see, the truth, and what a person beside the field can do.
 #pragma once
 
 #include <cstdint>

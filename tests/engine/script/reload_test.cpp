@@ -27,7 +27,7 @@ TEST_F(ScriptReload, StateTimersMemoryAndLeasesSurvive) {
   EXPECT_TRUE(report.accepted) << report.fault.text();
   EXPECT_TRUE(report.warnings.empty());
   ticks(5);
-  EXPECT_EQ(state("b"), "one") << "the time in the state goes on from before";
+  EXPECT_EQ(state("b"), "one") << "the time in the state continues";
   ticks(1);
   EXPECT_EQ(state("b"), "two");
   edit("b", kTwoStates + "-- edited again\n");
@@ -58,7 +58,7 @@ TEST_F(ScriptReload, CanBeAskedForThoughNothingChanged) {
   EXPECT_EQ(logs.back(), "runs");
 }
 
-TEST_F(ScriptReload, DwellGoesOn) {
+TEST_F(ScriptReload, DwellContinues) {
   const std::string text = R"(behavior "b" { initial = "one",
     state "one" { { "two", when = function() return true end, lasting = 1 } }, state "two" {} })";
   load("b", text);

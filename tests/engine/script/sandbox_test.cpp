@@ -29,7 +29,7 @@ TEST_P(HostileScript, StopsAloneWithinItsBudget) {
   load("honest", kHonest);
   for (int frame = 0; frame < 10; ++frame) {
     const SeenTick& output = tick();
-    ASSERT_TRUE(output.request.head.has_value()) << "the honest behaviour must go on";
+    ASSERT_TRUE(output.request.head.has_value()) << "the honest behavior must continue";
     EXPECT_EQ(output.request.head->angles.yaw, 0.5);
   }
   ASSERT_FALSE(faults.empty());
@@ -159,7 +159,7 @@ TEST_F(Sandboxed, BytecodeIsRefused) {
             std::string::npos);
 }
 
-TEST_F(Sandboxed, AChattyScriptSilencesNoOtherAndIsToldWhatWasDropped) {
+TEST_F(Sandboxed, AScriptWithManyLogLinesDoesNotBlockOthersAndDroppedLinesAreCounted) {
   load("chatty", updating("for i = 1, 150 do log.info(i) end"));
   load("quiet", R"(behavior "quiet" { update = function() log.info("heard") end })");
   tick();
@@ -169,7 +169,7 @@ TEST_F(Sandboxed, AChattyScriptSilencesNoOtherAndIsToldWhatWasDropped) {
   EXPECT_EQ(said.back().text, "heard");
   EXPECT_EQ(said.back().dropped, 0);
   tick();
-  EXPECT_EQ(behaviors().said().logs.size(), ScriptActions::kMostPerFrame + 1) << "counted anew in each frame";
+  EXPECT_EQ(behaviors().said().logs.size(), ScriptActions::kMostPerFrame + 1) << "counted separately in each frame";
 }
 
 TEST_F(Sandboxed, AFloodOfCommandsIsNoErrorOfTheNextScript) {
@@ -230,7 +230,7 @@ TEST_F(Sandboxed, ACircleOfCallsEndsEarlyAlsoWhereThereIsMuchMemory) {
   EXPECT_NE(faults[0].fault.message.find(kMemory), std::string::npos) << faults[0].fault.text();
 }
 
-TEST_F(Sandboxed, AMetatableThatIsMadeAnewInEachFrameDoesNotCountForEver) {
+TEST_F(Sandboxed, ANewMetatableInEachFrameDoesNotAccumulate) {
   load("one", R"(local Point = {} Point.__index = Point
     behavior "one" { update = function()
       local point <const> = setmetatable({ x = 1 }, Point)

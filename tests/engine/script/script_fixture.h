@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Behaviours that run frame by frame, from texts in memory, with what they did in words.
+// Behaviors that run frame by frame, from texts in memory, with what they did in words.
 #pragma once
 
 #include <memory>
@@ -80,7 +80,7 @@ class ScriptTest : public ::testing::Test {
     host().load(name);
   }
 
-  /// What loading this behaviour is refused with.
+  /// What loading this behavior is refused with.
   ScriptFault refusal(const std::string& text) {
     folder.write("behaviors/refused.lua", text);
     reload();

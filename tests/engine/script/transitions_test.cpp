@@ -42,7 +42,7 @@ class ScriptConditions : public ScriptTest {
   }
 };
 
-TEST_F(ScriptConditions, AreToldWithWhatTheySaidAndForHowLong) {
+TEST_F(ScriptConditions, AreListedWithResultAndDuration) {
   load("b", R"(local p = param { wait = { 2, range = { 0, 5 }, doc = "x" } }
     behavior "b" { initial = "one",
       common = { { "three", when = function() return robot.posture == "lying" end } },
@@ -65,7 +65,7 @@ TEST_F(ScriptConditions, AreToldWithWhatTheySaidAndForHowLong) {
   EXPECT_EQ(open(), Steps()) << "it is there already, and nothing leads on";
 }
 
-TEST_F(ScriptConditions, OfAFunctionsDwellAreToldAsItSaidLast) {
+TEST_F(ScriptConditions, ShowTheLastResultOfADwellFunction) {
   load("b", R"(behavior "b" { initial = "one",
     state "one" { { "two", when = function() return robot.penalized end, lasting = function() return 3 end } },
     state "two" {} })");
@@ -76,7 +76,7 @@ TEST_F(ScriptConditions, OfAFunctionsDwellAreToldAsItSaidLast) {
   EXPECT_EQ(open(), (Steps{"one -> two: yes 0.0/3.0 0.1/0.0"}));
 }
 
-TEST_F(ScriptConditions, ThatFailAreToldAsFailed) {
+TEST_F(ScriptConditions, ThatFailAreListedAsFailed) {
   load("b", R"(behavior "b" { initial = "one",
     state "one" {
       { "two", when = function() return robot.penalized end },
@@ -88,7 +88,7 @@ TEST_F(ScriptConditions, ThatFailAreToldAsFailed) {
                            "one -> two: unasked 0.0/nan 0.0/0.0"}));
 }
 
-TEST_F(ScriptConditions, AreToldWithoutAskingTheScript) {
+TEST_F(ScriptConditions, AreListedWithoutCallingTheScript) {
   load("b", R"(local memory = keep { asked = 0 }
     behavior "b" { initial = "one",
       state "one" {
@@ -214,7 +214,7 @@ TEST_F(ScriptTransitions, HistoryResumesTheInnerStateThatWasLast) {
   EXPECT_EQ(state("b"), "outer/y");
 }
 
-TEST_F(ScriptTransitions, ATransitionToItselfEntersAnew) {
+TEST_F(ScriptTransitions, ATransitionToItselfEntersAgain) {
   load(
       "b",
       R"(behavior "b" { initial = "one", state "one" { enter = function() log.info("+") end, { "one", after = 0.1 } } })");
@@ -261,7 +261,7 @@ TEST_F(ScriptTransitions, ARequestHoldsForOneFrame) {
   EXPECT_EQ(second.walk.forward, 0.0);
 }
 
-TEST_F(ScriptTransitions, BehavioursSeeEachOtherAsTheyStoodWhenTheFrameBegan) {
+TEST_F(ScriptTransitions, BehaviorsReadEachOthersStateAtTheStartOfTheFrame) {
   load("a", R"(behavior "a" { initial = "one", state "one" { { "two", after = 0.1 } }, state "two" {} })");
   load("b", R"(behavior "b" { update = function() log.info(behaviors.a.state) end })");
   ticks(5);
@@ -278,7 +278,7 @@ TEST_F(ScriptTransitions, AConditionOnlyLooks) {
   EXPECT_TRUE(commands.empty());
 }
 
-TEST_F(ScriptTransitions, WhatIsWrongInALibrarysStateIsToldWhereItIsWritten) {
+TEST_F(ScriptTransitions, AnErrorInALibrarysStateIsReportedAtItsPosition) {
   folder.write("lib/states.lua", R"(return {
   pause = function() return state "pause" { { "nowhere", after = 1 } } end,
 })");
@@ -287,7 +287,7 @@ behavior "refused" { state "a" { states.pause() } })");
   EXPECT_EQ(fault.text(), "lib/states.lua:2:47: state 'a/pause': unknown target state 'nowhere'") << fault.text();
 }
 
-TEST_F(ScriptTransitions, ATimeThatIsNoneInALibrarysStateIsToldThereToo) {
+TEST_F(ScriptTransitions, AnInvalidTimeInALibrarysStateIsReportedThere) {
   folder.write("lib/states.lua", R"(return {
   pause = function() return state "pause" { { "pause", after = function() return "long" end } } end,
 })");
@@ -353,8 +353,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoInitial", "behavior \"b\" { state \"a\" {}, state \"b\" {} }", 1, "say which is the first"},
         Mistake{"DuplicateState", "behavior \"b\" { initial = \"a\",\n state \"a\" {},\n state \"a\" {} }", 3,
                 "duplicate state 'a'"},
-        Mistake{"StateThatNobodyCanRead", "behavior \"b\" {\n state \"\\27[2J\" {} }", 2, "printable text in UTF-8"},
-        Mistake{"StateOfBytes", "behavior \"b\" {\n state \"\\xFF\" {} }", 2, "printable text in UTF-8"},
+        Mistake{"UnprintableState", "behavior \"b\" {\n state \"\\27[2J\" {} }", 2, "printable UTF-8 text"},
+        Mistake{"StateOfBytes", "behavior \"b\" {\n state \"\\xFF\" {} }", 2, "printable UTF-8 text"},
         Mistake{"NoCondition", "behavior \"b\" { state \"a\" { { \"a\" } } }", 1, "on no condition"},
         Mistake{"LastingWithoutWhen", "behavior \"b\" { state \"a\" { { \"a\", lasting = 1 } } }", 1,
                 "'lasting' requires 'when'"},

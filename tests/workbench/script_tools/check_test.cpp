@@ -159,7 +159,7 @@ end }
             "lib.steps.clamp()\n");
 }
 
-TEST_F(ScriptCheckTest, RefusesWhatAParameterOfItsKindWouldNotHeed) {
+TEST_F(ScriptCheckTest, RefusesKeysWithoutEffectForTheTypeOfAParameter) {
   folder.write("behaviors/odd.lua", R"(param {
   switch = { true, range = { 0, 1 }, doc = "x" },
   choice = { "a", choices = { "a" }, range = { 0, 1 }, doc = "x" },

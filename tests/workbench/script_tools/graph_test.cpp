@@ -84,7 +84,7 @@ TEST_F(GraphTest, KeepsStatesApartWhoseNamesDifferInASignOnly) {
   EXPECT_NE(text.find("state \"a_b\" as a_b_2\n"), std::string::npos) << text;
 }
 
-TEST_F(GraphTest, WritesOutWhatNobodyCanRead) {
+TEST_F(GraphTest, EscapesUnprintableText) {
   load("odd",
        R"(behavior "odd" { initial = "a", state "a" { { "b", after = 1, because = "\27[2J\xFF" } }, state "b" {} })");
   for (const std::string& text :

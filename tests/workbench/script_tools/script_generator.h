@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Valid behaviours, drawn by dice.
+// Valid behaviors, drawn by dice.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-/// The text of a behaviour that can be loaded and runs without an error, with most of what scripts may do: parameters,
+/// The text of a behavior that can be loaded and runs without an error, with most of what scripts may do: parameters,
 /// memory, nested states, functions with and without optional arguments, metatables, closures. `number` is in its name
 /// and is its seed.
 std::string generated_script(std::uint64_t number);

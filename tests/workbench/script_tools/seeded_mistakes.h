@@ -12,8 +12,8 @@
 namespace reorient {
 
 enum class Mistake {
-  letter_in_a_name,  ///< exchanged for another one, or with its neighbour
-  letter_in_a_text,  ///< the same in a text that names a state, a parameter, a behaviour, a module, a value
+  letter_in_a_name,  ///< exchanged for another one, or with its neighbor
+  letter_in_a_text,  ///< the same in a text that names a state, a parameter, a behavior, a module, a value
   argument_dropped,
   argument_added,
   type_swapped,        ///< a literal of another type: a number in quotes, a number for a text or a truth value

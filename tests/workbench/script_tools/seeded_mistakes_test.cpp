@@ -41,7 +41,7 @@ int wanted_mistakes() {
   return wanted != nullptr ? std::atoi(wanted) : 100;
 }
 
-/// The shipped behaviours, libraries and scenarios, in a folder of their own, without the tests.
+/// The shipped behaviors, libraries and scenarios, in a folder of their own, without the tests.
 class SeededMistakes : public ::testing::Test {
  protected:
   SeededMistakes() {

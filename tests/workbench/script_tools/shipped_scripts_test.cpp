@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scripted tests of the shipped behaviours, and what the shipped files must look like.
+// The scripted tests of the shipped behaviors, and what the shipped files must look like.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -86,7 +86,7 @@ TEST(GeneratedFiles, ThePagesOfBehaviorsShowTheirStatesAndParameters) {
       if (parameter.name.starts_with(prefix)) own.push_back(parameter);
     }
     const std::filesystem::path page = (kScripts / file).replace_extension(".md");
-    ASSERT_TRUE(std::filesystem::exists(page)) << page << " is missing: every behaviour has a page beside it";
+    ASSERT_TRUE(std::filesystem::exists(page)) << page << " is missing: every behavior has a page beside it";
     expect_committed(page, with_generated_parts(read(page), *behaviors.host().definitions().front(), own));
     ++pages;
   }

@@ -29,7 +29,7 @@ TEST(Signature, KeepsTypesWithBracketsWhole) {
   EXPECT_EQ(read.arguments[1].type, "fun(x: table<string, any>): string");
 }
 
-TEST(Signature, RefusesWhatIsNone) {
+TEST(Signature, RefusesInvalidText) {
   for (const char* text : {"", "name", "f(", "f(a)", "f(a: number", "f(: number)"})
     EXPECT_THROW(read_signature(text), std::invalid_argument) << text;
 }

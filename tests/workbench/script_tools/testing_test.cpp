@@ -72,7 +72,7 @@ end))");
   EXPECT_EQ(only_failure(), "expected a message with \"hello\"\n  actual no message");
 }
 
-TEST_F(ScriptedTests, HearNothingThatNobodyCanSay) {
+TEST_F(ScriptedTests, RejectImpossibleMessages) {
   for (const char* said : {"0.5, 'x'", "1e9, 'x'", "1, string.rep('x', 241)"}) {
     run(std::string("test(\"hears\", function() hear(") + said + ") end)");
     EXPECT_NE(only_failure(), "") << said;
@@ -281,7 +281,7 @@ TEST_F(ScriptedTests, WriteAReportForCi) {
 )");
 }
 
-TEST_F(ScriptedTests, AreSkippedVisiblyWhereTheyWantASimulatorAndThereIsNone) {
+TEST_F(ScriptedTests, AreReportedAsSkippedWithoutASimulator) {
   run(R"(test("t", function() simulate { scenario = "s" } expect.equal(1, 2) end))");
   EXPECT_EQ(summary.skipped, 1);
   EXPECT_EQ(summary.failed, 0);
@@ -544,7 +544,7 @@ TEST_F(ScriptedTests, GiveASimulationNoMoreThanWhatIsLeftOfTheRobotsTime) {
   EXPECT_EQ(summary.failed, 1);
 }
 
-TEST_F(ScriptedTests, StopWhereSomebodyInterrupts) {
+TEST_F(ScriptedTests, StopOnAnInterrupt) {
   int questions = 0;
   TestRun interrupted{folder.path(), {}, {}, {}, 60.0, [&] { return ++questions > 100; }};
   folder.write("tests/lamp_test.lua",
@@ -565,7 +565,7 @@ std::ostream& operator<<(std::ostream& out, const Mistake& mistake) { return out
 
 class MistakesOfTests : public ScriptedTests, public ::testing::WithParamInterface<Mistake> {};
 
-TEST_P(MistakesOfTests, AreTold) {
+TEST_P(MistakesOfTests, AreReported) {
   folder.write("behaviors/dimmer.lua", R"(local p = param { level = { 0.5, range = { 0, 1 }, doc = "how bright" } }
 behavior "dimmer" { initial = "on", state "on" {} })");
   run(std::string("test('t', function()\n") + GetParam().body + "\nend)");
@@ -577,7 +577,7 @@ behavior "dimmer" { initial = "on", state "on" {} })");
 INSTANTIATE_TEST_SUITE_P(
     Language, MistakesOfTests,
     ::testing::Values(
-        Mistake{"ParameterOfNobody", "set_param('dimmer.levle', '0.3')  load_behavior 'dimmer'",
+        Mistake{"UnknownParameter", "set_param('dimmer.levle', '0.3')  load_behavior 'dimmer'",
                 "no parameter 'dimmer.levle' in what this test loads (did you mean 'dimmer.level'?)"},
         Mistake{"ParameterOfWhatIsNotLoaded", "set_param('dimmer.level', '0.3')", "no parameter 'dimmer.level'"},
         Mistake{"ParameterOutOfRange", "load_behavior 'dimmer'  set_param('dimmer.level', '3')", "dimmer.level"},
@@ -598,10 +598,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NotANumberOfSeconds", "advance(0/0)", "finite number expected"},
         Mistake{"ReloadWithoutFrom", "load_behavior 'lamp'  reload { form = 'off', to = 'on' }",
                 "did you mean 'from'?"},
-        Mistake{"StateOfNobody", "load_behavior 'lamp'  expect.state('lapm', 'off')", "no behavior \"lapm\""},
-        Mistake{"StateThatIsNone", "load_behavior 'lamp'  expect.state('lamp', 'of')", "lamp has no state \"of\""},
-        Mistake{"CommandThatIsNone", "expect.no_command('flip')", "there is no command 'flip' (did you mean"},
-        Mistake{"LeaseThatIsNone", "expect.no_lease('pause_trainig')", "there is no pause 'pause_trainig'"}),
+        Mistake{"StateOfAnUnknownMachine", "load_behavior 'lamp'  expect.state('lapm', 'off')", "no behavior \"lapm\""},
+        Mistake{"UnknownState", "load_behavior 'lamp'  expect.state('lamp', 'of')", "lamp has no state \"of\""},
+        Mistake{"UnknownCommand", "expect.no_command('flip')", "there is no command 'flip' (did you mean"},
+        Mistake{"UnknownLease", "expect.no_lease('pause_trainig')", "there is no pause 'pause_trainig'"}),
     [](const auto& each) { return std::string(each.param.name); });
 
 TEST_F(ScriptedTests, AreThereInAFileOfTests) {

@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
              {1, 61}},
         Slip{"AfterItsScope", "do local inner = 1 end\nreturn inner", "there is no 'inner'", {2, 8}},
         Slip{"InALoopsHead", "for i = 1, numer do end", "there is no 'numer'", {1, 12}},
-        Slip{"InALongTextsNeighbourhood", "local t = [==[ robot.falen\n]==] .. robt", "there is no 'robt'", {2, 9}}),
+        Slip{"InALongTextsNeighborhood", "local t = [==[ robot.falen\n]==] .. robt", "there is no 'robt'", {2, 9}}),
     [](const auto& each) { return std::string(each.param.name); });
 
 class SoundScripts : public ::testing::TestWithParam<const char*> {};

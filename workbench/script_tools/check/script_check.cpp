@@ -71,7 +71,7 @@ class ScriptCheck {
     for (const std::string& file : tests_in(root_)) look_at_text(file, ScriptRole::test);
     std::vector<Finding>& all = result_.findings;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
-    // A behaviour that several scenarios load is told once.
+    // A behavior that several scenarios load is told once.
     all.erase(std::unique(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) == order(b); }),
               all.end());
     return std::move(result_);
@@ -221,10 +221,10 @@ class ScriptCheck {
 /// From the root; throws where the path is not below it.
 std::string below(const std::filesystem::path& root, const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    throw std::runtime_error(path.string() + ": there is no such file or folder");
+  if (!std::filesystem::exists(path, error)) throw std::runtime_error(path.string() + ": file or folder not found");
   if (!std::filesystem::is_directory(path, error) && path.extension() != kExtension)
-    throw std::runtime_error(path.string() + ": it is no script; name a folder or a file *" + std::string(kExtension));
+    throw std::runtime_error(path.string() + ": not a script (expected a folder or a file *" + std::string(kExtension) +
+                             ")");
   const std::optional<std::string> relative = path_below(root, path);
   if (!relative)
     throw std::runtime_error(path.string() + " is not below " + root.string() + "; name its root with --scripts");

@@ -17,7 +17,7 @@ struct CheckResult {
   int count(Finding::Severity severity) const;
 };
 
-/// Loads all behaviours, and each scenario with the behaviours that it wants; then looks at the states and, in these
+/// Loads all behaviors, and each scenario with the behaviors that it wants; then looks at the states and, in these
 /// and in libraries and tests, at the names. `paths` restricts what is told (not what is loaded) to files and folders;
 /// none: everything below the root. Throws std::runtime_error with one line when a path does not exist or lies
 /// elsewhere.

@@ -67,7 +67,7 @@ struct SymbolTable {
   bool modules_use_metatables = false;                  ///< so that a table of theirs can stand for a number
 };
 
-/// The bindings' and the library's part of it; scenarios may name more than behaviours, tests their own words.
+/// The bindings' and the library's part of it; scenarios may name more than behaviors, tests their own words.
 /// `declared`: nothing where it is not known what else there is.
 enum class ScriptRole { behavior, scenario, library, test };
 SymbolTable symbol_table(ScriptRole role, const std::optional<DeclaredNames>& declared);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a behaviour's page that follow from its script: the states as a diagram, the parameters as a table.
+// The parts of a behavior's page that follow from its script: the states as a diagram, the parameters as a table.
 #pragma once
 
 #include <span>

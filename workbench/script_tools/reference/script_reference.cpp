@@ -43,7 +43,7 @@ bool is_for_scenarios(std::string_view table) {
   return std::none_of(all.begin(), all.end(), [&](const WorldTable& row) { return row.name == table; });
 }
 
-/// Of both languages, each once: behaviours' first.
+/// Of both languages, each once: behaviors' first.
 std::vector<const ScriptFunction*> all_functions() {
   std::vector<const ScriptFunction*> all;
   for (const ScriptFunction& function : behaviors().functions()) all.push_back(&function);
@@ -126,9 +126,9 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
   out << "# Script reference\n"
          "Generated from the declarations that make the bindings, and from the libraries' doc comments; do not edit.\n"
          "`REORIENT_REGENERATE=1 ./test` writes it anew; `./reorient reference` writes one with your own libraries.\n\n"
-         "A behaviour is a file under `scripts/behaviors/`, a scenario one under `scripts/scenarios/`, what several "
+         "A behavior is a file under `scripts/behaviors/`, a scenario one under `scripts/scenarios/`, what several "
          "share lies "
-         "under\n`scripts/lib/`. Lengths are metres, angles radians, times seconds; x forward, y left.\n\n## Words\n";
+         "under\n`scripts/lib/`. Lengths are meters, angles radians, times seconds; x forward, y left.\n\n## Words\n";
   write_words(out, language_words());
   out << "### A transition\n```lua\n{ \"target\", when = f, lasting = 0.5, after = \"settle\", because = \"the "
          "reason\" }\n```\n"
@@ -143,7 +143,7 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
          "others.\n\n";
   write_world(out);
   out << "## Functions\nThey act, so they stand in `enter`, `update` and `exit`, not in conditions.\n\n";
-  out << "### In behaviours\n";
+  out << "### In behaviors\n";
   write_functions(out, behaviors());
   out << "### In scenarios\n";
   write_functions(out, scenarios());

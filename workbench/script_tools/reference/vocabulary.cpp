@@ -11,77 +11,79 @@ namespace {
 constexpr ScriptWord kLanguage[] = {
     {"param(declarations: table<string, table>): table<string, any> values",
      "local p = param { lead = { 0.5, range = { 0, 1 }, unit = \"\", doc = \"what it is\" } }",
-     "Declares numbers that can be tuned: default, range, unit, sentence. `{ true, doc = ... }` is a switch, `{ "
-     "\"slow\", choices = { \"slow\", \"fast\" }, doc = ... }` a choice, `integer = true` asks for whole numbers. The "
-     "result is a read-only table of the present values. Their full name is the file's name, a dot, and the name.",
+     "Declares parameters: default, range, unit, description. `{ true, doc = ... }` is a switch, `{ "
+     "\"slow\", choices = { \"slow\", \"fast\" }, doc = ... }` a choice, `integer = true` permits only whole numbers. "
+     "The "
+     "result is a read-only table of the current values. The full name is the file's name, a dot, and the name.",
      {}},
     {"keep(defaults: table): table memory", "local memory = keep { flips = 0 }",
-     "A table of plain values that survives a reload, what was removed from it included; what a new version declares "
-     "besides begins as declared. Local variables do not survive.",
+     "A table of plain values that survives a reload, including removals; values that a new version adds "
+     "start as declared. Local variables do not survive.",
      "---@generic T: table\n---@param defaults T\n---@return T memory\nfunction keep(defaults) end"},
     {"behavior(name: string): fun(body: reorient.State)",
      "behavior \"name\" { priority = 50, initial = \"watching\", common = { ... }, state \"watching\" { ... } }",
-     "Declares a state machine. `priority`: the greater wins where two want the same, and of equal ones the behaviour "
+     "Declares a state machine. `priority`: the greater wins a conflict of requests, and of equal ones the behavior "
      "that was loaded first. `initial`: the first state. "
-     "`common`: transitions out of whichever state, not taken while their target is active.",
+     "`common`: transitions from any state, not taken while their target is active.",
      {}},
     {"state(name: string): fun(body: reorient.State): table",
      "state \"watching\" { enter = f, update = f, exit = f, { \"target\", when = f, lasting = 0.5 } }",
      "Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within "
      "it, then also `initial`, `common`, and `history = true` to resume the inner state that was active last. "
-     "`publishes = \"name\"`: what others may ask for as `published.name`.",
+     "`publishes = \"name\"`: flag that other scripts read as `published.name`.",
      {}},
     {"scenario(name: string): fun(body: reorient.State)",
      "scenario \"name\" { behaviors = { \"orientation\" }, initial = \"placing\", state \"placing\" { ... } }",
-     "Declares a situation for the simulator: a state machine as a behaviour is, which plays the person beside the "
-     "field. `behaviors`: which to load. `room = \"rooms/lab.hdr\"` (a panorama, from the scripts' root, or the name "
+     "Declares a scenario for the simulator: a state machine like a behavior, which plays the operator beside the "
+     "field. `behaviors`: scripts to load. `room = \"rooms/lab.hdr\"` (a panorama, from the scripts' root, or the name "
      "of "
-     "one in assets/rooms) or `hall_seed = 3`, and `field` likewise: where it takes place, unless the command line "
-     "says "
-     "it. It alone has `truth`, `operator` and `verdict`; it cannot move the robot. It runs after each frame.",
+     "one in assets/rooms) or `hall_seed = 3`, and `field` likewise: the setting, unless the command line "
+     "sets "
+     "it. Only scenarios have `truth`, `operator` and `verdict`; they cannot move the robot. They run after each "
+     "frame.",
      {}},
     {"require(module: string): any",
      "local walking = require \"lib.walk\"",
-     "What the file lib/walk.lua below the scripts' root returns. Stands at the top of a script.",
+     "The value that the file lib/walk.lua below the scripts' root returns. Only at the top of a script.",
      {}},
     {"behaviors", "behaviors.orientation.state == \"watching\"",
-     "The other machines as they stood when the frame began, read-only: `state` (path) and `time_in_state` (s).",
+     "The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s).",
      "---@class reorient.Machine\n---@field state string path of the innermost active state\n---@field time_in_state "
      "number s\n\n---@type table<string, reorient.Machine>\nbehaviors = {}"},
     {"published", "published.pose_is_searched",
-     "Whether a state with `publishes = \"pose_is_searched\"` was active when the frame began, in whatever machine; "
-     "false where nobody publishes it.",
+     "Whether a state with `publishes = \"pose_is_searched\"` of any machine was active at the start of the frame; "
+     "false if no script publishes it.",
      "---@type table<string, boolean>\npublished = {}"},
-    {"print(...: any)", "print(\"flips\", memory.flips)", "Writes a line into the run's log.", {}},
+    {"print(...: any)", "print(\"flips\", memory.flips)", "Writes a line to the run's log.", {}},
 };
 
 constexpr ScriptWord kTest[] = {
     {"test(name: string, run: fun())",
      "test(\"flips when the opposite pose wins\", function() ... end)",
-     "Declares a test. Its file is run anew for it in a fresh sandbox, with a world, a clock and scripts of its own. "
+     "Declares a test. Its file runs again for it in a new sandbox, with its own world, clock and scripts. "
      "It may take 60 s (`--timeout`) and 36 000 s of the robot's time, the tests of a file ten times that.",
      {}},
-    {"load_behavior(behavior: reorient.BehaviorScript)", "load_behavior \"orientation\"", "Loads a behaviour.", {}},
+    {"load_behavior(behavior: reorient.BehaviorScript)", "load_behavior \"orientation\"", "Loads a behavior.", {}},
     {"load_scenario(scenario: reorient.ScenarioScript)",
      "load_scenario \"mirrored_placement\"",
-     "Loads a scenario and its behaviours.",
+     "Loads a scenario and its behaviors.",
      {}},
     {"set_world(world: reorient.World)",
      "set_world { confidence = { opposite = 0.9 }, robot = { posture = \"lying\" } }",
-     "Changes what the robot senses in the fake world, from the next frame on. What follows from the rest (times since "
+     "Changes what the robot senses in the fake world from the next frame. Derived values (times since "
      "a "
-     "disturbance, age and status of the confidences, whether training and evaluation go on) follows by the engine's "
+     "disturbance, age and status of the confidences, whether training and evaluation are active) follow the engine's "
      "own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in "
      "the engine: after a flip, the evidence has the other sign. The clock cannot be set: `advance` lets time pass.",
      {}},
     {"set_param(name: reorient.ParameterName, value: string)",
      "set_param(\"decision.false_flips\", \"1\")",
      "Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in "
-     "the test has is a failure.",
+     "the test declares is a failure.",
      {}},
     {"hear(sender: integer, text: string)",
      "hear(2, \"I am sure of my pose\")",
-     "A message of a team mate that comes with the next frame.",
+     "Adds a message of a teammate to the next frame.",
      {}},
     {"advance(seconds: number)",
      "advance(1.0)",
@@ -95,26 +97,27 @@ constexpr ScriptWord kTest[] = {
      "number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, "
      "any>? }): boolean is_correct",
      "simulate { scenario = \"mirrored_placement\", seed = 1, params = { [\"decision.false_flips\"] = 1 } }",
-     "Runs a whole scenario on the simulator and gives whether the belief was right at its end; what is expected "
-     "behind it is expected of the whole run. Also takes `with`, a list of more behaviours, `width` of the image (160, "
+     "Runs a whole scenario on the simulator and returns whether the belief was right at its end; expectations "
+     "after it apply to the whole run. Also takes `with`, a list of more behaviors, `width` of the image (160, "
      "320, 544, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. "
      "Skipped "
      "unless `reorient test --simulator`.",
      {}},
     {"replay(file: string)",
      "replay \"recordings/flip.mcap\"",
-     "Plays a recording (from the tests' folder on), with the scripts that there are now instead of those that were "
+     "Plays a recording (path from the tests' folder), with the current scripts instead of those that were "
      "recorded, instead of a fake world: its first frame, then `advance` and `advance_to` go on in it; `set_param`, "
-     "`reload` and `hear` reach its next frame. What the robot saw stays what it was: once it acts otherwise, it is a "
+     "`reload` and `hear` affect its next frame. The recorded views do not change: once the robot acts differently, it "
+     "is a "
      "guess.",
      {}},
     {"advance_to(time: number)",
      "advance_to(43.5)",
-     "Goes on in a recording, up to the frame of this time of it (s of the robot).",
+     "Continues a recording up to the frame at this time (s of the robot).",
      {}},
     {"world_value(name: string): number|string|boolean value",
      "expect.near(world_value(\"pose.x\"), 1.2, 0.1)",
-     "A value of the world as behaviours see it in this frame.",
+     "A value of the world as behaviors read it in this frame.",
      {}},
     {"expect.as_recorded()",
      "expect.as_recorded()",
@@ -157,7 +160,7 @@ constexpr ScriptWord kTest[] = {
     {"expect.log(text: string)", "expect.log(\"picked up\")", "A log line of the last `advance` contains this.", {}},
     {"expect.message(text: string)",
      "expect.message(\"turned\")",
-     "A message to the team mates of the last `advance` contains this.",
+     "A message to the teammates in the last `advance` contains this.",
      {}},
     {"expect.action(name: reorient.ActionName)",
      "expect.action(\"put_down\")",
@@ -169,15 +172,15 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"expect.error(text: string)",
      "expect.error(\"nil value\")",
-     "A script failed so; without this, a failing script fails the test.",
+     "A script failed with this message; without it, a failing script fails the test.",
      {}},
     {"expect.refused(text: string)",
      "expect.refused(\"did you mean\")",
-     "The reload was refused so; without this, that fails the test.",
+     "The reload was refused with this message; without it, a refusal fails the test.",
      {}},
     {"expect.equal(actual: any, expected: any)",
      "expect.equal(count, 3)",
-     "Two values are the same, tables field by field; the first is what was seen.",
+     "Two values are the same, tables field by field; the first is the actual value.",
      {}},
     {"expect.near(actual: number, expected: number, tolerance: number)",
      "expect.near(x, 1.5, 0.1)",

@@ -36,7 +36,7 @@ class CoverageTrace {
   std::map<std::pair<std::string, std::string>, MachineTrace> machines_;  ///< by file and name
 };
 
-/// What of all behaviours and scenarios below the root the tests took. Of each machine that they ran: the share, then
+/// What of all behaviors and scenarios below the root the tests took. Of each machine that they ran: the share, then
 /// each state of its file that was never entered and each transition that was never taken, with file, line and column,
 /// and the share of what a library makes in it. Then one line for each machine that they did not run, and one for all.
 /// Returns one line about each script that cannot be loaded, which is left out. Throws std::runtime_error where there

@@ -18,7 +18,7 @@ namespace reorient {
 
 struct SimulationRequest {
   std::string scenario;
-  std::vector<std::string> with;  ///< behaviours beside those of the scenario
+  std::vector<std::string> with;  ///< behaviors beside those of the scenario
   std::uint64_t seed = 1;
   int width = 160;         ///< of the camera image, pixels
   double seconds = 600.0;  ///< of the robot's time, at most

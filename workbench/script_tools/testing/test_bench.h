@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fake world with a fake clock in which scripted tests run behaviours.
+// A fake world with a fake clock in which scripted tests run behaviors.
 #pragma once
 
 #include <map>
@@ -128,7 +128,7 @@ class TestBench {
   std::vector<Message> heard_;  ///< that comes with the next frame
   std::optional<GroundTruth> truth_;
   std::unique_ptr<Behaviors> behaviors_;
-  RecordedBehaviors recorded_;  ///< what the scenario sees of the behaviours
+  RecordedBehaviors recorded_;  ///< what the scenario sees of the behaviors
   std::unique_ptr<ScenarioHost> scenario_;
   Arbiter arbiter_;
   std::string last_script_;
@@ -142,7 +142,7 @@ class TestBench {
   std::optional<ScriptFault> refused_;   ///< not yet expected
   SeenFrames seen_;                      ///< in the last advance(); transitions: in the whole test
   std::vector<Lease> leases_;            ///< held after it
-  std::vector<MachineStatus> statuses_;  ///< of the behaviours, after it
+  std::vector<MachineStatus> statuses_;  ///< of the behaviors, after it
   std::vector<NameId> published_;
   Request request_;
 };

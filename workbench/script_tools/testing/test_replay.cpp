@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests do with a recording: the frames that were recorded, with the behaviours that there are now.
+// What tests do with a recording: the frames that were recorded, with the behaviors that there are now.
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
@@ -20,12 +20,12 @@ constexpr double kTimeTolerance = 1e-6;  // s: times of frames are sums of round
 /// replay "recordings/flip.mcap": advance() and advance_to() go on in it.
 void TestBench::replay(std::string_view file) {
   if (behaviors_ || scenario_)
-    throw std::runtime_error("replay: this test has loaded behaviours for a fake world; make it a test of its own");
+    throw std::runtime_error("replay: this test has already loaded behaviors for a fake world (use a separate test)");
   if (file.find('\0') != std::string_view::npos) throw std::runtime_error("replay: no file has such a name");
   // To open one takes the time of so many instructions.
   constexpr std::int64_t kPriceOfARecording = 1'000'000;
   Sandbox::of(lua_).charge(kPriceOfARecording);
-  if (!play_recording_) throw std::runtime_error("replay: no recording can be played here");
+  if (!play_recording_) throw std::runtime_error("replay: recordings are not supported here");
   replay_ = play_recording_(std::string(file), texts_);
   added_ = {};
   seen_ = {};
@@ -67,7 +67,7 @@ bool TestBench::step_replay() {
 
 /// advance_to(43.5): up to the last frame that is not after this time of the recording.
 void TestBench::advance_to(double time) {
-  if (!replay_) throw std::runtime_error("advance_to goes on in a recording: replay \"FILE\" comes first");
+  if (!replay_) throw std::runtime_error("advance_to: no recording is loaded (call replay \"FILE\" first)");
   if (!(time >= replayed_world_.time - kTimeTolerance))
     throw std::runtime_error("advance_to: this replay is at " + std::to_string(replayed_world_.time) + " s already");
   begin_advance();
@@ -79,7 +79,7 @@ void TestBench::advance_to(double time) {
   look_at_machines();
 }
 
-/// Of this frame, as behaviours see it.
+/// Of this frame, as behaviors see it.
 int TestBench::world_value(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   const std::span<const WorldField> all = world_fields();
@@ -105,7 +105,7 @@ int TestBench::world_value(lua_State* L) {
 }
 
 void TestBench::expect_as_recorded() {
-  if (!replay_) throw std::runtime_error("expect.as_recorded: replay \"FILE\" comes first");
+  if (!replay_) throw std::runtime_error("expect.as_recorded: no recording is loaded (call replay \"FILE\" first)");
   if (const std::optional<std::string> difference = replay_->first_difference())
     fail("the robot to act as it was recorded", *difference);
 }

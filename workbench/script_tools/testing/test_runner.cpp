@@ -15,7 +15,7 @@
 namespace reorient {
 namespace {
 
-/// Tests are trusted more than behaviours, but an endless loop in one shall not hang the run either.
+/// Tests are trusted more than behaviors, but an endless loop in one shall not hang the run either.
 ScriptLimits test_limits() {
   ScriptLimits limits;
   limits.max_memory = 64 * 1024;

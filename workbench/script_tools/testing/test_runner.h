@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripted behaviour tests: scripts/tests/*_test.lua, in a fake world with a fake clock.
+// Scripted behavior tests: scripts/tests/*_test.lua, in a fake world with a fake clock.
 #pragma once
 
 #include <cstdint>
