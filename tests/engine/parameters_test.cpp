@@ -77,7 +77,7 @@ TEST_F(Parameters, AreListedWithValueDefaultAndOrigin) {
   EXPECT_EQ(to_string(list[0].origin), "default");
 }
 
-TEST_F(Parameters, ErrorsAreOneLineWithAHint) {
+TEST_F(Parameters, MistakesAreToldInOneLineWithARemedy) {
   EXPECT_EQ(refusal("view.nosie", "1"), "unknown parameter 'view.nosie' (did you mean 'view.noise'?)");
   EXPECT_EQ(refusal("noise", "1"), "unknown parameter 'noise' (did you mean 'view.noise'?)");
   EXPECT_EQ(refusal("view.noise", "2"), "parameter view.noise: invalid value '2' (expected 0 to 1 rad)");
