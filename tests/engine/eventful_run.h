@@ -20,7 +20,7 @@ using Bytes = std::vector<std::byte>;
 
 inline const std::filesystem::path kShippedScripts = std::filesystem::path(kSourceFolder) / "scripts";
 
-/// A behavior that keeps something, rolls dice and fails now and then.
+/// A behavior that keeps something, draws random numbers and fails now and then.
 inline constexpr const char* kRestless = R"(local memory = keep { count = 0, seen = {} }
 behavior "restless" { initial = "turning",
   update = function()
@@ -46,7 +46,7 @@ inline FrameSetup eventful_setup() {
   return setup;
 }
 
-/// Of somebody else's particle filter.
+/// Of an external particle filter.
 inline std::vector<ExternalBelief::Particle> scattered_around(const Pose2& pose) {
   std::vector<ExternalBelief::Particle> particles;
   particles.reserve(32);

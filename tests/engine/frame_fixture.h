@@ -52,7 +52,7 @@ class HandFedLoop {
     upper.robot_from_camera = robot_from_camera(RobotDimensions(), {}, {}, RobotDimensions().torso_height);
   }
 
-  /// This many frames; what was told or changed is for the first of them.
+  /// This many frames; external inputs and changes are for the first of them.
   const FrameRecord& step(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
       Observation& observation = inputs.observation;
@@ -71,7 +71,7 @@ class HandFedLoop {
   const World& world() const { return record().world; }
   void tell(const Pose2& pose) { inputs.external.initial_pose = InitialPose{pose}; }
 
-  /// Somebody takes it up by both shoulders: within ten frames the engine knows.
+  /// The operator lifts it by both shoulders: the engine detects it within ten frames.
   void lift() {
     inputs.observation.body.foot_load = 0.0;
     inputs.observation.body.acceleration.z() += 5.0;

@@ -54,7 +54,7 @@ TEST(Messages, ThatDoNotFitAreRefused) {
   const struct {
     const char* text;
     const char* refusal;
-  } cases[] = {{"string.rep('x', 241)", "at most 240 bytes, this one has 241"}, {"'a\\0b'", "no byte 0"}};
+  } cases[] = {{"string.rep('x', 241)", "at most 240 bytes, this one has 241"}, {"'a\\0b'", "zero byte"}};
   for (const auto& [text, refusal] : cases) {
     HandFedLoop loop(std::string("behavior \"tested\" { update = function() team.send(") + text + ") end }");
     ASSERT_FALSE(loop.step().faults.empty()) << text;

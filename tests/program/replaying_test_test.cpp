@@ -95,9 +95,9 @@ TEST_F(ReplayingTest, TellsWhatIsWrongInATestAndGoesOn) {
       {flip + "set_param(\"orientation.hold_tme\", \"2\") advance(0)", "hold_tme"},
       {flip + "world_value(\"pose.z\")", "the world has no 'pose.z'"},
       {flip + "expect.state(\"orientation\", \"watching/in duobt\")", "did you mean"},
-      {"load_behavior \"get_up\" " + flip, "make it a test of its own"},
-      {"advance_to(3)", "replay \"FILE\" comes first"},
-      {"expect.as_recorded()", "replay \"FILE\" comes first"},
+      {"load_behavior \"get_up\" " + flip, "use a separate test"},
+      {"advance_to(3)", "call replay \"FILE\" first"},
+      {"expect.as_recorded()", "call replay \"FILE\" first"},
   };
   for (const auto& [text, why] : mistakes) {
     const ProgramRun run = run_test(text);

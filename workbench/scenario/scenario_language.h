@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scenarios can see and do: everything that behaviors see, the truth, and what a person beside the field can do.
+// Functions and fields of scenarios: everything that behaviors read, the truth, and the actions of the operator.
 #pragma once
 
 #include <cstdint>

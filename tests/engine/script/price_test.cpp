@@ -186,7 +186,7 @@ TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
 
 TEST_F(Prices, OneTableIsNotKeptThousandsOfTimes) {
   const ScriptFault fault = refusal("local t = {} for i = 1, 3000 do keep(t) end behavior \"refused\" {}");
-  EXPECT_NE(fault.message.find("at most 100 keep"), std::string::npos) << fault.text();
+  EXPECT_NE(fault.message.find("too many keep { } (expected at most 100)"), std::string::npos) << fault.text();
 }
 
 TEST_F(Prices, AFewLinesDoNotMakeMillionsOfTransitions) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Valid behaviors, drawn by dice.
+// Valid behaviors, generated at random.
 #pragma once
 
 #include <cstdint>

@@ -108,7 +108,7 @@ TEST_F(SeededMistakes, AreMostlyFound) {
       }
     }
     if (tells_all) std::cout << to_string(bar.mistake) << ": " << found << " of " << count << "\n";
-    // Of few mistakes, chance has a say in how many are of the kinds that are not found.
+    // With few mistakes, the number of types that are not found is random.
     EXPECT_GE(found, bar.share * count - std::sqrt(count * bar.share * (1.0 - bar.share)) - 1.0)
         << to_string(bar.mistake) << ": " << found << " of " << count;
   }

@@ -37,7 +37,7 @@ void expect_committed(const std::filesystem::path& file, const std::string& gene
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file) << generated;
   }
-  EXPECT_EQ(read(file), generated) << file << " is stale: set REORIENT_REGENERATE=1 and run this test to write it anew";
+  EXPECT_EQ(read(file), generated) << file << " is stale: set REORIENT_REGENERATE=1 and run this test to regenerate it";
 }
 
 std::vector<LibraryModule> shipped_libraries() { return library_modules(read_scripts(kScripts)); }

@@ -71,7 +71,7 @@ class ScriptCheck {
     for (const std::string& file : tests_in(root_)) look_at_text(file, ScriptRole::test);
     std::vector<Finding>& all = result_.findings;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
-    // A behavior that several scenarios load is told once.
+    // A behavior that several scenarios load is reported once.
     all.erase(std::unique(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) == order(b); }),
               all.end());
     return std::move(result_);

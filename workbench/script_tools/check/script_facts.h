@@ -23,7 +23,7 @@ struct FieldFacts {
 
 struct TableFacts {
   std::map<std::string, FieldFacts> fields;
-  bool is_open = false;    ///< it was handed to somebody who may write to it, or is written by computed keys
+  bool is_open = false;    ///< passed to code that may write to it, or written with computed keys
   bool is_walked = false;  ///< read by computed keys, or as a whole
 };
 

@@ -232,7 +232,7 @@ void ScriptReading::read_return(const Statement& statement) {
 void ScriptReading::declare(const LuaToken* name, Meaning meaning) {
   meaning.literal = nullptr;
   meaning.most_values = 1;
-  if (meaning.types == kNil) meaning.types = kAnything;  // somebody may write something there one day
+  if (meaning.types == kNil) meaning.types = kAnything;  // code may write a value later
   if (const auto found = before_.assigned.find(name); found != before_.assigned.end()) {
     learned.assigned[name] |= meaning.types;
     let_go(meaning);

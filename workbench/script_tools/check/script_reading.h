@@ -30,7 +30,7 @@ struct Meaning {
   std::size_t most_values = 1;                     ///< a call or ... may stand for several
 };
 
-/// Believes what `before` says, and learns the same anew: so a function that stands below its caller is known to a
+/// Believes what `before` says, and learns the same again, so that a function below its caller is known to a
 /// second reading.
 class ScriptReading {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script may name, and what is known of it, for whoever checks scripts without running them.
+// The names that a script may use, and their types, for checking scripts without running them.
 #pragma once
 
 #include <map>

@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// The page with what stands between "<!-- generated: states -->" (or parameters) and "<!-- end -->" written anew.
+/// The page with the part between "<!-- generated: states -->" (or parameters) and "<!-- end -->" regenerated.
 /// `parameters`: those that the script itself declares. Throws std::runtime_error when a mark is missing.
 std::string with_generated_parts(const std::string& page, const MachineDefinition& machine,
                                  std::span<const ParameterDeclaration> parameters);

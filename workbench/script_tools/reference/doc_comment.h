@@ -23,7 +23,7 @@ struct DocComment {
   std::vector<DocTag> results;
   std::string type;  ///< `---@type`
 
-  /// nullptr: there is none.
+  /// nullptr: not found.
   const DocTag* parameter(std::string_view name) const;
 };
 

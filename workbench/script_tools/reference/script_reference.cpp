@@ -125,7 +125,7 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
   std::ostringstream out;
   out << "# Script reference\n"
          "Generated from the declarations that make the bindings, and from the libraries' doc comments; do not edit.\n"
-         "`REORIENT_REGENERATE=1 ./test` writes it anew; `./reorient reference` writes one with your own libraries.\n\n"
+         "`REORIENT_REGENERATE=1 ./test` regenerates it; `./reorient reference` writes one with your own libraries.\n\n"
          "A behavior is a file under `scripts/behaviors/`, a scenario one under `scripts/scenarios/`, what several "
          "share lies "
          "under\n`scripts/lib/`. Lengths are meters, angles radians, times seconds; x forward, y left.\n\n## Words\n";
@@ -171,10 +171,11 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
 
 std::string script_annotations(std::span<const LibraryModule> libraries) {
   std::ostringstream out;
-  out << "---@meta\n-- What scripts can see and say, for the Lua language server. Generated from the declarations that "
+  out << "---@meta\n-- Functions and fields of scripts, for the Lua language server. Generated from the declarations "
+         "that "
          "make the\n"
-         "-- bindings, and from the libraries' doc comments; do not edit. `REORIENT_REGENERATE=1 ./test` writes it "
-         "anew.\n\n";
+         "-- bindings, and from the libraries' doc comments; do not edit. `REORIENT_REGENERATE=1 ./test` regenerates "
+         "it.\n\n";
   out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? "
          "boolean\n---@field publishes? string\n"
          "---@field common? table[]\n---@field behaviors? string[]\n---@field room? string\n"
@@ -236,7 +237,7 @@ std::string script_luacheck() {
     tables[std::string(former.name)] = tables[std::string(former.replacement)];
   std::ostringstream out;
   out << "-- For luacheck. Generated from the declarations that make the bindings; do not edit.\n"
-         "-- `REORIENT_REGENERATE=1 ./test` writes it anew.\nlocal function fields(...)\n  local known = {}\n"
+         "-- `REORIENT_REGENERATE=1 ./test` regenerates it.\nlocal function fields(...)\n  local known = {}\n"
          "  for _, name in ipairs { ... } do known[name] = {} end\n  return { fields = known }\nend\n\n"
          "stds.reorient = { read_globals = {\n";
   for (const LibraryRow& row : library_rows()) {

@@ -25,7 +25,7 @@ class PlayedRecording {
   virtual const FrameRecord* step(const FrameInputs& added) = 0;
   virtual std::vector<const MachineDefinition*> machines() const = 0;
 
-  /// Where the robot first acted otherwise than it was recorded, in words; nothing: nowhere so far.
+  /// The first difference of the robot's actions from the recording, in words; nothing: no difference so far.
   virtual std::optional<std::string> first_difference() const = 0;
 };
 

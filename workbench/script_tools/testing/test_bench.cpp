@@ -227,7 +227,7 @@ int TestBench::set_world(lua_State* L) {
       } else {
         const bool was_known = world().pose_known;
         fake_world_.set(table, lua_tostring(L, -2), value);
-        // Later on, the pose becomes known since somebody tells it.
+        // Later, the pose becomes known because it is set.
         is_pose_told_ |= frame_ > 0 && world().pose_known && !was_known;
       }
     }

@@ -30,7 +30,7 @@ struct TestFailure {
   std::string text;  ///< may have several lines
 };
 
-/// The text as far as somebody reads it.
+/// The text, shortened for messages.
 std::string shortened(std::string text);
 
 /// One test's bench: what `load_behavior`, `set_world`, `advance`, `reload` and `expect` of a test act on.

@@ -10,7 +10,7 @@ namespace reorient {
 
 class TestBudget {
  public:
-  /// A file's: `timeout` is a test's, s in wall-clock time. `stop` may be empty: then nobody interrupts.
+  /// A file's: `timeout` is a test's, s in wall-clock time. `stop` may be empty: then no interrupt.
   TestBudget(double timeout, std::function<bool()> stop);
   /// One test's, within its file's.
   explicit TestBudget(TestBudget& file);

@@ -22,7 +22,7 @@ std::string numbers(std::initializer_list<double> values) {
   return out.str();
 }
 
-/// Of the enumeration's names; throws where `name` is none of them.
+/// The enumeration's value of this name; throws if `name` is unknown.
 template <typename... Enums>
 void require_name(std::string_view what, std::string_view name) {
   std::vector<std::string> known;

@@ -15,7 +15,7 @@
 namespace reorient {
 namespace {
 
-/// Tests are trusted more than behaviors, but an endless loop in one shall not hang the run either.
+/// Tests get larger limits than behaviors, but an endless loop must not block the run.
 ScriptLimits test_limits() {
   ScriptLimits limits;
   limits.max_memory = 64 * 1024;
@@ -23,7 +23,7 @@ ScriptLimits test_limits() {
   return limits;
 }
 
-constexpr std::size_t kMostTests = 2000;  // of a file, which is run anew for each
+constexpr std::size_t kMostTests = 2000;  // of a file, which runs again for each
 constexpr std::size_t kLongestName = 200;
 
 /// A file of tests, run from its top in a sandbox of its own. Each test gets a new one: what one does to globals, to
@@ -102,19 +102,20 @@ class FileRun {
       : name_(name), text_(text), run_(run), texts_(texts), budget_(run.timeout, run.stop) {}
 
   void run(CoverageTrace& trace, const std::function<void(TestCase)>& take) {
-    std::unique_ptr<TestFile> file = run_anew();
+    std::unique_ptr<TestFile> file = run_again();
     if (file->fault()) {
       take(TestCase{name_, "can be run", {file->as_failure(*file->fault())}, false});
       return;
     }
     const std::vector<std::string> names = file->names();
-    if (names.empty()) take(failed("declares a test", "there is none: test(\"what is so\", function() ... end)"));
+    if (names.empty())
+      take(failed("declares a test", "declares no test (expected test(\"behavior\", function() ... end))"));
     for (std::size_t i = 0; i < names.size() && !budget_.is_interrupted(); ++i) {
       if (budget_.exceeded()) {
         take(failed(names[i], "not run: " + budget_.reason()));
         continue;
       }
-      if (file == nullptr) file = run_anew();
+      if (file == nullptr) file = run_again();
       take(file->names() == names ? file->run(i, run_, texts_, budget_, trace)
                                   : failed(names[i], "the file declares other tests each time that it is run"));
       file.reset();
@@ -122,7 +123,7 @@ class FileRun {
   }
 
  private:
-  std::unique_ptr<TestFile> run_anew() const { return std::make_unique<TestFile>(name_, text_, run_.instructions); }
+  std::unique_ptr<TestFile> run_again() const { return std::make_unique<TestFile>(name_, text_, run_.instructions); }
   TestCase failed(const std::string& name, const std::string& why) const {
     return {name_, name, {{name_, 0, why}}, false};
   }
@@ -194,7 +195,7 @@ TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrac
     const std::string name = path_below(run.scripts_root, file).value_or(file.string());
     run_test_text(name, read(file), run, texts, trace, [&](TestCase test) {
       report(test, out);
-      out.flush();  // whoever watches sees each test as it ends
+      out.flush();  // shows each test as it ends
       ++(test.skipped ? summary.skipped : test.failures.empty() ? summary.passed : summary.failed);
       summary.cases.push_back(std::move(test));
     });

@@ -19,7 +19,7 @@ struct TestCase {
   std::string file;
   std::string name;
   std::vector<TestFailure> failures;  ///< none: it passed
-  bool skipped = false;               ///< it wants the simulator, and there is none
+  bool skipped = false;               ///< it requires the simulator, which is not available
 };
 
 struct TestSummary {
@@ -37,12 +37,12 @@ struct TestRun {
   Simulate simulate;                         ///< none: tests that want the simulator are skipped
   PlayRecording play_recording;              ///< none: tests that replay one fail
   double timeout = 60.0;                     ///< s in wall-clock time, of each test; a file has ten times that
-  std::function<bool()> stop;                ///< asked before each frame; empty: nobody interrupts
+  std::function<bool()> stop;                ///< called before each frame; empty: no interrupt
   std::int64_t instructions = 50'000'000;    ///< of Lua, that each test may run
 };
 
 /// Writes one line a test and each failure with file, line, what was expected and what was seen. `trace` is filled
-/// with what the tests took. Each test runs in a fresh sandbox, after its file has been run anew in it. Throws
+/// with what the tests took. Each test runs in a fresh sandbox, after its file has run again in it. Throws
 /// std::runtime_error with one line when a path does not exist or holds no tests.
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace);
 
