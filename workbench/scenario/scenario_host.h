@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scenario, run between frames: it reads what the last frame recorded and where the robot really is, and what it does
-// goes to the person beside the field or into the next frame's inputs. Behaviors never meet it.
+// A scenario, run between frames: it reads the last frame's record and the true pose of the robot, and its actions
+// go to the operator or into the next frame's inputs. Behaviors cannot access it.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// What a scenario said and did after one frame: plain data, as a frame's record is.
+/// The output of a scenario after one frame: plain data, like a frame's record.
 struct ScenarioRecord {
   std::shared_ptr<const NameTable> names = std::make_shared<NameTable>();
   std::vector<MachineStatus> machines;
@@ -36,7 +36,7 @@ struct ScenarioRecord {
   }
 };
 
-/// What a scenario looks at.
+/// Inputs of a scenario.
 struct ScenarioView {
   const World& world;
   std::optional<GroundTruth> truth;
@@ -72,20 +72,20 @@ class ScenarioHost {
   ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
                const MachineDirectory& behaviors, std::uint64_t seed = 1);
 
-  /// The behaviors that it wants to be loaded.
+  /// The behaviors that it requests.
   std::vector<std::string> wanted_behaviors() const;
 
-  /// Where it takes place.
+  /// Its setting.
   ScenarioSetting setting() const;
 
   /// Once a frame, after it. The result is valid until the next call.
   const ScenarioRecord& tick(const ScenarioView& view);
   const ScenarioRecord& record() const { return record_; }
 
-  /// Takes edits of its files over; what became of them is told in the next record.
+  /// Applies edits of its files; the next record contains the results.
   void apply(std::span<const ScriptEdit> edits);
 
-  /// A change of one of its parameters; nothing: it has none of this name.
+  /// A change of one of its parameters; nothing: unknown name.
   std::optional<ParameterOutcome> change(const ParameterChange& change);
   const ParameterRegistry& parameters() const { return parameters_; }
   std::vector<const MachineDefinition*> machines() const { return host_.definitions(); }

@@ -18,7 +18,7 @@
 
 namespace reorient {
 
-/// What a scenario wants done: to the robot, from outside, or told to it.
+/// A requested action of the operator on the robot or its inputs.
 struct OperatorAction {
   enum class Kind {
     pick_up,
@@ -48,10 +48,10 @@ void fields(Visit&& visit, T& action) {
   visit(action.kind, action.pose, action.stops, action.penalized, action.message, action.referee);
 }
 
-/// What a script lets a team mate say. Throws std::runtime_error with one line where no team mate can.
+/// A message of a teammate from a script. Throws std::runtime_error with one line if it is invalid.
 Message message_of(std::int64_t sender, std::string_view text);
 
-/// As scripts call it.
+/// The name in scripts.
 std::string_view to_string(OperatorAction::Kind kind);
 
 struct ScenarioVerdict {
@@ -105,7 +105,7 @@ class ScenarioActions : public ScriptActions {
 
 class ScenarioLanguage : public ScriptLanguage {
  public:
-  /// `seed`: of what a scenario leaves to chance.
+  /// `seed`: of the random numbers of a scenario.
   explicit ScenarioLanguage(std::uint64_t seed = 1) : actions_(seed) {}
 
   ScriptKind kind() const override { return ScriptKind::scenario; }

@@ -230,7 +230,7 @@ TEST_F(Sandboxed, ACircleOfCallsEndsEarlyAlsoWhereThereIsMuchMemory) {
   EXPECT_NE(faults[0].fault.message.find(kMemory), std::string::npos) << faults[0].fault.text();
 }
 
-TEST_F(Sandboxed, ANewMetatableInEachFrameDoesNotAccumulate) {
+TEST_F(Sandboxed, MetatablesOfEarlierFramesDoNotAccumulate) {
   load("one", R"(local Point = {} Point.__index = Point
     behavior "one" { update = function()
       local point <const> = setmetatable({ x = 1 }, Point)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Something in a script that is wrong, or worth a look.
+// An error or warning about a script.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What in a machine is no error but worth a look.
+// Warnings about a machine.
 #pragma once
 
 #include <vector>

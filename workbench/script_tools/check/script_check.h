@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that can be found wrong with scripts without a robot: what `reorient check` tells.
+// All checks of scripts without a robot: the findings of `reorient check`.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@
 namespace reorient {
 
 struct CheckResult {
-  int files = 0;                  ///< that were looked at
+  int files = 0;                  ///< number of checked files
   std::vector<Finding> findings;  ///< by file and place
 
   int count(Finding::Severity severity) const;
 };
 
-/// Loads all behaviors, and each scenario with the behaviors that it wants; then looks at the states and, in these
-/// and in libraries and tests, at the names. `paths` restricts what is told (not what is loaded) to files and folders;
-/// none: everything below the root. Throws std::runtime_error with one line when a path does not exist or lies
+/// Loads all behaviors, and each scenario with the behaviors that it requests; then checks the states and, in these
+/// and in libraries and tests, the names. `paths` restricts the findings (not the loading) to files and folders;
+/// empty: everything below the root. Throws std::runtime_error with one line if a path does not exist or is
 /// elsewhere.
 CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths);
 

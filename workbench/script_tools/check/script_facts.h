@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script's own tables, functions and variables are, learned from its text.
+// Types of a script's own tables, functions and variables, from its text.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace reorient {
 
-/// A field of a table that the script makes itself: all that is written to it, wherever.
+/// A field of a table of the script: all values that are written to it anywhere.
 struct FieldFacts {
   ValueTypes types = 0;
   int writes = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One reading of a script from top to bottom: what its values are, and what cannot be meant.
+// One reading of a script from top to bottom: the types of its values, and errors.
 #pragma once
 
 #include <deque>
@@ -14,15 +14,15 @@
 
 namespace reorient {
 
-/// What an expression stands for, as far as that is plain from the text.
+/// The meaning of an expression, as far as the text determines it.
 struct Meaning {
   Meaning(ValueTypes its_types = kAnything, std::string its_name = {}) : types(its_types), name(std::move(its_name)) {}
 
   ValueTypes types;
-  std::string name;                                ///< as messages call it; empty: it has none
-  const TableSymbol* table = nullptr;              ///< of a table that others made
+  std::string name;                                ///< name in messages; may be empty
+  const TableSymbol* table = nullptr;              ///< of a table outside the script
   const FunctionSymbol* function = nullptr;        ///< whose arguments are known
-  const std::set<std::string>* names = nullptr;    ///< all that a string can be
+  const std::set<std::string>* names = nullptr;    ///< possible values of a string
   const syntax::Expression* own_table = nullptr;   ///< the script's: its constructor
   const syntax::Function* own_function = nullptr;  ///< the script's
   const LuaToken* parameter = nullptr;             ///< of a function of the script: its declaration
@@ -53,7 +53,7 @@ class ScriptReading {
     const syntax::Function* function = nullptr;
     FunctionSymbol learned;
     bool is_condition = false;
-    bool is_certain = true;  ///< what is read now is done whenever the function is called
+    bool is_certain = true;  ///< the current code runs whenever the function is called
   };
   /// While it lives, what is read is done perhaps.
   struct Perhaps {
@@ -135,7 +135,7 @@ class ScriptReading {
   static bool may_hold_a_number(const Meaning& value, ValueTypes wanted);
   bool is_without_metatable(const Meaning& value) const;
   const FunctionSymbol* signature_of(const Meaning& value) const;
-  /// To look for similar names takes long, and who has many mistakes reads the first ones.
+  /// Limits the search for similar names, which is slow.
   bool has_hints_left() const { return hints_ < 20; }
   std::string hint(std::string_view wanted, const std::vector<std::string>& names);
   void note(const LuaToken& place, std::string message, Finding::Severity severity = Finding::Severity::error);
@@ -149,7 +149,7 @@ class ScriptReading {
   bool uses_metatables_ = true;
   bool in_condition_ = false;
   Meaning end_of_logic_;  ///< of `a and b` that was read last: b, which is what it is in the end
-  int hints_ = 0;         ///< given so far
+  int hints_ = 0;         ///< number of hints so far
 };
 
 }  // namespace reorient

@@ -21,13 +21,13 @@ struct Symbol {
   ValueTypes types = kAnything;
   std::shared_ptr<const TableSymbol> table = nullptr;
   std::shared_ptr<const FunctionSymbol> function = nullptr;
-  std::shared_ptr<const std::set<std::string>> names = nullptr;  ///< all that a string can be
+  std::shared_ptr<const std::set<std::string>> names = nullptr;  ///< possible values of a string
   std::string replacement = {};                                  ///< of a former name: what to use instead
 };
 
 struct TableSymbol {
-  std::string name;                      ///< as messages call it: "robot", "lib.walk"
-  std::string missing;                   ///< "there is no behavior '": how a message begins that a field is not there
+  std::string name;                      ///< name in messages: "robot", "lib.walk"
+  std::string missing;                   ///< start of the message for a missing field: "there is no behavior '"
   std::map<std::string, Symbol> fields;  ///< all of them
   bool is_read_only = true;
 };
@@ -39,7 +39,7 @@ struct ArgumentSymbol {
   bool is_state = false;  ///< of the machine that the argument before names
 };
 
-/// As many values as you like.
+/// Any number of values.
 inline constexpr std::size_t kMany = 1'000'000;
 
 /// A function that scripts may call.
@@ -51,7 +51,7 @@ struct FunctionSymbol {
   bool acts = false;  ///< so that conditions must not call it
 };
 
-/// What the scripts of a folder declare themselves.
+/// The declarations of the scripts of a folder.
 struct DeclaredNames {
   /// Paths of the states of each machine.
   std::map<std::string, std::set<std::string>> behaviors, scenarios;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which states and transitions of the scripts the tests took, and which they left out.
+// Which states and transitions of the scripts the tests covered.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct MachineTrace {
   std::set<std::string> transitions;  ///< taken: keys
 };
 
-/// What was seen to happen, by machine; filled while tests run.
+/// Entered states and taken transitions by machine; filled while tests run.
 class CoverageTrace {
  public:
   /// After each frame.

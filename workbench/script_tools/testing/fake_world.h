@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world of a scripted test, with a clock of its own. What the test sets is what the robot senses; all else follows
+// The world of a scripted test, with its own clock. The test sets what the robot senses; all else follows
 // by the engine's own rules (engine/world/world_tracker.h).
 #pragma once
 
@@ -15,9 +15,9 @@
 
 namespace reorient {
 
-/// What a scripted test cannot set: it stands still, and has its eyes open.
+/// Inputs that a scripted test cannot set: the robot stands still and receives images.
 struct FakeSenses {
-  Pose2 moved{};              ///< by the odometry, since the frame before
+  Pose2 moved{};              ///< by the odometry, since the previous frame
   bool is_pose_told = false;  ///< the pose was set in this frame
   bool sees = true;           ///< there is an image
   bool knows_tiles = true;    ///< known tiles of the wall are in it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a scripted test plays a recording of a run. The script tools know no recordings: who runs the tests hands them
+// Plays a recording of a run in a scripted test. The script tools cannot read recordings: the caller passes them
 // in.
 #pragma once
 

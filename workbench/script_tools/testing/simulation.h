@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a scripted test asks for a whole scenario on a robot. The script tools know no robot: who runs the tests hands
+// The request of a scripted test for a whole scenario on a robot. The script tools have no robot: the caller passes
 // one in.
 #pragma once
 
@@ -30,7 +30,7 @@ struct SimulationRequest {
   std::vector<std::pair<std::string, std::string>> parameters;  ///< name, value
 };
 
-/// What tests may expect something of, in words.
+/// The observations that tests can check, as text.
 struct SeenCommand {
   std::string name;  ///< "flip_pose", "pause_training"
   std::string verdict;
@@ -51,7 +51,7 @@ struct SeenFrames {
   std::vector<SeenCommand> commands;
   std::vector<SeenTransition> transitions;
   std::vector<std::string> logs;
-  std::vector<std::string> messages;  ///< to the team mates
+  std::vector<std::string> messages;  ///< to the teammates
   std::vector<ScriptFault> faults;
   std::vector<std::string> actions;  ///< of the scenario's operator
   std::optional<ScenarioVerdict> verdict;
@@ -73,14 +73,14 @@ class SeenObserver : public Observer {
   SeenFrames seen;
 };
 
-/// What became of a whole run.
+/// Result of a whole run.
 struct SimulationOutcome {
   bool is_correct = false;  ///< the belief fits the truth at the end
   double seconds = 0.0;     ///< of the robot's time
   SeenFrames seen;
 };
 
-/// `stop` is asked before each frame. Throws std::runtime_error with one line on a request that cannot be met.
+/// `stop` is called before each frame. Throws std::runtime_error with one line on a request that cannot be met.
 using Simulate =
     std::function<SimulationOutcome(const SimulationRequest&, CoverageTrace&, const std::function<bool()>& stop)>;
 

@@ -23,7 +23,7 @@
 
 namespace reorient {
 
-/// Where an expectation was not met, and how.
+/// A failed expectation and its position.
 struct TestFailure {
   std::string file;
   int line = 0;
@@ -44,7 +44,7 @@ class TestBench {
   /// Makes the functions as globals of `L`.
   void add_to(lua_State* L);
 
-  /// What went wrong so far, with errors of the scripts that the test did not expect.
+  /// All failures so far, including unexpected errors of scripts.
   std::vector<TestFailure> finish();
   bool needs_simulator() const { return needs_simulator_; }
   /// It was ended for that, and finish() says so.
@@ -133,7 +133,7 @@ class TestBench {
   Arbiter arbiter_;
   std::string last_script_;
 
-  std::unique_ptr<PlayedRecording> replay_;  ///< in which the test goes on, instead of a fake world
+  std::unique_ptr<PlayedRecording> replay_;  ///< used by the test instead of a fake world
   FrameInputs added_;                        ///< to its next frame
   std::vector<SeenMachine> replayed_machines_;
 

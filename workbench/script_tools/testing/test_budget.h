@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scripted test may use: what it makes C++ do costs its script no instruction, but time.
+// Limits of a scripted test: work in C++ costs its script no instructions, but time.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,7 @@ class TestBudget {
 
   bool exceeded() const { return is_interrupted() || is_late() || robot_seconds_left() <= 0.0; }
   bool is_interrupted() const { return stop_ && stop_(); }
-  /// What was exceeded, in words.
+  /// The exceeded limit as text.
   std::string reason() const;
 
   static constexpr double kRobotSeconds = 36000.0;  ///< of one test

@@ -23,27 +23,27 @@ struct TestCase {
 };
 
 struct TestSummary {
-  std::vector<TestCase> cases;  ///< a file that cannot be run is a case of its own
+  std::vector<TestCase> cases;  ///< a file that cannot run is a separate case
   int passed = 0;
   int failed = 0;
   int skipped = 0;
   bool interrupted = false;  ///< there would have been more
 };
 
-/// What to run, and with what.
+/// Configuration of a run of tests.
 struct TestRun {
   std::filesystem::path scripts_root;
   std::vector<std::filesystem::path> paths;  ///< files and folders; none: all of scripts_root/tests
-  Simulate simulate;                         ///< none: tests that want the simulator are skipped
-  PlayRecording play_recording;              ///< none: tests that replay one fail
+  Simulate simulate;                         ///< empty: tests that require the simulator are skipped
+  PlayRecording play_recording;              ///< empty: tests that replay a recording fail
   double timeout = 60.0;                     ///< s in wall-clock time, of each test; a file has ten times that
   std::function<bool()> stop;                ///< called before each frame; empty: no interrupt
   std::int64_t instructions = 50'000'000;    ///< of Lua, that each test may run
 };
 
-/// Writes one line a test and each failure with file, line, what was expected and what was seen. `trace` is filled
-/// with what the tests took. Each test runs in a fresh sandbox, after its file has run again in it. Throws
-/// std::runtime_error with one line when a path does not exist or holds no tests.
+/// Writes one line per test and each failure with file, line, expected and actual value. Fills `trace`
+/// with the covered states and transitions. Each test runs in a fresh sandbox, after its file has run again in it.
+/// Throws std::runtime_error with one line when a path does not exist or holds no tests.
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace);
 
 /// The tests of one file's text, beside these scripts; run.paths are not looked at. Calls `take` with each case as soon
