@@ -17,12 +17,14 @@
 namespace reorient {
 
 void add_parameter_options(CLI::App& parser, ParameterOptions& options) {
-  parser.add_option("--set", options.assignments, "NAME=VALUE: override a parameter; may be given again")
+  parser.add_option("--set", options.assignments, "set a parameter; repeatable ('reorient params' lists them)")
+      ->type_name("NAME=VALUE")
+      ->group(kParameterGroup)
       ->allow_extra_args(false);
   parser
-      .add_option(
-          "--params", options.files,
-          "TOML file with overrides, or the name of one in assets/parameters: paper, light/hard; may be given again")
+      .add_option("--params", options.files, "load parameters: a TOML file, or a name in assets/parameters; repeatable")
+      ->type_name("FILE")
+      ->group(kParameterGroup)
       ->check(check_not_empty)
       ->allow_extra_args(false);
 }
@@ -79,19 +81,20 @@ void set_overrides(const ParameterOptions& options, ParameterRegistry& registry)
 }
 
 void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field) {
-  parser
-      .add_option("--body", body,
-                  "the humanoid, a file or one of assets/robots: " + known_bodies() + " (default: nao-v6)")
+  parser.add_option("--body", body, "humanoid: a file, or " + known_bodies() + " (default: nao-v6)")
+      ->type_name("FILE")
+      ->group(kRobotGroup)
       ->check(check_not_empty);
-  parser
-      .add_option(
-          "--field", field,
-          "its dimensions, a file or the name of one in assets/fields (default: the scenario's, else the body's)")
+  parser.add_option("--field", field, "field: a file, or a name in assets/fields (default: the scenario's or body's)")
+      ->type_name("FILE")
+      ->group(kRobotGroup)
       ->check(check_not_empty);
 }
 
-void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts) {
-  parser.add_option("--scripts", scripts, "root of the scripts (default: scripts/ of the project)")
+void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts, const char* group) {
+  parser.add_option("--scripts", scripts, "root folder of the scripts (default: scripts/ of the project)")
+      ->type_name("FOLDER")
+      ->group(group)
       ->check(check_not_empty);
 }
 

@@ -16,6 +16,13 @@ class App;
 
 namespace reorient {
 
+// Groups of a help page that have options from several places.
+inline constexpr const char* kPlainGroup = "Options";  ///< of CLI11, if none is set
+inline constexpr const char* kRobotGroup = "Robot and room";
+inline constexpr const char* kParameterGroup = "Scripts and parameters";
+inline constexpr const char* kOutputGroup = "Output";
+inline constexpr const char* kFootageGroup = "Footage";
+
 /// Overrides of parameters, in the order in which they are applied.
 struct ParameterOptions {
   std::vector<std::filesystem::path> files;  ///< TOML
@@ -32,7 +39,7 @@ void set_overrides(const ParameterOptions& options, ParameterRegistry& registry)
 std::vector<std::filesystem::path> parameter_files_of(const ParameterOptions& options);
 /// Which humanoid, and on which field.
 void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field);
-void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts);
+void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts, const char* group = kParameterGroup);
 /// Whether a folder may be named that will only get its scripts.
 enum class Scripts { are_there, may_come };
 /// `told`, or scripts/ of the project where nothing was told. Throws std::runtime_error with one line where it is no

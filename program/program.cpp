@@ -18,31 +18,12 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
+#include "program/help.h"
 #include "program/subcommand.h"
 #include "workbench/files/home.h"
 
 namespace reorient {
 namespace {
-
-constexpr const char* kExamples = R"(Examples:
-  reorient run                              the demonstration: a robot notices that its belief is mirrored
-  reorient run --seed 7 --room hall.hdr     the same in another room, with other noise
-  reorient run --realtime                   at the robot's own pace: edit scripts/behaviors/*.lua meanwhile
-  reorient run --no-room-awareness     the same robot without it stays wrong (exit code 1)
-  reorient run --body booster-k1            another humanoid, on its own field
-  reorient run --model hall.model           what was learned of the room is there the next time
-  reorient run --record run.mcap            all of a run in a file
-  reorient replay run.mcap                  the same frames again; with --set or --scripts: what if
-  reorient run --set decision.false_flips=1  any parameter for this run; reorient params lists them
-  reorient new behavior ball_search         a small script with its test, to start from
-  reorient check                            mistakes in scripts, with line and column
-  reorient test --coverage                  the scripted behaviour tests, and what they leave out
-  reorient look photo.jpg                   what the field vision sees in it: lines, carpet, posts, obstacles, tiles
-  reorient room rate hall.hdr               will room awareness work in this hall, and what would help?
-  reorient graph orientation                its states as a Mermaid diagram
-  reorient graph kidnapped --with-behaviors a scenario and all that it loads, with who looks at whom
-  reorient reference                        what scripts can see and say, your own libraries among it
-Exit codes: 0 success (the robot ended right, all tests passed, nothing is wrong); 1 failure; 2 invalid input.)";
 
 /// What may have been meant by a word that nobody expected: an option, a subcommand, or a scenario to run.
 std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
@@ -100,23 +81,35 @@ std::string help_of(const CLI::App& app) {
 }
 
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
-  CLI::App app{"Reorient: a robot that notices when its belief is mirrored."};
+  CLI::App app{"Reorient: a robot notices when its belief is mirrored, by the colors of the room"};
   app.name("reorient");
-  app.footer(kExamples);
-  app.require_subcommand(0, 1);  // none is told below, so that an unknown one is told by its name
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_flag("-h,--help", "print this help and exit");
+  app.require_subcommand(0, 1);  // a missing one is reported below, so that an unknown one is reported by its name
   std::string log_level = "info";
-  app.add_option("--log", log_level, "what to log: debug, info, warning, error, off")
+  app.add_option("--log", log_level, "log level")
+      ->type_name("LEVEL")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
   std::string color = "auto";
-  app.add_option("--color", color, "of log lines: auto is on a terminal, unless NO_COLOR is set")
+  app.add_option("--color", color, "color of log lines: always, never, auto (on a terminal, unless NO_COLOR is set)")
+      ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
-  app.set_version_flag("--version", "reorient " REORIENT_VERSION);
+  app.set_version_flag("--version", "reorient " REORIENT_VERSION, "print the version and exit");
   const std::array subcommands{add_run(app),       add_test(app),        add_experiment(app), add_model(app),
                                add_check(app),     add_new(app),         add_params(app),     add_graph(app),
                                add_reference(app), add_calibrate(app),   add_look(app),       add_replay(app),
                                add_recording(app), add_record_test(app), add_room(app),       add_version(app)};
+  for (CLI::Option* option : app.get_options()) option->group("Global options");
+  set_examples(app,
+               {{"reorient run", "the demonstration: a robot notices that its belief is mirrored"},
+                {"reorient room rate hall.hdr", "predict how well room awareness works in a hall"},
+                {"reorient new behavior ball_search", "a small script with its test, to start from"},
+                {"reorient test", "the scripted behavior tests"},
+                {"reorient run --help", "the options of a command"}},
+               "Exit codes: 0 success (the robot ended right, all tests passed, no errors found), 1 failure, 2 invalid "
+               "input or an output that could not be written.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -14,6 +14,7 @@
 
 #include "program/calibrate/footage_calibration.h"
 #include "program/calibrate/look_about.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/options.h"
@@ -149,12 +150,16 @@ int calibrate_footage(const CalibrateOptions& options, std::ostream& out) {
 
 void add_footage(CLI::App& parser, CalibrateOptions& options) {
   CLI::Option* const footage =
-      parser.add_option("--footage", options.source, "recorded images instead of a robot: a folder, a video or a log")
+      parser.add_option("--footage", options.source, "recorded images: a folder, a video or a log")
+          ->type_name("SOURCE")
+          ->group(kFootageGroup)
           ->check(check_not_empty);
   parser
       .add_option("--by", options.by,
-                  "footage: lines of the field, which need poses, or edges that are vertical in the room (default: "
-                  "lines where they are seen)")
+                  "features to use: lines (field lines; needs poses), edges (vertical in the room) (default: lines if "
+                  "seen, else edges)")
+      ->type_name("FEATURES")
+      ->group(kFootageGroup)
       ->check(CLI::IsMember({"lines", "edges"}))
       ->needs(footage);
   for (const std::string& name : add_footage_reading_options(parser, options.footage))
@@ -167,28 +172,52 @@ void add_footage(CLI::App& parser, CalibrateOptions& options) {
 
 Subcommand add_calibrate(CLI::App& program) {
   const auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* const parser = program.add_subcommand(
-      "calibrate", "how a robot's cameras are mounted, from field lines at a known place or from footage");
+  CLI::App* const parser =
+      program.add_subcommand("calibrate", "measure how a robot's cameras are mounted, by field lines or footage");
   parser->fallthrough();
-  CLI::Option* const at =
-      parser->add_option("--at", options->at, "where the robot stands, X,Y,DEGREES in the field's frame: m, m, degrees")
-          ->check(check_not_empty);
-  parser->add_option("--robot", options->robot, "whose cameras; the simulator is for trying it")
+  set_examples(*parser, {{"reorient calibrate --at -3.2,0,0", "a NAO on the penalty mark, facing the center"},
+                         {"reorient calibrate --at -3.2,0,0 --robot simulator", "try it on the simulator"},
+                         {"reorient calibrate --footage images", "from recorded images"}});
+  constexpr const char* const kGroup = "Robot at a known pose (not with --footage)";
+  CLI::Option* const at = parser->add_option("--at", options->at, "pose of the robot in the field frame: m, m, degrees")
+                              ->type_name("X,Y,DEGREES")
+                              ->group(kGroup)
+                              ->check(check_not_empty);
+  parser->add_option("--robot", options->robot, "robot whose cameras are calibrated")
+      ->type_name("NAME")
+      ->group(kGroup)
       ->check(CLI::IsMember({kNao, "simulator"}))
       ->capture_default_str();
   add_body_options(*parser, options->body, options->field);
-  parser->add_option("--guard", options->guard, "nao: the memory that reorient-nao-guard shares")
+  parser->add_option("--guard", options->guard, "shared memory of reorient-nao-guard (default: the guard's default)")
+      ->type_name("FILE")
+      ->group(kGroup)
       ->check(check_not_empty);
-  parser->add_option("--cameras", options->cameras, "which of the two")
+  parser->add_option("--cameras", options->cameras, "cameras to calibrate")
+      ->type_name("CAMERAS")
+      ->group(kGroup)
       ->check(CLI::IsMember({"upper", "both"}))
       ->capture_default_str();
-  parser->add_option("--width", options->width, "of the images, pixels")
+  parser->add_option("--width", options->width, "width of the images in pixels")
+      ->type_name("N")
+      ->group(kGroup)
       ->check(CLI::IsMember({320, 640}))
       ->capture_default_str();
-  parser->add_option("--seed", options->seed, "simulator: of all noise")->check(check_seed)->capture_default_str();
+  parser->add_option("--seed", options->seed, "seed of the simulator's noise")
+      ->type_name("N")
+      ->group(kGroup)
+      ->check(check_seed)
+      ->capture_default_str();
   add_parameter_options(*parser, options->parameters);
-  parser->add_option("--out", options->out, "the file to write")->check(check_not_empty)->capture_default_str();
+  for (const char* const name : {"--set", "--params"}) parser->get_option(name)->group(kGroup);
+  parser->add_option("--out", options->out, "file to write")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty)
+      ->capture_default_str();
   parser->add_option("--pictures", options->pictures, "folder for pictures of before and after")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
       ->check(check_not_empty)
       ->capture_default_str();
   add_footage(*parser, *options);

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/subcommand.h"
@@ -42,9 +43,13 @@ Subcommand add_check(CLI::App& program) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* const parser =
       program.add_subcommand("check", "find mistakes in scripts without running them")->fallthrough();
-  parser->add_option("paths", options->paths, "tell only about these files or folders (default: all scripts)");
-  parser->add_flag("--strict", options->strict, "warnings count as errors");
-  add_scripts_option(*parser, options->scripts);
+  set_examples(*parser,
+               {{"reorient check", "mistakes in all scripts, with line and column"},
+                {"reorient check scripts/behaviors/orientation.lua --strict", "one script; warnings are errors"}});
+  parser->add_option("paths", options->paths, "files or folders whose findings are printed (default: all scripts)")
+      ->type_name("PATH");
+  parser->add_flag("--strict", options->strict, "treat warnings as errors");
+  add_scripts_option(*parser, options->scripts, kPlainGroup);
   return {parser, [options](std::ostream& out, std::ostream&) { return check(*options, out); }};
 }
 

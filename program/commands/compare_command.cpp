@@ -11,6 +11,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "program/experiment/outputs/rows_comparison.h"
+#include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
 
@@ -35,16 +36,25 @@ PairedRows paired_rows(const CompareOptions& options) {
 
 Subcommand add_compare(CLI::App& experiment) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App* const parser = experiment.add_subcommand("compare", "what changed between two tables, pair by pair");
-  parser->add_option("first", options->first, "a file that experiment --json wrote")
+  CLI::App* const parser = experiment.add_subcommand("compare", "compare two tables of results, pair by pair");
+  set_examples(*parser, {{"reorient experiment compare before.json after.json", "two tables"},
+                         {"reorient experiment compare table.json --axis light --from same --to hard",
+                          "two choices of an axis"}});
+  parser->add_option("first", options->first, "table that 'reorient experiment --json FILE' wrote")
+      ->type_name("FIRST")
       ->check(check_not_empty)
       ->required();
-  parser->add_option("second", options->second, "another one")->check(check_not_empty);
+  parser->add_option("second", options->second, "second table, without --axis")
+      ->type_name("SECOND")
+      ->check(check_not_empty);
   CLI::Option* const axis =
-      parser->add_option("--axis", options->axis, "compare two choices of this axis within the first table")
+      parser->add_option("--axis", options->axis, "axis whose choices are compared within the first table")
+          ->type_name("NAME")
           ->check(check_not_empty);
-  CLI::Option* const from = parser->add_option("--from", options->from, "the one choice")->needs(axis);
-  CLI::Option* const to = parser->add_option("--to", options->to, "the other choice")->needs(axis);
+  CLI::Option* const from =
+      parser->add_option("--from", options->from, "first choice of --axis")->type_name("CHOICE")->needs(axis);
+  CLI::Option* const to =
+      parser->add_option("--to", options->to, "second choice of --axis")->type_name("CHOICE")->needs(axis);
   axis->needs(from)->needs(to);
   return {parser, [options](std::ostream& out, std::ostream&) {
             print_comparison(paired_rows(*options), out);

@@ -23,6 +23,7 @@
 #include "program/experiment/session.h"
 #include "program/experiment/trial_runner.h"
 #include "program/experiment/worker_pool.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/program.h"
@@ -211,51 +212,81 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
 
 Subcommand add_experiment(CLI::App& program) {
   constexpr int kMostTrials = 100'000, kMostJobs = 1'000, kMostTasks = 1'000'000;
+  constexpr const char* const kConditions = "Conditions";
+  constexpr const char* const kTrials = "Trials";
   const auto options = std::make_shared<ExperimentOptions>();
-  CLI::App* const parser = program.add_subcommand("experiment", "run many trials, and tell what they show");
+  CLI::App* const parser = program.add_subcommand("experiment", "run many trials and print their results");
   parser->fallthrough();
-  parser->add_option("experiment", options->experiment, "a file, or the name of one in assets/experiments")
+  set_examples(*parser, {{"reorient experiment mirrored_placement --trials 10", "run 10 trials of each cell"},
+                         {"reorient experiment disturbances --light hard --jobs 4", "one light, in four processes"},
+                         {"reorient experiment mirrored_placement --trial 17", "show one trial"}});
+  parser->add_option("experiment", options->experiment, "experiment: a file, or the name of one in assets/experiments")
+      ->type_name("EXPERIMENT")
       ->check(check_not_empty);
   const std::array others = {add_compare(*parser), add_tables(*parser), add_footage_experiment(*parser),
                              add_field_images_experiment(*parser), add_field_features_experiment(*parser)};
-  parser->add_option("--trials", options->trials, "of each cell (default: the file's)")
+  parser->add_option("--trials", options->trials, "number of trials in each cell (default: the file's)")
+      ->type_name("N")
+      ->group(kTrials)
       ->check(CLI::Range(1, kMostTrials));
-  parser->add_option("--seed", options->seed, "of the first trial of each cell; the others follow")
+  parser->add_option("--seed", options->seed, "seed of the first trial of each cell; then the next numbers")
+      ->type_name("N")
+      ->group(kTrials)
       ->check(check_seed)
       ->capture_default_str();
-  parser->add_option("--width", options->width, "of the camera image, pixels (default: the file's)")
+  parser->add_option("--width", options->width, "width of the camera image in pixels (default: the file's)")
+      ->type_name("N")
+      ->group(kTrials)
       ->check(CLI::IsMember(kImageWidths));
-  const auto add_list = [parser](const char* names, std::vector<std::string>& list, const char* text) {
-    parser->add_option(names, list, text)->check(check_not_empty);
+  const auto add_list = [&](const char* names, const char* placeholder, std::vector<std::string>& list,
+                            const char* text) {
+    parser->add_option(names, list, text)->type_name(placeholder)->group(kConditions)->check(check_not_empty);
   };
-  add_list("--rooms,--room", options->rooms, "panoramas instead of the file's rooms; 'hall' is the built-in one");
-  add_list("--mode", options->modes, "only these: choices of the axis 'mode', or condition files of your own");
-  add_list("--motion", options->motions, "the same of the axis 'motion'");
-  add_list("--light", options->lights, "the same of the axis 'light'");
-  add_list("--only", options->only, "AXIS=CHOICE: the same of any axis");
+  add_list("--rooms,--room", "FILE", options->rooms, "panoramas instead of the file's rooms; hall: the built-in hall");
+  add_list("--mode", "CHOICE", options->modes, "choices of the axis 'mode', or files of conditions (default: all)");
+  add_list("--motion", "CHOICE", options->motions, "the same for the axis 'motion'");
+  add_list("--light", "CHOICE", options->lights, "the same for the axis 'light'");
+  add_list("--only", "AXIS=CHOICE", options->only, "the same for any axis");
   add_parameter_options(*parser, options->parameters);
   add_scripts_option(*parser, options->scripts);
-  parser->add_option("--jobs", options->jobs, "how many processes share the trials")
+  parser->add_option("--jobs", options->jobs, "number of processes")
+      ->type_name("N")
+      ->group(kTrials)
       ->check(CLI::Range(1, kMostJobs))
       ->capture_default_str();
   parser->add_option("--out", options->out, "folder for the results (default: out/experiments/NAME)")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
       ->check(check_not_empty);
-  parser->add_option("--json", options->json, "write the table into this file, for programs")->check(check_not_empty);
+  parser->add_option("--json", options->json, "write the table as JSON")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
   parser->add_option("--report", options->report, "write a page with tables and figures into this folder")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
       ->check(check_not_empty);
-  CLI::Option* const plan = parser->add_flag("--plan", options->plan, "print a command for each trial, and run none");
-  parser
-      ->add_option("--task,--tasks", options->tasks,
-                   "only these trials: 17, or 1-64; without this option, --resume then tells what all showed")
+  CLI::Option* const plan =
+      parser->add_flag("--plan", options->plan, "print the command of each trial and run none")->group(kTrials);
+  parser->add_option("--task,--tasks", options->tasks, "run these trials only, as in 17 or 1-64")
+      ->type_name("LIST")
+      ->group(kTrials)
       ->check(check_not_empty);
   CLI::Option* const trial =
-      parser->add_option("--trial", options->trial, "run this trial alone, and show it as `reorient run` does")
+      parser->add_option("--trial", options->trial, "run this trial only, and show it as 'reorient run' does")
+          ->type_name("N")
+          ->group(kTrials)
           ->check(CLI::Range(1, kMostTasks))
           ->excludes(plan);
-  parser->add_option("--pictures", options->pictures, "folder for the pictures of that trial")
+  parser->add_option("--pictures", options->pictures, "folder for the pictures of --trial")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
       ->check(check_not_empty)
       ->needs(trial);
-  parser->add_flag("--resume", options->resume, "go on where an earlier run ended")->excludes(plan);
+  parser
+      ->add_flag("--resume", options->resume, "continue where an earlier run ended; without --task, print all results")
+      ->group(kTrials)
+      ->excludes(plan);
   return {parser, [options, others](std::ostream& out, std::ostream& err) {
             for (const Subcommand& other : others) {
               if (other.parser->parsed()) return other.run(out, err);

@@ -19,6 +19,7 @@
 #include "geometry/angle.h"
 #include "program/experiment/countdown.h"
 #include "program/experiment/outputs/text_table.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/options.h"
@@ -210,32 +211,47 @@ int run(const FieldFeaturesOptions& options, std::ostream& out, std::ostream& er
 }  // namespace
 
 Subcommand add_field_features_experiment(CLI::App& experiment) {
+  constexpr const char* const kImages = "Images";
   const auto options = std::make_shared<FieldFeaturesOptions>();
-  CLI::App* const parser = experiment.add_subcommand(
-      "field_features", "what the field vision finds in images of the simulator, by distance, gaze and light");
-  parser->add_option("--rooms", options->rooms, "panoramas; hall: the built-in one")
+  CLI::App* const parser = experiment.add_subcommand("field_features", "score the field vision on simulated images");
+  set_examples(*parser, {{"reorient experiment field_features --places 10", "10 places in each room"},
+                         {"reorient experiment field_features --gaze-speeds 0 2", "with a still and a turning head"}});
+  parser->add_option("--rooms", options->rooms, "panoramas; hall: the built-in hall")
+      ->type_name("FILE")
+      ->group(kImages)
       ->check(check_not_empty)
       ->capture_default_str();
-  parser->add_option("--lights", options->lights, "same, or the name of a file in assets/parameters/light")
+  parser->add_option("--lights", options->lights, "same, or names of files in assets/parameters/light")
+      ->type_name("NAME")
+      ->group(kImages)
       ->check(check_not_empty)
       ->capture_default_str();
-  parser->add_option("--gaze-speeds", options->gazes, "rad/s, at which the head turns; 0: it stands still")
+  parser->add_option("--gaze-speeds", options->gazes, "rotation speeds of the head in rad/s; 0: still")
+      ->type_name("N")
+      ->group(kImages)
       ->check(check_number(0.0, 5.0))
       ->capture_default_str();
-  parser->add_option("--places", options->places, "from each, three images are taken")
+  parser->add_option("--places", options->places, "number of places, with three images from each")
+      ->type_name("N")
+      ->group(kImages)
       ->check(CLI::Range(1, kMostPlaces))
       ->capture_default_str();
-  parser->add_option("--width", options->width, "of the camera image, pixels")
+  parser->add_option("--width", options->width, "width of the camera image in pixels")
+      ->type_name("N")
+      ->group(kImages)
       ->check(CLI::Range(80, 1280))
       ->capture_default_str();
-  parser
-      ->add_option("--seed", options->seed,
-                   "of noise, places and looks in the first room and condition; the others follow")
+  parser->add_option("--seed", options->seed, "seed of the first room and condition; then the next numbers")
+      ->type_name("N")
+      ->group(kImages)
       ->check(check_seed)
       ->capture_default_str();
   add_body_options(*parser, options->body, options->field);
   add_parameter_options(*parser, options->parameters);
-  parser->add_option("--json", options->json, "write all counts into this file")->check(check_not_empty);
+  parser->add_option("--json", options->json, "write all counts as JSON")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
   return {parser, [options](std::ostream& out, std::ostream& err) { return run(*options, out, err); }};
 }
 

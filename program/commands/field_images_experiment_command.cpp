@@ -21,6 +21,7 @@
 #include "geometry/camera_attitude.h"
 #include "geometry/head.h"
 #include "program/experiment/outputs/text_table.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/options.h"
@@ -296,20 +297,30 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
 Subcommand add_field_images_experiment(CLI::App& experiment) {
   const auto options = std::make_shared<FieldImagesOptions>();
   CLI::App* const parser = experiment.add_subcommand(
-      "field_images", "which labeled lines and posts the field vision finds in images of real fields, recolored");
-  parser->add_option("source", options->sources, "images, or folders of them; those without labels are left out")
+      "field_images", "score the field vision on labeled images of real fields, also recolored");
+  set_examples(*parser,
+               {{"reorient experiment field_images images", "all labeled images of a folder"},
+                {"reorient experiment field_images images --json scores.json", "with the score of each image"}});
+  parser->add_option("source", options->sources, "images, or folders of images; those without labels are skipped")
+      ->type_name("SOURCE")
       ->required()
       ->check(check_not_empty);
   parser
       ->add_option("--labels", options->labels,
-                   "file of labels, or the name of one in assets/labels (default: " + std::string(kLabels) + ")")
+                   "labels: a file, or the name of one in assets/labels (default: " + std::string(kLabels) + ")")
+      ->type_name("FILE")
+      ->group("Images")
       ->check(check_not_empty);
   add_body_options(*parser, options->body, options->field);
   add_parameter_options(*parser, options->parameters);
   parser->add_option("--out", options->out, "folder for the contact sheets")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
       ->check(check_not_empty)
       ->capture_default_str();
-  parser->add_option("--json", options->json, "write the scores of each image in each recoloring into this file")
+  parser->add_option("--json", options->json, "write the scores of each image in each recoloring as JSON")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
       ->check(check_not_empty);
   return {parser, [options](std::ostream& out, std::ostream&) { return run(*options, out); }};
 }

@@ -22,6 +22,7 @@
 #include "program/experiment/worker_pool.h"
 #include "program/footage/footage_tables.h"
 #include "program/footage/footage_trials.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/program.h"
 #include "program/shell_word.h"
@@ -243,41 +244,70 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
 Subcommand add_footage_experiment(CLI::App& experiment) {
   constexpr int kMostStarts = 10'000, kMostJobs = 1'000;
   const auto options = std::make_shared<FootageExperimentOptions>();
+  constexpr const char* const kTrials = "Trials";
   CLI::App* const parser =
-      experiment.add_subcommand("footage", "would room awareness have helped? Trials on images that somebody recorded");
-  parser->add_option("source", options->sources, "folders of images, tables (.csv), videos")
+      experiment.add_subcommand("footage", "run trials on recorded images, with and without room awareness");
+  set_examples(*parser, {{"reorient experiment footage images --starts 50", "50 starts of each case"},
+                         {"reorient experiment footage images --report out/report", "with a page of figures"}});
+  parser->add_option("source", options->sources, "folders of images, tables (.csv) or videos")
+      ->type_name("SOURCE")
       ->required()
+      ->check(check_not_empty);
+  parser->add_option("--starts", options->trials.starts, "number of start times in each footage")
+      ->type_name("N")
+      ->group(kTrials)
+      ->check(CLI::Range(1, kMostStarts))
+      ->capture_default_str();
+  parser->add_option("--learn", options->trials.learn, "time of learning before the first start, s")
+      ->type_name("SECONDS")
+      ->group(kTrials)
+      ->check(check_moment)
+      ->capture_default_str();
+  parser
+      ->add_option("--watch", options->trials.watch, "time after each start in which a mirrored pose must be found, s")
+      ->type_name("SECONDS")
+      ->group(kTrials)
+      ->check(check_seconds)
+      ->capture_default_str();
+  parser->add_option("--off-degrees", options->off_degrees, "error of the rotation in the trials 'told, off'")
+      ->type_name("N")
+      ->group(kTrials)
+      ->check(CLI::Range(-90.0, 90.0))
+      ->capture_default_str();
+  parser->add_option("--seed", options->setup.seed, "seed of the engine")
+      ->type_name("N")
+      ->group(kTrials)
+      ->check(check_seed)
+      ->capture_default_str();
+  parser->add_option("--jobs", options->jobs, "number of processes")
+      ->type_name("N")
+      ->group(kTrials)
+      ->check(CLI::Range(1, kMostJobs))
+      ->capture_default_str();
+  parser->add_option("--at", options->setup.at, "pose of the robot if only its rotation was recorded: m, m, degrees")
+      ->type_name("X,Y,DEGREES")
+      ->group(kFootageGroup)
       ->check(check_not_empty);
   add_footage_options(*parser, options->setup.footage);
   add_body_options(*parser, options->setup.body, options->setup.field);
-  parser
-      ->add_option("--at", options->setup.at, "where the robot stands, X,Y,DEGREES, if only its rotation was recorded")
-      ->check(check_not_empty);
-  parser->add_option("--behaviors", options->setup.behaviors, "which behaviors run, as in A,B")
+  parser->add_option("--behaviors", options->setup.behaviors, "behaviors to run (default: all that can run)")
+      ->type_name("A,B,...")
+      ->group(kParameterGroup)
       ->delimiter(',')
       ->check(check_not_empty);
-  parser->add_option("--starts", options->trials.starts, "at how many moments of each footage")
-      ->check(CLI::Range(1, kMostStarts))
-      ->capture_default_str();
-  parser->add_option("--learn", options->trials.learn, "s of the footage before the first of them")
-      ->check(check_moment)
-      ->capture_default_str();
-  parser->add_option("--watch", options->trials.watch, "s after each, in which a mirrored pose is to be found")
-      ->check(check_seconds)
-      ->capture_default_str();
-  parser->add_option("--off-degrees", options->off_degrees, "how wrong the rotation is in the trials 'told, off'")
-      ->check(CLI::Range(-90.0, 90.0))
-      ->capture_default_str();
-  parser->add_option("--seed", options->setup.seed, "of the engine")->check(check_seed)->capture_default_str();
   add_parameter_options(*parser, options->setup.parameters);
   add_scripts_option(*parser, options->setup.scripts);
-  parser->add_option("--jobs", options->jobs, "how many processes share the trials")
-      ->check(CLI::Range(1, kMostJobs))
-      ->capture_default_str();
-  parser->add_option("--out", options->out, "folder for the results (default: one of its own in out/experiments)")
+  parser->add_option("--out", options->out, "folder for the results (default: a new one in out/experiments)")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
       ->check(check_not_empty);
-  parser->add_option("--json", options->json, "write the table into this file, for programs")->check(check_not_empty);
+  parser->add_option("--json", options->json, "write the table as JSON")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
   parser->add_option("--report", options->report, "write a page with tables and figures into this folder")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
       ->check(check_not_empty);
   return {parser, [options](std::ostream& out, std::ostream& err) { return run(*options, out, err); }};
 }

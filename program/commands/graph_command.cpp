@@ -11,6 +11,7 @@
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/script_host.h"
+#include "program/help.h"
 #include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
@@ -129,15 +130,19 @@ int graph(const GraphOptions& options, std::ostream& out) {
 Subcommand add_graph(CLI::App& program) {
   const auto options = std::make_shared<GraphOptions>();
   CLI::App* const parser =
-      program.add_subcommand("graph", "draw the states of scripts, for Mermaid or Graphviz")->fallthrough();
-  parser->add_option("scripts", options->scripts, "names of behaviors and scenarios, or files: in one picture")
+      program.add_subcommand("graph", "draw the state machines of scripts as Mermaid or Graphviz")->fallthrough();
+  set_examples(*parser, {{"reorient graph orientation", "states and transitions of a behavior"},
+                         {"reorient graph kidnapped --with-behaviors", "a scenario and the behaviors it loads"}});
+  parser->add_option("scripts", options->scripts, "names of behaviors and scenarios, or files, for one drawing")
+      ->type_name("SCRIPT")
       ->required();
-  parser->add_flag("--with-behaviors", options->with_behaviors, "also the behaviors that a scenario loads");
-  parser->add_option("--format", options->format, "mermaid (README files show it) or dot (Graphviz)")
+  parser->add_flag("--with-behaviors", options->with_behaviors, "draw the behaviors that a scenario loads, too");
+  parser->add_option("--format", options->format, "format: mermaid (shown by GitHub) or dot (Graphviz)")
+      ->type_name("FORMAT")
       ->check(CLI::IsMember({"mermaid", "dot"}))
       ->capture_default_str();
-  parser->add_option("--out", options->out, "write into this file, not to the terminal");
-  add_scripts_option(*parser, options->scripts_root);
+  parser->add_option("--out", options->out, "file to write (default: the standard output)")->type_name("FILE");
+  add_scripts_option(*parser, options->scripts_root, kPlainGroup);
   return {parser, [options](std::ostream& out, std::ostream&) { return graph(*options, out); }};
 }
 

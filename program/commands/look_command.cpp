@@ -16,6 +16,7 @@
 #include "geometry/angle.h"
 #include "geometry/camera_attitude.h"
 #include "program/footage/footage_wall.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/look/look_json.h"
 #include "program/look/look_pictures.h"
@@ -158,43 +159,63 @@ Subcommand add_look(CLI::App& program) {
   const auto options = std::make_shared<LookOptions>();
   options->footage.wall = "field";
   CLI::App* const parser =
-      program.add_subcommand("look", "what the field vision and the wall of tiles see in pictures");
+      program.add_subcommand("look", "show what the field vision and the wall of tiles see in images");
   parser->fallthrough();
+  set_examples(*parser, {{"reorient look photo.jpg", "lines, carpet, posts, obstacles and tiles in an image"},
+                         {"reorient look folder --every 10 --json seen.json", "each 10th image of a folder"}});
   parser
       ->add_option("source", options->sources,
                    "image files, or one folder, table (.csv), video, log or recording (.mcap)")
+      ->type_name("SOURCE")
       ->check(check_not_empty)
       ->required();
   parser
-      ->add_option("--camera", options->body,
-                   "body whose upper camera took the images, a file or one of assets/robots: " + known_bodies() +
-                       " (default: nao-v6)")
-      ->check(check_not_empty);
-  parser
-      ->add_option("--field", options->field,
-                   "field dimensions, a file or the name of one in assets/fields (default: the body's)")
+      ->add_option(
+          "--camera", options->body,
+          "body whose upper camera took the images: a file, or one of " + known_bodies() + " (default: nao-v6)")
+      ->type_name("FILE")
+      ->group("Camera")
       ->check(check_not_empty);
   parser
       ->add_option("--pitch", options->pitch_degrees,
-                   "pitch of the camera, degrees downwards (default: as recorded, else searched for)")
+                   "pitch of the camera in degrees, positive downward (default: as recorded, else estimated)")
+      ->type_name("N")
+      ->group("Camera")
       ->check(CLI::Range(-70.0, 70.0));
   parser
       ->add_option("--height", options->height,
-                   "height of the camera above the ground, m (default: as recorded, else the standing body's)")
+                   "height of the camera above the ground in m (default: as recorded, else the standing body's)")
+      ->type_name("N")
+      ->group("Camera")
       ->check(CLI::Range(0.16, 2.49));
   parser
       ->add_option("--at", options->at,
-                   "pose of the robot where none was recorded, X,Y,DEGREES in the field frame: m, m, degrees; selects "
-                   "the tiles in view")
+                   "pose of the robot on the field (m, m, degrees) if none was recorded; selects the tiles in view")
+      ->type_name("X,Y,DEGREES")
+      ->group("Camera")
       ->check(check_not_empty)
       ->capture_default_str();
-  parser->add_option("--every", options->every, "look at every Nth image only")
+  parser
+      ->add_option("--field", options->field,
+                   "field dimensions: a file, or the name of one in assets/fields (default: the body's)")
+      ->type_name("FILE")
+      ->group("Camera")
+      ->check(check_not_empty);
+  parser->add_option("--every", options->every, "use each Nth image only")
+      ->type_name("N")
+      ->group(kFootageGroup)
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   add_footage_options(*parser, options->footage);
   add_parameter_options(*parser, options->parameters);
-  parser->add_option("--out", options->out, "folder for the pictures")->check(check_not_empty)->capture_default_str();
-  parser->add_option("--json", options->json, "write what is seen in each image into this file")
+  parser->add_option("--out", options->out, "folder for the pictures")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
+      ->check(check_not_empty)
+      ->capture_default_str();
+  parser->add_option("--json", options->json, "write what is seen in each image as JSON")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
       ->check(check_not_empty);
   return {parser, [options](std::ostream& out, std::ostream&) { return look_at_images(*options, out); }};
 }

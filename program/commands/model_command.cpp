@@ -17,6 +17,7 @@
 #include "engine/parameters/utf8.h"
 #include "engine/record/frame_record.h"
 #include "perception/room/model_comparison.h"
+#include "program/help.h"
 #include "program/model/model_file.h"
 #include "program/model/model_text.h"
 #include "program/named_files.h"
@@ -133,25 +134,44 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
 }
 
 void add_two_models(CLI::App& parser, ModelOptions& options) {
-  parser.add_option("first", options.first, "a model, which run --model wrote")->check(check_not_empty)->required();
-  parser.add_option("second", options.second, "another model, with the same wall")->check(check_not_empty)->required();
+  parser.add_option("first", options.first, "model that 'reorient run --model FILE' wrote")
+      ->type_name("FIRST")
+      ->check(check_not_empty)
+      ->required();
+  parser.add_option("second", options.second, "second model, with the same wall")
+      ->type_name("SECOND")
+      ->check(check_not_empty)
+      ->required();
 }
 
 }  // namespace
 
 Subcommand add_model(CLI::App& program) {
   const auto options = std::make_shared<ModelOptions>();
-  CLI::App* const parser = program.add_subcommand("model", "what a robot learned of a room: show, compare, merge");
+  CLI::App* const parser = program.add_subcommand("model", "show, compare or merge saved models of rooms");
   parser->fallthrough();
-  parser->add_option("file", options->file, "that run --model wrote")->check(check_not_empty);
-  parser->add_option("--picture", options->picture, "draw it into this PNG file")->check(check_not_empty);
-  CLI::App* const comparing = parser->add_subcommand("compare", "where two models differ, and whether one is turned");
+  set_examples(*parser, {{"reorient run --model hall.model", "learn a room and save its model"},
+                         {"reorient model hall.model --picture hall.png", "show and draw it"},
+                         {"reorient model compare a.model b.model", "compare two models"}});
+  parser->add_option("file", options->file, "model that 'reorient run --model FILE' wrote")
+      ->type_name("FILE")
+      ->check(check_not_empty);
+  parser->add_option("--picture", options->picture, "draw the model into this PNG file")
+      ->type_name("FILE")
+      ->check(check_not_empty);
+  CLI::App* const comparing =
+      parser->add_subcommand("compare", "show where two models differ, and whether one is rotated");
+  set_examples(*comparing, {{"reorient model compare a.model b.model", "exit code 1: one of them is rotated"},
+                            {"reorient model compare monday.model tuesday.model", "the same room on two days"}});
   add_two_models(*comparing, *options);
-  CLI::App* const merging = parser->add_subcommand("merge", "make one model of those of two robots");
+  CLI::App* const merging = parser->add_subcommand("merge", "merge the models of two robots into one");
+  set_examples(*merging, {{"reorient model merge a.model b.model --out both.model", "merge two models"},
+                          {"reorient model merge a.model b.model --out both.model --sides-changed",
+                           "the second team played toward the other goal"}});
   add_two_models(*merging, *options);
-  merging->add_option("--out", options->out, "file to write")->check(check_not_empty)->required();
+  merging->add_option("--out", options->out, "file to write")->type_name("FILE")->check(check_not_empty)->required();
   merging->add_flag("--sides-changed", options->sides_changed,
-                    "the second one's team played towards the other goal: it is turned first");
+                    "rotate the second model by 180 degrees: its team played toward the other goal");
   return {parser, [options, comparing, merging](std::ostream& out, std::ostream&) {
             if (comparing->parsed()) return compare_models(*options, out);
             if (merging->parsed()) return merge_models(*options, out);

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "program/commands/script_templates.h"
+#include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/script_names.h"
@@ -60,11 +61,14 @@ Subcommand add_new(CLI::App& program) {
   const auto options = std::make_shared<NewOptions>();
   CLI::App* const parser =
       program.add_subcommand("new", "write a small working script with its test, to start from")->fallthrough();
-  parser->add_option("kind", options->kind, "behavior or scenario")
+  set_examples(*parser, {{"reorient new behavior ball_search", "a behavior and its test"},
+                         {"reorient new scenario two_robots", "a scenario and its test"}});
+  parser->add_option("kind", options->kind, "type of script: behavior or scenario")
+      ->type_name("KIND")
       ->check(CLI::IsMember({"behavior", "scenario"}))
       ->required();
-  parser->add_option("name", options->name, "small letters, digits and _")->required();
-  add_scripts_option(*parser, options->scripts);
+  parser->add_option("name", options->name, "name of the script: a-z, 0-9 and _")->type_name("NAME")->required();
+  add_scripts_option(*parser, options->scripts, kPlainGroup);
   return {parser, [options](std::ostream& out, std::ostream&) { return make(*options, out); }};
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/frame.h"
 #include "engine/parameters/nearest_name.h"
+#include "program/help.h"
 #include "program/named_files.h"
 #include "program/options.h"
 #include "program/parameter_modules.h"
@@ -108,12 +109,19 @@ int params(const ParamsOptions& options, std::ostream& out) {
 Subcommand add_params(CLI::App& program) {
   const auto options = std::make_shared<ParamsOptions>();
   CLI::App* const parser =
-      program.add_subcommand("params", "list all parameters: value, origin, range, meaning")->fallthrough();
-  parser->add_option("filter", options->filter, "only those with this in their names, as in: orientation.");
-  parser->add_flag("--changed", options->changed, "only those that differ from their defaults");
+      program.add_subcommand("params", "list all parameters with value, origin, range and meaning")->fallthrough();
+  set_examples(*parser, {{"reorient params", "all parameters"},
+                         {"reorient params orientation.", "those whose name contains a text"},
+                         {"reorient params --params paper --changed", "what a file of parameters changes"}});
+  parser->add_option("filter", options->filter, "list only names that contain this text, as in: orientation.")
+      ->type_name("FILTER");
+  parser->add_flag("--changed", options->changed, "list only parameters that differ from their defaults")
+      ->group(kOutputGroup);
   add_body_options(*parser, options->body, options->field);
   add_parameter_options(*parser, options->overrides);
-  parser->add_option("--save-params", options->save, "write the overrides into this file, for --params");
+  parser->add_option("--save-params", options->save, "write the changed parameters into this file, for --params")
+      ->type_name("FILE")
+      ->group(kOutputGroup);
   add_scripts_option(*parser, options->scripts);
   return {parser, [options](std::ostream& out, std::ostream&) { return params(*options, out); }};
 }

@@ -12,6 +12,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/record/record_bytes.h"
+#include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/recording/damages.h"
@@ -114,11 +115,16 @@ end)
 Subcommand add_record_test(CLI::App& program) {
   const auto options = std::make_shared<RecordTestOptions>();
   CLI::App* const parser =
-      program.add_subcommand("record-test", "make a scripted test of a part of a recording")->fallthrough();
-  parser->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
+      program.add_subcommand("record-test", "write a scripted test from a part of a recording")->fallthrough();
+  set_examples(*parser, {{"reorient record-test run.mcap --from 40 --to 45", "test with the frames of 5 s"},
+                         {"reorient record-test run.mcap --name flips_once", "test with another name"}});
+  parser->add_option("file", options->file, "recording that 'reorient run --record FILE' wrote")
+      ->type_name("FILE")
+      ->required();
   add_time_options(*parser, options->times);
-  parser->add_option("--name", options->name, "of the test: small letters, digits and _ (default: as the file)");
-  add_scripts_option(*parser, options->scripts);
+  parser->add_option("--name", options->name, "name of the test: a-z, 0-9 and _ (default: the file's name)")
+      ->type_name("NAME");
+  add_scripts_option(*parser, options->scripts, kPlainGroup);
   return {parser, [options](std::ostream& out, std::ostream& err) { return record_test(*options, out, err); }};
 }
 

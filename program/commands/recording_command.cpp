@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/options.h"
@@ -147,28 +148,49 @@ int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostre
 }  // namespace
 
 Subcommand add_recording(CLI::App& program) {
-  CLI::App* const parser = program.add_subcommand("recording", "what is in a recording");
+  CLI::App* const parser = program.add_subcommand("recording", "inspect, cut, recover or export a recording");
   parser->require_subcommand(1);
+  set_examples(*parser, {{"reorient run --record run.mcap", "record a run"},
+                         {"reorient recording info run.mcap", "what the recording contains"},
+                         {"reorient recording export run.mcap --csv events", "its commands and changes of state"}});
   const auto options = std::make_shared<RecordingOptions>();
-  const auto add = [&](const char* name, const char* description) {
+  const auto add = [&](const char* name, const char* description, std::initializer_list<Example> examples) {
     CLI::App* const word = parser->add_subcommand(name, description);
-    word->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
+    set_examples(*word, examples);
+    word->add_option("file", options->file, "recording that 'reorient run --record FILE' wrote")
+        ->type_name("FILE")
+        ->required();
     return word;
   };
-  add("info", "topics, times, sizes, and what can be replayed");
-  CLI::App* const cut = add("cut", "a part of it, which can be replayed as the whole can");
+  add("info", "print topics, times, sizes, and what can be replayed",
+      {{"reorient recording info run.mcap", "one recording"}, {"reorient recording info part.mcap", "a part of it"}});
+  CLI::App* const cut = add("cut", "copy a part that can be replayed like the whole recording",
+                            {{"reorient recording cut run.mcap --from 40 --to 50 --out part.mcap", "10 s"},
+                             {"reorient recording cut run.mcap --to 50 --out part.mcap", "all up to 50 s"}});
   add_time_options(*cut, options->times);
-  CLI::App* const recover = add("recover", "all that can be read of one that is damaged or lacks its end, made whole");
-  CLI::App* const csv = add("export", "its values as a table");
+  CLI::App* const recover = add("recover", "copy all that can be read of a damaged or incomplete recording",
+                                {{"reorient recording recover run.mcap --out whole.mcap", "recover"},
+                                 {"reorient recording info whole.mcap", "see what was recovered"}});
+  CLI::App* const csv = add("export", "write values of a recording as a CSV table",
+                            {{"reorient recording export run.mcap --csv world --out run.csv", "all world fields"},
+                             {"reorient recording export run.mcap --csv events", "commands and changes of state"}});
   csv->add_option("--csv", options->csv,
-                  "world: all that behaviours see, a line a frame; events: commands and changes of state")
+                  "table: world (all fields that behaviors read, a line for each frame), events (commands and changes "
+                  "of state)")
+      ->type_name("TABLE")
       ->check(CLI::IsMember(csv_topics()))
       ->required();
-  csv->add_option("--out", options->out, "the table (default: the standard output)");
-  CLI::App* const pictures = add("pictures", "the four pictures of a run, at any moment of it");
-  pictures->add_option("--at", options->at, "s of the robot")->check(check_moment)->required();
-  pictures->add_option("--out", options->out, "folder for the pictures (default: out)");
-  for (CLI::App* const word : {cut, recover}) word->add_option("--out", options->out, "the new file")->required();
+  csv->add_option("--out", options->out, "file to write (default: the standard output)")->type_name("FILE");
+  CLI::App* const pictures = add("pictures", "draw the four pictures of a run at any time",
+                                 {{"reorient recording pictures run.mcap --at 43.5", "pictures of the time 43.5 s"},
+                                  {"reorient recording pictures run.mcap --at 20 --out early", "in another folder"}});
+  pictures->add_option("--at", options->at, "time in the robot's seconds")
+      ->type_name("SECONDS")
+      ->check(check_moment)
+      ->required();
+  pictures->add_option("--out", options->out, "folder for the pictures (default: out)")->type_name("FOLDER");
+  for (CLI::App* const word : {cut, recover})
+    word->add_option("--out", options->out, "file to write")->type_name("FILE")->required();
   return {parser, [options, cut, recover, csv, pictures](std::ostream& out, std::ostream& err) {
             if (csv->parsed()) return export_csv(*options, out, err);
             if (pictures->parsed()) return draw_pictures(*options, out, err);

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/help.h"
 #include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
@@ -40,12 +41,16 @@ int reference(const ReferenceOptions& options, std::ostream& out) {
 Subcommand add_reference(CLI::App& program) {
   const auto options = std::make_shared<ReferenceOptions>();
   CLI::App* const parser =
-      program.add_subcommand("reference", "what scripts can see and say, your own libraries among it")->fallthrough();
-  parser->add_option("--format", options->format, "markdown, or annotations (for the Lua language server)")
+      program.add_subcommand("reference", "print the functions and fields for scripts, your libraries included")
+          ->fallthrough();
+  set_examples(*parser, {{"reorient reference --out reference.md", "as a Markdown page"},
+                         {"reorient reference --format annotations --out reorient.lua", "for an editor"}});
+  parser->add_option("--format", options->format, "format: markdown or annotations (for the Lua language server)")
+      ->type_name("FORMAT")
       ->check(CLI::IsMember({"markdown", "annotations"}))
       ->capture_default_str();
-  parser->add_option("--out", options->out, "write into this file, not to the terminal");
-  add_scripts_option(*parser, options->scripts);
+  parser->add_option("--out", options->out, "file to write (default: the standard output)")->type_name("FILE");
+  add_scripts_option(*parser, options->scripts, kPlainGroup);
   return {parser, [options](std::ostream& out, std::ostream&) { return reference(*options, out); }};
 }
 

@@ -14,6 +14,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/frame.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/options.h"
 #include "program/program.h"
@@ -157,14 +158,25 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
 
 Subcommand add_replay(CLI::App& program) {
   const auto options = std::make_shared<ReplayOptions>();
-  CLI::App* const parser = program.add_subcommand("replay", "make the frames of a recording again, and compare them");
-  parser->add_option("file", options->file, "that 'reorient run --record FILE' has written")->required();
-  parser->add_option("--scripts", options->scripts, "what if: these scripts instead of the recorded ones")
+  CLI::App* const parser = program.add_subcommand("replay", "run the frames of a recording again and compare them");
+  set_examples(*parser, {{"reorient replay run.mcap", "the same frames again"},
+                         {"reorient replay run.mcap --set decision.false_flips=1", "what if: another parameter"},
+                         {"reorient replay run.mcap --scripts mine --events", "what if: other scripts"}});
+  parser->add_option("file", options->file, "recording that 'reorient run --record FILE' wrote")
+      ->type_name("FILE")
+      ->required();
+  parser
+      ->add_option("--scripts", options->scripts, "what if: root folder of the scripts (default: the recorded scripts)")
+      ->type_name("FOLDER")
+      ->group(kParameterGroup)
       ->check(check_not_empty);
   add_parameter_options(*parser, options->parameters);
   add_time_options(*parser, options->times);
-  parser->get_option("--from")->description("s of the robot; or rather from the last saved state before that");
-  parser->add_flag("--events", options->events, "list commands and changes of state, those that are the same, too");
+  parser->get_option("--from")->description(
+      "first time in the robot's seconds; the replay begins at the last saved state before it");
+  parser->add_flag("--events", options->events, "list all commands and changes of state, also the same ones")
+      ->group(kOutputGroup);
+  for (const char* const name : {"--from", "--to"}) parser->get_option(name)->group("Part of the recording");
   return {parser, [options](std::ostream& out, std::ostream& err) { return replay(*options, out, err); }};
 }
 

@@ -13,6 +13,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/utf8.h"
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/options.h"
@@ -123,39 +124,56 @@ int rate_named_room(RoomOptions options, std::ostream& out) {
 }
 
 void add_rate_options(CLI::App& parser, RoomOptions& options) {
+  constexpr const char* const kLearning = "Learning a panorama";
+  constexpr const char* const kRating = "Rating";
   parser
       .add_option("room", options.source,
-                  "panorama (.hdr, .png, .jpg), hall (the built-in one), a saved model, or a recording")
+                  "panorama (.hdr, .png, .jpg), hall (the built-in hall), saved model, or recording")
+      ->type_name("ROOM")
       ->check(check_not_empty)
       ->required();
-  parser.add_option("--picture", options.picture, "write a ring plot of the directions into this PNG file")
-      ->check(check_not_empty);
-  parser.add_option("--json", options.json, "write the same numbers into this file, for programs")
-      ->check(check_not_empty);
-  parser
-      .add_option("--learn", options.learning.seconds,
-                  "time for which the simulator learns a panorama, s of the robot's time")
-      ->check(check_number(1.0, 600.0))
-      ->capture_default_str();
-  parser.add_flag("--still", options.learning.stands_still,
-                  "learn a panorama from one place beside the field, without walking");
-  parser.add_option("--hall-seed", options.simulation.hall_seed, "seed of the built-in hall (default: 1)")
-      ->check(check_seed);
   parser.add_option("--trials", options.rating.trials, "number of robots that are placed in the room")
+      ->type_name("N")
+      ->group(kRating)
       ->check(CLI::Range(4, 10'000))
       ->capture_default_str();
   parser
       .add_option("--misfit", options.rating.misfit,
-                  "mean difference between a look and the model, Hellinger distance: 0.35 on another day in hard "
-                  "light, 0.2 in the same light")
+                  "mean Hellinger distance between an observation and the model: 0.35 on another day in hard light, "
+                  "0.2 in the same light")
+      ->type_name("N")
+      ->group(kRating)
       ->check(check_number(0.0, 0.9))
       ->capture_default_str();
-  parser.add_option("--banner", options.rating.banner_width, "width of the banner that is tried, m; 0: none is tried")
+  parser.add_option("--banner", options.rating.banner_width, "width of the banner to try in m; 0: none")
+      ->type_name("N")
+      ->group(kRating)
       ->check(check_number(0.0, 20.0))
       ->capture_default_str();
-  parser.add_option("--seed", options.rating.seed, "seed of places, looks and the simulator's noise")
+  parser.add_option("--seed", options.rating.seed, "seed of places, observations and the simulator's noise")
+      ->type_name("N")
+      ->group(kRating)
       ->check(check_seed)
       ->capture_default_str();
+  parser.add_option("--learn", options.learning.seconds, "duration of learning in the robot's seconds")
+      ->type_name("SECONDS")
+      ->group(kLearning)
+      ->check(check_number(1.0, 600.0))
+      ->capture_default_str();
+  parser.add_flag("--still", options.learning.stands_still, "learn from one place beside the field, without walking")
+      ->group(kLearning);
+  parser.add_option("--hall-seed", options.simulation.hall_seed, "seed of the built-in hall (default: 1)")
+      ->type_name("N")
+      ->group(kLearning)
+      ->check(check_seed);
+  parser.add_option("--picture", options.picture, "draw the directions as a ring into this PNG file")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
+  parser.add_option("--json", options.json, "write the numbers as JSON")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
   add_body_options(parser, options.simulation.body, options.simulation.field);
   add_parameter_options(parser, options.simulation.parameters);
   add_scripts_option(parser, options.simulation.scripts);
@@ -165,12 +183,17 @@ void add_rate_options(CLI::App& parser, RoomOptions& options) {
 
 Subcommand add_room(CLI::App& program) {
   const auto options = std::make_shared<RoomOptions>();
-  CLI::App* const parser = program.add_subcommand("room", "rate a hall: will room awareness work in it?");
+  CLI::App* const parser = program.add_subcommand("room", "rate a hall: predict how well room awareness works in it");
   parser->fallthrough();
+  set_examples(*parser, {{"reorient room rate hall.hdr", "rate a panorama"},
+                         {"reorient room rate hall.model", "rate a saved model"}});
   parser->require_subcommand(1);
   CLI::App* const rating =
-      parser->add_subcommand("rate", "predict how soon a mirrored robot is right, by looks in which directions");
+      parser->add_subcommand("rate", "predict how soon a mirrored pose is corrected, and which directions help");
   rating->fallthrough();
+  set_examples(*rating, {{"reorient room rate hall", "rate the built-in hall"},
+                         {"reorient room rate hall.hdr --picture ring.png", "rate a panorama and draw it"},
+                         {"reorient room rate hall.model --misfit 0.2", "rate a saved model in the same light"}});
   add_rate_options(*rating, *options);
   return {parser, [options](std::ostream& out, std::ostream&) { return rate_named_room(*options, out); }};
 }

@@ -6,12 +6,14 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
 #include "geometry/image.h"
 #include "program/footage/run_footage.h"
+#include "program/help.h"
 #include "program/named_files.h"
 #include "program/robots.h"
 #include "program/run/companion/run_companion.h"
@@ -22,115 +24,206 @@
 namespace reorient {
 namespace {
 
-void add_options(CLI::App& run, RunOptions& options) {
-  run.add_option("scenario", options.scenario,
-                 "scripts/scenarios/NAME.lua, or a path to a file; footage: a folder of images, a video or a log")
+constexpr const char* kRunGroup = "Run";
+
+/// Options of the simulator and of all robots.
+void add_run_options(CLI::App& run, RunOptions& options) {
+  run.add_option("scenario", options.scenario, "scenario: a name in scripts/scenarios, or a file")
+      ->type_name("SCENARIO")
       ->capture_default_str();
-  run.add_option("--robot", options.robot, "the robot that it is played with")
+  run.add_option("--robot", options.robot, "robot")
+      ->type_name("NAME")
+      ->group(kRunGroup)
       ->check(CLI::IsMember(robot_names()))
       ->capture_default_str();
-  run.add_option("--socket", options.socket, "companion: where it listens (default: in $XDG_RUNTIME_DIR, else in /tmp)")
-      ->check(check_not_empty);
-  run.add_option("--behaviors", options.behaviors,
-                 "companion, nao, footage: which behaviors run, as in A,B (default: all that the robot can carry out)")
+  run.add_option("--with", options.with, "behavior to add to those of the scenario; repeatable")
+      ->type_name("NAME")
+      ->group(kRunGroup)
+      ->allow_extra_args(false);
+  run.add_option("--without", options.without, "behavior of the scenario to leave out; repeatable")
+      ->type_name("NAME")
+      ->group(kRunGroup)
+      ->allow_extra_args(false);
+  run.add_option("--behaviors", options.behaviors, "behaviors to run (default: all that the robot supports)")
+      ->type_name("A,B,...")
+      ->group(kRunGroup)
       ->delimiter(',')
       ->check(check_not_empty);
+  run.add_option("--seed", options.seed, "seed of all random numbers")
+      ->type_name("N")
+      ->group(kRunGroup)
+      ->check(check_seed)
+      ->capture_default_str();
+  run.add_option("--seconds", options.seconds,
+                 fmt::format("longest run in the robot's seconds (default: {:g}; footage: all of it)", kUsualSeconds))
+      ->type_name("SECONDS")
+      ->group(kRunGroup)
+      ->check(check_seconds);
+  run.add_flag("--realtime", options.realtime, "run in real time; reload saved scripts; Enter opens a prompt")
+      ->group(kRunGroup);
+  run.add_flag("!--no-room-awareness", options.room_awareness, "switch room awareness off")->group(kRunGroup);
+  add_body_options(run, options.body, options.field);
+  CLI::Option* const room =
+      run.add_option("--room", options.room, "panorama: .hdr, .png or .jpg (default: the scenario's, else a hall)")
+          ->type_name("FILE")
+          ->group(kRobotGroup)
+          ->check(check_not_empty);
+  run.add_option("--hall-seed", options.hall_seed, "seed of the built-in hall (default: the scenario's, else 1)")
+      ->type_name("N")
+      ->group(kRobotGroup)
+      ->check(check_seed)
+      ->excludes(room);
+  run.add_option("--width", options.width, "width of the camera image in pixels")
+      ->type_name("N")
+      ->group(kRobotGroup)
+      ->check(CLI::IsMember(kImageWidths))
+      ->capture_default_str();
+  run.add_option("--cameras", options.cameras, "cameras in use")
+      ->type_name("CAMERAS")
+      ->group(kRobotGroup)
+      ->check(CLI::IsMember({"upper", "both"}))
+      ->capture_default_str();
+  CLI::Option* const model =
+      run.add_option("--model", options.model, "model of the room: loaded if the file exists, saved after learning")
+          ->type_name("FILE")
+          ->group(kRobotGroup)
+          ->check(check_not_empty);
+  run.add_flag("--sides-changed", options.sides_changed,
+               "rotate the model by 180 degrees: the team attacks the other goal")
+      ->group(kRobotGroup)
+      ->needs(model);
+  run.add_option("--at", options.at, "pose (m, m, degrees): of a standing NAO, or if footage has no positions")
+      ->type_name("X,Y,DEGREES")
+      ->group(kRobotGroup)
+      ->check(check_not_empty);
+}
+
+void add_companion_options(CLI::App& run, RunOptions& options) {
+  constexpr const char* const kGroup = "Companion";
+  run.add_option("--socket", options.socket, "socket for clients (default: in $XDG_RUNTIME_DIR, else in /tmp)")
+      ->type_name("FILE")
+      ->group(kGroup)
+      ->check(check_not_empty);
   run.add_option("--state", options.state,
-                 "companion: what it knows is kept here for the next one (default: beside the socket)")
+                 "file of the saved state, which the next run loads (default: beside the socket)")
+      ->type_name("FILE")
+      ->group(kGroup)
       ->check(check_not_empty);
-  run.add_flag("--fresh", options.fresh, "companion: go on from nothing");
-  run.add_option("--guard", options.guard, "nao: the memory that reorient-nao-guard shares (default: where it does)")
+  run.add_flag("--fresh", options.fresh, "start without the saved state")->group(kGroup);
+}
+
+void add_nao_options(CLI::App& run, RunOptions& options) {
+  constexpr const char* const kGroup = "NAO";
+  run.add_option("--guard", options.guard, "shared memory of reorient-nao-guard (default: the guard's default)")
+      ->type_name("FILE")
+      ->group(kGroup)
       ->check(check_not_empty);
-  run.add_option("--at", options.at,
-                 "nao: where it stands, X,Y,DEGREES; told once it stands; footage without positions: where it starts")
+  run.add_option("--places", options.places,
+                 "file with the initial position of each player, set when the referee starts the state 'initial'")
+      ->type_name("FILE")
+      ->group(kGroup)
       ->check(check_not_empty);
-  add_footage_options(run, options.footage);
-  CLI::Option* const belief = run.add_option("--belief", options.belief,
-                                             "footage: what the robot is told of its pose: right, mirrored, degrees by "
-                                             "which it is wrong, or mirrored:DEGREES")
-                                  ->check(check_not_empty);
-  run.add_option("--belief-at", options.belief_at, "footage: s, when it is told that")
+  run.add_option("--calibration", options.calibration,
+                 "file from 'reorient calibrate' (default: the data sheet's angles)")
+      ->type_name("FILE")
+      ->group(kGroup)
+      ->check(check_not_empty);
+  run.add_option("--team", options.team, "team number in messages of the GameController (default: ignore the messages)")
+      ->type_name("N")
+      ->group(kGroup)
+      ->check(CLI::Range(1, 254));
+  run.add_option("--player", options.player, "player number")
+      ->type_name("N")
+      ->group(kGroup)
+      ->check(CLI::Range(1, 20))
+      ->capture_default_str();
+  run.add_flag("--stand", options.stand, "stand up at once, without waiting for the chest button")->group(kGroup);
+  run.add_flag("--walk", options.walk, "let another program walk, beside the guard (docs/on-a-robot.md)")
+      ->group(kGroup);
+}
+
+void add_belief_options(CLI::App& run, RunOptions& options) {
+  constexpr const char* const kGroup = kFootageGroup;
+  CLI::Option* const belief =
+      run.add_option("--belief", options.belief, "pose to set: right, mirrored, error in degrees, or mirrored:DEGREES")
+          ->type_name("POSE")
+          ->group(kGroup)
+          ->check(check_not_empty);
+  run.add_option("--belief-at", options.belief_at, "time in s at which --belief is set")
+      ->type_name("SECONDS")
+      ->group(kGroup)
       ->check(check_moment)
       ->needs(belief)
       ->capture_default_str();
-  run.add_flag("--lifted", options.lifted, "footage: it is not told; somebody lifts it then, and puts it down so")
+  run.add_flag("--lifted", options.lifted, "reach --belief by lifting and placing the robot, without setting a pose")
+      ->group(kGroup)
       ->needs(belief);
-  run.add_option("--places", options.places,
-                 "nao: file that says where each player stands; told when the referee says that the game is in initial")
-      ->check(check_not_empty);
-  run.add_option("--calibration", options.calibration, "nao: file that says how its cameras are mounted")
-      ->check(check_not_empty);
-  run.add_option("--team", options.team, "nao: the team's number, by which it hears the GameController")
-      ->check(CLI::Range(1, 254));
-  run.add_option("--player", options.player, "nao: its number")->check(CLI::Range(1, 20))->capture_default_str();
-  run.add_flag("--stand", options.stand, "nao: stand up at once, not when the chest's button is pressed");
-  run.add_flag("--walk", options.walk, "nao: a program of yours walks, beside the guard (docs/on-a-robot.md)");
-  run.add_option("--with", options.with, "a behaviour beside those of the scenario; may be given again")
-      ->allow_extra_args(false);
-  run.add_option("--without", options.without, "leave a behaviour of the scenario out; may be given again")
-      ->allow_extra_args(false);
-  CLI::Option* const room = run.add_option(
-      "--room", options.room, "equirectangular panorama: .hdr, .png or .jpg (default: the scenario's, else a hall)");
-  room->check(check_not_empty);
-  run.add_option("--hall-seed", options.hall_seed, "of the procedural hall (default: the scenario's, else 1)")
-      ->check(check_seed)
-      ->excludes(room);
-  add_body_options(run, options.body, options.field);
-  CLI::Option* const model =
-      run.add_option("--model", options.model,
-                     "file with a model of the room: loaded if it is there, and saved with what this run learns")
-          ->check(check_not_empty);
-  run.add_flag("--sides-changed", options.sides_changed,
-               "the team plays towards the other goal than when the model's file was begun: it is turned")
-      ->needs(model);
-  run.add_option("--seed", options.seed, "of all noise; one seed, one digest")
-      ->check(check_seed)
-      ->capture_default_str();
-  run.add_option("--width", options.width, "of the camera image, pixels")
-      ->check(CLI::IsMember(kImageWidths))
-      ->capture_default_str();
-  run.add_option("--cameras", options.cameras, "which of the robot's two cameras give images")
-      ->check(CLI::IsMember({"upper", "both"}))
-      ->capture_default_str();
-  run.add_flag("--realtime", options.realtime,
-               "at the robot's own pace: scripts are reloaded when they are saved; Enter opens a prompt for commands");
-  run.add_flag("!--no-room-awareness", options.room_awareness, "switch the view of the room off");
-  add_parameter_options(run, options.parameters);
-  run.add_option("--save-params", options.save_parameters,
-                 "write what differs from the defaults at the end into this file")
-      ->check(check_not_empty);
-  add_scripts_option(run, options.scripts);
-  run.add_option("--out", options.out, "folder for the pictures")->check(check_not_empty)->capture_default_str();
-  run.add_flag("!--no-pictures", options.pictures, "write no pictures");
-  run.add_option("--record", options.record, "record the run into this file (.mcap), to be replayed exactly")
-      ->check(check_not_empty);
-  run.add_option("--record-images", options.record_images, "lossless, every:N (each Nth frame) or none")
-      ->capture_default_str();
-  run.add_option("--view-images", options.view_images, "of a recording, for viewers: jpeg:Q (quality 1 to 100) or none")
-      ->capture_default_str();
-  run.add_option("--view-particles", options.view_particles, "the same, of the pose filter: every:N or none")
-      ->capture_default_str();
-  run.add_option("--record-rotate", options.record_rotate, "begin another file after so much: 500MB, 10min")
-      ->check(check_not_empty);
-  run.add_option("--json", options.json, "write the summary into this file, for programs")->check(check_not_empty);
-  run.add_option(
-         "--seconds", options.seconds,
-         fmt::format("longest run, in the robot's seconds (default: {:g}; of footage: all of it)", kUsualSeconds))
-      ->check(check_seconds);
-  run.add_flag("--every-transition", options.every_transition, "show in the timeline what repeats itself, too");
 }
 
-/// Robots that heed an option which not every robot does.
+void add_output_options(CLI::App& run, RunOptions& options) {
+  run.add_option("--save-params", options.save_parameters,
+                 "write the parameters that differ from the defaults at the end")
+      ->type_name("FILE")
+      ->group(kParameterGroup)
+      ->check(check_not_empty);
+  run.add_option("--out", options.out, "folder for the pictures")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
+      ->check(check_not_empty)
+      ->capture_default_str();
+  run.add_flag("!--no-pictures", options.pictures, "write no pictures")->group(kOutputGroup);
+  run.add_option("--json", options.json, "write the summary as JSON")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
+  run.add_flag("--every-transition", options.every_transition, "show repeated transitions in the timeline, too")
+      ->group(kOutputGroup);
+  run.add_option("--record", options.record, "record the run (.mcap) for an exact replay")
+      ->type_name("FILE")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
+  run.add_option("--record-images", options.record_images, "camera images: lossless, every:N, none")
+      ->type_name("MODE")
+      ->group(kOutputGroup)
+      ->capture_default_str();
+  run.add_option("--view-images", options.view_images, "images for viewers: jpeg:Q (quality Q, 1 to 100), none")
+      ->type_name("MODE")
+      ->group(kOutputGroup)
+      ->capture_default_str();
+  run.add_option("--view-particles", options.view_particles, "particles of the pose filter for viewers: every:N, none")
+      ->type_name("MODE")
+      ->group(kOutputGroup)
+      ->capture_default_str();
+  run.add_option("--record-rotate", options.record_rotate, "start a new file after this size or time: 500MB, 10min")
+      ->type_name("LIMIT")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
+}
+
+void add_options(CLI::App& run, RunOptions& options) {
+  add_run_options(run, options);
+  add_companion_options(run, options);
+  add_nao_options(run, options);
+  add_belief_options(run, options);
+  add_footage_options(run, options.footage);
+  add_parameter_options(run, options.parameters);
+  add_scripts_option(run, options.scripts);
+  add_output_options(run, options);
+}
+
+/// A set of robots.
 using Robots = unsigned;
 constexpr Robots kOfSimulator = 1, kOfFootage = 2, kOfCompanion = 4, kOfNao = 8;
 constexpr std::pair<Robots, const char*> kRobots[] = {
     {kOfSimulator, kSimulator}, {kOfFootage, kFootage}, {kOfCompanion, kCompanion}, {kOfNao, kNao}};
 
-struct Heeding {
+/// The robots that use an option. Every robot uses the options that are not listed.
+struct OptionUse {
   const char* option;
   Robots robots;
 };
-constexpr Heeding kHeeding[] = {
+constexpr OptionUse kOptionUses[] = {
+    {"scenario", kOfSimulator | kOfFootage},
     {"--socket", kOfCompanion},
     {"--behaviors", kOfFootage | kOfCompanion | kOfNao},
     {"--state", kOfCompanion},
@@ -180,27 +273,85 @@ std::string names_of(Robots robots) {
   return "--robot " + names;
 }
 
-void refuse_in_vain(const CLI::App& run, const std::string& robot) {
+Robots robots_that_use(const CLI::Option& option) {
+  for (const OptionUse& use : kOptionUses) {
+    if (option.check_name(use.option)) return use.robots;
+  }
+  return ~Robots();
+}
+
+Robots robot_named(const std::string& name) {
+  const auto own =
+      std::find_if(std::begin(kRobots), std::end(kRobots), [&](const auto& robot) { return name == robot.second; });
+  return own->first;
+}
+
+void refuse_unused_options(const CLI::App& run, const std::string& robot) {
   const bool has_scenario = run.get_option("scenario")->count() > 0;
   if ((robot == kCompanion || robot == kNao) && has_scenario)
-    throw std::runtime_error(
-        "--robot " + robot +
-        " plays no scenario, since nobody can carry that robot about; leave it out, and choose with "
-        "--behaviors");
+    throw std::runtime_error("--robot " + robot +
+                             " plays no scenario, since the program cannot move that robot; leave it out, and choose "
+                             "with --behaviors");
   if (robot == kFootage && !has_scenario)
     throw std::runtime_error("--robot footage: name its source: a folder of images, a video or a log");
-  const auto own =
-      std::find_if(std::begin(kRobots), std::end(kRobots), [&](const auto& one) { return robot == one.second; });
-  for (const Heeding& heeding : kHeeding) {
-    if ((heeding.robots & own->first) != 0 || run.get_option(heeding.option)->count() == 0) continue;
-    if (robot == kCompanion && (heeding.robots & kOfSimulator) != 0)
-      throw std::runtime_error(std::string(heeding.option) +
-                               ": the companion would not heed it; its client says what robot it is");
-    // What the simulator heeds, people expect of it.
-    const Robots told = (heeding.robots & kOfSimulator) != 0 ? kOfSimulator : heeding.robots;
-    throw std::runtime_error(std::string(heeding.option) + ": only " + names_of(told) + " heeds it");
+  for (const OptionUse& use : kOptionUses) {
+    if ((use.robots & robot_named(robot)) != 0 || run.get_option(use.option)->count() == 0) continue;
+    if (robot == kCompanion && (use.robots & kOfSimulator) != 0)
+      throw std::runtime_error(std::string(use.option) +
+                               ": not used by the companion, whose client describes the robot");
+    // Options of the simulator are known best, so it is named alone.
+    const Robots users = (use.robots & kOfSimulator) != 0 ? kOfSimulator : use.robots;
+    throw std::runtime_error(std::string(use.option) + ": used by " + names_of(users) + " only");
   }
 }
+
+/// Shows the options that the robot of the command line uses.
+class RunHelp : public HelpFormatter {
+ public:
+  explicit RunHelp(std::shared_ptr<const RunOptions> options) : options_(std::move(options)) {}
+
+ protected:
+  bool is_listed(const CLI::Option& option) const override {
+    return HelpFormatter::is_listed(option) && (robots_that_use(option) & robot_named(options_->robot)) != 0;
+  }
+
+  Entry entry_of(const CLI::Option& option) const override {
+    if (option.get_positional() && options_->robot == kFootage)
+      return {"SOURCE", "folder of images, video or log", true};
+    return HelpFormatter::entry_of(option);
+  }
+
+  std::string command_of(const CLI::App& app) const override {
+    const std::string command = HelpFormatter::command_of(app);
+    return options_->robot == kSimulator ? command : command + " --robot " + options_->robot;
+  }
+
+  std::string note() const override {
+    std::vector<std::string> others;
+    for (const auto& [robot, name] : kRobots) {
+      if (options_->robot != name) others.emplace_back(name);
+    }
+    return fmt::format("Options of other robots: reorient run --robot {} --help (also {}, {})", others[0], others[1],
+                       others[2]);
+  }
+
+  std::string examples_of(const CLI::App& app) const override {
+    if (options_->robot == kFootage)
+      return examples_text(
+          {{"reorient run --robot footage images", "a folder of images"},
+           {"reorient run --robot footage log.mcap --belief mirrored", "is the mirrored pose noticed?"}});
+    if (options_->robot == kCompanion)
+      return examples_text({{"reorient run --robot companion", "wait for the program of a robot"},
+                            {"reorient run --robot companion --fresh", "without the saved state"}});
+    if (options_->robot == kNao)
+      return examples_text({{"reorient run --robot nao --at -3.2,0,0", "on the penalty mark, facing the center"},
+                            {"reorient run --robot nao --team 5 --places places.toml", "in a game"}});
+    return HelpFormatter::examples_of(app);
+  }
+
+ private:
+  std::shared_ptr<const RunOptions> options_;
+};
 
 /// Each file has one use. Only what was tuned may go back to where it came from.
 void require_different_files(const RunOptions& options) {
@@ -225,11 +376,18 @@ void require_different_files(const RunOptions& options) {
 
 Subcommand add_run(CLI::App& program) {
   const auto options = std::make_shared<RunOptions>();
-  CLI::App* const parser = program.add_subcommand("run", "run a scenario on the simulator")->fallthrough();
+  CLI::App* const parser =
+      program.add_subcommand("run", "run a scenario on the simulator, or the engine on another robot")->fallthrough();
+  parser->formatter(std::make_shared<RunHelp>(options));
+  parser->get_help_ptr()->group(kRunGroup);
+  set_examples(*parser, {{"reorient run", "a robot notices that its belief is mirrored"},
+                         {"reorient run --seed 7 --room hall.hdr", "other noise, another room"},
+                         {"reorient run --no-room-awareness", "the robot does not notice (exit code 1)"},
+                         {"reorient run --record run.mcap", "record it, for 'reorient replay run.mcap'"}});
   add_options(*parser, *options);
   return {parser, [parser, options](std::ostream& out, std::ostream& err) {
             options->scripts = scripts_root(options->scripts);
-            refuse_in_vain(*parser, options->robot);
+            refuse_unused_options(*parser, options->robot);
             require_different_files(*options);
             if (options->robot == kFootage) return run_footage(*options, out, err);
             if (options->robot == kCompanion) return run_companion(*options, out, err);

@@ -11,6 +11,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "program/experiment/outputs/page_tables.h"
+#include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "workbench/files/atomic_file.h"
@@ -57,12 +58,12 @@ void fill(const std::vector<std::filesystem::path>& pages) {
 }  // namespace
 
 Subcommand add_tables(CLI::App& experiment) {
-  const auto pages = std::make_shared<std::vector<std::filesystem::path>>();
-  CLI::App* const parser = experiment.add_subcommand("tables", "make the tables of Markdown pages from results");
-  parser
-      ->add_option("pages", *pages,
-                   "Markdown pages with comments that request tables (docs/experiments.md); pages without such a "
-                   "comment are skipped")
+  const auto page = std::make_shared<std::filesystem::path>();
+  CLI::App* const parser = experiment.add_subcommand("tables", "fill the tables of a Markdown page from results");
+  set_examples(*parser, {{"reorient experiment tables docs/light.md", "update the tables of a page"},
+                         {"reorient experiment tables report.md", "fill a page of yours"}});
+  parser->add_option("page", *page, "Markdown page with comments that name the rows (docs/experiments.md)")
+      ->type_name("PAGE")
       ->check(check_not_empty)
       ->required();
   return {parser, [pages](std::ostream&, std::ostream&) {

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
 #include "program/options.h"
@@ -113,15 +114,21 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
 
 Subcommand add_test(CLI::App& program) {
   const auto options = std::make_shared<TestOptions>();
-  CLI::App* const parser = program.add_subcommand("test", "run scripted behaviour tests")->fallthrough();
-  parser->add_option("paths", options->paths, "test files or folders (default: tests/ of the scripts)");
-  parser->add_flag("--simulator", options->simulator, "also the tests that run whole scenarios on the simulator");
+  CLI::App* const parser = program.add_subcommand("test", "run scripted behavior tests")->fallthrough();
+  set_examples(*parser, {{"reorient test", "all tests"},
+                         {"reorient test scripts/tests/orientation_test.lua", "one file"},
+                         {"reorient test --coverage", "also what no test covers"},
+                         {"reorient test --simulator", "also whole scenarios on the simulator"}});
+  parser->add_option("paths", options->paths, "test files or folders (default: tests/ of the scripts)")
+      ->type_name("PATH");
+  parser->add_flag("--simulator", options->simulator, "run the tests that simulate whole scenarios, too");
   parser->add_flag("--coverage", options->coverage, "list the states and transitions that no test took");
-  parser->add_option("--timeout", options->timeout, "seconds that a test may take; a file may take ten times as long")
+  parser->add_option("--timeout", options->timeout, "time limit of a test in seconds; of a file, ten times as much")
+      ->type_name("SECONDS")
       ->check(check_seconds)
       ->capture_default_str();
-  parser->add_option("--junit", options->junit, "write the results into this file, for CI systems");
-  add_scripts_option(*parser, options->scripts);
+  parser->add_option("--junit", options->junit, "write the results as JUnit XML, for CI systems")->type_name("FILE");
+  add_scripts_option(*parser, options->scripts, kPlainGroup);
   return {parser, [options](std::ostream& out, std::ostream& err) { return test(*options, out, err); }};
 }
 

@@ -26,8 +26,12 @@ void require_not_over(const Recording& recording, const char* option, double tim
 }  // namespace
 
 void add_time_options(CLI::App& parser, RecordedTimes& times) {
-  parser.add_option("--from", times.from, "s of the robot (default: its beginning)")->check(check_moment);
-  parser.add_option("--to", times.to, "s of the robot (default: its end)")->check(check_moment);
+  parser.add_option("--from", times.from, "first time in the robot's seconds (default: the beginning)")
+      ->type_name("SECONDS")
+      ->check(check_moment);
+  parser.add_option("--to", times.to, "last time in the robot's seconds (default: the end)")
+      ->type_name("SECONDS")
+      ->check(check_moment);
 }
 
 void require_recorded(const Recording& recording, const RecordedTimes& times) {

@@ -141,35 +141,36 @@ class OffsetFootage : public FootageSource {
 
 std::vector<std::string> add_footage_reading_options(CLI::App& parser, FootageArguments& arguments) {
   parser
-      .add_option("--frames", arguments.table,
-                  "footage: CSV with a row for each image (default: frames.csv in the folder)")
+      .add_option("--frames", arguments.table, "CSV file with a row for each image (default: frames.csv in the folder)")
+      ->type_name("FILE")
+      ->group(kFootageGroup)
       ->check(check_not_empty);
   parser
-      .add_option(
-          "--column", arguments.columns,
-          "footage: where the CSV calls a column otherwise: NAME=HEADER[:UNIT], as in time=stamp:ns. Names: image; "
-          "time (s, ms, us, ns); x, y, odometry_x, odometry_y, camera_height (m, cm, mm); rotation, "
-          "odometry_rotation, roll, pitch, camera_yaw (rad, deg). NAME= leaves a column out; may be given again")
+      .add_option("--column", arguments.columns,
+                  "header of a CSV column, as in time=stamp:ns; repeatable (docs/footage.md)")
+      ->type_name("NAME=HEADER")
+      ->group(kFootageGroup)
       ->allow_extra_args(false)
       ->check(check_not_empty);
   parser
       .add_option("--fov-degrees", arguments.fov_degrees,
-                  "footage: horizontal field of view of a camera without distortion (default: the body's camera)")
+                  "horizontal field of view, no distortion (default: the body's camera)")
+      ->type_name("N")
+      ->group(kFootageGroup)
       ->check(CLI::Range(10.0, 170.0));
-  parser
-      .add_option("--images-per-second", arguments.images_per_second,
-                  "footage: the images are so many a second apart, whatever times were recorded")
+  parser.add_option("--images-per-second", arguments.images_per_second, "constant rate instead of recorded times")
+      ->type_name("N")
+      ->group(kFootageGroup)
       ->check(CLI::Range(0.01, 1000.0));
-  parser
-      .add_option("--topic", arguments.topics,
-                  "footage from a log: KIND=TOPIC, where there are several or none shall be used: image, camera_info, "
-                  "transforms, pose, odometry, imu; may be given again")
+  parser.add_option("--topic", arguments.topics, "topic of a log: image, camera_info, transforms, pose, odometry, imu")
+      ->type_name("KIND=TOPIC")
+      ->group(kFootageGroup)
       ->allow_extra_args(false)
       ->check(check_not_empty);
   parser
-      .add_option(
-          "--frame", arguments.frames,
-          "footage from a log: KIND=FRAME: field (map), odometry (odom), base (base_link), camera; may be given again")
+      .add_option("--frame", arguments.frames, "frame of a log: field (map), odometry (odom), base (base_link), camera")
+      ->type_name("KIND=FRAME")
+      ->group(kFootageGroup)
       ->allow_extra_args(false)
       ->check(check_not_empty);
   return {"--frames", "--column", "--fov-degrees", "--images-per-second", "--topic", "--frame"};
@@ -177,14 +178,16 @@ std::vector<std::string> add_footage_reading_options(CLI::App& parser, FootageAr
 
 void add_footage_options(CLI::App& parser, FootageArguments& arguments) {
   add_footage_reading_options(parser, arguments);
-  parser
-      .add_option("--wall", arguments.wall,
-                  "footage: the virtual wall: auto (found in the images), field, or its radius in m")
+  parser.add_option("--wall", arguments.wall, "wall: auto (from the images), field, or a radius in m")
+      ->type_name("WALL")
+      ->group(kFootageGroup)
       ->check(check_not_empty)
       ->capture_default_str();
   parser
       .add_option("--camera-offset", arguments.camera_offset,
-                  "footage: file with the offset of the camera's mounting, from reorient calibrate --footage")
+                  "file with the camera's offset, from 'reorient calibrate --footage'")
+      ->type_name("FILE")
+      ->group(kFootageGroup)
       ->check(check_not_empty);
 }
 

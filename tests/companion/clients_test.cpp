@@ -262,10 +262,10 @@ TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
   std::filesystem::create_symlink(folder_.path() / "precious", link);
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "companion"}, "--robot companion plays no scenario"},
-      {{"run", "--robot", "companion", "--room", "hall.hdr"}, "--room: the companion would not heed it"},
-      {{"run", "--robot", "companion", "--body", "nao-v6"}, "--body: the companion would not heed it"},
-      {{"run", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
-      {{"run", "--fresh"}, "--fresh: only --robot companion heeds it"},
+      {{"run", "--robot", "companion", "--room", "hall.hdr"}, "--room: not used by the companion"},
+      {{"run", "--robot", "companion", "--body", "nao-v6"}, "--body: not used by the companion"},
+      {{"run", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
+      {{"run", "--fresh"}, "--fresh: used by --robot companion only"},
       {{"run", "--robot", "companion", "--socket", folder_.write("file", "x").string()},
        "there is a file of this name"},
       {{"run", "--robot", "companion", "--socket", socket(), "--state", "/nowhere/state"}, "--state"},

@@ -30,8 +30,8 @@ class NaoProcesses : public ::testing::Test {
 TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao plays no scenario"},
-      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: only the simulator heeds it"},
-      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
+      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: used by the simulator only"},
+      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
       {{"run", "--robot", "nao", "--width", "160"}, "a NAO's cameras give 320 or 640 pixels"},
       {{"run", "--robot", "nao", "--at", "1,2"}, "a place is X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "a place is X,Y,DEGREES"},
@@ -51,8 +51,8 @@ TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
       {{"calibrate", "--at", "here"}, "a place is X,Y,DEGREES"},
       {{"calibrate", "--at", "0,0,0", "--out", "/nowhere/calibration.toml"}, "--out"},
       {{"calibrate", "--at", "0,0,0", "--width", "160"}, "--width"},
-      {{"run", "--team", "5"}, "--team: only --robot nao heeds it"},
-      {{"run", "--stand"}, "--stand: only --robot nao heeds it"},
+      {{"run", "--team", "5"}, "--team: used by --robot nao only"},
+      {{"run", "--stand"}, "--stand: used by --robot nao only"},
   };
   for (const auto& [words, why] : mistakes) {
     ChildProgram program(folder_.path(), words);

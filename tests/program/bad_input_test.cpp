@@ -319,7 +319,7 @@ TEST_F(BadInput, AFileThatIsNoScriptIsNotCalledAMissingOne) {
 TEST_F(BadInput, TheHelpOfTheCommandItselfIsNamed) {
   expect_refused({}, {"calibrate", "replay", "recording", "record-test"});
   expect_refused({"model", "compare", "a.model"},
-                 {"second is required: another model, with the same wall (see reorient model compare --help)"});
+                 {"second is required: second model, with the same wall (see reorient model compare --help)"});
   expect_refused_run({"--set", "nosuch=1"}, {"'reorient params' lists all"});
 }
 

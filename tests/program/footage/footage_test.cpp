@@ -215,8 +215,8 @@ TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
       {{"--frames", table_with(",rotation_rad", ",roation_rad")}, "found 'roation_rad' (did you mean 'rotation_rad'?)"},
       {{"--frames", table_with("pitch_rad", "pitch")}, "found 'pitch' (did you mean 'pitch_rad'?)"},
       {{"--frames", "/nowhere.csv"}, "/nowhere.csv: expected a table, found nothing of that name"},
-      {{"--room", "hall.hdr"}, "--room: only the simulator heeds it"},
-      {{"--width", "320"}, "--width: only the simulator heeds it"},
+      {{"--room", "hall.hdr"}, "--room: used by the simulator only"},
+      {{"--width", "320"}, "--width: used by the simulator only"},
       {{"--wall", "far"}, "--wall: expected auto, field or a radius"},
       {{"--images-per-second", "0"}, "--images-per-second"},
       {{"--set", "wall.radios=3"}, "wall.radios"},
@@ -231,7 +231,7 @@ TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
   EXPECT_EQ(nothing.code, kBadInput);
   EXPECT_NE(nothing.err.find("--robot footage: name its source"), std::string::npos) << nothing.err;
   const ProgramRun vain = run_reorient({"run", "--images-per-second", "5"});
-  EXPECT_NE(vain.err.find("--images-per-second: only --robot footage heeds it"), std::string::npos) << vain.err;
+  EXPECT_NE(vain.err.find("--images-per-second: used by --robot footage only"), std::string::npos) << vain.err;
 }
 
 TEST_F(Footage, IsTriedAtManyMoments) {

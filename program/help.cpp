@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "program/help.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+#include <vector>
+
+#include "program/options.h"
+
+namespace reorient {
+namespace {
+
+constexpr std::size_t kColumns = 100, kTextColumn = 26, kExampleColumn = 62;
+
+/// `text` behind `name`, which is indented by two blanks; each line of the text begins at `column`.
+std::string wrapped(const std::string& name, const std::string& text, std::size_t column) {
+  std::string page = name.empty() ? "" : "  " + name;
+  std::string line = page;
+  const auto end_line = [&] {
+    page += "\n";
+    line.clear();
+  };
+  if (line.size() + 2 > column && column > 0) end_line();
+  bool is_first = true;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (!is_first && line.size() + 1 + word.size() > kColumns) {
+      end_line();
+      is_first = true;
+    }
+    std::string addition = is_first ? std::string(column - std::min(column, line.size()), ' ') : " ";
+    addition += word;
+    page += addition;
+    line += addition;
+    is_first = false;
+  }
+  return page + "\n";
+}
+
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text.back() == '?' ? text : text + ".";
+}
+
+/// The type name without the descriptions of the checks, which stand behind it: "N:{320,640}".
+std::string placeholder_of(const CLI::Option& option) {
+  if (option.get_type_size() == 0) return {};
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));
+}
+
+bool takes_several(const CLI::Option& option) {
+  return option.get_allow_extra_args() && option.get_expected_max() == CLI::detail::expected_max_vector_size;
+}
+
+std::string with_dots(const std::string& placeholder, const CLI::Option& option) {
+  return takes_several(option) && !placeholder.ends_with("...") ? placeholder + "..." : placeholder;
+}
+
+/// What the checks of the option allow: ": a, b" or ", 1 to 254"; empty if the text names all choices already.
+std::string allowed_by(const CLI::Option& option, const std::string& text) {
+  const std::string type = option.get_type_name();
+  if (const std::size_t open = type.find(":{"); open != std::string::npos) {
+    std::string choices;
+    bool are_named = true;
+    for (const std::string& choice : CLI::detail::split(type.substr(open + 2, type.find('}') - open - 2), ',')) {
+      are_named = are_named && text.find(choice) != std::string::npos;
+      choices.append(choices.empty() ? ": " : ", ").append(choice);
+    }
+    return are_named ? "" : choices;
+  }
+  constexpr std::string_view kIn = " in [", kDash = " - ";
+  const std::size_t open = type.find(kIn);
+  if (open == std::string::npos) return {};
+  const std::string range = type.substr(open + kIn.size(), type.find(']', open) - open - kIn.size());
+  const std::size_t dash = range.find(kDash);
+  return ", " + range.substr(0, dash) + " to " + range.substr(dash + kDash.size());
+}
+
+/// "[hall,same]" of a list is "hall,same".
+std::string default_of(const CLI::Option& option) {
+  const std::string text = option.get_type_size() == 0 ? "" : option.get_default_str();
+  return text.starts_with('[') && text.ends_with(']') ? text.substr(1, text.size() - 2) : text;
+}
+
+/// "reorient room rate".
+std::string path_of(const CLI::App& app) {
+  const CLI::App* const parent = app.get_parent();
+  return parent == nullptr ? app.get_name() : path_of(*parent) + " " + app.get_name();
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_name().empty(); });
+}
+
+}  // namespace
+
+bool HelpFormatter::is_listed(const CLI::Option& option) const { return !option.get_group().empty(); }
+
+HelpFormatter::Entry HelpFormatter::entry_of(const CLI::Option& option) const {
+  std::string name;
+  for (const std::string& letter : option.get_snames()) name.append(name.empty() ? "-" : ", -").append(letter);
+  for (const std::string& word : option.get_lnames()) name.append(name.empty() ? "--" : ", --").append(word);
+  const std::string placeholder = with_dots(placeholder_of(option), option);
+  if (!placeholder.empty()) name.append(name.empty() ? "" : " ").append(placeholder);
+
+  constexpr const char* kDefault = " (default: ";
+  const std::string description = option.get_description();
+  const std::size_t end = std::min(description.rfind(kDefault), description.size());
+  std::string text = description.substr(0, end);
+  text += allowed_by(option, text);
+  const std::string value = default_of(option);
+  text += value.empty() ? description.substr(end) : kDefault + value + ")";
+  if (option.get_required() && !option.get_positional()) text += " (required)";
+  return {name, text, option.get_required()};
+}
+
+std::string HelpFormatter::command_of(const CLI::App& app) const { return path_of(app); }
+
+std::string HelpFormatter::make_help(const CLI::App* app, std::string /*name*/, CLI::AppFormatMode /*mode*/) const {
+  std::vector<const CLI::Option*> arguments;
+  std::vector<std::pair<std::string, std::vector<const CLI::Option*>>> groups;
+  const auto add = [&groups](const std::string& name, const CLI::Option* option) {
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == name; });
+    if (group != groups.end())
+      group->second.push_back(option);
+    else
+      groups.push_back({name, {option}});
+  };
+  for (const CLI::Option* option : app->get_options()) {
+    if (option == app->get_help_ptr() || !is_listed(*option)) continue;
+    if (option->get_positional())
+      arguments.push_back(option);
+    else
+      add(option->get_group(), option);
+  }
+  const std::string own = app->get_help_ptr()->get_group();
+  add(own != kPlainGroup || groups.empty() ? own
+      : groups.size() == 1                 ? groups.front().first
+                                           : "Help",
+      app->get_help_ptr());
+
+  const std::vector<const CLI::App*> commands = commands_of(*app);
+  const std::string command = command_of(*app);
+  std::string usage = "Usage: " + command + " [OPTIONS]";
+  // An argument is optional for the parser also because a command may take its place.
+  for (const CLI::Option* argument : arguments) {
+    const Entry entry = entry_of(*argument);
+    usage += entry.is_required || !commands.empty() ? " " + entry.name : " [" + entry.name + "]";
+  }
+  if (!commands.empty()) usage += arguments.empty() ? " COMMAND" : "\n       " + command + " COMMAND";
+  std::string page = usage + "\n\n" + wrapped("", sentence(app->get_description()), 0);
+
+  if (!commands.empty()) page += "\nCommands:\n";
+  std::size_t column = 0;
+  for (const CLI::App* one : commands) column = std::max(column, one->get_name().size() + 4);
+  for (const CLI::App* one : commands) page += wrapped(one->get_name(), one->get_description(), column);
+  if (!arguments.empty()) page += "\nArguments:\n";
+  const auto add_entry = [&](const CLI::Option* option) {
+    const Entry entry = entry_of(*option);
+    page += wrapped(entry.name, entry.text, kTextColumn);
+  };
+  for (const CLI::Option* argument : arguments) add_entry(argument);
+  for (const auto& [name, options] : groups) {
+    page += "\n" + name + ":\n";
+    for (const CLI::Option* option : options) add_entry(option);
+  }
+  if (const std::string text = note(); !text.empty()) page += "\n" + wrapped("", text, 0);
+  if (const std::string examples = examples_of(*app); !examples.empty()) page += "\n" + examples;
+  return page;
+}
+
+std::string HelpFormatter::examples_of(const CLI::App& app) const { return app.get_footer(); }
+
+std::string examples_text(std::initializer_list<Example> examples, const std::string& end) {
+  std::size_t column = 0;
+  for (const Example& example : examples) column = std::max(column, example.command.size() + 4);
+  std::string text = "Examples:\n";
+  for (const Example& example : examples)
+    text += wrapped(example.command, example.effect, std::min(column, kExampleColumn));
+  if (!end.empty()) text += "\n" + wrapped("", end, 0);
+  return text;
+}
+
+void set_examples(CLI::App& parser, std::initializer_list<Example> examples, const std::string& end) {
+  parser.footer(examples_text(examples, end));
+}
+
+}  // namespace reorient
