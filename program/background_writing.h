@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One write to a disk at a time, beside a run that does not wait for it.
+// Writes to a disk, one at a time, while the run continues.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,13 @@ class BackgroundWriting {
   BackgroundWriting& operator=(const BackgroundWriting&) = delete;
 
   bool is_busy() const;
-  /// `write` runs in a thread of its own. Its exception becomes a warning in the log, once it is over. Waits where it
-  /// is_busy().
+  /// Runs `write` in its own thread. Its exception becomes a warning in the log when it ends. Waits if is_busy().
   void start(std::function<void()> write);
-  /// Waits for what was started.
+  /// Waits for the running write.
   void end();
 
  private:
-  std::future<std::string> mistake_;  // or nothing
+  std::future<std::string> mistake_;  // empty: success
 };
 
 }  // namespace reorient

@@ -19,7 +19,7 @@ std::string present_name(const std::string& name);
 /// name stay.
 std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> changes, const ScriptTexts& scripts);
 
-/// False: it is not a former name.
+/// False if it is not a former name.
 bool warn_of_former_name(const ParameterChange& change);
 
 /// One warning for each former field of the world, and for each former table, in each of these files.

@@ -14,7 +14,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not w
 void note(int signal) {
   int none = 0;
   if (came.compare_exchange_strong(none, signal)) return;
-  // Whoever asks twice does not want to wait.
+  // The second signal ends the program at once.
   TerminalGuard::give_back();
   std::signal(signal, SIG_DFL);
   std::raise(signal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and its kin: the first asks the program to end what it does and to tell what there is, the second ends it at
+// Ctrl-C and similar signals: the first one requests an early end with all outputs, the second one ends the program at
 // once.
 #pragma once
 
@@ -8,8 +8,9 @@
 
 namespace reorient {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the program. What was ignored before (by
-/// nohup, by a shell that started this in the background) stays ignored. One at a time.
+/// While it exists, SIGINT, SIGTERM and SIGHUP are stored instead of ending the program. Signals that were ignored
+/// before (by nohup, or by a shell that started the program in the background) stay ignored. At most one object at a
+/// time.
 class Interruption {
  public:
   Interruption();
@@ -25,7 +26,7 @@ class Interruption {
   std::array<struct sigaction, kSignals.size()> before_{};
 };
 
-/// As shells tell that a signal ended a program: 130 for SIGINT.
+/// The exit code that shells use for a program ended by a signal: 130 for SIGINT.
 constexpr int exit_code_of(int signal) { return 128 + signal; }
 
 }  // namespace reorient

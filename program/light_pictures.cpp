@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // light_pictures OUT.png [ROOM...]: what the upper camera sees of a room (a panorama; else the hall) under each of the
-// lights that assets/parameters/light has, and as ever. A row for each light; four ways to look, and one while the head
-// turns. Of several rooms a row for each: two ways to look, as ever and under both lights.
+// lights that assets/parameters/light has, and under the same light. A row for each light; four directions, and one
+// image while the head turns. With several rooms, a row for each: two directions, the same light and both others.
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -76,7 +76,7 @@ void draw_overview(const std::string& file, const std::vector<std::string>& room
   RoomCache cache;
   double top = 0.0;
   for (const std::string& room : rooms) {
-    draw_label(canvas, top, std::filesystem::path(room).stem().string() + ": as ever, mild, hard");
+    draw_label(canvas, top, std::filesystem::path(room).stem().string() + ": same, mild, hard");
     double left = 0.0;
     for (const char* light : kLights) {
       RobotInstance robot = robot_in(room, light, 1, cache);

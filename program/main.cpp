@@ -6,8 +6,8 @@
 #include "program/program.h"
 
 int main(int argc, char** argv) {
-  // Whoever reads our output may go away (as head does), a file may grow beyond what is allowed: errors to be told,
-  // with which nothing else that a run writes must be lost.
+  // A reader of the output may end early (as head does), and a file may exceed its size limit. Both are reported as
+  // errors; the other outputs of a run must not be lost.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   // libedit converts letters by the locale. Before there are threads; numbers stay as they are.

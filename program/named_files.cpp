@@ -41,7 +41,7 @@ void NamedFiles::writes(const std::filesystem::path& file, const std::string& op
     const std::optional<std::string> below = path_below(root, file);
     if (file.extension() == ".lua" && below && !below->starts_with("annotations/"))  // which are no scripts
       throw std::runtime_error(
-          fmt::format("{0} {1}: scripts lie there; name another file with {0}", option, file.string()));
+          fmt::format("{0} {1}: the folder contains scripts; name another file with {0}", option, file.string()));
   }
   named_.emplace_back(file, option);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files that a command line names: none is written twice, and none that is read is written.
+// The files of a command line: no file is written twice, and no file that is read is written.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,13 @@ namespace reorient {
 
 class NamedFiles {
  public:
-  /// `name`: the option, or what else a person calls it: "the recording".
+  /// `name`: the option, or a description such as "the recording".
   void reads(const std::filesystem::path& file, const std::string& name);
   /// All scripts below a root.
   void reads_scripts(const std::filesystem::path& root);
-  /// Throws std::runtime_error with one line where it is one of those that were named before. Nothing is named: no
-  /// path.
+  /// Throws std::runtime_error with one line if the file was named before. An empty path names no file.
   void writes(const std::filesystem::path& file, const std::string& option);
-  /// The same, and where it cannot be written.
+  /// The same, also if the file cannot be written.
   void require_writable(const std::filesystem::path& file, const std::string& option);
 
  private:
@@ -26,8 +25,8 @@ class NamedFiles {
   std::vector<std::filesystem::path> roots_;                          // of scripts
 };
 
-/// Of a command that writes one file, if any, and reads scripts. Throws std::runtime_error with one line where that
-/// file cannot be written or lies among the scripts.
+/// For a command that writes at most one file and reads scripts. Throws std::runtime_error with one line if the file
+/// cannot be written or is among the scripts.
 void require_writable_output(const std::filesystem::path& file, const std::string& option,
                              const std::filesystem::path& scripts);
 

@@ -37,9 +37,9 @@ std::filesystem::path parameter_file(const std::filesystem::path& named) {
   std::filesystem::path file = asset_file("parameters", named, kParameterFiles);
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
-    throw std::runtime_error("--params " + named.string() + ": it is a folder; name a file in it");
+    throw std::runtime_error("--params " + named.string() + ": expected a file, found a folder");
   if (!std::filesystem::exists(file, error) && is_asset_name(named)) {
-    throw std::runtime_error("--params " + named.string() + ": there is no such file, and none of this name in " +
+    throw std::runtime_error("--params " + named.string() + ": no such file, and no file of this name in " +
                              "assets/parameters" +
                              did_you_mean(named.string(), asset_names("parameters", kParameterFiles)));
   }
@@ -98,26 +98,26 @@ void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts, const 
       ->check(check_not_empty);
 }
 
-std::filesystem::path scripts_root(const std::filesystem::path& told, Scripts scripts) {
-  if (told.empty()) return find_home() / "scripts";
+std::filesystem::path scripts_root(const std::filesystem::path& given, Scripts scripts) {
+  if (given.empty()) return find_home() / "scripts";
   std::error_code error;
-  if (!std::filesystem::is_directory(told, error))
-    throw std::runtime_error("--scripts " + told.string() + ": the folder of scripts does not exist");
+  if (!std::filesystem::is_directory(given, error))
+    throw std::runtime_error("--scripts " + given.string() + ": there is no such folder of scripts");
   constexpr const char* kFolders[] = {"behaviors", "scenarios", "lib", "tests"};
   const bool has_any = std::any_of(std::begin(kFolders), std::end(kFolders), [&](const char* folder) {
-    return std::filesystem::is_directory(told / folder, error);
+    return std::filesystem::is_directory(given / folder, error);
   });
   if (scripts == Scripts::are_there && !has_any)
-    throw std::runtime_error("--scripts " + told.string() +
-                             ": it is no root of scripts, which has folders behaviors or scenarios; name another one");
-  return told;
+    throw std::runtime_error("--scripts " + given.string() +
+                             ": expected a folder with behaviors, scenarios, lib or tests, found none of them");
+  return given;
 }
 
 std::string check_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error == std::errc() && end == text.data() + text.size()) return {};
-  return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
+  return "expected a whole number from 0 to 2^64 - 1, found '" + text + "'";
 }
 
 std::string check_not_empty(const std::string& text) {
@@ -143,11 +143,11 @@ std::function<std::string(const std::string&)> check_number(double least, double
 }
 
 std::string check_seconds(const std::string& text) {
-  return is_number(text, 0.1, 86400.0) ? "" : "'" + text + "' is not a number from 0.1 to 86400";
+  return is_number(text, 0.1, 86400.0) ? "" : "expected a number from 0.1 to 86400, found '" + text + "'";
 }
 
 std::string check_moment(const std::string& text) {
-  return is_number(text, 0.0, 1e9) ? "" : "'" + text + "' is not a number of seconds from 0 on";
+  return is_number(text, 0.0, 1e9) ? "" : "expected a non-negative number of seconds, found '" + text + "'";
 }
 
 }  // namespace reorient

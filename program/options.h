@@ -30,31 +30,31 @@ struct ParameterOptions {
   std::vector<std::string> assignments;      ///< NAME=VALUE
 };
 void add_parameter_options(CLI::App& parser, ParameterOptions& options);
-/// Throws std::runtime_error with one line where a file cannot be read or an assignment is none.
+/// Throws std::runtime_error with one line if a file cannot be read or an assignment is invalid.
 std::vector<ParameterChange> overrides_of(const ParameterOptions& options);
-/// Of a program without scripts: parameters of scripts may stand in files, and are left out. Throws std::runtime_error
-/// with one line where an assignment names no parameter of the engine.
+/// For a program without scripts: ignores parameters of scripts in files. Throws std::runtime_error with one line if an
+/// assignment names no parameter of the engine.
 void set_overrides(const ParameterOptions& options, ParameterRegistry& registry);
-/// The files themselves, those that are named as assets, too. Throws the same.
+/// The paths of the files, also of those that are named as assets. Throws the same.
 std::vector<std::filesystem::path> parameter_files_of(const ParameterOptions& options);
-/// Which humanoid, and on which field.
+/// Adds --body and --field.
 void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field);
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts, const char* group = kParameterGroup);
-/// Whether a folder may be named that will only get its scripts.
+/// Whether the folder must contain scripts, or may be empty yet.
 enum class Scripts { are_there, may_come };
-/// `told`, or scripts/ of the project where nothing was told. Throws std::runtime_error with one line where it is no
-/// root of scripts: what is mistyped must not count as one that is empty.
-std::filesystem::path scripts_root(const std::filesystem::path& told, Scripts scripts = Scripts::are_there);
+/// `given`, or scripts/ of the project if empty. Throws std::runtime_error with one line if it is not a root of
+/// scripts: a mistyped path must not count as an empty root.
+std::filesystem::path scripts_root(const std::filesystem::path& given, Scripts scripts = Scripts::are_there);
 
-// CLI11 by itself takes a negative or too large number for a seed and wraps it round, and lets NaN through a range.
-// These return what is wrong, or nothing.
+// Checks, because CLI11 wraps a negative or too large seed, and accepts NaN in a range. They return an error or
+// nothing.
 std::string check_seed(const std::string& text);
-/// An empty word is rather a variable of the shell without a value than a wish for the default.
+/// An empty value is probably an unset variable of the shell, not a request for the default.
 std::string check_not_empty(const std::string& text);
-/// Of numbers from `least` to `most`, both included.
+/// Accepts numbers from `least` to `most`, both included.
 std::function<std::string(const std::string&)> check_number(double least, double most);
 std::string check_seconds(const std::string& text);
-/// A time of a robot that has been on for a while.
+/// A non-negative time in the robot's seconds.
 std::string check_moment(const std::string& text);
 
 }  // namespace reorient

@@ -16,16 +16,15 @@ namespace reorient {
 namespace {
 
 constexpr std::size_t kMostWarnings = 10;
-constexpr std::size_t kLongestName = 200;  // as far as it is told
+constexpr std::size_t kLongestName = 200;  // characters of a name in a message
 
 void warn_of_strangers(const std::map<std::string, std::string>& sources, const ParameterModules& modules) {
   const std::vector<std::string> known(modules.anywhere.begin(), modules.anywhere.end());
   std::size_t told = 0;
   for (const auto& [module, source] : sources) {
     if (told++ == kMostWarnings) break;
-    spdlog::warn(
-        "{}: no script and no part of the program is called '{}'{}; its values are kept, but nobody reads them", source,
-        module, did_you_mean(module, known));
+    spdlog::warn("{}: unknown module '{}'{}; its values are saved but not used", source, module,
+                 did_you_mean(module, known));
   }
   if (sources.size() > kMostWarnings) spdlog::warn("and {} more such tables", sources.size() - kMostWarnings);
 }

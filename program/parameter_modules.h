@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which module a parameter belongs to, and what becomes of values whose module is not there: one file of parameters
-// serves a robot in all its scenarios.
+// The module of a parameter, and the treatment of values whose module is not loaded: one parameter file can be used for
+// all scenarios of a robot.
 #pragma once
 
 #include <set>
@@ -18,19 +18,18 @@ std::string module_of(std::string_view parameter);
 /// The module whose parameters a script declares: "orientation" of "behaviors/orientation.lua".
 std::string module_of_script(std::string_view file);
 
-/// Of all scripts and all robots that there are.
+/// Of all existing scripts and robots.
 std::set<std::string> all_modules(const ScriptTexts& scripts);
 
 struct ParameterModules {
-  std::vector<Parameter> parameters;  ///< that there are in this run
+  std::vector<Parameter> parameters;  ///< that exist in this run
   std::set<std::string> loaded;       ///< also those without parameters
-  std::set<std::string> anywhere;     ///< that some run may load
+  std::set<std::string> anywhere;     ///< that any run may load
 };
 
-/// Those overrides that nobody declares in this run, but which belong to a module that is not there: they come from
-/// files, and are to be saved again. One line of log warns of each module that no run could load. Throws
-/// std::runtime_error with one line about the first override that is a mistake: a name that its module does not have,
-/// or one that the command line sets in vain.
+/// The overrides of modules that are not loaded in this run. They come from files, and are saved again. A log line
+/// warns of each module that no run could load. Throws std::runtime_error with one line about the first invalid
+/// override: a name that its module does not have, or one from the command line that would have no effect.
 std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>& overrides,
                                              const ParameterModules& modules);
 

@@ -25,7 +25,7 @@
 namespace reorient {
 namespace {
 
-/// What may have been meant by a word that nobody expected: an option, a subcommand, or a scenario to run.
+/// A suggestion for an unknown word: an option, a subcommand, or a scenario to run.
 std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
   const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty()) return {};
@@ -56,13 +56,13 @@ spdlog::color_mode color_mode(const std::string& asked) {
   return is_unwanted ? spdlog::color_mode::never : spdlog::color_mode::automatic;
 }
 
-/// The innermost subcommand that was named, or the program.
+/// The innermost subcommand on the command line, or the program.
 const CLI::App& asked_of(const CLI::App& app) {
   const std::vector<CLI::App*> named = app.get_subcommands();
   return named.empty() ? app : asked_of(*named.back());
 }
 
-/// What an option, a file or a subcommand that is missing would be, where its name alone does not say so.
+/// The description of a missing option, file or subcommand, since its name alone may be unclear.
 std::string meaning_of_missing(const CLI::App& app, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return {};
   for (const CLI::Option* option : asked_of(app).get_options()) {
@@ -135,7 +135,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   }
   std::string names;
   for (const Subcommand& subcommand : subcommands) names += (names.empty() ? "" : ", ") + subcommand.parser->get_name();
-  err << "reorient: name a subcommand: " << names << " (see reorient --help)\n";
+  err << "reorient: expected a command: " << names << " (see reorient --help)\n";
   return kBadInput;
 }
 
@@ -145,7 +145,7 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
   try {
     const int code = parse_and_run(argc, argv, out, err);
     if (out.flush()) return code;
-    err << "reorient: cannot write to the standard output: whoever read it is gone, or the disk is full\n";
+    err << "reorient: cannot write to the standard output: its reader has ended, or the disk is full\n";
     return kBadInput;
   } catch (const std::exception& error) {
     err << "reorient: " << as_line(error.what()) << '\n';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reorient program, as a function: tests call it as a person at the keyboard would.
+// The reorient program as a function, which tests call, too.
 #pragma once
 
 #include <iosfwd>

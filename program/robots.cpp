@@ -57,17 +57,17 @@ constexpr Maker kMakers[] = {
     {kSimulator, make_simulator, [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
     {kFootage,
      [](const RobotOptions&) -> RobotInstance {
-       throw std::runtime_error("footage plays no scenarios: what is in it has happened");
+       throw std::runtime_error("footage plays no scenarios, since it is recorded");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
     {kCompanion,
      [](const RobotOptions&) -> RobotInstance {
-       throw std::runtime_error("the companion plays no scenarios: nobody can carry it about");
+       throw std::runtime_error("the companion plays no scenarios, since the program cannot move its robot");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
     {kNao,
      [](const RobotOptions&) -> RobotInstance {
-       throw std::runtime_error("a NAO plays no scenarios: nobody can carry it about");
+       throw std::runtime_error("a NAO plays no scenarios, since the program cannot move it");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
 };
@@ -76,21 +76,21 @@ const Maker& maker_of(const std::string& name) {
   for (const Maker& maker : kMakers) {
     if (maker.name == name) return maker;
   }
-  throw std::runtime_error("there is no robot '" + name + "'" + did_you_mean(name, robot_names()));
+  throw std::runtime_error("unknown robot '" + name + "'" + did_you_mean(name, robot_names()));
 }
 
 }  // namespace
 
 const Room& RoomCache::room(const std::string& file, std::uint64_t hall_seed, const RoomShape& shape) {
-  std::string wanted = file.empty() ? "hall " + std::to_string(hall_seed) : "file " + file;
+  std::string source = file.empty() ? "hall " + std::to_string(hall_seed) : "file " + file;
   RoomShape copy = shape;
   ParameterRegistry registry;
   registry.bind("room_shape", copy);
-  for (const Parameter& parameter : registry.list()) wanted.append(" ").append(to_text(parameter.value));
-  if (wanted != made_from_) {
+  for (const Parameter& parameter : registry.list()) source.append(" ").append(to_text(parameter.value));
+  if (source != made_from_) {
     made_from_.clear();
     room_ = file.empty() ? procedural_hall(hall_seed, shape) : load_room(file, shape);
-    made_from_ = std::move(wanted);
+    made_from_ = std::move(source);
   }
   return room_;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every robot that the program knows, by name. Nothing else names one.
+// Every robot that the program knows, by name. No other file lists robots.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace reorient {
 
 class Simulator;
 
-/// The room that was made last: many trials take place in one, and to decode a panorama takes as long as a trial.
+/// The last room, cached: many trials use the same room, and decoding a panorama takes as long as a trial.
 class RoomCache {
  public:
   /// As load_room() or, where `file` is empty, procedural_hall().
@@ -27,7 +27,7 @@ class RoomCache {
   Room room_;
 };
 
-/// What a robot is made from; each takes what it needs.
+/// The options of all robots; each robot uses what it needs.
 struct RobotOptions {
   RobotBody body;
   FieldDimensions field;
@@ -37,26 +37,26 @@ struct RobotOptions {
   int width = 320;              ///< of a camera's image, pixels
   bool both_cameras = false;    ///< the lower one as well
   std::vector<ParameterChange> parameters;
-  RoomCache* rooms = nullptr;  ///< nullptr: each robot's room is made anew
+  RoomCache* rooms = nullptr;  ///< nullptr: each robot creates its own room
 };
 
 /// "simulator", "footage", "companion", "nao".
 std::vector<std::string> robot_names();
 inline constexpr const char* kSimulator = "simulator";
-/// That somebody else's images drive: it is made of a source (program/footage/).
+/// Driven by recorded images, and made from a source (program/footage/).
 inline constexpr const char* kFootage = "footage";
-/// That another program drives: it is not made, but waited for (program/run/companion/).
+/// Driven by another program: it is not created, but connects as a client (program/run/companion/).
 inline constexpr const char* kCompanion = "companion";
-/// Nobody can carry it about either (program/run/nao/).
+/// A real robot, which no scenario can move either (program/run/nao/).
 inline constexpr const char* kNao = "nao";
 
-/// Throws std::runtime_error with one line: a name that is none, a file that cannot be read, a value out of range.
+/// Throws std::runtime_error with one line: an unknown name, a file that cannot be read, a value out of range.
 RobotInstance make_robot(const std::string& name, const RobotOptions& options);
 
-/// The simulator as itself, which knows what each pixel of its images shows. Throws the same.
+/// The simulator itself, which knows what each pixel of its images shows. Throws the same.
 std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options);
 
-/// The robot's own parameters with the values that it is made with; they are fixed while it runs.
+/// The robot's own parameters with their values; they are fixed during a run.
 std::vector<Parameter> robot_parameters(const std::string& name, const RobotOptions& options);
 
 }  // namespace reorient

@@ -31,7 +31,7 @@ std::string named(const Kind& kind, const Kind& other, const std::filesystem::pa
                         (texts.find(file) == nullptr && texts.find(script_file(other.folder, stem)) != nullptr);
   if (is_other) {
     throw std::runtime_error("'" + name + "' is a " + other.word + ", and a " + kind.word +
-                             " is wanted here: reorient run SCENARIO --with BEHAVIOR");
+                             " was expected: reorient run SCENARIO --with BEHAVIOR");
   }
   if (texts.find(file) != nullptr) return file;
   require_no_other_file(root, name);
@@ -49,8 +49,8 @@ void require_no_other_file(const std::filesystem::path& root, const std::string&
   const bool is_path = name.ends_with(".lua") || name.find('/') != std::string::npos;
   if (!is_path || !std::filesystem::exists(name, error)) return;
   if (!name.ends_with(".lua") || !std::filesystem::is_regular_file(name, error))
-    throw std::runtime_error("'" + name + "' is no script, which is a file *.lua");
-  throw std::runtime_error("'" + name + "' lies outside of the scripts' root " + root.string() +
+    throw std::runtime_error("'" + name + "' is not a script (expected a file *.lua)");
+  throw std::runtime_error("'" + name + "' is outside of the scripts' root " + root.string() +
                            "; copy it below that, or name its own root with --scripts");
 }
 
@@ -68,8 +68,7 @@ void require_script_name(const std::string& name) {
                     name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos &&
                     name.front() >= 'a' && name.size() <= 60;
   if (!fits)
-    throw std::runtime_error("'" + name +
-                             "' cannot be a script's name: small letters, digits and _, as in ball_search");
+    throw std::runtime_error("'" + name + "' is not a valid script name (expected a-z, 0-9 and _, as in ball_search)");
 }
 
 }  // namespace reorient

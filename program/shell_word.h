@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A word of a command line, as a shell takes it.
+// A word of a command line, quoted for a shell.
 #pragma once
 
 #include <string>
 
 namespace reorient {
 
-/// In quotes where it has to be.
+/// In quotes if necessary.
 std::string shell_word(const std::string& word);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One word of the command line, `reorient WORD ...`: what it understands and what it does.
+// One command of the program, `reorient COMMAND ...`: its parser and its function.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@ class App;
 namespace reorient {
 
 struct Subcommand {
-  CLI::App* parser = nullptr;  ///< knows whether the word was given
+  CLI::App* parser = nullptr;  ///< knows whether the command was given
   /// Returns the exit code. Throws std::exception with one line on bad input.
   std::function<int(std::ostream& out, std::ostream& err)> run;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terminal as it was found, given back whatever ends or stops the program.
+// Restores the modes of the terminal, whatever ends or stops the program.
 #pragma once
 
 #include <array>
@@ -7,22 +7,22 @@
 
 namespace reorient {
 
-/// While it lives, the terminal is in modes of our own. It gets its own back in the destructor, before a signal ends
-/// the program, and for as long as Ctrl-Z stops it. One at a time; SIGKILL alone is not met.
+/// While it exists, the terminal has the modes of the program. The old modes are restored by the destructor, before a
+/// signal ends the program, and while Ctrl-Z stops it. At most one object at a time. SIGKILL cannot be handled.
 class TerminalGuard {
  public:
-  /// The modes of `descriptor`, a terminal, are those to be given back.
+  /// Stores the modes of `descriptor`, a terminal, to restore them later.
   explicit TerminalGuard(int descriptor);
   ~TerminalGuard();
   TerminalGuard(const TerminalGuard&) = delete;
   TerminalGuard& operator=(const TerminalGuard&) = delete;
 
-  /// The modes of now are our own.
+  /// Takes the present modes as those of the program.
   static void remember_own_modes();
-  /// Our own modes again, where the program was stopped since the last call and is in the foreground again.
+  /// Sets the program's modes again, if it was stopped since the last call and is in the foreground again.
   static bool came_back();
 
-  /// In a signal handler, too. Does nothing where there is no guard.
+  /// May be called in a signal handler. Does nothing without a guard.
   static void give_back() noexcept;
 
  private:
@@ -31,8 +31,8 @@ class TerminalGuard {
   struct sigaction before_stop_ {};
 };
 
-/// To read a terminal that another process group has, or to set its modes, would stop this one: a run in the background
-/// must not. True for what is no terminal, too.
+/// Reading a terminal of another process group, or setting its modes, would stop this process, as a run in the
+/// background must not. True also for a descriptor that is not a terminal.
 bool is_in_foreground(int descriptor);
 
 }  // namespace reorient

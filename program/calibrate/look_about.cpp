@@ -62,7 +62,7 @@ std::array<CalibrationShots, 2> look_about(Robot& robot, const RobotBody& body, 
       for (std::size_t i = 0; i < frames.size(); ++i) {
         if (!*frames[i]) continue;
         const CameraFrame& frame = **frames[i];
-        features[i].find(frame.image, frame.camera, frame.robot_from_camera, percept);  // learns the carpet's colour
+        features[i].find(frame.image, frame.camera, frame.robot_from_camera, percept);  // learns the carpet's color
         if (counts && !percept.line_points.empty()) keep(frame, percept, shots[i]);
       }
       if (counts) ++taken;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient calibrate`: how one robot's cameras are mounted, from the lines that they see at a known place, or from
-// footage.
+// `reorient calibrate`: measures how one robot's cameras are mounted, by field lines at a known pose or by footage.
 #include <array>
 #include <filesystem>
 #include <memory>

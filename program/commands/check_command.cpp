@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient check`: what is wrong with the scripts, without a robot.
+// `reorient check`: finds mistakes in scripts without running them.
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -28,11 +28,11 @@ std::string count_text(int count, const char* what) {
 int check(const CheckOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
   const CheckResult result = check_scripts(root, options.paths);
-  if (result.files == 0) throw std::runtime_error(root.string() + ": there are no scripts to look at below it");
+  if (result.files == 0) throw std::runtime_error(root.string() + ": found no scripts in it");
   for (const Finding& finding : result.findings) out << finding.text() << "\n";
   const int errors = result.count(Finding::Severity::error);
   const int warnings = result.count(Finding::Severity::warning);
-  out << count_text(result.files, "script") << " looked at: " << count_text(errors, "error") << ", "
+  out << count_text(result.files, "script") << " checked: " << count_text(errors, "error") << ", "
       << count_text(warnings, "warning") << "\n";
   return errors > 0 || (options.strict && warnings > 0) ? kWrong : kSuccess;
 }

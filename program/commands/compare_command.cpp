@@ -26,7 +26,7 @@ struct CompareOptions {
 
 PairedRows paired_rows(const CompareOptions& options) {
   if (options.axis.empty() == options.second.empty())
-    throw std::runtime_error("compare takes two tables, or one with --axis NAME --from CHOICE --to CHOICE");
+    throw std::runtime_error("expected two tables, or one with --axis NAME --from CHOICE --to CHOICE");
   if (!options.axis.empty()) return pair_choices(read_rows(options.first), options.axis, options.from, options.to);
   return pair_rows({as_line(options.first.string()), read_rows(options.first)},
                    {as_line(options.second.string()), read_rows(options.second)});

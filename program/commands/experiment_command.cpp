@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment`: many trials of an experiment file, in as many processes as are wanted, and what they showed.
+// `reorient experiment`: runs many trials of an experiment file in several processes and prints their results.
 #include <array>
 #include <cstring>
 #include <memory>
@@ -41,13 +41,13 @@ struct ExperimentOptions : SessionOptions {
   std::string tasks;  ///< a list; empty: all
   bool plan = false;
   bool resume = false;
-  int trial = 0;                   ///< to be shown; 0: none
+  int trial = 0;                   ///< the trial to show; 0: none
   std::filesystem::path pictures;  ///< of that trial
   std::filesystem::path json;
   std::filesystem::path report;
 };
 
-/// The experiment with all that its results follow from, for a shell.
+/// The command line with everything that determines the results, quoted for a shell.
 std::string command_of(const ExperimentOptions& options) {
   std::string line = "reorient experiment " + shell_word(options.experiment);
   const auto add = [&line](const char* option, const std::string& value) {
@@ -67,7 +67,7 @@ std::string command_of(const ExperimentOptions& options) {
   return line;
 }
 
-/// What runs one task.
+/// The command that runs one task.
 std::string task_command(const ExperimentOptions& options, const Session& session, int task) {
   return command_of(options) + " --out " + shell_word(session.folder().string()) + " --task " + std::to_string(task);
 }
@@ -83,12 +83,12 @@ Report report_of(const ExperimentOptions& options, const Session& session, std::
 
 struct RunOutcome {
   int crashed = 0;
-  std::string mistake;  ///< that ended all
+  std::string mistake;  ///< that ended the experiment
 };
 
 RunOutcome run_tasks(const ExperimentOptions& options, Session& session, const std::vector<int>& tasks,
                      std::ostream& out, std::ostream& err) {
-  out.flush();  // what is still to be written must not be written by each process
+  out.flush();  // otherwise each process would write the buffered output
   RunOutcome outcome;
   Countdown countdown(err, tasks.size());
   run_in_processes(
@@ -123,19 +123,20 @@ void require_different_files(const ExperimentOptions& options, const Session& se
 std::string seconds_text(const std::optional<double>& time) { return time ? fmt::format("{:.1f} s", *time) : "never"; }
 
 std::string verdict_of(const TrialResult& result, const Measurement& measurement) {
-  if (!result.started) return "the trial never came to the state '" + as_line(measurement.from) + "'";
+  if (!result.started) return "the trial never reached the state '" + as_line(measurement.from) + "'";
   if (result.correct_at_start)
     return result.right_after ? "the belief was right at first, and stayed so"
                               : "the belief was right at first, and was lost";
-  return fmt::format("the belief was wrong at first; right, and staying so, after: {}; mended by a command after: {}",
-                     seconds_text(result.right_after), seconds_text(result.mended_after));
+  return fmt::format(
+      "the belief was wrong at first; right, and staying so, after: {}; corrected by a command after: {}",
+      seconds_text(result.right_after), seconds_text(result.mended_after));
 }
 
 /// One trial alone, as `reorient run` shows a run; its result is not kept.
 int show_trial(const ExperimentOptions& options, const Session& session, std::ostream& out, std::ostream& err) {
   const int count = static_cast<int>(session.tasks().size());
   if (options.trial > count)
-    throw std::runtime_error(fmt::format("there is no trial {}; there are 1 to {}", options.trial, count));
+    throw std::runtime_error(fmt::format("unknown trial {} (expected 1 to {})", options.trial, count));
   const Condition condition = session.condition_of(options.trial);
   RunOptions run;
   RoomCache rooms;
@@ -177,13 +178,13 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
   const std::vector<int> missing = session.missing(wanted);
   if (options.tasks.empty() && !options.resume && missing.size() < wanted.size())
     throw std::runtime_error(
-        fmt::format("{} holds {} of {} results already; --resume goes on with the others, another "
-                    "--out begins anew",
+        fmt::format("{} contains {} of {} results already; --resume continues with the others, another "
+                    "--out starts again",
                     session.folder().string(), wanted.size() - missing.size(), wanted.size()));
   const RunOutcome outcome = run_tasks(options, session, missing, out, err);
-  if (!outcome.mistake.empty()) throw std::runtime_error(outcome.mistake + "; once it is mended, --resume goes on");
+  if (!outcome.mistake.empty()) throw std::runtime_error(outcome.mistake + "; when it is fixed, --resume continues");
   if (Interruption::signal() != 0) {
-    err << fmt::format("reorient: {} of {} results are in {}; --resume goes on\n",
+    err << fmt::format("reorient: {} of {} results are in {}; --resume continues\n",
                        wanted.size() - session.missing(wanted).size(), wanted.size(), session.folder().string());
     return exit_code_of(Interruption::signal());
   }

@@ -96,7 +96,7 @@ std::vector<LabeledImage> read_images(const std::vector<std::filesystem::path>& 
   std::vector<LabeledImage> images;
   for (const std::filesystem::path& file : files) {
     const std::optional<std::string> bytes = read_whole_file(file);
-    if (!bytes) throw std::runtime_error(as_line(file.string() + ": expected an image, found no file to read"));
+    if (!bytes) throw std::runtime_error(as_line(file.string() + ": expected an image, found no readable file"));
     const std::string digest = digest_of(*bytes);
     const FieldLabels* const found = labels_of(labels, digest);
     if (found == nullptr) {
@@ -126,7 +126,8 @@ struct Eyes {
         with_attitude(reorient::robot_from_camera(body.dimensions, {}, {}, body.dimensions.torso_height),
                       labeled.labels->pitch, labeled.labels->roll);
     const auto view = GroundProjection::look(camera, robot_from_camera);
-    if (!view) throw std::runtime_error(as_line(labeled.labels->name + ": no camera looks at the ground like that"));
+    if (!view)
+      throw std::runtime_error(as_line(labeled.labels->name + ": the camera of the labels does not see the ground"));
     const FieldPercept percept = percept_of_still_image(image.view(), camera, robot_from_camera, parameters, field);
     const pictures::CameraView drawn{.image = image.view(),
                                      .overlay = scene::percept_overlay(percept, camera, robot_from_camera)};

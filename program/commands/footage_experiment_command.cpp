@@ -76,9 +76,9 @@ Experiment experiment_of(const FootageExperimentOptions& options, const std::vec
   experiment.name = "footage";
   experiment.title = "Footage: the pose is set right or mirrored at many moments";
   experiment.description = fmt::format(
-      "Each trial goes on from a robot that lived through everything before with the recorded poses. Told: somebody "
-      "tells it the pose; told, off: the same, {:g} degrees off; lifted: it is lifted and put down with the belief "
-      "that it had. Watched for {:g} s.",
+      "Each trial continues from a robot that processed everything before with the recorded poses. Told: the pose is "
+      "set; told, off: the same, {:g} degrees off; lifted: it is lifted and placed with the belief that it had. "
+      "Watched for {:g} s.",
       options.off_degrees, options.trials.watch);
   experiment.trials = options.trials.starts;
   experiment.base.scenario = "footage";
@@ -196,14 +196,14 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
         countdown.count();
         if (end.is_done()) return true;
         mistake = fmt::format("trial {}: {}", end.number,
-                              end.signal == 0 ? end.mistake : "it crashed with signal " + std::to_string(end.signal));
+                              end.signal == 0 ? end.mistake : "crashed with signal " + std::to_string(end.signal));
         return false;
       },
       [] { return Interruption::signal() != 0; });
   countdown.clear();
   if (!mistake.empty()) throw std::runtime_error(mistake);
   if (Interruption::signal() != 0) {
-    err << fmt::format("reorient: the trials that are done are in {}; the same command goes on with the others\n",
+    err << fmt::format("reorient: finished trials are in {}; the same command continues with the others\n",
                        folder.string());
     return exit_code_of(Interruption::signal());
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment footage`: would room awareness have helped this robot? Many trials on what somebody recorded.
+// `reorient experiment footage`: many trials on recorded images, which show whether room awareness helps this robot.
 #pragma once
 
 #include "program/subcommand.h"

@@ -63,7 +63,8 @@ class DrawnScripts {
       has_scenario |= machine.is_scenario;
       behaviors.insert(behaviors.end(), machine.behaviors.begin(), machine.behaviors.end());
     }
-    if (!has_scenario) throw std::runtime_error("--with-behaviors is for scenarios; a behavior loads no others");
+    if (!has_scenario)
+      throw std::runtime_error("--with-behaviors is for scenarios; a behavior loads no other behaviors");
     for (const std::string& behavior : behaviors)
       add({script_file(behaviors_.folder(), behavior), ScriptKind::behavior});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient model`: what has been learned of a room and saved: shown, compared, merged.
+// `reorient model`: shows, compares and merges saved models of rooms.
 #include <chrono>
 #include <cstddef>
 #include <ctime>
@@ -42,11 +42,11 @@ SavedModel read_named(const std::filesystem::path& file) {
     return read_model_file(file);
   } catch (const std::runtime_error& reason) {
     throw std::runtime_error(file.string() + ": " + reason.what() +
-                             "; name a file that 'reorient run --model FILE' has written");
+                             "; name a file that 'reorient run --model FILE' wrote");
   }
 }
 
-/// In local time; empty where that cannot be told.
+/// In local time; empty if unknown.
 std::string time_of(const std::filesystem::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) != 0) return {};
@@ -55,7 +55,7 @@ std::string time_of(const std::filesystem::path& file) {
 
 int show_model(const ModelOptions& options, std::ostream& out) {
   if (options.file.empty())
-    throw std::runtime_error("name a file that 'reorient run --model FILE' has written (see reorient model --help)");
+    throw std::runtime_error("name a file that 'reorient run --model FILE' wrote (see reorient model --help)");
   NamedFiles files;
   files.reads(options.file, "the model");
   files.require_writable(options.picture, "--picture");
@@ -81,8 +81,9 @@ struct TwoModels {
 TwoModels read_two(const ModelOptions& options) {
   TwoModels two{read_named(options.first), read_named(options.second)};
   if (const std::string different = differences(two.first.basis, two.second.basis); !different.empty()) {
-    throw std::runtime_error(options.second.string() + ": it was learned with other parameters than " +
-                             options.first.string() + ": " + different + "; only models of one kind go together");
+    throw std::runtime_error(options.second.string() + ": its parameters differ from those of " +
+                             options.first.string() + ": " + different +
+                             "; only models with the same parameters can be compared or merged");
   }
   return two;
 }
@@ -107,22 +108,22 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
   for (const std::filesystem::path& file : {options.first, options.second}) files.reads(file, "a model to merge");
   files.writes(options.out, "--out");
   TwoModels two = read_two(options);
-  if (is_same(two.first, two.second))  // what was learned once would count twice
+  if (is_same(two.first, two.second))  // the same observations would count twice
     throw std::runtime_error("A and B are the same model: " + options.first.string() + ", " + options.second.string() +
-                             "; name those of two robots");
+                             "; name two models");
   if (options.sides_changed) two.second.turn_half();
   const ModelComparison comparison = compare(two.first, two.second);
   if (comparison.is_turned()) {
     throw std::runtime_error(fmt::format(
-        "{} looks like {} turned by half a turn ({:.2f} against {:.2f} as it is): {} --sides-changed",
+        "{} looks like {} rotated by 180 degrees ({:.2f} against {:.2f} unrotated): {} --sides-changed",
         options.second.string(), options.first.string(), comparison.sides->turned, comparison.sides->as_it_is,
-        options.sides_changed ? "leave out" : "the teams had changed sides; merge them with"));
+        options.sides_changed ? "leave out" : "the teams changed sides; merge them with"));
   }
-  // Half a wrong model is worse than none.
+  // A model that is half wrong is worse than no model.
   if (!comparison.is_same_way()) {
     throw std::runtime_error(fmt::format(
-        "nothing shows that {} and {} are of one room, counted from the same end of the field: see 'reorient "
-        "model compare'; let each look at more of what the other knows",
+        "cannot tell that {} and {} are of the same room, seen from the same end of the field: see 'reorient "
+        "model compare'; let each robot learn more of the tiles that the other one has learned",
         options.first.string(), options.second.string()));
   }
   require_writable_file(options.out, "--out");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient new behavior NAME`: a small script that works, with a test that passes, to start from.
+// `reorient new behavior NAME`: writes a small working script with a test that passes, to start from.
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -37,8 +37,7 @@ int make(const NewOptions& options, std::ostream& out) {
   const std::filesystem::path script = root / (is_behavior ? "behaviors" : "scenarios") / (options.name + ".lua");
   const std::filesystem::path test = root / "tests" / (options.name + "_test.lua");
   for (const std::filesystem::path& file : {script, test}) {
-    if (std::filesystem::exists(file))
-      throw std::runtime_error(file.string() + " is there already; choose another name");
+    if (std::filesystem::exists(file)) throw std::runtime_error(file.string() + " exists already; choose another name");
   }
   for (const std::filesystem::path& file : {script, test}) {
     std::error_code error;

@@ -49,7 +49,7 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
   }
 }
 
-/// As somebody may ask for them: whole, or a module as "orientation.".
+/// What a user may type: a whole name, or a module as "orientation.".
 std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
   std::set<std::string> names;
   for (const Parameter& parameter : parameters) {
@@ -59,7 +59,7 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
   return {names.begin(), names.end()};
 }
 
-/// Of the engine with all behaviours, of all scenarios, and of every robot.
+/// Parameters of the engine with all behaviors, of all scenarios, and of every robot.
 std::vector<Parameter> all_parameters(const ScriptTexts& texts, const ParamsOptions& options,
                                       const std::vector<ParameterChange>& overrides) {
   FrameSetup setup;
@@ -97,8 +97,8 @@ int params(const ParamsOptions& options, std::ostream& out) {
            (options.changed && parameter.origin == ParameterOrigin::default_value);
   });
   if (wanted.empty() && !options.changed)
-    throw std::runtime_error("no parameter has '" + options.filter + "' in its name" +
-                             did_you_mean(options.filter, names_of(all)) + "; reorient params lists all");
+    throw std::runtime_error("no parameter name contains '" + options.filter + "' in its name" +
+                             did_you_mean(options.filter, names_of(all)) + "; 'reorient params' lists all");
   list(wanted, out);
   if (!options.save.empty()) save_parameters(all, kept, options.save);
   return kSuccess;

@@ -46,7 +46,7 @@ std::string in_lua(std::string_view text) {
   return quoted + '"';
 }
 
-/// What the robot did to its belief, and where its behaviours ended.
+/// The commands of the robot, and the last states of its behaviors.
 std::string expectations(const std::filesystem::path& file) {
   Recording recording(file);
   RecordedFrame frame;
@@ -77,7 +77,7 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
   const std::filesystem::path part = tests / "recordings" / (name + ".mcap"), test = tests / (name + "_test.lua");
   for (const std::filesystem::path& file : {part, test}) {
     if (std::filesystem::exists(file))
-      throw std::runtime_error(file.string() + " is there already; choose another name: --name NAME");
+      throw std::runtime_error(file.string() + " exists already; choose another name: --name NAME");
   }
   Recording recording(options.file);
   require_recorded(recording, options.times);
@@ -91,7 +91,7 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
         test,
         fmt::format(R"(--- Recorded: {}, {:.2f} to {:.2f} s. What the robot did then; say here what it should do.
 
-test("{} goes on as it did", function()
+test("{} continues as recorded", function()
   replay "recordings/{}.mcap"
 {}  -- expect.as_recorded()  -- every command and motion, while nothing shall change at all
 end)
@@ -101,7 +101,7 @@ end)
   try {
     write_test();
   } catch (const std::exception&) {
-    std::filesystem::remove(part, error);  // or it could not be tried again under this name
+    std::filesystem::remove(part, error);  // so that another try with this name is possible
     throw;
   }
   out << fmt::format("{}: {} frames, {:.1f} MB\n{}\nNext: reorient test {}{}\n", part.string(), done.frames,

@@ -47,7 +47,7 @@ int info(const std::filesystem::path& file, std::ostream& out) {
 
   std::uint64_t frames = 0, exact = 0;
   double first = 0.0, last = 0.0;
-  bool goes_on = false;  // from a state on, without a gap
+  bool goes_on = false;  // without a gap since a saved state
   RecordedFrame frame;
   const bool can_be_read = recording.format() == kRecordingFormat;
   if (!can_be_read) recording.count_messages();
@@ -58,11 +58,12 @@ int info(const std::filesystem::path& file, std::ostream& out) {
     exact += goes_on ? 1 : 0;
   }
   if (can_be_read) {
-    out << fmt::format("{} frames, {:.2f} to {:.2f} s of the robot; {} can be made again exactly\n", frames, first,
-                       last, exact);
+    out << fmt::format("{} frames, {:.2f} to {:.2f} s of the robot; {} can be replayed exactly\n", frames, first, last,
+                       exact);
   } else {
-    out << fmt::format("of another format than this program replays, which is {}: to be looked at, not made again\n",
-                       kRecordingFormat);
+    out << fmt::format(
+        "its format differs from {}, the one that this program replays: it can be viewed but not replayed\n",
+        kRecordingFormat);
     first = recording.begin_time();
     last = recording.end_time();
   }
@@ -75,7 +76,7 @@ int info(const std::filesystem::path& file, std::ostream& out) {
                        seconds > 0.0 ? static_cast<double>(tally.messages) / seconds : 0.0,
                        1e-6 * static_cast<double>(tally.bytes));
   }
-  if (!contents.is_complete) out << "its end is missing; 'reorient recording recover' makes it whole\n";
+  if (!contents.is_complete) out << "its end is missing; 'reorient recording recover' repairs it\n";
   for (const std::string& damage : recording.damages()) out << "damaged " << damage << '\n';
   return recording.damages().empty() ? kSuccess : kWrong;
 }
@@ -98,9 +99,9 @@ int rewrite(const RecordingOptions& options, std::ostream& out, std::ostream& er
   tell_damages(recording, err);
   out << fmt::format("{}: {} frames, {:.2f} to {:.2f} s", options.out.string(), done.frames, done.first_time,
                      done.last_time);
-  if (done.lost > 0) out << fmt::format("; {} frames that were there are lost", done.lost);
+  if (done.lost > 0) out << fmt::format("; {} frames are lost", done.lost);
   out << '\n';
-  // Whoever deletes the old one after this must not lose what could be read out of it in another way.
+  // The exit code warns a user who would delete the old recording: another reader may still recover those frames.
   return done.lost > 0 ? kWrong : kSuccess;
 }
 
@@ -137,8 +138,7 @@ int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostre
   }
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   if (replay.stretches() == 0)
-    throw std::runtime_error(options.file.string() +
-                             ": no frame of it can be made again; see 'reorient recording info'");
+    throw std::runtime_error(options.file.string() + ": no frame of it can be replayed; see 'reorient recording info'");
   const std::vector<std::string> failures = pictures.write(folder);
   for (const std::string& failure : failures) err << "reorient: " << failure << '\n';
   out << fmt::format("pictures of {:.2f} s: {}/\n", time, folder.string());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient replay`: the frames of a recording, made again and compared.
+// `reorient replay`: runs the frames of a recording again and compares them.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -38,21 +38,21 @@ struct ReplayOptions {
   bool asks_what_if() const { return !scripts.empty() || !overrides_of(parameters).empty(); }
 };
 
-/// Other scripts and parameters than those of the recording.
+/// The changes of scripts and parameters against the recording.
 FrameInputs other_than_recorded(const FrameLoop& engine, const ReplayOptions& options) {
   FrameInputs inputs;
   if (!options.scripts.empty())
     inputs.script_edits = edits_between(engine.scripts(), read_scripts(scripts_root(options.scripts)));
   inputs.parameter_changes = overrides_of(options.parameters);
-  // Whatever the recorded run was told, and how.
+  // They override every recorded value, whatever its origin.
   for (ParameterChange& change : inputs.parameter_changes) change.origin = ParameterOrigin::live;
   return inputs;
 }
 
-/// Looks at the frame in which they came.
+/// Checks the first frame, in which the changes are applied.
 class RequireTaken : public Observer {
  public:
-  /// Throws std::runtime_error with one line: something of it is not to be had.
+  /// Throws std::runtime_error with one line if a change is refused.
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     if (std::exchange(is_taken_, true)) return;
     for (const ParameterOutcome& change : frame.parameter_changes) {
@@ -72,17 +72,17 @@ void print_difference(const char* what, const Difference& difference, std::ostre
                      difference.time, difference.what, difference.recorded, difference.replayed);
 }
 
-/// Where the two begin to go different ways, and why.
+/// The first decision in which the runs differ.
 void print_first_decision(const ReplayComparison& comparison, std::ostream& out) {
   const auto& events = comparison.events();
   const auto first = std::find_if(events.begin(), events.end(), [](const ReplayComparison::Event& event) {
     return event.recorded != event.replayed;
   });
   if (first == events.end()) {
-    out << "no behaviour would have decided otherwise\n";
+    out << "no decision of a behavior differs\n";
   } else {
     out << fmt::format("the first decision that differs is at {:.2f} s, {}:\n  {}\n", first->time,
-                       first->recorded ? "recorded, and not taken now" : "taken now, and not recorded", first->text);
+                       first->recorded ? "recorded, but not replayed" : "replayed, but not recorded", first->text);
   }
 }
 
@@ -117,7 +117,7 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
     }
     again.run({&what_if}, observers, [] { return Interruption::signal() != 0; });
     last_time = engine->record().world.time;
-    if (options.asks_what_if()) break;  // another stretch would begin with what was, not with what would have been
+    if (options.asks_what_if()) break;  // another stretch would begin with the recorded state, without the changes
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   for (const std::string& damage : recording.damages())
@@ -125,15 +125,15 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   if (comparison.frames() == 0)
     throw std::runtime_error(options.file.string() +
-                             ": no frame of it can be made again from there on; see 'reorient recording info'");
+                             ": no frame of it can be replayed from there; see 'reorient recording info'");
 
   const std::uint64_t skipped = again.playback().skipped();
-  // What is damaged behind the part that was asked for takes nothing from it.
+  // Damage after the requested part does not matter.
   const bool is_reached = recording.damages().empty() || last_time >= options.times.to;
   const bool is_whole = is_reached && skipped == 0 && again.stretches() == 1;
   out << fmt::format("{}{} frames, up to {:.2f} s, replayed in {:.2f} s{}\n", comparison.frames(),
                      skipped == 0 ? "" : fmt::format(" of {}", comparison.frames() + skipped), last_time, took.count(),
-                     is_whole ? "" : "; the rest cannot be made again");
+                     is_whole ? "" : "; the rest cannot be replayed");
   if (again.stretches() > 1) out << fmt::format("in {} stretches\n", again.stretches());
   out << "digest: " << digest.hex() << '\n';
   if (comparison.different() == 0) {
@@ -145,7 +145,7 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
     print_first_decision(comparison, out);
     if (comparison.first_action()) {
       print_difference("the robot would have acted differently from", *comparison.first_action(), out);
-      out << "  from there on what was recorded is no longer what it would have seen\n";
+      out << "  after this, the recorded inputs differ from what the robot would have seen\n";
     } else {
       out << "the robot would have acted the same\n";
     }

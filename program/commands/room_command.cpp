@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient room rate`: will room awareness work in this hall, and what would help?
+// `reorient room rate`: predicts whether room awareness works in a hall, and what would help.
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -55,7 +55,7 @@ RatedRobot rated_robot(const SimulationOptions& options) {
   return robot;
 }
 
-/// Throws where an override is a mistake: parameters of the engine, of scripts and of the simulator may be set.
+/// Throws if an override is invalid: parameters of the engine, of scripts and of the simulator may be set.
 void check_rating_parameters(const SimulationOptions& options, const RatedRobot& robot) {
   FrameSetup setup;
   setup.field = robot.field;

@@ -353,7 +353,7 @@ class RunHelp : public HelpFormatter {
   std::shared_ptr<const RunOptions> options_;
 };
 
-/// Each file has one use. Only what was tuned may go back to where it came from.
+/// Each file has one use. Only --save-params may write a file of --params.
 void require_different_files(const RunOptions& options) {
   NamedFiles files;
   files.reads_scripts(options.scripts);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment tables`: generates the tables of pages from the results that they name.
+// `reorient experiment tables`: updates the tables of a page from the results that it names.
 #pragma once
 
 #include "program/subcommand.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient test`: scripted behaviour tests, in a fake world and on the simulator.
+// `reorient test`: scripted behavior tests, in a fake world and on the simulator.
 #include <functional>
 #include <memory>
 #include <ostream>

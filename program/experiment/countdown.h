@@ -17,7 +17,7 @@ class Countdown {
   Countdown& operator=(const Countdown&) = delete;
 
   void count();
-  /// Somebody else is about to write a line.
+  /// Call before another part of the program writes a line.
   void clear();
 
  private:

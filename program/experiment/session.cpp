@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::string_view kTomlFiles[] = {".toml"};
 
-/// A file of one's own, or a shipped one by its name. Nothing: there is none.
+/// A file of the user, or a shipped file by its name; nothing if neither exists.
 std::optional<std::filesystem::path> found_file(std::string_view folder, const std::string& named) {
   std::filesystem::path file = asset_file(folder, named, kTomlFiles);
   std::error_code error;
@@ -52,7 +52,7 @@ AxisChoice choice_from_file(const Axis& axis, const std::string& named) {
   std::vector<std::string> known = asset_names("conditions", kTomlFiles);
   for (const AxisChoice& choice : axis.choices) known.push_back(choice.name);
   throw std::runtime_error("the axis " + as_line(axis.name) + " has no choice '" + as_line(named) + "'" +
-                           did_you_mean(named, known) + "; it may be a condition file, too");
+                           did_you_mean(named, known) + "; a condition file is possible, too");
 }
 
 void choose_as_told(const SessionOptions& options, Experiment& experiment) {

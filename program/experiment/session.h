@@ -50,8 +50,8 @@ class Session {
   /// "room hall, mode paper, trial 3 (seed 3)".
   std::string name_of(int number) const;
 
-  /// Runs a task, unless somebody else has done so meanwhile, and writes its result. Throws std::runtime_error with one
-  /// line.
+  /// Runs a task, unless another process has done so meanwhile, and writes its result. Throws std::runtime_error with
+  /// one line.
   void run(int number);
   /// Nothing: it was not run yet. Throws std::runtime_error with one line where what lies there is of another origin.
   std::optional<TrialResult> result(int number) const;

@@ -35,7 +35,7 @@ template <typename Value>
 void read_value(const ordered_json& json, Value& value) {
   if constexpr (std::is_enum_v<Value>) {
     const int number = json.get<int>();
-    if (number < 0 || number >= enum_count(Value())) throw std::out_of_range("a number that names nothing");
+    if (number < 0 || number >= enum_count(Value())) throw std::out_of_range("a number out of range");
     value = static_cast<Value>(number);
   } else {
     json.get_to(value);
@@ -130,7 +130,7 @@ std::optional<TrialResult> TaskResults::read(int task, std::uint64_t origin) con
   try {
     const ordered_json json = ordered_json::parse(*text);
     if (json.at("checksum").get<std::string>() != checksum(json.at("result")))
-      throw std::out_of_range("the numbers are not those that were written");
+      throw std::out_of_range("the checksum does not match");
     if (json.at("task").get<int>() != task || json.at("origin").get<std::string>() != hexadecimal(origin))
       throw std::runtime_error(file.string() +
                                ": the result of another trial (other scripts, files, parameters or options, or "
@@ -139,7 +139,7 @@ std::optional<TrialResult> TaskResults::read(int task, std::uint64_t origin) con
   } catch (const nlohmann::json::exception&) {
   } catch (const std::out_of_range&) {
   }
-  throw std::runtime_error(file.string() + ": this is no task's result; remove the file, and the task runs again");
+  throw std::runtime_error(file.string() + ": not a result of a task; remove the file, and the task runs again");
 }
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The results of an experiment's tasks on a disk, a file for each: whoever ran it, it is never run twice.
+// The results of an experiment's tasks on disk, one file per task. A task with a result never runs again.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class TaskResults {
   /// Throws std::runtime_error with one line.
   void write(int task, std::uint64_t origin, const TrialResult& result) const;
 
-  /// Nothing: there is none yet. Throws std::runtime_error with one line where the file cannot be read, or is of
+  /// Nothing if the task has no result yet. Throws std::runtime_error with one line if the file cannot be read, or has
   /// another origin.
   std::optional<TrialResult> read(int task, std::uint64_t origin) const;
 

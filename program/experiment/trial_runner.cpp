@@ -42,8 +42,8 @@ SimulationOptions options_of(const Condition& condition, std::uint64_t seed, con
 
 namespace {
 
-/// The room on another day: the same parameters, but in peace, and with another seed, so among other people. Nothing:
-/// it was not learned before.
+/// The room on another day: the same parameters, but without a disturbance, and with another seed, so with other
+/// people. Nothing: it was not learned before.
 std::optional<SimulationOptions> options_of_another_day(const Condition& condition, std::uint64_t seed,
                                                         const std::filesystem::path& scripts) {
   constexpr std::uint64_t kOtherSeeds = 0x0d1f'0000'0000;

@@ -31,7 +31,7 @@ constexpr std::size_t kLongestMistake = 2000;  // bytes
       work(task);
     } catch (const std::exception& error) {
       mistake = std::string(error.what()).substr(0, kLongestMistake);
-      if (mistake.empty()) mistake = "it failed and did not say why";
+      if (mistake.empty()) mistake = "failed without a reason";
     }
     // A message has at least one byte: an empty one would look like the end.
     mistake.insert(mistake.begin(), ' ');
@@ -56,7 +56,7 @@ class Worker {
       throw std::system_error(error, std::generic_category(), "no process for a worker");
     }
     if (process_ == 0) {
-      prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody works for a parent that is gone
+      prctl(PR_SET_PDEATHSIG, SIGKILL);  // a worker ends with its parent
       if (getppid() != parent) _exit(0);
       close(ends[0]);
       for (const int other : others) close(other);
@@ -122,7 +122,7 @@ class Worker {
 
 void run_in_processes(const std::vector<int>& tasks, int jobs, const std::function<void(int task)>& work,
                       const std::function<bool(const TaskEnd& end)>& tell, const std::function<bool()>& stop) {
-  constexpr int kLongestWait = 100;  // ms, until somebody asks whether to stop
+  constexpr int kLongestWait = 100;  // ms between two checks whether to stop
   std::vector<Worker> workers;
   auto next = tasks.begin();
   while (next != tasks.end() || std::any_of(workers.begin(), workers.end(), [](auto& one) { return one.is_busy(); })) {

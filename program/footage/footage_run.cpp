@@ -13,7 +13,7 @@ namespace reorient {
 
 PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& scripts) {
   RobotBody body = load_body(body_file(setup.body));
-  // What is in a footage has happened: nobody carries out a motion.
+  // Footage is recorded: no motion is executed.
   body.gait.reset();
   body.get_up_time.reset();
   body.standing_load = BodySample().foot_load;  // what FootageRobot says that the feet feel

@@ -16,12 +16,12 @@
 
 namespace reorient {
 
-/// What the engine is made of: nobody moves this robot, so the behaviors are those that ask for no motion.
+/// The setup of the engine. No motion is executed, so only behaviors that request no motion are loaded.
 struct FootageSetup : EngineOptions {
   std::filesystem::path source;
   FootageArguments footage;
   std::optional<SavedModel> model;  ///< of the room, learned before
-  std::string at;  ///< X,Y,DEGREES where it starts, where the footage has no positions; empty: nobody knows
+  std::string at;                   ///< X,Y,DEGREES first pose if the footage has no positions; empty: unknown
 };
 
 struct PreparedFootage {

@@ -102,7 +102,7 @@ void print_unlearned(const FootageResults& results, std::ostream& out) {
     out << fmt::format(
         "\n{}: {} of {} starts come before the room was learned{}\n", as_line(results.names[i]), early, starts.size(),
         learned ? fmt::format(" (at {:.1f} s); --learn {:.0f} leaves them out", *learned, std::floor(*learned) + 1.0)
-                : std::string(", which never happened"));
+                : std::string(", which did not happen"));
   }
 }
 
@@ -141,7 +141,7 @@ void print_footage_results(const FootageResults& results, const FootageTrialOpti
   print_failures(results, options.watch, command, out);
   print_unlearned(results, out);
   if (have_common_images(results, options.watch))
-    out << "\nTrials follow each other so closely that they share images: the intervals are narrower than they should "
+    out << "\nTrials are so close in time that they share images: the intervals are narrower than they should "
            "be.\n";
   print_answer(results, out);
 }

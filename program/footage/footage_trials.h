@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trials on footage: at many moments the pose is set right or wrong, and what follows is watched. Each trial goes on
-// from a robot that lived through everything before with the recorded poses.
+// Trials on footage: at many moments the pose is set right or wrong, and what follows is watched. Each trial
+// continues from a robot that processed everything before with the recorded poses.
 #pragma once
 
 #include <cstddef>

@@ -79,8 +79,7 @@ FootageWall footage_wall(FootageSource& source, const std::string& choice, const
   std::string told = fmt::format("wall: radius {:.1f} m, {:.1f} to {:.1f} m high, {} rows of tiles", radius,
                                  wall.bottom, wall.top, wall.rows);
   if (choice == "auto" && !fit)
-    told += fmt::format(" (the radius is the field's: {} images with a pose do not tell how far away things are)",
-                        views.size());
+    told += fmt::format(" (the radius is the field's: {} images with a pose do not determine distances)", views.size());
   if (fit) told += fmt::format(" (radius {:.1f} to {:.1f} m by {} pairs of images)", fit->low, fit->high, fit->pairs);
   return {changes_for(wall, nearest), std::move(told)};
 }

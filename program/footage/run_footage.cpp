@@ -26,7 +26,7 @@ namespace {
 /// Of --belief: right, mirrored, degrees to the left by which it is wrong, or both, as in mirrored:10.
 std::optional<BeliefChange> belief_change_of(const RunOptions& options) {
   if (options.belief.empty()) {
-    if (options.lifted) throw std::runtime_error("--lifted: say with --belief what the robot believes afterwards");
+    if (options.lifted) throw std::runtime_error("--lifted: set the pose after it with --belief");
     return std::nullopt;
   }
   BeliefChange change;
@@ -85,13 +85,13 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   };
   const auto verdict = [&](RunSummary& summary) {
     if (!itself.failure().empty()) {
-      summary.verdict = "the footage cannot be read any further";
+      summary.verdict = "the rest of the footage cannot be read";
       return;
     }
     summary.verdict = itself.is_over() ? fmt::format("the footage is over after {} images", itself.frames())
-                                       : fmt::format("ended after {} images, as --seconds says", summary.frames);
+                                       : fmt::format("ended after {} images, as set by --seconds", summary.frames);
     summary.succeeded = !summary.error || summary.correct;
-    if (!summary.error) summary.verdict += "; it does not say where the robot was";
+    if (!summary.error) summary.verdict += "; it has no true pose";
   };
   RunParts parts{instance, engine, nullptr, nullptr, {}, {}, {}, options.seconds.value_or(0.0), false};
   return run_prepared(options,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient run --robot footage SOURCE`: the engine sees what somebody else recorded.
+// `reorient run --robot footage SOURCE`: the engine processes recorded images.
 #pragma once
 
 #include <iosfwd>

@@ -102,7 +102,7 @@ double quantile_of(std::vector<double> values, double share) {
   return *place;
 }
 
-constexpr double kWide = 4.0;  // pixels, from which on a stripe shows its whole contrast
+constexpr double kWide = 4.0;  // pixels; at this width a stripe shows its whole contrast
 
 /// Of white against the carpet, as the widest stripes show it.
 struct WhiteContrast {

@@ -28,7 +28,7 @@ ModelKeeper::ModelKeeper(std::filesystem::path file, const std::optional<SavedMo
   if (loaded) kept_ = Kept{loaded->basis, loaded->model.known_tiles()};
 }
 
-/// What is worth saving: learned since the last look, and going on from what is in the file.
+/// The model if it must be saved: it was learned since the last check, and continues the model in the file.
 std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
   if (const auto known = known_bias(frame.world)) camera_bias_ = KnownBias{known->body ^ mounting_, known->bias};
   const double learned = frame.world.trained_seconds;
@@ -64,8 +64,8 @@ void ModelKeeper::finish(const FrameRecord& last, const SceneTruth& /*scene*/) {
 void ModelKeeper::save() {
   if (is_forgotten_) {
     throw std::runtime_error("--model " + file_.string() +
-                             ": it is left as it was, since the wall or the colours were changed in this run, and "
-                             "what was known of the room was forgotten");
+                             ": not saved, because the parameters of the wall or the colors changed in this run, and "
+                             "the learned room was lost");
   }
   if (!end_) return;
   write_model_file(*end_, file_);
@@ -75,7 +75,7 @@ void ModelKeeper::save() {
 std::string ModelKeeper::outcome() const {
   if (is_saved_) return "saved";
   if (end_ || is_forgotten_) return "not saved";
-  return "left as it was: nothing new was learned";
+  return "unchanged: nothing new was learned";
 }
 
 }  // namespace reorient

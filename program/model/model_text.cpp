@@ -58,23 +58,24 @@ void print_model(const SavedModel& model, std::ostream& out) {
   const double separability = separability_of(compared, wall);
   const RoomStatusParameters least;
   out << fmt::format("  learned for {:.1f} s\n", model.learned)
-      << fmt::format("  wall: {} m from the field's centre, {} to {} m high, {} rows of {} columns\n", wall.radius(),
+      << fmt::format("  wall: {} m from the field's center, {} to {} m high, {} rows of {} columns\n", wall.radius(),
                      wall.bottom(), wall.top(), wall.rows(), wall.columns())
       << "  camera, against what its robot measures: " << bias_in_words(model.camera_bias) << "\n"
       << "  parameters: " << (different.empty() ? "as by default" : different) << "\n"
       << fmt::format("  known: {} of {} tiles; row by row, from the top:{}\n", model.model.known_tiles(), wall.tiles(),
                      known_by_row(model, wall))
       << fmt::format("  coverage: {:.2f} ({})\n", compared.coverage(),
-                     compared.coverage() < least.coverage ? "too little to decide with: a robot learns on first"
-                                                          : "enough to decide with")
+                     compared.coverage() < least.coverage
+                         ? "too little for decisions: the robot continues to learn first"
+                         : "enough for decisions")
       << fmt::format("  distinctiveness: {:.2f} ({})\n", compared.distinctiveness(),
                      compared.distinctiveness() < least.distinctiveness
-                         ? "after half a turn it looks the same: it says nothing about the pose"
-                         : "it can be told from itself turned by half a turn")
+                         ? "rotated by 180 degrees it looks the same: no evidence about the pose"
+                         : "distinguishable from itself rotated by 180 degrees")
       << fmt::format("  separability: {:.2f} ({})\n", separability,
                      separability < least.separability
-                         ? "half a turn changes it less than other turns do: it counts as symmetric"
-                         : "half a turn changes it as other turns do");
+                         ? "a rotation by 180 degrees changes it less than other rotations: it counts as symmetric"
+                         : "a rotation by 180 degrees changes it like other rotations");
 }
 
 void print_comparison(const ModelComparison& comparison, const Wall& wall, std::ostream& out) {
@@ -85,24 +86,24 @@ void print_comparison(const ModelComparison& comparison, const Wall& wall, std::
     out << "nothing can be compared\n";
     return;
   }
-  out << fmt::format("mean difference {:.2f} (Hellinger distance of the colours, 0 to 1)\n", *comparison.mean);
+  out << fmt::format("mean difference {:.2f} (Hellinger distance of the colors, 0 to 1)\n", *comparison.mean);
   if (comparison.sides) {
-    out << fmt::format("over the tiles known on both sides: {:.2f} as it is, {:.2f} with B turned by half a turn\n",
+    out << fmt::format("over the tiles known on both sides: {:.2f} unrotated, {:.2f} with B rotated by 180 degrees\n",
                        comparison.sides->as_it_is, comparison.sides->turned);
   }
-  out << (comparison.is_turned() ? "B looks like A turned by half a turn: the teams had changed sides\n"
+  out << (comparison.is_turned() ? "B looks like A rotated by 180 degrees: the teams changed sides\n"
           : comparison.is_same_way()
-              ? "both count the wall from the same end of the field\n"
-              : "nothing shows that both are of one room, counted from the same end of the field\n");
+              ? "both are seen from the same end of the field\n"
+              : "cannot tell that both are of the same room, seen from the same end of the field\n");
   constexpr double kShownDifference = 0.005;  // rounded, it is not 0.00
   std::size_t shown = 0;
   while (shown < std::min(kShown, comparison.tiles.size()) && comparison.tiles[shown].distance >= kShownDifference)
     ++shown;
   if (shown == 0) {
-    out << "they differ nowhere\n";
+    out << "no tile differs\n";
     return;
   }
-  out << "where they differ most, seen from the field's centre, to the left of the opponent's goal:\n";
+  out << "where they differ most, seen from the field's center, to the left of the opponent's goal:\n";
   for (std::size_t i = 0; i < shown; ++i) {
     const TileDifference& tile = comparison.tiles[i];
     out << fmt::format("  {}: {:.2f}\n", place_of(tile.tile, wall), tile.distance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a recording was left out, said to whoever reads it.
+// Reports the damaged parts of a recording.
 #pragma once
 
 #include <iosfwd>

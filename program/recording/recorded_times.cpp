@@ -36,7 +36,7 @@ void add_time_options(CLI::App& parser, RecordedTimes& times) {
 
 void require_recorded(const Recording& recording, const RecordedTimes& times) {
   if (times.from > times.to)
-    throw std::runtime_error(fmt::format("--from {} --to {}: it would end before it begins", times.from, times.to));
+    throw std::runtime_error(fmt::format("--from {} --to {}: expected --to at or after --from", times.from, times.to));
   require_not_over(recording, "--from", times.from);
   require_begun(recording, "--to", times.to);
 }

@@ -73,7 +73,7 @@ SavedModel known_in_recording(const std::string& source, const std::function<boo
   if (!recording.contents().is_complete)
     throw std::runtime_error(
         "expected a whole recording, found one whose end is missing; 'reorient recording "
-        "recover' makes it whole");
+        "recover' repairs it");
   recording.require_this_format();
   Replay replay(recording, recording.end_time());
   KnownRoom room;

@@ -117,12 +117,13 @@ std::string verdict_in_words(const RoomRating& rating) {
     case RoomVerdict::works:
       return "works";
     case RoomVerdict::unlearned:
-      return fmt::format("does not work: too little was learned, {:.0f} % of the wall (at least {:.0f} % are needed){}",
-                         100.0 * rating.coverage, 100.0 * rating.least_coverage,
-                         rating.coverage < rating.least_coverage ? "" : " and background_training would learn on");
+      return fmt::format(
+          "does not work: too little was learned, {:.0f} % of the wall (expected at least {:.0f} %){}",
+          100.0 * rating.coverage, 100.0 * rating.least_coverage,
+          rating.coverage < rating.least_coverage ? "" : " and background_training would continue to learn");
     case RoomVerdict::symmetric:
       return fmt::format(
-          "does not work: the room looks the same after half a turn, separability {:.2f} (at least {:.2f} is "
+          "does not work: the room looks the same rotated by 180 degrees, separability {:.2f} (at least {:.2f} is "
           "needed), distinctiveness {:.2f} (at least {:.2f})",
           rating.separability, rating.least_separability, rating.distinctiveness, rating.least_distinctiveness);
     case RoomVerdict::weak:

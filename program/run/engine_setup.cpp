@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-/// What a robot has to carry out for a behaviour to be of use.
+/// The motions that a robot must execute for a behavior to be useful.
 struct ShippedBehavior {
   const char* name;
   Abilities needs;

@@ -22,14 +22,14 @@ struct EngineOptions {
   bool room_awareness = true;
 };
 
-/// Of what behaviours ask for, what the robot carries out.
+/// The requests of behaviors that the robot executes.
 struct Abilities {
   bool head = true;
   bool walk = true;
   bool get_up = true;
 };
 
-/// Those of the shipped behaviours that a robot can make use of.
+/// The shipped behaviors that a robot can use.
 std::vector<std::string> behaviors_for(const Abilities& abilities);
 
 /// Without body, field, behaviors and model. `parameters`: overrides_of() the options.

@@ -33,7 +33,7 @@ ColumnHeaders headers_of(const std::vector<std::string>& columns) {
       throw BadFootage("--column: expected NAME=HEADER or NAME=HEADER:UNIT, as in time=stamp:ns, found '" + column +
                        "'");
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw BadFootage("--column: there is no column '" + name + "'" + did_you_mean(name, known) + "; there are " +
+      throw BadFootage("--column: unknown column '" + name + "'" + did_you_mean(name, known) + "; there are " +
                        list_of(known));
     if (!headers.emplace(name, column.substr(equals + 1)).second)
       throw BadFootage("--column: " + name + " is named twice");
@@ -70,7 +70,7 @@ void take_names(const char* option, const std::vector<std::string>& words,
       throw BadFootage(std::string(option) + ": expected KIND=NAME, found '" + word + "'");
     const auto place = places.find(word.substr(0, equals));
     if (place == places.end())
-      throw BadFootage(std::string(option) + ": there is no kind '" + word.substr(0, equals) + "'" +
+      throw BadFootage(std::string(option) + ": unknown kind '" + word.substr(0, equals) + "'" +
                        did_you_mean(word.substr(0, equals), known));
     place->second(word.substr(equals + 1));
   }

@@ -14,7 +14,7 @@ std::optional<Pose2> place_of(const std::string& text) {
   constexpr double kFarthest = 30.0;  // m
   if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &x, &y, &degrees, &rest) != 3 || !(std::abs(x) <= kFarthest) ||
       !(std::abs(y) <= kFarthest) || !(std::abs(degrees) <= 360.0))
-    throw std::runtime_error("--at " + text + ": a place is X,Y,DEGREES in m, m and degrees, as in --at -3.2,-3.5,90");
+    throw std::runtime_error("--at " + text + ": expected X,Y,DEGREES in m, m and degrees, as in --at -3.2,-3.5,90");
   return Pose2(x, y, from_degrees(degrees));
 }
 

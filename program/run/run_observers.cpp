@@ -62,7 +62,7 @@ Progress::Progress(std::ostream& err, std::function<bool()> is_hidden)
 
 void Progress::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const double time = frame.world.time;
-  if (!first_time_) first_time_ = time;  // not zero where a companion goes on from before
+  if (!first_time_) first_time_ = time;  // not zero if a companion resumes a saved state
   if (time < next_ || (is_hidden_ && is_hidden_())) return;
   next_ = time + (terminal_ ? 0.5 : 10.0);
   std::string states;

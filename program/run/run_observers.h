@@ -17,11 +17,11 @@ namespace reorient {
 /// One line on `err` that a terminal overwrites; without a terminal a line for every ten seconds of the robot's time.
 class Progress : public Observer {
  public:
-  /// `is_hidden`: while it is, the terminal belongs to somebody else.
+  /// `is_hidden`: true while another part of the program uses the terminal.
   explicit Progress(std::ostream& err, std::function<bool()> is_hidden = {});
 
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
-  /// For a line of somebody else; the progress line is drawn again below it.
+  /// Call before another part of the program writes a line; the progress line is then drawn below it.
   void make_room();
   void end();
 
@@ -34,7 +34,7 @@ class Progress : public Observer {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// While it lives, somebody makes room on the terminal before each line of the log.
+/// While it exists, the terminal is cleared for each line of the log.
 class RoomForLog {
  public:
   explicit RoomForLog(std::function<void()> make_room);

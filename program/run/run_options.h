@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `reorient run` was asked to do.
+// The options of `reorient run`.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace reorient {
 struct SimulationOptions : EngineOptions {
   std::string robot = "simulator";              ///< program/robots.h
   std::string scenario = "mirrored_placement";  ///< scripts/scenarios/NAME.lua, or a path to a file
-  std::vector<std::string> with;                ///< behaviours beside those that the scenario lists
-  std::vector<std::string> without;             ///< of those that the scenario lists
+  std::vector<std::string> with;                ///< behaviors to add to those that the scenario lists
+  std::vector<std::string> without;             ///< behaviors of the scenario to leave out
   // Where it takes place; what is left open here is up to the scenario (program/run/venue.h).
   std::string room;                        ///< panorama file, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of the procedural hall
@@ -39,23 +39,23 @@ constexpr double kUsualSeconds = 600.0;
 struct RunOptions : SimulationOptions {
   // Of the companion (program/run/companion/).
   std::filesystem::path socket;  ///< at which it listens; empty: in the user's own folder for such things
-  std::filesystem::path state;   ///< what it goes on from; empty: beside the socket
-  bool fresh = false;            ///< it goes on from nothing
+  std::filesystem::path state;   ///< file of the saved state; empty: beside the socket
+  bool fresh = false;            ///< start without the saved state
   // Of the NAO (program/run/nao/).
   std::filesystem::path guard;        ///< the memory that is shared with it; empty: where it is by itself
-  std::string at;                     ///< X,Y,DEGREES, told once it stands; empty: nobody tells it
+  std::string at;                     ///< X,Y,DEGREES, set once it stands; empty: not set
   std::filesystem::path places;       ///< TOML file: where players stand before the game begins; empty: none
   std::filesystem::path calibration;  ///< TOML file: how its cameras are mounted; empty: as the data sheet says
-  int team = 0;                       ///< as the league numbers it; 0: the referee is not heard
+  int team = 0;                       ///< number in the league; 0: ignore messages of the referee
   int player = 1;
-  bool stand = false;  ///< up at once, not when the chest's button is pressed
-  bool walk = false;   ///< somebody else's program walks, beside the guard
+  bool stand = false;  ///< stand up at once, without waiting for the chest button
+  bool walk = false;   ///< another program walks, beside the guard
   // Of footage (program/run/footage/), whose source `scenario` names.
   FootageArguments footage;
   std::string
-      belief;  ///< from `belief_at` on: right, mirrored, degrees or mirrored:DEGREES; empty: right, and nobody says so
+      belief;  ///< from `belief_at` on: right, mirrored, degrees or mirrored:DEGREES; empty: right, and no pose is set
   double belief_at = 0.0;  ///< s
-  bool lifted = false;     ///< the belief changes while somebody lifts the robot
+  bool lifted = false;     ///< the belief becomes wrong by lifting the robot, which is not reported
   bool realtime = false;
   std::filesystem::path record;  ///< the recording; empty: none
   std::string record_rotate;     ///< "100MB", "10min"; empty: one file
@@ -66,7 +66,7 @@ struct RunOptions : SimulationOptions {
   std::filesystem::path out = "out";
   bool pictures = true;
   std::filesystem::path json;             ///< empty: no summary for programs
-  std::filesystem::path save_parameters;  ///< empty: what was tuned is not saved
+  std::filesystem::path save_parameters;  ///< empty: parameters are not saved
   bool every_transition = false;
 };
 

@@ -35,20 +35,20 @@ int images_every(const std::string& option) {
   if (option == "lossless") return 1;
   if (option == "none") return 0;
   if (const auto every = number_behind("every:", option, kMostFrames)) return *every;
-  throw std::runtime_error("--record-images " + option + ": it is lossless, every:N (each Nth frame) or none");
+  throw std::runtime_error("--record-images " + option + ": expected lossless, every:N (each Nth frame) or none");
 }
 
 /// "jpeg:75": 75, "none": 0.
 int jpeg_quality(const std::string& option) {
   if (option == "none") return 0;
   if (const auto quality = number_behind("jpeg:", option, 100)) return *quality;
-  throw std::runtime_error("--view-images " + option + ": it is jpeg:Q (a quality from 1 to 100) or none");
+  throw std::runtime_error("--view-images " + option + ": expected jpeg:Q (a quality from 1 to 100) or none");
 }
 
 int particles_every(const std::string& option) {
   if (option == "none") return 0;
   if (const auto every = number_behind("every:", option, kMostFrames)) return *every;
-  throw std::runtime_error("--view-particles " + option + ": it is every:N (each Nth frame) or none");
+  throw std::runtime_error("--view-particles " + option + ": expected every:N (each Nth frame) or none");
 }
 
 /// "500MB", "2GB", "90s", "10min".
@@ -63,11 +63,12 @@ void read_rotation(const std::string& option, RecorderOptions& recorder) {
   } else if (is_sound && (unit == "s" || unit == "min")) {
     recorder.rotate_seconds = number * (unit == "s" ? 1.0 : 60.0);
   } else {
-    throw std::runtime_error("--record-rotate " + option + ": it is a size or a time, as in 500MB, 2GB, 90s or 10min");
+    throw std::runtime_error("--record-rotate " + option +
+                             ": expected a size or a time, as in 500MB, 2GB, 90s or 10min");
   }
 }
 
-/// Of a recording that was rotated: run.2.mcap. Nothing: there is none.
+/// A further file of a rotated recording: run.2.mcap. Nothing if none exists.
 std::optional<std::filesystem::path> further_part(const std::filesystem::path& first) {
   const std::string stem = first.stem().string() + ".", extension = first.extension().string();
   std::error_code error;
@@ -98,7 +99,7 @@ void require_new_or_recording(const std::filesystem::path& file, const std::stri
   if (!std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) == 0) return;
   if (mcap::is_mcap(mcap::FileSource(file))) return;
   throw std::runtime_error(option + " " + file.string() +
-                           ": it is there and no recording; it is left as it is: name another file");
+                           ": the file exists and is not a recording; it was not changed; name another file");
 }
 
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
@@ -113,10 +114,10 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
   const bool is_simulated = options.robot == kSimulator || options.robot == kFootage;
   if (!options.record_rotate.empty()) {
     read_rotation(options.record_rotate, recorder);
-    // Nobody has named the further files: they must not be lost, nor look as if they belonged to this run.
+    // The user did not name the further files: they must not be overwritten, nor seem to belong to this run.
     if (const auto part = further_part(options.record); part && is_simulated) {
       throw std::runtime_error("--record-rotate: " + part->string() +
-                               " is there already, a part of an earlier run; move it away, or name another file with "
+                               " exists already, as a part of an earlier run; move it away, or name another file with "
                                "--record");
     }
   }
@@ -146,11 +147,12 @@ void RunRecording::end(std::ostream& out) {
                      counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "", counts.frames,
                      1e-6 * static_cast<double>(counts.bytes));
   if (counts.views_left_out > 0)
-    out << fmt::format("  {} frames lack images to look at, since disk or processor were too slow\n",
+    out << fmt::format("  {} frames lack images for viewers, because the disk or processor was too slow\n",
                        counts.views_left_out);
   if (counts.images_left_out > 0) {
     out << fmt::format(
-        "  {} frames lack images, since disk or processor were too slow; from {:.1f} s on not all can be replayed\n",
+        "  {} frames lack images, because the disk or processor was too slow; after {:.1f} s not all frames can be "
+        "replayed\n",
         counts.images_left_out, counts.exact_until);
   }
 }

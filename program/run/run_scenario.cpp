@@ -54,7 +54,7 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   parts.in_real_time = options.realtime;
   parts.stop = guests.stop;
   if (options.realtime && isatty(STDIN_FILENO) == 1)
-    err << "saved scripts are taken over at once; Enter opens a prompt (help lists its commands)\n";
+    err << "saved scripts are reloaded at once; Enter opens a prompt (help lists its commands)\n";
   const auto start = std::chrono::steady_clock::now();
   const RunEnd end = live.run(std::move(run.live));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;

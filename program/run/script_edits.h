@@ -16,7 +16,7 @@ class ScriptEdits : public InputSource {
   explicit ScriptEdits(const std::filesystem::path& root) : files_(root) {}
 
   const ScriptTexts& texts() const { return files_.texts(); }
-  /// What was edited while nobody looked, since the scripts were `known`, comes with the next frame.
+  /// Edits since the scripts were `known`, while no watcher ran, come with the next frame.
   void add_missed(const ScriptTexts& known) { missed_ = edits_between(known, files_.texts()); }
 
   void add_to(FrameInputs& inputs) override;

@@ -46,8 +46,8 @@ std::string with_its_line(const SimulationOptions& options, const std::string& w
   }
 }
 
-/// The files of the behaviours to load. Throws where one would be there twice, or cannot be left out since nobody asks
-/// for it.
+/// The files of the behaviors to load. Throws if a behavior would be loaded twice, or if --without names one that the
+/// scenario does not have.
 std::vector<std::string> chosen_behaviors(const SimulationOptions& options, const ScriptTexts& texts,
                                           const std::vector<std::string>& wanted) {
   std::vector<std::string> rest;
@@ -67,8 +67,8 @@ std::vector<std::string> chosen_behaviors(const SimulationOptions& options, cons
         with_its_line(options, "with " + name, [&] { return behavior_file(options.scripts, texts, name); });
     for (const std::vector<std::string>& loaded : {rest, chosen}) {
       if (std::find(loaded.begin(), loaded.end(), file) != loaded.end())
-        throw std::runtime_error(said(options, "with " + name) + ": it is loaded already, by scenario " +
-                                 options.scenario + " or by another --with");
+        throw std::runtime_error(said(options, "with " + name) + ": loaded already, by scenario " + options.scenario +
+                                 " or by another --with");
     }
     chosen.push_back(file);
   }
@@ -88,7 +88,7 @@ std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options) 
   if (options.model.empty()) return std::nullopt;
   const std::string name = "--model " + options.model.string() + ": ";
   if (!options.room_awareness)
-    throw std::runtime_error(name + "there is no use for it with --no-room-awareness; leave one of the two out");
+    throw std::runtime_error(name + "not used with --no-room-awareness; leave out one of them");
   std::error_code error;
   if (std::filesystem::status(options.model, error).type() == std::filesystem::file_type::not_found)
     return std::nullopt;
@@ -97,9 +97,7 @@ std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options) 
     if (options.sides_changed) model.turn_half();
     return model;
   } catch (const std::runtime_error& reason) {
-    throw std::runtime_error(
-        name + reason.what() +
-        "; it is left as it is: name another file, which a run begins, or a good copy of this one");
+    throw std::runtime_error(name + reason.what() + "; it was not changed; name a new file or a valid copy");
   }
 }
 
@@ -135,7 +133,7 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
     engine_ = std::make_unique<FrameLoop>(std::move(setup));
   } catch (const UnfitModel& reason) {
     throw std::runtime_error("--model " + options.model.string() + ": " + reason.what() +
-                             "; give this run the same with --set, or name another file with --model");
+                             "; set the same values with --set, or name another file with --model");
   }
   modules.parameters = parameters();
   kept_parameters_ = kept_for_others(overrides, modules);

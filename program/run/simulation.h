@@ -26,8 +26,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Throws what a simulation of them would throw, but for what is wrong with its room: to make that takes a while. For
-  /// whoever will simulate much. Returns where it would take place.
+  /// Throws what a simulation would throw, except for mistakes in its room, which takes a while to create. Use it
+  /// before many simulations. Returns the venue.
   static Venue check(const SimulationOptions& options,
                      const std::function<void(const ScenarioHost& scenario)>& more = {});
 

@@ -39,7 +39,7 @@ void TimelinePrinter::observe(const FrameRecord& frame, const SceneTruth& scene)
       continue;
     }
     if (!std::exchange(printed, true) && make_room_) make_room_();
-    if (!std::exchange(has_header_, true)) out_ << "    time  behaviour             what it did (why)\n";
+    if (!std::exchange(has_header_, true)) out_ << "    time  behavior              what it did (why)\n";
     out_ << fmt::format("{:>6.2f} s  {:<20}  {}\n", event.time, event.machine, to_text(event));
   }
   if (printed) out_.flush();
@@ -49,7 +49,7 @@ void TimelinePrinter::finish(const FrameRecord& /*last*/, const SceneTruth& /*sc
   if (repeated_.empty()) return;
   if (make_room_) make_room_();
   for (const auto& [machine, count] : repeated_) {
-    out_ << fmt::format("          {:<20}  {} events that came again within {:.0f} s; --every-transition shows them\n",
+    out_ << fmt::format("          {:<20}  {} events were repeated within {:.0f} s; --every-transition shows them\n",
                         machine, count, kRepeats);
   }
 }

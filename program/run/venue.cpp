@@ -30,7 +30,7 @@ std::vector<std::string> candidates(const std::filesystem::path& folder, std::sp
   return names;
 }
 
-/// Throws where it is none, with what may have been meant.
+/// Throws if the file is missing, with a suggestion.
 std::filesystem::path existing_file(std::string_view what, std::string_view assets, const std::filesystem::path& named,
                                     std::span<const std::string_view> extensions) {
   std::error_code error;

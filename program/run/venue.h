@@ -33,10 +33,10 @@ struct Venue {
 /// room or field is no file.
 Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting, const RobotBody& body);
 
-/// A file, or a shipped one by its name; the NAO's where nothing is named. Throws std::runtime_error with one line
-/// where it is none.
+/// A file, or a shipped file by its name; the NAO's for an empty path. Throws std::runtime_error with one line if the
+/// file is missing.
 std::filesystem::path body_file(const std::filesystem::path& named);
-/// The same of a field; where none is named the body's, if it is told.
+/// The same for a field; for an empty path the body's field, if it is known.
 std::filesystem::path field_file(const std::filesystem::path& named);
 std::filesystem::path field_file(const std::filesystem::path& named, const RobotBody& body);
 /// Those that are shipped, for people: "booster-k1, nao-v6".

@@ -59,7 +59,7 @@ class BadInput : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-/// A flat Radiance picture, every pixel the same grey.
+/// A flat Radiance picture, with the same gray in every pixel.
 std::string radiance(int width, int height) {
   std::string bytes =
       "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
@@ -67,7 +67,7 @@ std::string radiance(int width, int height) {
   return bytes;
 }
 
-TEST_F(BadInput, ACommandLineWithoutASubcommandIsRefused) { expect_refused({}, {"subcommand"}); }
+TEST_F(BadInput, ACommandLineWithoutASubcommandIsRefused) { expect_refused({}, {"expected a command"}); }
 
 TEST_F(BadInput, AnUnknownSubcommandIsNamed) { expect_refused({"dance"}, {"dance"}); }
 
@@ -80,7 +80,7 @@ TEST_F(BadInput, AnUnknownOptionIsNamed) {
 
 TEST_F(BadInput, AnOptionWithoutItsValueIsNamed) { expect_refused({"run", "--room"}, {"--room"}); }
 
-TEST_F(BadInput, AnOptionsValueThatIsNoneIsNamedWithTheOption) {
+TEST_F(BadInput, AnInvalidValueIsNamedWithItsOption) {
   for (const char* width : {"100", "0", "-320", "wide", "320.5", "99999999999999999999"}) {
     expect_refused_run({"--width", width}, {"--width", width});
   }
@@ -137,7 +137,7 @@ TEST_F(BadInput, AnUnknownParameterIsNamedWithOneThatWasPerhapsMeant) {
   expect_refused_run({"--set", "pose_filter.partciles=50"}, {"did you mean 'pose_filter.particles'"});
 }
 
-TEST_F(BadInput, ASettingThatIsNoneIsShownAsItShouldBe) {
+TEST_F(BadInput, AnInvalidAssignmentIsReportedWithAnExample) {
   for (const char* setting : {"orientation.lingering", "=0.3", "", "="})
     expect_refused_run({"--set", setting}, {"--set", "NAME=VALUE"});
 }
@@ -194,11 +194,11 @@ TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {
 TEST_F(BadInput, TheNearestRightScriptIsNamed) {
   expect_refused_run({"kidnaped"}, {"did you mean 'kidnapped'?"});
   expect_refused_run({"scenarios/kidnapped"}, {"did you mean 'kidnapped'?"});
-  expect_refused_run({"orientation"}, {"'orientation' is a behavior, and a scenario is wanted here"});
-  expect_refused_run({"behaviors/orientation.lua"}, {"is a behavior, and a scenario is wanted here"});
-  expect_refused_run({"--with", "kidnapped"}, {"'kidnapped' is a scenario, and a behavior is wanted here"});
+  expect_refused_run({"orientation"}, {"'orientation' is a behavior, and a scenario was expected"});
+  expect_refused_run({"behaviors/orientation.lua"}, {"is a behavior, and a scenario was expected"});
+  expect_refused_run({"--with", "kidnapped"}, {"'kidnapped' is a scenario, and a behavior was expected"});
   expect_refused_run({"--with", "oreintation"}, {"did you mean 'orientation'?"});
-  expect_refused_run({"--with", "behaviors/head_scan.lua"}, {"is loaded already"});
+  expect_refused_run({"--with", "behaviors/head_scan.lua"}, {"loaded already"});
   expect_refused_run({file("mine.lua", "")}, {"outside of the scripts' root", "--scripts"});
   expect_refused_run({"--set", "kidnapped.learn=3"}, {"this run does not load 'kidnapped'"});
 }
@@ -268,7 +268,8 @@ TEST_F(BadInput, TwoNamesOfOneFileAreNamed) {
 
 TEST_F(BadInput, AnOutputInThePlaceOfAScriptIsNamed) {
   const std::string scripts = copy_scripts(folder_.path()).string(), script = scripts + "/behaviors/look_back.lua";
-  expect_refused_run({"--scripts", scripts, "--record", script}, {"--record " + script + ": scripts lie there"});
+  expect_refused_run({"--scripts", scripts, "--record", script},
+                     {"--record " + script + ": the folder contains scripts"});
   expect_refused_run({"--scripts", scripts, "--json", script}, {"--json " + script});
   expect_refused({"graph", "orientation", "--scripts", scripts, "--out", script}, {"--out " + script});
   expect_refused({"params", "--scripts", scripts, "--save-params", script}, {"--save-params " + script});
@@ -282,11 +283,11 @@ TEST_F(BadInput, AnOutputInThePlaceOfAScriptIsNamed) {
 
 TEST_F(BadInput, AFileThatIsNoRecordingIsNotRecordedOver) {
   const std::string letters = file("letters.txt", "years of work");
-  expect_refused_run({"--record", letters}, {letters, "it is there and no recording"});
+  expect_refused_run({"--record", letters}, {letters, "the file exists and is not a recording"});
   EXPECT_EQ(read_text(letters), "years of work");
 }
 
-TEST_F(BadInput, ARootOfScriptsThatIsNoneIsNamed) {
+TEST_F(BadInput, AnInvalidRootOfScriptsIsNamed) {
   const std::string empty = folder_.path().string(), gone = path("gone");
   for (const std::vector<std::string>& words :
        {Words{"check"}, {"run"}, {"test"}, {"params"}, {"reference"}, {"graph", "orientation"}}) {
@@ -298,22 +299,22 @@ TEST_F(BadInput, ARootOfScriptsThatIsNoneIsNamed) {
   }
   expect_refused({"new", "behavior", "x", "--scripts", gone}, {"--scripts " + gone});
   std::filesystem::create_directories(folder_.path() / "none" / "behaviors");
-  expect_refused({"check", "--scripts", path("none")}, {"there are no scripts to look at"});
+  expect_refused({"check", "--scripts", path("none")}, {"found no scripts in it"});
   expect_refused({"check", (kProjectFolder / "scripts/README.md").string()}, {"README.md: it is no script"});
   std::filesystem::create_directory(folder_.path() / "mine");
   EXPECT_EQ(run_reorient({"new", "behavior", "x", "--scripts", path("mine")}).code, kSuccess) << "it is begun";
 }
 
-TEST_F(BadInput, AFolderInThePlaceOfAFileIsCalledSo) {
+TEST_F(BadInput, AFolderInsteadOfAFileIsNamed) {
   const std::string folder = folder_.path().string();
   expect_refused({"graph", "orientation", "--out", folder}, {"it is a folder; name another file with --out"});
   expect_refused({"params", "--save-params", folder}, {"it is a folder; name another file with --save-params"});
-  expect_refused_run({"--params", folder}, {"--params " + folder + ": it is a folder"});
+  expect_refused_run({"--params", folder}, {"--params " + folder + ": expected a file, found a folder"});
 }
 
-TEST_F(BadInput, AFileThatIsNoScriptIsNotCalledAMissingOne) {
-  expect_refused_run({file("empty", "")}, {"empty' is no script"});
-  expect_refused({"graph", file("mine.lua", "")}, {"lies outside of the scripts' root", "--scripts"});
+TEST_F(BadInput, AFileThatIsNotAScriptIsNotCalledMissing) {
+  expect_refused_run({file("empty", "")}, {"empty' is not a script"});
+  expect_refused({"graph", file("mine.lua", "")}, {"is outside of the scripts' root", "--scripts"});
 }
 
 TEST_F(BadInput, TheHelpOfTheCommandItselfIsNamed) {

@@ -55,7 +55,7 @@ class ChildProgram {
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
-    // Whoever started the tests in the background may have them ignored, and a program leaves that as it is.
+    // A shell that started the tests in the background may ignore these signals, and a program does not change that.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
     if (prepare) prepare();
     execv(argv[0], argv.data());

@@ -61,7 +61,7 @@ TEST_F(CommandsTest, GraphDrawsABehaviorAndAScenario) {
   EXPECT_TRUE(run({"graph", "orientation", "--format", "dot"}).out.starts_with("digraph \"orientation\" {\n"));
   const ProgramRun scenario = run({"graph", "mirrored_placement"});
   EXPECT_NE(scenario.out.find("state \"carrying\" as carrying"), std::string::npos);
-  EXPECT_EQ(scenario.out.find("watching"), std::string::npos) << "the behaviours of the scenario are not asked for";
+  EXPECT_EQ(scenario.out.find("watching"), std::string::npos) << "the behaviors of the scenario were not requested";
   EXPECT_EQ(run({"graph", (scripts_ / "behaviors/orientation.lua").string()}).code, kSuccess);
 }
 
@@ -124,7 +124,7 @@ TEST_F(CommandsTest, ReferenceHoldsOnesOwnLibrariesToo) {
   EXPECT_EQ(run({"reference", "--format", "html"}).code, kBadInput);
 }
 
-TEST_F(CommandsTest, ANewBehaviorPassesItsCheckAndItsTest) {
+TEST_F(CommandsTest, NewBehaviorPassesItsCheckAndItsTest) {
   ASSERT_EQ(run({"new", "behavior", "ball_search"}).code, kSuccess);
   const ProgramRun checked = run({"check", "--strict"});
   EXPECT_EQ(checked.code, kSuccess) << checked.out;
@@ -133,7 +133,7 @@ TEST_F(CommandsTest, ANewBehaviorPassesItsCheckAndItsTest) {
   EXPECT_NE(tested.out.find("4 passed, 0 failed"), std::string::npos) << tested.out;
 }
 
-TEST_F(CommandsTest, ANewScenarioPassesItsCheckAndItsTestOnTheSimulatorToo) {
+TEST_F(CommandsTest, NewScenarioPassesItsCheckAndItsTestOnTheSimulatorToo) {
   ASSERT_EQ(run({"new", "scenario", "wait_here"}).code, kSuccess);
   EXPECT_EQ(run({"check", "--strict"}).code, kSuccess);
   const ProgramRun tested = run({"test", "--simulator", (scripts_ / "tests/wait_here_test.lua").string()});
@@ -225,7 +225,7 @@ TEST_F(CommandsTest, OneFileOfParametersServesARobotInAllItsScenarios) {
   EXPECT_NE(text.find("mirrored_placement.learn = 30 "), std::string::npos) << text;
   EXPECT_NE(text.find("kidnapped.learn = 20  # not used in the run that saved this\n"), std::string::npos) << text;
   EXPECT_NE(text.find("careful.name = 0 "), std::string::npos) << text;
-  // What is saved serves the other scenario, and what is misspelt there is a mistake as ever.
+  // The saved file can be used for the other scenario, where a misspelled name is still an error.
   EXPECT_EQ(run_shortly({"kidnapped", "--scripts", scripts_.string(), "--params", saved}).code, kWrong);
   folder_.write("team.toml", "[kidnapped]\nleran = 20\n");
   EXPECT_EQ(run_shortly({"--scripts", scripts_.string(), "--params", team}).code, kWrong);
@@ -246,7 +246,7 @@ TEST_F(CommandsTest, AModuleThatIsLoadedWithoutParametersHasNone) {
   EXPECT_EQ(run_shortly(with).code, kBadInput);
 }
 
-TEST_F(CommandsTest, EndsSoonWhereNobodyKnowsThousandsOfParameters) {
+TEST_F(CommandsTest, EndsSoonWithThousandsOfUnknownParameters) {
   std::string strangers, misspelt = "[head_scan]\n";
   for (int i = 0; i < 9'000; ++i) {
     strangers += "[stranger" + std::to_string(i) + "]\nkey = 1\n";

@@ -83,9 +83,8 @@ TEST_F(CompareTest, TellsChoicesOfAnAxisWithinOneTable) {
   expect_refused({before, "--axis", "mod", "--from", "paper", "--to", "default"}, "did you mean 'mode'?");
   expect_refused({before, "--axis", "mode", "--from", "papr", "--to", "default"}, "did you mean 'paper'?");
   expect_refused({before, "--axis", "mode"}, "--axis requires");
-  expect_refused({before, before, "--axis", "mode", "--from", "paper", "--to", "default"},
-                 "compare takes two tables, or");
-  expect_refused({before}, "compare takes two tables, or one with --axis");
+  expect_refused({before, before, "--axis", "mode", "--from", "paper", "--to", "default"}, "expected two tables, or");
+  expect_refused({before}, "expected two tables, or one with --axis");
 }
 
 TEST_F(CompareTest, TellsSeedsWithoutAPartner) {
@@ -109,39 +108,39 @@ TEST_F(CompareTest, PairsRowsWhateverTheOrderOfTheirAxes) {
 TEST_F(CompareTest, RefusesWhatIsNoTable) {
   const std::string good = row(kDefault, kFast);
   const std::pair<std::string, std::string> kBad[] = {
-      {"", "this is no JSON"},
-      {"[\n\n{\"mode\": ", "bad.json:3: this is no JSON"},
-      {"[" + good.substr(0, good.size() / 2), "this is no JSON"},
-      {"not JSON", "this is no JSON"},
-      {"\xFF\xFE[]", "this is no JSON"},
-      {"[{\"mode\": \"\xC0\xAF\"}]", "this is no JSON"},
-      {std::string(100'000, '['), "this is no JSON"},
-      {"[]", "no list of rows"},
-      {"{}", "no list of rows"},
-      {"null", "no list of rows"},
-      {"[1]", "a row that is no object"},
+      {"", "invalid or truncated JSON"},
+      {"[\n\n{\"mode\": ", "bad.json:3: invalid or truncated JSON"},
+      {"[" + good.substr(0, good.size() / 2), "invalid or truncated JSON"},
+      {"not JSON", "invalid or truncated JSON"},
+      {"\xFF\xFE[]", "invalid or truncated JSON"},
+      {"[{\"mode\": \"\xC0\xAF\"}]", "invalid or truncated JSON"},
+      {std::string(100'000, '['), "invalid or truncated JSON"},
+      {"[]", "not a list of rows"},
+      {"{}", "not a list of rows"},
+      {"null", "not a list of rows"},
+      {"[1]", "a row that is not an object"},
       {"[{}]", "a row without \"trials\""},
       {R"([{"trials": 2}])", "a row without \"false_flips\""},
-      {R"([{"mode": 3, "trials": 2}])", "a row whose choice of \"mode\" is no text"},
+      {R"([{"mode": 3, "trials": 2}])", "a row whose choice of \"mode\" is not a text"},
       {"[" + good + "," + good + "]", "two rows of the same choices"},
-      {"[" + row(kDefault, "7") + "]", "an outcome that is no object"},
+      {"[" + row(kDefault, "7") + "]", "an outcome that is not an object"},
       {"[" + row(kDefault, "{}") + "]", "an outcome without \"seed\""},
-      {"[" + row(kDefault, R"({"seed": -1})") + "]", "whose \"seed\" is no whole number"},
+      {"[" + row(kDefault, R"({"seed": -1})") + "]", "whose \"seed\" is not a non-negative whole number"},
       {"[" + row(kDefault, R"({"seed": 1e400})") + "]", "a number that is too large"},
       {"[" + row(kDefault, R"({"seed": 1, "disturbed": 1})") + "]", "\"disturbed\" is neither true nor false"},
-      {"[" + row(kDefault, outcome(1, "1e300")) + "]", "\"right_after_s\" is no number from 0 on"},
-      {"[" + row(kDefault, outcome(1, "-1")) + "]", "\"right_after_s\" is no number from 0 on"},
+      {"[" + row(kDefault, outcome(1, "1e300")) + "]", "\"right_after_s\" is not a non-negative number"},
+      {"[" + row(kDefault, outcome(1, "-1")) + "]", "\"right_after_s\" is not a non-negative number"},
       {"[" + row(kDefault, outcome(1, "1") + "," + outcome(1, "2")) + "]", "two outcomes of seed 1"},
       {"[" + row(kDefault, outcome(1, "1").replace(outcome(1, "1").find("flip_pose"), 4, "slip")) + "]",
-       "is no command"},
+       "is not a command"},
   };
   for (const auto& [text, why] : kBad) {
     const std::string bad = table("bad", text);
     expect_refused({before, bad}, why);
     expect_refused({bad, before}, why);
   }
-  expect_refused({before, (folder.path() / "gone.json").string()}, "gone.json: there is no such file");
-  expect_refused({folder.path().string(), before}, "there is no such file");
+  expect_refused({before, (folder.path() / "gone.json").string()}, "gone.json: no such file");
+  expect_refused({folder.path().string(), before}, "no such file");
   expect_refused({before, ""}, "second");
 }
 

@@ -49,7 +49,7 @@ TEST_F(Keys, WaitForTheirRest) {
   EXPECT_EQ(of("A"), Strings{"A"});
 }
 
-TEST_F(Keys, ThatNobodyKnowsAreLeftOut) {
+TEST_F(Keys, AreIgnoredIfUnknown) {
   EXPECT_EQ(of("\x1B[5~a"), Strings{"a"});  // page up
   EXPECT_EQ(of("\x1B\x1B[Ab"), (Strings{"\x1B[A", "b"}));
   EXPECT_EQ(of("\x80\xFF\xC3(c"), (Strings{"(", "c"}));
@@ -107,13 +107,13 @@ class HistoryFile : public ::testing::Test {
 TEST_F(HistoryFile, LiesInTheFolderForState) {
   const char* const home = std::getenv("HOME");
   const std::string before = home == nullptr ? "" : home;
-  setenv("HOME", "/home/somebody", 1);
+  setenv("HOME", "/home/user", 1);
   setenv("XDG_STATE_HOME", "/state", 1);
   EXPECT_EQ(history_path(), "/state/reorient/history");
   setenv("XDG_STATE_HOME", "not/absolute", 1);
-  EXPECT_EQ(history_path(), "/home/somebody/.local/state/reorient/history");
+  EXPECT_EQ(history_path(), "/home/user/.local/state/reorient/history");
   unsetenv("XDG_STATE_HOME");
-  EXPECT_EQ(history_path(), "/home/somebody/.local/state/reorient/history");
+  EXPECT_EQ(history_path(), "/home/user/.local/state/reorient/history");
   unsetenv("HOME");
   EXPECT_EQ(history_path(), std::nullopt);
   if (home != nullptr) setenv("HOME", before.c_str(), 1);
@@ -157,7 +157,7 @@ TEST_F(HistoryFile, WritesToNothingButAPlainFile) {
   EXPECT_EQ(read_text(folder.path() / "precious.txt"), "mine\n");
   std::filesystem::remove(file);
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-  EXPECT_NE(refusal().find("is no plain file"), std::string::npos) << "and nobody waits for its other end";
+  EXPECT_NE(refusal().find("is no plain file"), std::string::npos) << "and does not block";
   std::filesystem::remove_all(file.parent_path());
   folder.write("reorient", "a file where the folder should be");
   EXPECT_NE(refusal(), "");

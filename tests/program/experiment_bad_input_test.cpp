@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
         UnmeantExperiment{"AnOutputInThePlaceOfAScript",
                           kShort,
                           {"--json", (kProjectFolder / "scripts/behaviors/head_scan.lua").string()},
-                          "scripts lie there"},
+                          "the folder contains scripts"},
         UnmeantExperiment{"PlanGoesOnNowhere", kShort, {"--plan", "--resume"}, "--plan"}),
     [](const auto& each) { return std::string(each.param.name); });
 

@@ -19,10 +19,10 @@ namespace {
 
 using ResultsTest = ShortExperiment;
 
-/// A flat panorama of one grey.
-std::string grey_room(char grey) {
+/// A flat gray panorama.
+std::string gray_room(char gray) {
   std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
-  for (int i = 0; i < 32 * 64; ++i) bytes += std::string(3, grey) + "\x80";
+  for (int i = 0; i < 32 * 64; ++i) bytes += std::string(3, gray) + "\x80";
   return bytes;
 }
 
@@ -159,7 +159,7 @@ TEST_F(ResultsTest, OfOtherScriptsAreRefused) {
 TEST_F(ResultsTest, OfAnotherRoomOrFieldOfTheSameNameAreRefused) {
   const std::string field = read_text(kProjectFolder / "assets/fields/spl.toml");
   folder.write("own.toml", field);
-  folder.write("hall.hdr", grey_room('\x60'));
+  folder.write("hall.hdr", gray_room('\x60'));
   folder.write("short.toml", std::string(kShort) + "field = \"" + path("own.toml") + "\"\n");
   // The second choice is the one with the field.
   const auto in_hall = [&](const std::string& task) {
@@ -170,7 +170,7 @@ TEST_F(ResultsTest, OfAnotherRoomOrFieldOfTheSameNameAreRefused) {
   folder.write("own.toml", field + "\n# another one\n");
   EXPECT_EQ(run(in_hall("1")).code, kSuccess);
   expect_refused(in_hall("3"), "000003.json: the result of another trial");
-  folder.write("hall.hdr", grey_room('\x61'));
+  folder.write("hall.hdr", gray_room('\x61'));
   expect_refused(in_hall("1"), "000001.json: the result of another trial");
 }
 
@@ -286,7 +286,7 @@ TEST_F(ResultsTest, AreKeptWhereTheDiskIsFull) {
   if (code == kCannot) GTEST_SKIP() << "this user may not have a disk of its own (user namespaces)";
   EXPECT_EQ(code, kBadInput);
   EXPECT_NE(program.err().find("cannot write '" + result("out", 3).string() +
-                               "': No space left on device; once it is mended, --resume goes on\n"),
+                               "': No space left on device; when it is fixed, --resume continues\n"),
             std::string::npos)
       << program.err();
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(result("kept", 1).parent_path()), {}), 2);
@@ -301,7 +301,7 @@ TEST_F(ResultsTest, ThatMayNotBeWrittenAreToldBeforeAnythingRuns) {
                                                 perms::others_exec | perms::group_read | perms::group_exec);
   ChildProgram program(folder.path(), words({"--out", path("out")}), become_an_ordinary_user);
   const int code = program.wait();
-  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not write everywhere";
+  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as a user with fewer permissions";
   EXPECT_EQ(code, kBadInput);
   EXPECT_EQ(program.err(),
             "reorient: cannot write into '" + path("out") + "': Permission denied; name another folder with --out\n");

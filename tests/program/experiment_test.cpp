@@ -34,7 +34,7 @@ TEST_F(ExperimentTest, TellsARowForEachCell) {
     EXPECT_NE(done.out.find(text), std::string::npos) << done.out;
 }
 
-TEST_F(ExperimentTest, GivesTheSameJsonWhoeverRunsIt) {
+TEST_F(ExperimentTest, GivesTheSameJsonInOneAndInSeveralProcesses) {
   const std::string alone = table("one");
   EXPECT_NE(alone.find("\"mode\": \"none\",\n    \"trials\": 2"), std::string::npos) << alone;
   EXPECT_EQ(table("two", {"--jobs", "2"}), alone);
@@ -62,12 +62,12 @@ TEST_F(ExperimentTest, RunsNoTaskTwice) {
 
 TEST_F(ExperimentTest, DoesNotMixTwoRuns) {
   table("out", {"--trials", "1"});
-  expect_refused({"--out", path("out"), "--trials", "1"}, "holds 2 of 2 results already; --resume goes on");
+  expect_refused({"--out", path("out"), "--trials", "1"}, "contains 2 of 2 results already; --resume continues");
   expect_refused({"--out", path("out"), "--trials", "1", "--seed", "9", "--resume"}, "the result of another trial");
   expect_refused({"--out", path("out"), "--trials", "1", "--set", "orientation.lingering=0.3", "--resume"},
                  "the result of another trial");
   folder.write("out/tasks/000001.json", "{\"task\": 1");
-  expect_refused({"--out", path("out"), "--trials", "1", "--resume"}, "000001.json: this is no task's result");
+  expect_refused({"--out", path("out"), "--trials", "1", "--resume"}, "000001.json: not a result of a task");
 }
 
 TEST_F(ExperimentTest, RunsPartOfItsTasks) {
@@ -124,7 +124,7 @@ TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
        {"mode none, trial 1 (seed 1)\n", "right: the belief was right at first", "mirrored_placement"})
     EXPECT_NE(shown.out.find(text), std::string::npos) << shown.out;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures/confidences.png"));
-  expect_refused({"--trial", "5"}, "there is no trial 5; there are 1 to 4");
+  expect_refused({"--trial", "5"}, "unknown trial 5 (expected 1 to 4)");
   expect_refused({"--pictures", path("pictures")}, "--trial");
 }
 
@@ -144,7 +144,7 @@ hold = 3.0
 )");
   const ProgramRun shown = run({"--trial", "1"});
   EXPECT_EQ(shown.code, kSuccess) << shown.err;
-  EXPECT_NE(shown.out.find("mended by a command after: 0."), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("corrected by a command after: 0."), std::string::npos) << shown.out;
 }
 
 TEST_F(ExperimentTest, TellsWhichTrialsWereNeverMeasured) {

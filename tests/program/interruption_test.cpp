@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left of a run that somebody or something ends.
+// What remains of an interrupted run.
 #include <array>
 #include <csignal>
 #include <string>

@@ -20,10 +20,11 @@ namespace reorient {
 
 inline constexpr int kCannot = 77;  // what a child ends with where it may not do what the test needs
 
-/// Runs in the child: from there on it is a program of nobody in particular, as long as that is allowed.
+/// Runs in the child: drops the permissions of root, if possible.
 inline void become_an_ordinary_user() {
-  constexpr uid_t kNobody = 65534;
-  if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(kCannot);
+  constexpr uid_t kPlainUser = 65534;
+  if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(kPlainUser) != 0 || setuid(kPlainUser) != 0))
+    _exit(kCannot);
   prctl(PR_SET_DUMPABLE, 1);  // or its files in /proc stay root's
   if (access(kProgram, X_OK) != 0 || access((std::string(kSourceFolder) + "/scripts").c_str(), R_OK) != 0)
     _exit(kCannot);
@@ -37,7 +38,7 @@ inline void tell_the_kernel(const char* file, const std::string& text) {
   close(descriptor);
 }
 
-/// Runs in the child: a disk of its own, that nobody else sees, stands in the place of `folder`. What is left on it
+/// Runs in the child: mounts a private disk at `folder`. What is left on it
 /// when the program has ended is copied to `kept`. `size`: as mount takes it.
 inline void put_a_small_disk(const std::filesystem::path& folder, const std::filesystem::path& kept, const char* size) {
   const std::string user = std::to_string(geteuid()), group = std::to_string(getegid());

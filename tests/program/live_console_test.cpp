@@ -37,7 +37,7 @@ class LiveConsoleTest : public ::testing::Test {
     if (pipe(ends_) != 0) ADD_FAILURE() << "no pipe";
     ScriptTexts texts;
     texts.apply({"scenarios/scene.lua", ScriptText{kScene, ""}});
-    scenario.emplace(texts, "scene", std::vector<ParameterChange>{}, nobody_);
+    scenario.emplace(texts, "scene", std::vector<ParameterChange>{}, no_behaviors_);
     folder.write("behaviors/tested.lua", kLamp);
     folder.write("scenarios/scene.lua", kScene);
     const auto parameters = [this] {
@@ -96,7 +96,7 @@ class LiveConsoleTest : public ::testing::Test {
   std::optional<LiveConsole> console;
 
  private:
-  RecordedBehaviors nobody_;
+  RecordedBehaviors no_behaviors_;
   SceneTruth scene_;
   std::ostringstream out_;
   int ends_[2] = {-1, -1};
@@ -170,7 +170,7 @@ TEST_F(LiveConsoleTest, OpensAPromptOnAnEmptyLineAndClosesItOnTheNext) {
   EXPECT_FALSE(console->is_open());
 }
 
-TEST_F(LiveConsoleTest, GoesOnWhenNobodyTypesAnyMore) {
+TEST_F(LiveConsoleTest, ContinuesAtTheEndOfTheInput) {
   type("set tested.level 1");
   close_writing();
   EXPECT_EQ(polls(2), "  tested.level = 1\n") << "the last line needs no line break";
@@ -193,7 +193,7 @@ TEST_F(LiveConsoleTest, DropsALineThatHasNoEnd) {
   }
   EXPECT_EQ(said, "");
   type("\nset tested.level 1\n");
-  EXPECT_EQ(polls(2), "  that line is too long: at most 1000 bytes\n  tested.level = 1\n");
+  EXPECT_EQ(polls(2), "  line too long: at most 1000 bytes\n  tested.level = 1\n");
 }
 
 TEST_F(LiveConsoleTest, TakesOneCommandAFrame) {
@@ -208,9 +208,9 @@ TEST_F(LiveConsoleTest, TakesOneCommandAFrame) {
 
 TEST_F(LiveConsoleTest, SurvivesBytesThatAreNoText) {
   type(std::string("set \0 1\n", 8));
-  EXPECT_EQ(poll(), "  that line holds zero bytes: it is no text\n");
+  EXPECT_EQ(poll(), "  expected text, found a line with zero bytes\n");
   EXPECT_EQ(answer("set \x80\xFF 1"), "  there is no parameter '\\x80\\xFF'\n");
-  EXPECT_EQ(answer("\x1B[2J\a"), "  there is no command '\\x1B[2J\\x07'; help lists them\n");
+  EXPECT_EQ(answer("\x1B[2J\a"), "  unknown command '\\x1B[2J\\x07'; help lists them\n");
   const std::string said = answer(std::string(900, '\xC3'));
   EXPECT_LT(said.size(), 320u);
 }
@@ -218,21 +218,21 @@ TEST_F(LiveConsoleTest, SurvivesBytesThatAreNoText) {
 // ---- parameters
 
 TEST_F(LiveConsoleTest, TakesChangesBackOneByOne) {
-  EXPECT_EQ(answer("undo"), "  nothing to take back\n");
+  EXPECT_EQ(answer("undo"), "  nothing to undo\n");
   answer("set tested.level 0.25");
   answer("set scene.pace 2");
-  answer("set tested.level 7");  // refused, so there is nothing of it to be taken back
+  answer("set tested.level 7");  // refused, so it cannot be undone
   answer("set tested.level 0.75");
   EXPECT_EQ(answer("undo"), "  tested.level = 0.25\n");
   EXPECT_EQ(answer("undo"), "  scene.pace = 1\n");
   EXPECT_EQ(std::get<double>(scenario->parameters().value("scene.pace")), 1.0);
   EXPECT_EQ(answer("undo"), "  tested.level = 0.5\n");
   EXPECT_EQ(level(), 0.5);
-  EXPECT_EQ(answer("undo"), "  nothing to take back\n");
+  EXPECT_EQ(answer("undo"), "  nothing to undo\n");
 }
 
 TEST_F(LiveConsoleTest, TellsWhatDiffersFromTheDefaults) {
-  EXPECT_EQ(answer("diff"), "  every parameter has its default\n");
+  EXPECT_EQ(answer("diff"), "  all parameters have their defaults\n");
   answer("set tested.level 0.25");
   answer("set scene.pace 2");
   EXPECT_EQ(answer("diff"), "  tested.level = 0.25  (default 0.5; live)\n  scene.pace = 2  (default 1; live)\n");
@@ -257,7 +257,7 @@ TEST_F(LiveConsoleTest, ShowsTheWorldAsBehaviorsSeeIt) {
 }
 
 TEST_F(LiveConsoleTest, TellsAWatchedValueWhenItChanges) {
-  EXPECT_NE(answer("watch").find("nothing is watched"), std::string::npos);
+  EXPECT_NE(answer("watch").find("no watched values"), std::string::npos);
   EXPECT_EQ(answer("watch robot.head_yaw"), "  0.07 s  robot.head_yaw = 0.000 rad\n");
   EXPECT_EQ(polls(30), "");
   loop.inputs.observation.body.head.yaw = 0.25;
@@ -267,7 +267,7 @@ TEST_F(LiveConsoleTest, TellsAWatchedValueWhenItChanges) {
   EXPECT_EQ(polls(30), "  1.60 s  robot.head_yaw = 0.500 rad\n");
   EXPECT_EQ(answer("watch").substr(8), "  robot.head_yaw = 0.500 rad\n");
   EXPECT_EQ(answer("unwatch robot.posture"), "  there is no watched value 'robot.posture'\n");
-  EXPECT_EQ(answer("unwatch"), "  nothing is watched\n");
+  EXPECT_EQ(answer("unwatch"), "  no values watched\n");
   loop.inputs.observation.body.head.yaw = 0.0;
   EXPECT_EQ(polls(60), "");
 }
@@ -292,7 +292,7 @@ TEST_F(LiveConsoleTest, TellsWhyAConditionHasNotHeldForLongEnough) {
   polls(7);
   EXPECT_NE(answer("why tested").find("-> on  yes, 0.2 of 0.5 s "), std::string::npos);
   polls(30);
-  EXPECT_EQ(answer("why tested"), "  tested: on for 0.8 s\n    nothing leads on from here\n");
+  EXPECT_EQ(answer("why tested"), "  tested: on for 0.8 s\n    no transition leaves this state\n");
 }
 
 TEST_F(LiveConsoleTest, TellsWhyTheScenarioIsWhereItIs) {
@@ -312,8 +312,8 @@ TEST_F(LiveConsoleTest, ChangesNothingByAsking) {
 }
 
 TEST_F(LiveConsoleTest, ReadsScriptsAgainThoughTheyDidNotChange) {
-  EXPECT_EQ(answer("reload tested"), "  behaviors/tested.lua was read again\n");
-  EXPECT_EQ(answer("reload"), "  behaviors/tested.lua was read again\n  scenarios/scene.lua was read again\n");
+  EXPECT_EQ(answer("reload tested"), "  behaviors/tested.lua was reloaded\n");
+  EXPECT_EQ(answer("reload"), "  behaviors/tested.lua was reloaded\n  scenarios/scene.lua was reloaded\n");
   EXPECT_EQ(answer("reload tsted").substr(0, 27), "  there is no script 'tsted");
   folder.write("behaviors/tested.lua", "behavior \"broken");
   const std::string refused = answer("reload tested");
@@ -324,7 +324,7 @@ TEST_F(LiveConsoleTest, ReadsScriptsAgainThoughTheyDidNotChange) {
 
 // ---- the prompt itself
 
-TEST_F(LiveConsoleTest, TakesANoteDownForWhoeverLooksAtTheRunLater) {
+TEST_F(LiveConsoleTest, RecordsANote) {
   EXPECT_NE(answer("note \"the referee  moved it\"").find("noted at"), std::string::npos);
   ASSERT_EQ(loop.record().logs.size(), 1u);
   EXPECT_EQ(loop.record().logs[0].text, "the referee moved it");
@@ -344,7 +344,8 @@ TEST_F(LiveConsoleTest, WaitsInTheRobotsTime) {
 }
 
 TEST_F(LiveConsoleTest, ListsWhatItHelpsWith) {
-  EXPECT_EQ(answer("help why"), "  why MACHINE        where a behaviour may go from its state, and what is lacking\n");
+  EXPECT_EQ(answer("help why"),
+            "  why MACHINE        transitions of a behavior's state, and what their conditions lack\n");
   EXPECT_NE(answer("help wyh").find("did you mean 'why'"), std::string::npos);
   EXPECT_EQ(answer("undo all"), "  write: undo\n");
 }

@@ -52,7 +52,7 @@ class RunWithAModel : public ::testing::Test {
   const std::string file = (folder.path() / "hall.model").string();
 };
 
-TEST_F(RunWithAModel, BeginsTheFileAndGoesOnFromItTheNextTime) {
+TEST_F(RunWithAModel, CreatesTheFileAndContinuesItInTheNextRun) {
   const std::string without = digest_of(run_shortly({}));
   const ProgramRun first = run_shortly({"--model", file});
   EXPECT_EQ(digest_of(first), without) << "to save changes no frame";
@@ -77,8 +77,7 @@ TEST_F(RunWithAModel, ThatLearnsNothingLeavesTheFileAsItIs) {
     return run_reorient(more);
   };
   const ProgramRun none = run_for_a_moment({"--model", file});
-  EXPECT_NE(none.out.find("model: " + file + " (left as it was: nothing new was learned)\n"), std::string::npos)
-      << none.out;
+  EXPECT_NE(none.out.find("model: " + file + " (unchanged: nothing new was learned)\n"), std::string::npos) << none.out;
   EXPECT_FALSE(std::filesystem::exists(file));
   const std::string good = file_of(some_model(1));
   const std::string before = read_text(good);
@@ -103,7 +102,7 @@ TEST_F(RunWithAModel, IsRefusedADamagedOne) {
     SCOPED_TRACE(damaged.what);
     expect_refused(file_of(damaged.bytes), {}, damaged.complaint);
   }
-  expect_refused(file_of(test::damaged_models()[1].bytes), {}, "it is left as it is: name another file");
+  expect_refused(file_of(test::damaged_models()[1].bytes), {}, "it was not changed; name a new file");
 }
 
 TEST_F(RunWithAModel, IsRefusedOneOfAnotherKind) {
@@ -113,7 +112,7 @@ TEST_F(RunWithAModel, IsRefusedOneOfAnotherKind) {
                  "another file with --model");
   expect_refused(good, {"--set", "color.dark_below=80"}, "color.dark_below=85");
   expect_refused(good, {"--params", "paper"}, "light_adaptation.enabled=true");
-  expect_refused(good, {"--no-room-awareness"}, "there is no use for it with --no-room-awareness");
+  expect_refused(good, {"--no-room-awareness"}, "not used with --no-room-awareness");
 }
 
 TEST_F(RunWithAModel, IsRefusedWhatIsNoFile) {
@@ -138,9 +137,9 @@ TEST_F(RunWithAModel, IsRefusedOneThatMayNotBeRead) {
   std::filesystem::permissions(good, std::filesystem::perms::none);
   ChildProgram run(folder.path(), {"run", "--model", good, "--no-pictures", "--seconds", "1"}, become_an_ordinary_user);
   const int code = run.wait();
-  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not read everything";
+  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as a user with fewer permissions";
   EXPECT_EQ(code, kBadInput);
-  EXPECT_NE(run.err().find("it cannot be read; it is left as it is"), std::string::npos) << run.err();
+  EXPECT_NE(run.err().find("it cannot be read; it was not changed"), std::string::npos) << run.err();
 }
 
 TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
@@ -287,10 +286,10 @@ TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
   EXPECT_EQ(shown.code, kSuccess) << shown.err;
   EXPECT_TRUE(shown.out.starts_with(good + ", saved ")) << shown.out;
   for (const char* line :
-       {"\n  learned for 40.0 s\n", "\n  wall: 8 m from the field's centre, 0.7 to 5.5 m high, 4 rows of 48 columns\n",
+       {"\n  learned for 40.0 s\n", "\n  wall: 8 m from the field's center, 0.7 to 5.5 m high, 4 rows of 48 columns\n",
         "\n  parameters: as by default\n", "\n  known: 160 of 192 tiles; row by row, from the top: 40 40 40 40\n",
-        "\n  coverage: 0.83 (enough to decide with)\n", "(it can be told from itself turned by half a turn)\n",
-        "(half a turn changes it as other turns do)\n"})
+        "\n  coverage: 0.83 (enough for decisions)\n", "(distinguishable from itself rotated by 180 degrees)\n",
+        "(a rotation by 180 degrees changes it like other rotations)\n"})
     EXPECT_NE(shown.out.find(line), std::string::npos) << line << "\n" << shown.out;
   EXPECT_TRUE(read_text(picture).starts_with("\x89PNG"));
   SavedModel other = some_model(1, 0, 0.1, 0, 4);
@@ -309,10 +308,10 @@ TEST_F(ModelCommand, TellsWhereTwoDifferAndWhetherOneIsTurned) {
   const ProgramRun same = model({"compare", one, other});
   EXPECT_EQ(same.code, kSuccess) << same.err;
   EXPECT_TRUE(same.out.starts_with("A: " + one + "\nB: " + other + "\nboth know 192 tiles; only A 0, only B 0\n"));
-  EXPECT_NE(same.out.find("both count the wall from the same end of the field\n"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("both are seen from the same end of the field\n"), std::string::npos) << same.out;
   const ProgramRun different = model({"compare", one, turned});
   EXPECT_EQ(different.code, kWrong);
-  EXPECT_NE(different.out.find("B looks like A turned by half a turn"), std::string::npos) << different.out;
+  EXPECT_NE(different.out.find("B looks like A rotated by 180 degrees"), std::string::npos) << different.out;
 }
 
 TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
@@ -326,14 +325,14 @@ TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
   const std::string merged_bytes = read_text(both);
   expect_bad({"merge", one, turned, "--out", both}, "the teams had changed sides; merge them with --sides-changed");
   expect_bad({"merge", one, other, "--out", both, "--sides-changed"}, "leave out --sides-changed");
-  expect_bad({"merge", one, file_of(some_model(2), "hall"), "--out", both}, "nothing shows that " + one + " and ");
+  expect_bad({"merge", one, file_of(some_model(2), "hall"), "--out", both}, "cannot tell that " + one + " and ");
   EXPECT_EQ(read_text(both), merged_bytes);
   EXPECT_EQ(model({"merge", one, turned, "--out", both, "--sides-changed"}).code, kSuccess);
   EXPECT_EQ(read_text(both), merged_bytes);
   SavedModel other_wall = some_model(1);
   other_wall.basis.wall.radius = 9.0;
   expect_bad({"merge", one, file_of(other_wall, "far"), "--out", both},
-             "it was learned with other parameters than " + one + ": wall.radius=9; only models of one kind");
+             "its parameters differ from those of " + one + ": wall.radius=9; only models with the same parameters");
   expect_bad({"merge", one, other}, "--out is required");
   expect_bad({"merge", one, other, "--out", (folder.path() / "no" / "where").string()},
              "No such file or directory; name another file with --out");
@@ -350,12 +349,12 @@ TEST_F(ModelCommand, TakesNoModelForTwo) {
   expect_bad({one, "--picture", one}, "the model and --picture name the same file");
   EXPECT_EQ(read_text(one), before);
   const ProgramRun same = model({"compare", one, copy});
-  EXPECT_NE(same.out.find("they differ nowhere\n"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("no tile differs\n"), std::string::npos) << same.out;
   EXPECT_EQ(same.out.find("differ most"), std::string::npos) << same.out;
 }
 
 TEST_F(ModelCommand, RefusesWhatIsNoModel) {
-  expect_bad({}, "name a file that 'reorient run --model FILE' has written");
+  expect_bad({}, "name a file that 'reorient run --model FILE' wrote");
   expect_bad({(folder.path() / "none").string()}, "there is no such file; name a file that");
   expect_bad({folder.path().string()}, "it is a folder; name a file that");
   expect_bad({folder.write("long", std::string(std::size_t{2} << 20, 'x')).string()}, "it is not a model of a room");

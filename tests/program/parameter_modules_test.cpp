@@ -59,8 +59,7 @@ TEST_F(ParameterModulesTest, WarnsOnceOfAModuleThatNoRunCouldLoad) {
   EXPECT_EQ(kept_for_others({in_file("goal_saerch.speed"), in_file("goal_saerch.time")}, modules).size(), 2u);
   EXPECT_EQ(
       log.str(),
-      "team.toml:7: no script and no part of the program is called 'goal_saerch' (did you mean 'goal_search'?); its "
-      "values are kept, but nobody reads them\n");
+      "team.toml:7: unknown module 'goal_saerch' (did you mean 'goal_search'?); its values are saved but not used\n");
 }
 
 TEST_F(ParameterModulesTest, WarnsOfAFormerNameAndLeavesItOut) {
@@ -89,7 +88,7 @@ TEST_F(ParameterModulesTest, RefusesWhatAModuleThatIsThereDoesNotHave) {
   EXPECT_NE(refusal(in_file("lead")), "accepted") << "a name without a module";
 }
 
-TEST_F(ParameterModulesTest, RefusesWhatTheCommandLineSetsInVain) {
+TEST_F(ParameterModulesTest, RefusesAssignmentsWithoutEffectOnTheCommandLine) {
   EXPECT_NE(refusal({"goal_search.speed", "1", ParameterOrigin::command_line, ""}), "accepted");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program as a person at the keyboard calls it, with what it printed.
+// Runs the program as a user would, and returns what it printed.
 #pragma once
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ struct ProgramRun {
 
 inline const std::filesystem::path kProjectFolder = kSourceFolder;
 
-/// `words`: what stands behind the program's name.
+/// `words`: the command line without the program's name.
 inline ProgramRun run_reorient(const std::vector<std::string>& words) {
   setenv("REORIENT_HOME", kSourceFolder, 1);
   std::vector<const char*> argv{"reorient"};
@@ -40,20 +40,20 @@ inline std::vector<std::string> patiently(std::vector<std::string> words) {
   return words;
 }
 
-/// A short run in small images that writes nothing, with more options behind.
+/// A short run with small images that writes nothing, with more options at the end.
 inline ProgramRun run_shortly(const std::vector<std::string>& more) {
   std::vector<std::string> words{"run", "--seconds", "3", "--width", "160", "--no-pictures", "--log", "off"};
   words.insert(words.end(), more.begin(), more.end());
   return run_reorient(words);
 }
 
-/// What it printed of its digest; empty if it printed none.
+/// The printed digest; empty without one.
 inline std::string digest_of(const ProgramRun& run) {
   const std::size_t place = run.out.rfind("digest: ");
   return place == std::string::npos ? std::string() : run.out.substr(place, 24);
 }
 
-/// A copy of the shipped scripts, to be broken.
+/// A copy of the shipped scripts, which a test may break.
 inline std::filesystem::path copy_scripts(const std::filesystem::path& folder) {
   std::filesystem::path copy = folder / "scripts";
   std::filesystem::copy(kProjectFolder / "scripts", copy, std::filesystem::copy_options::recursive);

@@ -27,13 +27,13 @@ TEST(Program, HelpsWithExamples) {
   EXPECT_NE(run_reorient({"run", "--help"}).out.find("--no-room-awareness"), std::string::npos);
 }
 
-TEST(Program, GuessesWhichSubcommandWasMeant) {
+TEST(Program, SuggestsASubcommandForAMistypedOne) {
   const ProgramRun run = run_reorient({"chek"});
   EXPECT_EQ(run.code, kBadInput);
   EXPECT_NE(run.err.find("did you mean 'check'?"), std::string::npos) << run.err;
 }
 
-TEST(Program, ColorsItsLogWhereItIsAskedTo) {
+TEST(Program, ColorsItsLogOnRequest) {
   const TemporaryFolder folder;
   const std::string strange = folder.write("strange.toml", "[stranger]\nkey = 1\n").string();
   const auto colored = [&](std::vector<std::string> words) {
@@ -48,7 +48,7 @@ TEST(Program, ColorsItsLogWhereItIsAskedTo) {
   EXPECT_FALSE(colored({"--color", "never"}));
 }
 
-TEST(Program, SaysItsVersion) {
+TEST(Program, PrintsItsVersion) {
   const ProgramRun run = run_reorient({"version"});
   EXPECT_EQ(run.code, kSuccess);
   EXPECT_TRUE(run.out.starts_with("reorient ")) << run.out;
@@ -56,7 +56,7 @@ TEST(Program, SaysItsVersion) {
   EXPECT_EQ(run.err, "");
 }
 
-TEST(Program, SaysItsVersionAsOtherProgramsDo) {
+TEST(Program, PrintsItsVersionForTheUsualOption) {
   const ProgramRun run = run_reorient({"--version"});
   EXPECT_EQ(run.code, kSuccess);
   EXPECT_EQ(run.out, run_reorient({"version"}).out);
@@ -89,13 +89,13 @@ TEST(Program, LeavesTheVerdictToTheScenario) {
     elseif clock.time > 1.0 then operator.put_down(-3, 2, 1) end end } })");
   const ProgramRun run =
       run_reorient({"run", "easy", "--scripts", scripts.string(), "--width", "160", "--no-pictures", "--log", "off"});
-  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // though it was put down elsewhere in the last moment
+  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // although it was placed elsewhere in the last moment
   EXPECT_NE(run.out.find("right: that is all\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("belief wrong at the end"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("belief wrong at 0"), std::string::npos) << run.out;
 }
 
-TEST(Program, NamesTheBehaviorThatWasStopped) {
+TEST(Program, NamesAStoppedBehavior) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/behaviors/broken.lua",
@@ -120,7 +120,7 @@ TEST(Program, RepeatsARunWithItsSeedAndNotWithAnother) {
   EXPECT_NE(digest_of(run_shortly({"--seed", "5", "--no-room-awareness"})), digest);
 }
 
-TEST(Program, EndsWrongWhereTheTimeIsUpTooEarly) {
+TEST(Program, EndsWrongAtTheTimeLimit) {
   const ProgramRun run = run_shortly({});
   EXPECT_EQ(run.code, kWrong);
   EXPECT_NE(run.out.find("did not end in time"), std::string::npos) << run.out;
@@ -167,7 +167,7 @@ TEST(Program, WritesTheSummaryForPrograms) {
   }
   EXPECT_EQ(json["seed"], 9);
   EXPECT_EQ(json["scenario"], "mirrored_placement");
-  EXPECT_TRUE(json["correct"].get<bool>());  // nobody has turned it round yet
+  EXPECT_TRUE(json["correct"].get<bool>());  // it was not mirrored yet
   EXPECT_FALSE(json["succeeded"].get<bool>());
   EXPECT_NEAR(json["seconds"].get<double>(), 3.0, 0.05);
   EXPECT_LT(json["position_error_metres"].get<double>(), 1.0);

@@ -47,7 +47,7 @@ TEST_F(RunThatIsRecorded, HasTheDigestOfOneThatIsNotAndOfItsReplay) {
   EXPECT_NE(replayed.out.find("all frames are the same as recorded"), std::string::npos) << replayed.out;
   const ProgramRun info = run_reorient({"recording", "info", file("run.mcap")});
   EXPECT_EQ(info.code, 0);
-  EXPECT_NE(info.out.find("91 frames, 0.00 to 3.00 s of the robot; 91 can be made again exactly"), std::string::npos)
+  EXPECT_NE(info.out.find("91 frames, 0.00 to 3.00 s of the robot; 91 can be replayed exactly"), std::string::npos)
       << info.out;
 }
 
@@ -81,7 +81,7 @@ TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
   const ProgramRun what_if = run_reorient({"replay", file("run.mcap"), "--set", "orientation.hold_time=2"});
   EXPECT_EQ(what_if.code, 0) << what_if.err;
   EXPECT_NE(what_if.out.find("the first decision that differs is at "), std::string::npos) << what_if.out;
-  EXPECT_NE(what_if.out.find("recorded, and not taken now:\n  orientation: watching/in doubt > watching/in peace (the "
+  EXPECT_NE(what_if.out.find("recorded, but not replayed:\n  orientation: watching/in doubt > watching/in peace (the "
                              "believed pose won)"),
             std::string::npos)
       << what_if.out;
@@ -94,7 +94,7 @@ TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
   const ProgramRun edited = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
   EXPECT_EQ(edited.code, 0) << edited.err;
   EXPECT_NE(edited.out.find("behaviors/wall_gaze.lua was taken over"), std::string::npos) << edited.out;
-  EXPECT_NE(edited.out.find("no behaviour would have decided otherwise"), std::string::npos) << edited.out;
+  EXPECT_NE(edited.out.find("no decision of a behavior differs"), std::string::npos) << edited.out;
   std::filesystem::remove(scripts / "behaviors" / "wall_gaze.lua");
   const ProgramRun without = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
   EXPECT_EQ(without.code, 2);
@@ -312,7 +312,7 @@ TEST_F(RunThatIsRecorded, IsReadWholeWhateverBitOfItsHeadIsDamaged) {
   }
 }
 
-TEST_F(RunThatIsRecorded, ThatCannotBeWrittenAnewLeavesWhatWasThere) {
+TEST_F(RunThatIsRecorded, LeavesTheOldFileIfItCannotBeWrittenAgain) {
   run_shortly({"--record", file("run.mcap")});
   const std::string before = read_text(file("run.mcap"));
   folder_.write("other.mcap", before);
@@ -348,12 +348,12 @@ TEST_F(RunThatIsRecorded, ThatIsDamagedIsNotReplayedAsIfItWereWhole) {
   EXPECT_EQ(hole.code, 1) << hole.out;
   EXPECT_NE(hole.out.find(" frames, up to "), std::string::npos) << hole.out;
   EXPECT_NE(hole.out.find(" of "), std::string::npos) << hole.out;
-  EXPECT_NE(hole.out.find("; the rest cannot be made again"), std::string::npos) << hole.out;
+  EXPECT_NE(hole.out.find("; the rest cannot be replayed"), std::string::npos) << hole.out;
   EXPECT_EQ(hole.out.find("all frames"), std::string::npos) << hole.out;
   folder_.write("half.mcap", bytes.substr(0, bytes.size() / 2));
   const ProgramRun half = run_reorient({"replay", file("half.mcap")});
   EXPECT_EQ(half.code, 1) << half.out;
-  EXPECT_NE(half.out.find("; the rest cannot be made again"), std::string::npos) << half.out;
+  EXPECT_NE(half.out.find("; the rest cannot be replayed"), std::string::npos) << half.out;
   const ProgramRun sound_part = run_reorient({"replay", file("half.mcap"), "--to", "0.5"});
   EXPECT_EQ(sound_part.code, 0) << sound_part.out;
   EXPECT_NE(sound_part.out.find("all frames are the same as recorded"), std::string::npos) << sound_part.out;
@@ -364,7 +364,7 @@ TEST_F(RunThatIsRecorded, KeepsTheFurtherPartsOfAnEarlierOne) {
   folder_.write("rot.notes.mcap", "no part");
   const ProgramRun refused = run_shortly({"--record", file("rot.mcap"), "--record-rotate", "1s"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find(file("rot.3.mcap") + " is there already, a part of an earlier run"), std::string::npos)
+  EXPECT_NE(refused.err.find(file("rot.3.mcap") + " exists already, as a part of an earlier run"), std::string::npos)
       << refused.err;
   EXPECT_FALSE(std::filesystem::exists(file("rot.mcap")));
   std::filesystem::remove(file("rot.3.mcap"));
@@ -393,12 +393,12 @@ TEST_F(RunThatIsRecorded, IsRefusedTimesInWhichNothingWasRecorded) {
   run_reorient({"recording", "cut", file("run.mcap"), "--from", "2", "--out", file("late.mcap")});
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"replay", "run", "--from", "100"}, "--from 100: the recording ends at 3.00 s"},
-      {{"replay", "run", "--from", "2", "--to", "1"}, "--from 2 --to 1: it would end before it begins"},
-      {{"replay", "run", "--from", "nan"}, "--from: 'nan' is not a number of seconds from 0 on"},
-      {{"replay", "run", "--to", "-1"}, "--to: '-1' is not a number"},
+      {{"replay", "run", "--from", "2", "--to", "1"}, "--from 2 --to 1: expected --to at or after --from"},
+      {{"replay", "run", "--from", "nan"}, "--from: expected a non-negative number of seconds, found 'nan'"},
+      {{"replay", "run", "--to", "-1"}, "--to: expected a non-negative number of seconds, found '-1'"},
       {{"replay", "late", "--to", "1"}, "--to 1: the recording begins at 2.00 s"},
       {{"recording", "pictures", "run", "--at", "500"}, "--at 500: the recording ends at 3.00 s"},
-      {{"recording", "pictures", "run", "--at", "nan"}, "--at: 'nan' is not a number"},
+      {{"recording", "pictures", "run", "--at", "nan"}, "--at: expected a non-negative number of seconds, found 'nan'"},
       {{"recording", "cut", "run", "--from", "nan", "--to", "2", "--out", "part"}, "--from: 'nan'"},
       {{"recording", "cut", "run", "--from", "50", "--out", "part"}, "--from 50: the recording ends at 3.00 s"},
       {{"record-test", "run", "--from", "nan", "--to", "nan", "--name", "x"}, "--from: 'nan'"},
@@ -417,17 +417,17 @@ TEST_F(RunThatIsRecorded, IsRefusedTimesInWhichNothingWasRecorded) {
   EXPECT_EQ(run_reorient({"replay", file("late.mcap"), "--to", "2"}).code, 0) << "as info has told it";
 }
 
-TEST_F(RunThatIsRecorded, IsRefusedWithOneLineWhatMakesNoSense) {
-  const std::string text = folder_.write("text.mcap", "this is none").string();
+TEST_F(RunThatIsRecorded, RefusesInvalidOptionsWithOneLine) {
+  const std::string text = folder_.write("text.mcap", "no recording").string();
   run_shortly({"--record", file("run.mcap")});
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "--record", "/nowhere/run.mcap"}, "--record"},
       {{"run", "--record", folder_.path().string()}, "--record"},
-      {{"run", "--record", file("x.mcap"), "--record-images", "some"}, "it is lossless, every:N"},
-      {{"run", "--record", file("x.mcap"), "--record-images", "every:0"}, "it is lossless, every:N"},
-      {{"run", "--record", file("x.mcap"), "--view-images", "jpeg:101"}, "it is jpeg:Q (a quality from 1 to 100)"},
-      {{"run", "--record", file("x.mcap"), "--view-images", "png"}, "it is jpeg:Q"},
-      {{"run", "--record", file("x.mcap"), "--view-particles", "every:"}, "it is every:N"},
+      {{"run", "--record", file("x.mcap"), "--record-images", "some"}, "expected lossless, every:N"},
+      {{"run", "--record", file("x.mcap"), "--record-images", "every:0"}, "expected lossless, every:N"},
+      {{"run", "--record", file("x.mcap"), "--view-images", "jpeg:101"}, "expected jpeg:Q (a quality from 1 to 100)"},
+      {{"run", "--record", file("x.mcap"), "--view-images", "png"}, "expected jpeg:Q"},
+      {{"run", "--record", file("x.mcap"), "--view-particles", "every:"}, "expected every:N"},
       {{"replay", "/nowhere.mcap"}, "/nowhere.mcap: it cannot be read: No such file"},
       {{"replay", text}, "at byte 0: expected the start mark of an MCAP file, found other bytes; name a recording"},
       {{"replay", folder_.path().string()}, "expected a recording, found something that is not a file"},
@@ -438,9 +438,9 @@ TEST_F(RunThatIsRecorded, IsRefusedWithOneLineWhatMakesNoSense) {
       {{"recording", "recover", file("run.mcap"), "--out", file("run.mcap")},
        "the recording and --out name the same file"},
       {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", file("run.mcap")}, "name the same file"},
-      {{"recording", "recover", file("run.mcap"), "--out", text}, "it is there and no recording"},
-      {{"run", "--record", file("x.mcap"), "--record-rotate", "often"}, "it is a size or a time"},
-      {{"run", "--record", file("x.mcap"), "--record-rotate", "-5min"}, "it is a size or a time"},
+      {{"recording", "recover", file("run.mcap"), "--out", text}, "the file exists and is not a recording"},
+      {{"run", "--record", file("x.mcap"), "--record-rotate", "often"}, "expected a size or a time"},
+      {{"run", "--record", file("x.mcap"), "--record-rotate", "-5min"}, "expected a size or a time"},
       {{"recording", "export", file("run.mcap"), "--csv", "everything"}, "--csv"},
       {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", "/nowhere/x.csv"}, "--out"},
       {{"recording", "pictures", file("run.mcap")}, "--at is required"},

@@ -81,7 +81,7 @@ TEST_F(RoomRate, SaysOfTheTwoFoldTwinThatNothingTellsItsEndsApart) {
   const ProgramRun run =
       rate({"hall", "--set", "room_shape.symmetry=two_fold", "--banner", "0", "--json", path("twin.json")});
   EXPECT_EQ(run.code, kWrong) << run.err << run.out;
-  EXPECT_NE(run.out.find("verdict: does not work: the room looks the same after half a turn"), std::string::npos)
+  EXPECT_NE(run.out.find("verdict: does not work: the room looks the same rotated by 180 degrees"), std::string::npos)
       << run.out;
   const auto json = read_json(path("twin.json"));
   EXPECT_EQ(json["verdict"], "symmetric");

@@ -78,7 +78,7 @@ TEST_F(AtATerminal, CompletesWords) {
   edit("set orientation.\t", "orientation.hold_time");
   edit("l\t0.25\r", "orientation.lingering = 0.25\r\n");
   edit("world confidence.opp\t\r", "confidence.opposite = ");
-  edit("reload head\t\r", "behaviors/head_scan.lua was read again");
+  edit("reload head\t\r", "behaviors/head_scan.lua was reloaded");
   edit("why pat\t\r", "patrol: walking");
 }
 
@@ -95,14 +95,14 @@ TEST_F(AtATerminal, KeepsTheEditedLineBelowWhatIsTold) {
   run->type("_scan\r");
   ASSERT_TRUE(run->await("head_scan.lua: the edit is running")) << "the log";
   EXPECT_NE(run->passed().find("\r\x1B["), std::string::npos);
-  ASSERT_TRUE(run->await("was read again"));
+  ASSERT_TRUE(run->await("was reloaded"));
 }
 
 TEST_F(AtATerminal, DropsWhatIsTypedBeyondTheLongestLine) {
   open();
   const std::string block(1000, 'x');
   for (int i = 0; i < 30; ++i) run->type(block);
-  expect("\r", "there is no command 'xxx");
+  expect("\r", "unknown command 'xxx");
   expect("states\r", "penalty_marks");
 }
 

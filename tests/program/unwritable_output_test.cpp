@@ -53,7 +53,7 @@ TEST_F(UnwritableOutput, TellsEachOutputThatVanishedWithItsFolder) {
   EXPECT_EQ(json()["scenario"], "patrol");
 }
 
-TEST_F(UnwritableOutput, WritesTheRestWhereNobodyReadsWhatItPrints) {
+TEST_F(UnwritableOutput, WritesTheRestIfTheReaderOfItsOutputHasEnded) {
   ChildProgram run(folder.path(), words({"--seconds", "1"}), [] {
     int ends[2];
     if (pipe(ends) != 0) _exit(126);
@@ -81,7 +81,7 @@ TEST_F(UnwritableOutput, SaysWhatADeviceSays) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
-TEST_F(UnwritableOutput, DoesNotFollowWhatSomebodyPutBeside) {
+TEST_F(UnwritableOutput, DoesNotFollowALinkBesideTheFile) {
   folder.write("precious.txt", "mine");
   std::filesystem::create_symlink(folder.path() / "precious.txt", folder.path() / "run.json.partial");
   ChildProgram run(folder.path(), words({"--seconds", "1"}));
@@ -111,7 +111,7 @@ TEST_F(UnwritableOutput, IsToldBeforeTheRunWhereAFolderMayNotBeWritten) {
   for (const auto& [all, complaint] : runs) {
     ChildProgram run(folder.path(), all, become_an_ordinary_user);
     const int code = run.wait();
-    if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not write everywhere";
+    if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as a user with fewer permissions";
     EXPECT_EQ(code, kBadInput);
     EXPECT_EQ(run.out(), "");
     EXPECT_EQ(run.err(), complaint);
@@ -126,7 +126,7 @@ TEST_F(UnwritableOutput, TellsEachPictureWhereItsFolderMayNoLongerBeWritten) {
   allow(kOnlyToRead);
   run.kill(SIGTERM);  // the run lasts until then, however long that takes
   const int code = run.wait();
-  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as somebody who may not write everywhere";
+  if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as a user with fewer permissions";
   ASSERT_TRUE(began) << run.err();
   EXPECT_EQ(code, kBadInput);
   for (const char* name : kPictures) {

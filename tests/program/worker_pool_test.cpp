@@ -79,7 +79,7 @@ TEST_F(WorkerPool, EndsAtOnceWhenItIsToldEnough) {
   EXPECT_EQ(ends.size(), 1U) << "two waited for ever, and were ended";
 }
 
-TEST_F(WorkerPool, EndsWhenSomebodyAsksItTo) {
+TEST_F(WorkerPool, EndsOnRequest) {
   int asked = 0;
   run_in_processes(
       {1, 2}, 2, [](int) { pause(); }, [](const TaskEnd&) { return true; }, [&] { return ++asked > 2; });

@@ -45,7 +45,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 TableWish wish_of(std::string_view comment) {
   constexpr std::string_view kClose = "-->";
-  if (!comment.ends_with(kClose)) throw std::runtime_error("the comment does not end on its line");
+  if (!comment.ends_with(kClose)) throw std::runtime_error("the comment must end on its line");
   comment = comment.substr(kBegin.size(), comment.size() - kBegin.size() - kClose.size());
   const std::size_t colon = comment.find(':');
   if (colon == std::string_view::npos) throw std::runtime_error("write FILE.json: columns");
@@ -91,7 +91,7 @@ std::string number_text(const std::string& key, const ordered_json& value, const
   if (value.is_null()) return nothing;
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
-  if (!value.is_number()) throw std::runtime_error("'" + key + "' is no number and no text");
+  if (!value.is_number()) throw std::runtime_error("'" + key + "' is neither a number nor a text");
   if (is_share(key)) return fmt::format("{:.1f} %", 100.0 * value.get<double>());
   if (key.starts_with("auc_") || key.ends_with("_m")) return fmt::format("{:.3f}", value.get<double>());
   return fmt::format("{:.{}f}", value.get<double>(), key.ends_with("_s") || key.ends_with("_mean_low") ? 1 : 2);
@@ -126,14 +126,14 @@ std::string in_cell(const std::string& text) {
 }
 
 std::string table_of(const TableWish& wish, const ordered_json& rows) {
-  if (!rows.is_array()) throw std::runtime_error(wish.file + " is no list of rows");
+  if (!rows.is_array()) throw std::runtime_error(wish.file + " is not a list of rows");
   std::string head = "|", line = "|", body;
   for (const std::string& column : wish.columns) {
     head += " " + in_cell(title_of(column)) + " |";
     line += "---|";
   }
   for (const ordered_json& row : rows) {
-    if (!row.is_object()) throw std::runtime_error(wish.file + " is no list of rows");
+    if (!row.is_object()) throw std::runtime_error(wish.file + " is not a list of rows");
     const bool is_wanted = std::all_of(wish.only.begin(), wish.only.end(), [&row](const auto& only) {
       const auto& [key, values] = only;
       return std::find(values.begin(), values.end(), number_text(key, value_of(row, key))) != values.end();

@@ -35,7 +35,7 @@ double number_at(const ordered_json& table, const char* key, const char* what) {
   const ordered_json& value = at(table, key, what);
   const double number = value.is_number() ? value.get<double>() : -1.0;
   if (!(number >= 0.0 && number <= kLongest))
-    throw Flaw(fmt::format("{} whose \"{}\" is no number from 0 on", what, key));
+    throw Flaw(fmt::format("{} whose \"{}\" is not a non-negative number", what, key));
   return number;
 }
 
@@ -47,7 +47,7 @@ std::optional<double> optional_number_at(const ordered_json& table, const char* 
 int count_at(const ordered_json& table, const char* key, const char* what) {
   const ordered_json& value = at(table, key, what);
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostEvents)
-    throw Flaw(fmt::format("{} whose \"{}\" is no whole number from 0 on", what, key));
+    throw Flaw(fmt::format("{} whose \"{}\" is not a non-negative whole number", what, key));
   return value.get<int>();
 }
 
@@ -64,14 +64,14 @@ std::optional<Reorientation> reorientation_at(const ordered_json& table, const c
     const auto reorientation = static_cast<Reorientation>(i);
     if (value == to_string(reorientation)) return reorientation;
   }
-  throw Flaw(fmt::format("{} whose \"{}\" is no command", what, key));
+  throw Flaw(fmt::format("{} whose \"{}\" is not a command", what, key));
 }
 
 Outcome outcome_from(const ordered_json& table) {
   constexpr const char* kWhat = "an outcome";
-  if (!table.is_object()) throw Flaw("an outcome that is no object");
+  if (!table.is_object()) throw Flaw("an outcome that is not an object");
   const ordered_json& seed = at(table, "seed", kWhat);
-  if (!seed.is_number_unsigned()) throw Flaw("an outcome whose \"seed\" is no whole number from 0 on");
+  if (!seed.is_number_unsigned()) throw Flaw("an outcome whose \"seed\" is not a non-negative whole number");
   return {seed.get<std::uint64_t>(),
           yes_at(table, "disturbed", kWhat),
           yes_at(table, "failed", kWhat),
@@ -83,12 +83,12 @@ Outcome outcome_from(const ordered_json& table) {
 
 StoredRow row_from(const ordered_json& table) {
   constexpr const char* kWhat = "a row";
-  if (!table.is_object()) throw Flaw("a row that is no object");
+  if (!table.is_object()) throw Flaw("a row that is not an object");
   static_cast<void>(at(table, "trials", kWhat));
   StoredRow row;
   // The axes' choices come first.
   for (auto entry = table.begin(); entry != table.end() && entry.key() != "trials"; ++entry) {
-    if (!entry->is_string()) throw Flaw(fmt::format("a row whose choice of \"{}\" is no text", entry.key()));
+    if (!entry->is_string()) throw Flaw(fmt::format("a row whose choice of \"{}\" is not a text", entry.key()));
     row.choices.emplace_back(entry.key(), entry->get<std::string>());
   }
   row.false_flips = count_at(table, "false_flips", kWhat);
@@ -97,7 +97,7 @@ StoredRow row_from(const ordered_json& table) {
   row.false_flip_rate = {optional_number_at(table, "false_flips_per_hour_low", kWhat).value_or(0.0),
                          optional_number_at(table, "false_flips_per_hour_high", kWhat).value_or(kInfinite)};
   const ordered_json& outcomes = at(table, "outcomes", kWhat);
-  if (!outcomes.is_array()) throw Flaw("a row whose \"outcomes\" are no list");
+  if (!outcomes.is_array()) throw Flaw("a row whose \"outcomes\" are not a list");
   std::set<std::uint64_t> seeds;
   for (const ordered_json& one : outcomes) {
     row.outcomes.push_back(outcome_from(one));
@@ -108,7 +108,7 @@ StoredRow row_from(const ordered_json& table) {
 }
 
 std::vector<StoredRow> rows_from(const ordered_json& list) {
-  if (!list.is_array() || list.empty()) throw Flaw("it is no list of rows");
+  if (!list.is_array() || list.empty()) throw Flaw("it is not a list of rows");
   std::vector<StoredRow> rows;
   std::set<std::vector<std::pair<std::string, std::string>>> seen;
   for (const ordered_json& one : list) {
@@ -129,7 +129,7 @@ std::vector<StoredRow> read_rows(const std::filesystem::path& file) {
     throw std::runtime_error(as_line(file.string() + ": " + why));
   };
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse("there is no such file; experiment --json writes one");
+  if (!std::filesystem::is_regular_file(file, error)) refuse("no such file; 'experiment --json' writes one");
   const std::optional<std::string> text = read_whole_file(file);
   if (!text) refuse("it cannot be read; check its permissions");
   try {
@@ -137,12 +137,12 @@ std::vector<StoredRow> read_rows(const std::filesystem::path& file) {
   } catch (const nlohmann::json::parse_error& mistake) {
     const auto until = text->begin() + static_cast<std::ptrdiff_t>(std::min(mistake.byte, text->size()));
     throw std::runtime_error(
-        as_line(fmt::format("{}:{}: this is no JSON, or it is cut short; experiment --json writes it anew",
-                            file.string(), 1 + std::count(text->begin(), until, '\n'))));
+        as_line(fmt::format("{}:{}: invalid or truncated JSON; 'experiment --json' writes it again", file.string(),
+                            1 + std::count(text->begin(), until, '\n'))));
   } catch (const nlohmann::json::exception&) {
-    refuse("it holds a number that is too large; experiment --json writes it anew");
+    refuse("it contains a number that is too large; 'experiment --json' writes it again");
   } catch (const Flaw& flaw) {
-    refuse(std::string("this is no table of an experiment: ") + flaw.what() + "; experiment --json writes it anew");
+    refuse(std::string("not a table of an experiment: ") + flaw.what() + "; 'experiment --json' writes it again");
   }
   return {};
 }

@@ -61,7 +61,8 @@ TextTable lines_of_references(const Experiment& experiment, const std::vector<Ce
       return belongs_to(reference, experiment, cell.choices);
     });
     if (!is_tried) continue;
-    if (lines.empty()) lines.push_back({"measured by", "case", "trials", "failed", "mended after, s", "flip", "purge"});
+    if (lines.empty())
+      lines.push_back({"measured by", "case", "trials", "failed", "corrected after, s", "flip", "purge"});
     std::string choices;
     for (const auto& [axis, choice] : reference.choices) choices += (choices.empty() ? "" : ", ") + as_line(choice);
     lines.push_back({as_line(reference.label), choices, reference.trials ? std::to_string(*reference.trials) : "-",
@@ -74,7 +75,7 @@ TextTable lines_of_references(const Experiment& experiment, const std::vector<Ce
 void print_trials(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out) {
   TextTable lines(1);
   for (const Axis& axis : experiment.axes) lines[0].push_back(as_line(axis.name));
-  for (const char* title : {"trials", "failed [95 %]", "right after, s", "median", "p90", "mended after, s", "flips",
+  for (const char* title : {"trials", "failed [95 %]", "right after, s", "median", "p90", "corrected after, s", "flips",
                             "purges", "false flips", "right hours"})
     lines[0].emplace_back(title);
   for (const CellResults& cell : cells) lines.push_back(cells_of(cell));

@@ -15,7 +15,7 @@ using TextTable = std::vector<std::vector<std::string>>;  ///< line by line, all
 /// Each column as wide as its texts; the first `left` columns begin at their left edge, the others end at their right.
 void print_table(const TextTable& table, std::size_t left, std::ostream& out);
 
-/// With one decimal; "-" where there is none.
+/// With one decimal; "-" without a value.
 std::string one_decimal(const std::optional<double>& value);
 
 }  // namespace reorient

@@ -73,35 +73,35 @@ CommandTable::CommandTable(ConsoleSubject subject)
       {"set", "NAME VALUE", "change a parameter, as in: set decision.false_flips 1",
        [this](const Words& words, FrameInputs& inputs) { return parameters_.set(words[0], words[1], inputs); },
        parameter_or_value},
-      {"undo", "", "take the last change of a parameter back; again: the one before",
+      {"undo", "", "undo the last change of a parameter; again: the one before",
        [this](const Words&, FrameInputs& inputs) { return parameters_.undo(inputs); }},
       {"params", "[PATTERN]", "parameters with value, range and origin, as in: params orientation",
        [this](const Words& words, FrameInputs&) { return parameters_.list(optional_argument(words)); },
        first([this] { return parameters_.names(); })},
       {"diff", "", "parameters that differ from their defaults",
        [this](const Words&, FrameInputs&) { return parameters_.differences(); }},
-      {"save", "FILE", "write what differs from the defaults, to be loaded with --params FILE",
+      {"save", "FILE", "save the parameters that differ from their defaults, for --params FILE",
        [this](const Words& words, FrameInputs&) { return parameters_.save(words[0]); }},
-      {"world", "[PATTERN]", "what behaviours see now, as in: world pose.*",
+      {"world", "[PATTERN]", "world fields and their values now, as in: world pose.*",
        [this](const Words& words, FrameInputs&) { return world_.look(optional_argument(words)); },
        first([this] { return world_.names(); })},
-      {"watch", "[PATTERN]", "tell such values whenever they change; alone: those that are watched",
+      {"watch", "[PATTERN]", "print these values when they change; alone: list the watched values",
        [this](const Words& words, FrameInputs&) { return world_.watch(optional_argument(words)); },
        first([this] { return world_.names(); })},
-      {"unwatch", "[PATTERN]", "tell them no more; alone: none",
+      {"unwatch", "[PATTERN]", "stop watching these values; alone: all",
        [this](const Words& words, FrameInputs&) { return world_.unwatch(optional_argument(words)); },
        first([this] { return world_.watched(); })},
-      {"states", "", "every behaviour with its state and what it costs",
+      {"states", "", "state and cost of each behavior",
        [](const Words&, FrameInputs&) { return ScriptCommands::states(); }},
-      {"why", "MACHINE", "where a behaviour may go from its state, and what is lacking",
+      {"why", "MACHINE", "transitions of a behavior's state, and what their conditions lack",
        [this](const Words& words, FrameInputs&) { return scripts_.why(words[0]); },
        first([this] { return scripts_.machines(); })},
-      {"reload", "[SCRIPT]", "read a script again, or all, though they did not change",
+      {"reload", "[SCRIPT]", "reload a script, or all, even if unchanged",
        [this](const Words& words, FrameInputs& inputs) { return scripts_.reload(optional_argument(words), inputs); },
        first([this] { return scripts_.scripts(); })},
-      {"note", "TEXT...", "write it down at this time of the run, as in: note the referee moved it",
+      {"note", "TEXT...", "record a note at this time, as in: note the referee moved it",
        [](const Words& words, FrameInputs& inputs) { return note(words, inputs); }},
-      {"wait", "SECONDS", "take the next command so much later, in the robot's time",
+      {"wait", "SECONDS", "wait before the next command, in the robot's time",
        [](const Words& words, FrameInputs&) { return wait(seconds_of(words[0])); }},
       {"help", "[COMMAND]", "this list",
        [this](const Words& words, FrameInputs&) { return at_once(help(optional_argument(words))); },
@@ -140,7 +140,7 @@ const Command& CommandTable::find(const std::string& name) const {
   const auto found =
       std::find_if(commands_.begin(), commands_.end(), [&](const Command& command) { return command.name == name; });
   if (found == commands_.end())
-    throw std::runtime_error("there is no command '" + name + "'" + did_you_mean(name, names()) + "; help lists them");
+    throw std::runtime_error("unknown command '" + name + "'" + did_you_mean(name, names()) + "; help lists them");
   return *found;
 }
 
@@ -150,7 +150,7 @@ std::string CommandTable::help(const std::string& name) const {
     if (name.empty() || command.name == name) text += fmt::format("  {:<17}  {}\n", usage(command), command.help);
   }
   if (text.empty()) find(name);
-  if (name.empty()) text += fmt::format("  {:<17}  {}\n", "(an empty line)", "close the prompt; the run goes on");
+  if (name.empty()) text += fmt::format("  {:<17}  {}\n", "(an empty line)", "close the prompt; the run continues");
   return text;
 }
 

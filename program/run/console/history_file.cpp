@@ -86,7 +86,7 @@ void append_history(const std::filesystem::path& file, const std::vector<std::st
   std::string text;
   for (const std::string& line : all) text += line + "\n";
   std::error_code error;
-  // As the XDG Base Directory Specification asks: nobody else's to read.
+  // Readable by the user only, as the XDG Base Directory Specification requires.
   if (std::filesystem::create_directories(file.parent_path(), error))
     std::filesystem::permissions(file.parent_path(), std::filesystem::perms::owner_all, error);
   write_whole_file(file, text);

@@ -11,7 +11,7 @@
 namespace reorient {
 
 /// Bytes become keys: a letter in UTF-8, a control character, or an escape sequence as a whole. What is no key (bytes
-/// that are no UTF-8, sequences that nobody knows) is left out.
+/// that are no UTF-8, unknown sequences) is left out.
 class KeyQueue {
  public:
   /// `sequences`: those that mean something, each beginning with ESC.

@@ -157,7 +157,7 @@ LineEditor& LineEditor::of(EditLine* editor) {
   return *static_cast<LineEditor*>(self);
 }
 
-/// 0: there is none, which to libedit is the end of the input, and makes it return.
+/// 0: no key; libedit takes it as the end of the input and returns.
 int LineEditor::next_letter(EditLine* editor, wchar_t* letter) {
   std::string& key = of(editor).key_;
   std::mbstate_t state{};

@@ -24,7 +24,7 @@ class LineEditor {
   using Candidates = std::function<Words(const Words& before)>;
 
   /// Reads `descriptor` and writes to the standard output, which are one terminal. The locale must be one of UTF-8.
-  /// What was typed in earlier runs is in the file `history`; nothing: there is none.
+  /// `history`: file with the lines of earlier runs; nothing: no history.
   LineEditor(int descriptor, Candidates candidates, std::optional<std::filesystem::path> history);
   ~LineEditor();
   LineEditor(const LineEditor&) = delete;

@@ -49,8 +49,8 @@ std::optional<std::string> LineReader::take_line() {
   std::string line = read_.substr(0, end);
   read_.erase(0, is_whole ? end + 1 : end);
   if (std::exchange(too_long_, false) || line.size() > kLongestLine)
-    throw std::runtime_error("that line is too long: at most " + std::to_string(kLongestLine) + " bytes");
-  if (line.find('\0') != std::string::npos) throw std::runtime_error("that line holds zero bytes: it is no text");
+    throw std::runtime_error("line too long: at most " + std::to_string(kLongestLine) + " bytes");
+  if (line.find('\0') != std::string::npos) throw std::runtime_error("expected text, found a line with zero bytes");
   return line;
 }
 

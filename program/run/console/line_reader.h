@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// Bytes. A longer line is nobody's command.
+/// Bytes. A longer line is not a command.
 inline constexpr std::size_t kLongestLine = 1000;
 
 /// Since the last look.
@@ -35,7 +35,7 @@ class LineReader {
   bool ended_ = false;     ///< there will be no more
 };
 
-/// Whether a read would not block; false for a terminal that is somebody else's now.
+/// Whether a read would not block; false for a terminal that another process group uses now.
 bool has_input(int descriptor);
 
 }  // namespace reorient

@@ -30,9 +30,9 @@ class LiveConsole : public InputSource, public Observer {
 
   bool is_open() const { return open_; }
   bool wants_to_quit() const { return table_.wants_to_quit(); }
-  /// Somebody else is about to write to the terminal.
+  /// Call before another part of the program writes to the terminal.
   void make_room();
-  /// Somebody else is about to write a line to the same output.
+  /// Call before another part of the program writes a line to the same output.
   void begin_line();
 
  private:

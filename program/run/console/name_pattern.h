@@ -13,7 +13,7 @@ namespace reorient {
 bool matches(std::string_view pattern, std::string_view name);
 
 /// The indices of the name that is `wanted`; else, where it holds a '*', of those that match; else of those that it is
-/// a part of. Throws std::runtime_error with one line where there is none, which calls it a `kind` ("parameter").
+/// a part of. Throws std::runtime_error with one line if no name matches; the message calls it a `kind` ("parameter").
 std::vector<std::size_t> pick(std::string_view wanted, std::span<const std::string> names, std::string_view kind);
 
 /// Others' bytes within a line of ours: on a terminal they must not be commands, and not fill it.

@@ -15,7 +15,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kMostChanges = 1000;  // that can be taken back
+constexpr std::size_t kMostChanges = 1000;  // that can be undone
 
 Words names_of(const std::vector<Parameter>& parameters) {
   Words names;
@@ -32,7 +32,7 @@ const Parameter& named(const std::vector<Parameter>& parameters, const std::stri
 }
 
 std::string told(const ParameterOutcome& outcome) {
-  if (outcome.value.empty()) return outcome.name + " is fixed while the robot runs; give it with --set";
+  if (outcome.value.empty()) return outcome.name + " is fixed during a run; set it with --set";
   return outcome.refusal.empty() ? outcome.name + " = " + outcome.value : outcome.refusal;
 }
 
@@ -51,13 +51,13 @@ Reply ParameterCommands::set(const std::string& name, const std::string& value, 
 }
 
 Reply ParameterCommands::undo(FrameInputs& inputs) {
-  if (before_.empty()) return at_once("  nothing to take back\n");
+  if (before_.empty()) return at_once("  nothing to undo\n");
   const Change last = before_.back();
   before_.pop_back();
   return change(last, inputs, [] {});
 }
 
-/// A library's parameter may belong to behaviours and to the scenario: both get it.
+/// A library's parameter may belong to behaviors and to the scenario: both are changed.
 Reply ParameterCommands::change(const Change& wanted, FrameInputs& inputs, std::function<void()> done) {
   const ParameterChange change{wanted.name, wanted.value, ParameterOrigin::live, ""};
   std::optional<ParameterOutcome> known;
@@ -93,7 +93,7 @@ Reply ParameterCommands::differences() const {
       text += fmt::format("  {} = {}  (default {}; {})\n", parameter.name, to_text(parameter.value),
                           to_text(parameter.default_value), to_string(parameter.origin));
     }
-    return text.empty() ? "  every parameter has its default\n" : text;
+    return text.empty() ? "  all parameters have their defaults\n" : text;
   };
 }
 

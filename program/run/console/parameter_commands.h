@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters at the prompt: set, taken back, listed, compared with their defaults, saved.
+// Commands of the prompt for parameters: set, undo, list, compare with the defaults, save.
 #pragma once
 
 #include <functional>

@@ -62,7 +62,7 @@ std::string why_text(const MachineStatus& status, const std::vector<OpenConditio
     target_width = std::max(target_width, names[one.target].size());
     progress_width = std::max(progress_width, progress_text(one).size());
   }
-  if (target_width == 0) return text + "    nothing leads on from here\n";
+  if (target_width == 0) return text + "    no transition leaves this state\n";
   for (const OpenCondition& one : conditions) {
     if (one.machine != status.machine) continue;
     text += fmt::format("    -> {:<{}}  {:<{}}  {} (line {})\n", names[one.target], target_width, progress_text(one),
@@ -99,7 +99,7 @@ Reply ScriptCommands::why(const std::string& machine) const {
     if (const MachineStatus* const status = find(frame.machines, *frame.names, machine))
       return why_text(*status, frame.conditions, *frame.names, now);
     const MachineStatus* const status = find(scene.scenario.machines, *scene.scenario.names, machine);
-    if (status == nullptr || scenario_ == nullptr) return "  it is gone\n";
+    if (status == nullptr || scenario_ == nullptr) return "  it no longer exists\n";
     std::vector<OpenCondition> conditions;
     scenario_->host().read_conditions(conditions);
     return why_text(*status, conditions, *scene.scenario.names, now);
@@ -123,10 +123,10 @@ Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const
       for (const ReloadRecord& reload : *reloads)
         text += "  " + reload.script +
                 (reload.accepted
-                     ? " was read again\n"
+                     ? " was reloaded\n"
                      : ": refused; the previous version keeps running: " + printable(reload.fault.text()) + "\n");
     }
-    return text.empty() ? "  no script that runs needs it\n" : text;
+    return text.empty() ? "  no running script uses it\n" : text;
   };
 }
 

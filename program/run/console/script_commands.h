@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Behaviours and the scenario at the prompt: how they stand, why they stand there, and a reload.
+// Commands of the prompt for behaviors and the scenario: their states, why they are in them, and a reload.
 #pragma once
 
 #include <filesystem>

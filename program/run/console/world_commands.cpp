@@ -51,7 +51,7 @@ Reply WorldCommands::look(const std::string& pattern) const {
 
 Reply WorldCommands::watch(const std::string& pattern) {
   if (pattern.empty() && watched_.empty())
-    return at_once("  nothing is watched; write: watch NAME, as in: watch confidence.current\n");
+    return at_once("  no watched values; write: watch NAME, as in: watch confidence.current\n");
   const std::vector<std::size_t> fields =
       pattern.empty() ? std::vector<std::size_t>() : pick(pattern, names_, "world value");
   for (const std::size_t field : fields) {
@@ -78,7 +78,7 @@ Reply WorldCommands::unwatch(const std::string& pattern) {
       std::erase_if(watched_, [&](const Watched& one) { return names_[one.field] == watched[i]; });
   }
   return at_once(
-      fmt::format("  {} watched\n", watched_.empty() ? "nothing is" : fmt::format("still {}", watched_.size())));
+      fmt::format("  {} watched\n", watched_.empty() ? "no values" : fmt::format("still {}", watched_.size())));
 }
 
 std::string WorldCommands::changes(const World& world) {

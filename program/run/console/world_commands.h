@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world as behaviours see it, at the prompt: looked at once, or watched.
+// Commands of the prompt for world fields: print them once, or watch them.
 #pragma once
 
 #include <string>

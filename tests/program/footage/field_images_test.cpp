@@ -61,7 +61,7 @@ TEST(FieldImages, ThatCannotBeUsedAreSaidToBeSo) {
                       "found 6147"),
             std::string::npos);
   EXPECT_NE(complaint(other.string(), labels.string()).find("expected images with labels in"), std::string::npos);
-  EXPECT_NE(complaint("missing.png", labels.string()).find("expected an image, found no file to read"),
+  EXPECT_NE(complaint("missing.png", labels.string()).find("expected an image, found no readable file"),
             std::string::npos);
   EXPECT_NE(complaint(image.string(), broken.string()).find("b.toml:1: images: expected one or more tables"),
             std::string::npos);

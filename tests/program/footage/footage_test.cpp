@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `reorient run --robot footage` and `experiment footage` as their user meets them, on images of the simulator that lie
-// in a folder as somebody else's would.
+// in a folder like real footage.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -106,7 +106,7 @@ TEST_F(Footage, ShowsAMirroredPoseThatIsThenFlipped) {
   EXPECT_LT(json["corrected_after_seconds"].get<double>(), 10.0);
 }
 
-TEST_F(Footage, MayBeLiftedAndPutDownTurnedRound) {
+TEST_F(Footage, MayBeLiftedAndPlacedMirrored) {
   const ProgramRun lifted = run({"--belief", "mirrored", "--belief-at", "25", "--lifted"});
   EXPECT_EQ(lifted.code, 0) << lifted.out << lifted.err;
   EXPECT_NE(lifted.out.find("1 flips"), std::string::npos) << lifted.out;
@@ -125,7 +125,7 @@ TEST_F(Footage, EndsWhereAnImageIsMissingAndKeepsWhatCameBefore) {
     const ProgramRun ended = run({"--frames", table, "--wall", wall, "--record", file("run.mcap")});
     EXPECT_EQ(ended.code, kBadInput) << wall;
     EXPECT_NE(ended.err.find("images/none.png: expected the image of"), std::string::npos) << wall << ended.err;
-    EXPECT_NE(ended.out.find("wrong: the footage cannot be read any further"), std::string::npos) << wall << ended.out;
+    EXPECT_NE(ended.out.find("wrong: the rest of the footage cannot be read"), std::string::npos) << wall << ended.out;
     const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
     EXPECT_EQ(replayed.code, 0) << wall;
     EXPECT_EQ(digest_of(replayed), digest_of(ended)) << wall;
@@ -168,7 +168,7 @@ TEST_F(Footage, LastsUntilItsEndUnlessToldOtherwise) {
   const ProgramRun whole = run({}, table);
   EXPECT_NE(whole.out.find("right: the footage is over after 12 images"), std::string::npos) << whole.out;
   const ProgramRun part = run({"--seconds", "250"}, table);
-  EXPECT_NE(part.out.find("right: ended after 4 images, as --seconds says"), std::string::npos) << part.out;
+  EXPECT_NE(part.out.find("right: ended after 4 images, as set by --seconds"), std::string::npos) << part.out;
 }
 
 TEST_F(Footage, WithoutAPoseIsNotJudgedAndTellsWhichColumnsAreNotUsed) {
@@ -178,8 +178,7 @@ TEST_F(Footage, WithoutAPoseIsNotJudgedAndTellsWhichColumnsAreNotUsed) {
   EXPECT_NE(lost.err.find("beginning at an unknown place; columns that are not used: pos_east, pos_north, theta"),
             std::string::npos)
       << lost.err;
-  EXPECT_NE(lost.out.find("not judged: the footage is over after 220 images; it does not say where the robot was"),
-            std::string::npos)
+  EXPECT_NE(lost.out.find("not judged: the footage is over after 220 images; it has no true pose"), std::string::npos)
       << lost.out;
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("run.json")))["correct"], nullptr);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient look` as its user meets it, on images of the simulator that lie in a folder as somebody else's would.
+// `reorient look` as its user meets it, on images of the simulator that lie in a folder like real footage.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -136,7 +136,7 @@ TEST_F(Look, SaysInOneLineWhatCannotBeLookedAt) {
       {{"/nowhere.png"}, "/nowhere.png"},
       {{folder_.write("text.png", "no image").string()}, "text.png: expected an image"},
       {{(recorded() / "images/0000.png").string(), "--pitch", "100"}, "--pitch"},
-      {{(recorded() / "images/0000.png").string(), "--camera", "nobody"}, "nobody"},
+      {{(recorded() / "images/0000.png").string(), "--camera", "missing"}, "missing"},
   };
   for (const auto& [words, what] : cases) {
     const ProgramRun run = look(words);

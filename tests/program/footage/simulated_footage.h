@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Footage as somebody else would have recorded it, made with the simulator: PNG images and a table.
+// Footage that is made with the simulator and looks like recorded footage: PNG images and a table.
 #pragma once
 
 #include <cstdint>
