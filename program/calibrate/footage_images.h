@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images of a footage from which a camera is calibrated, and what they show.
+// The images of footage for the calibration of a camera, and the features in them.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@
 
 namespace reorient {
 
-/// Evenly over the whole footage, as many as a calibration needs.
+/// The images for a calibration, spread evenly over the footage.
 std::vector<FootageFrame> images_for_calibration(FootageSource& source);
 
 std::vector<EdgeView> edge_views(const std::vector<FootageFrame>& frames);
 
-/// Images without a pose show no lines. `offset`: under which the lines are searched for.
+/// Images without a pose show no lines. `offset`: camera offset for the search of lines.
 std::vector<LineView> line_views(const std::vector<FootageFrame>& frames, const CameraOffset& offset,
                                  const FieldDimensions& field);
 
-/// Every second one: the odd ones are for the fit, the even ones for its check.
+/// Every second image: the odd ones for the fit, the even ones to check it.
 template <typename View>
 std::vector<View> every_second(const std::vector<View>& views, std::size_t first) {
   std::vector<View> half;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot at a known place looks about: what its cameras show of lines.
+// A robot at a known pose turns its head: the lines that its cameras see.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ namespace reorient {
 /// Of one camera.
 struct CalibrationShots {
   std::vector<CalibrationView> views;
-  Image picture;  ///< the one with most lines, and which of the views it belongs to
+  Image picture;  ///< the image with most lines, and the index of its view
   std::size_t pictured = 0;
 };
 
-/// Turns the head from place to place, and takes some images at each, as soon as it holds still there. Ends early where
-/// the robot does, or where its head does not get anywhere.
+/// Turns the head to several directions, and takes some images at each as soon as the head is still. Ends early if the
+/// robot ends, or if its head does not move.
 std::array<CalibrationShots, 2> look_about(Robot& robot, const RobotBody& body, const FieldDimensions& field);
 
 }  // namespace reorient

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment compare`: what changed between two runs of an experiment, or from one choice to another.
+// `reorient experiment compare`: compares two runs of an experiment, or two choices of one run.
 #pragma once
 
 #include "program/subcommand.h"
 
 namespace reorient {
 
-/// `experiment`: the parser of the word before it.
+/// `experiment`: the parser of `reorient experiment`.
 Subcommand add_compare(CLI::App& experiment);
 
 }  // namespace reorient

@@ -6,7 +6,7 @@
 
 namespace reorient {
 
-/// `experiment`: the parser of the word before it.
+/// `experiment`: the parser of `reorient experiment`.
 Subcommand add_footage_experiment(CLI::App& experiment);
 
 }  // namespace reorient

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The scripts in new/, which `reorient new` starts a script from.
+// The templates in new/ for the scripts of `reorient new`.
 #pragma once
 
 #include <string>
 
 namespace reorient {
 
-/// Of "behavior", "behavior_test", "scenario" and "scenario_test"; NAME stands in it for the name of the new script.
+/// The template "behavior", "behavior_test", "scenario" or "scenario_test"; NAME is the placeholder of the script's
+/// name.
 std::string script_template(const std::string& kind);
 
 }  // namespace reorient

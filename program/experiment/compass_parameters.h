@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the compared compasses are made of: room awareness and its peers have parameters as everything has.
+// Parameters of the compared compasses: room awareness and its peers.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// Takes out what is set of the peers, which no run but theirs knows.
+/// Removes and returns the parameters of the peers, which no other run knows.
 std::vector<ParameterChange> without_peers(std::vector<ParameterChange> changes);
 
 /// The shipped parameters with these changes; the paper's recipe is that of assets/parameters/paper.toml, and nothing

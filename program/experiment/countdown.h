@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far many trials are, for a person.
+// The progress of many trials, for the user.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// How far it is, and how long it still takes: a line that a terminal overwrites, else one every ten seconds.
+/// Prints the progress and the remaining time: a line that a terminal overwrites, otherwise a line every ten seconds.
 class Countdown {
  public:
   Countdown(std::ostream& err, std::size_t tasks);

@@ -34,7 +34,7 @@ std::optional<std::filesystem::path> found_file(std::string_view folder, const s
   return std::filesystem::exists(file, error) ? std::optional(std::move(file)) : std::nullopt;
 }
 
-/// `kind`: "experiment"; its assets' folder has the name of several.
+/// `kind`: "experiment"; the folder of its assets has the plural name.
 std::filesystem::path named_file(const std::string& kind, const std::string& named) {
   const std::string folder = kind + "s";
   if (std::optional<std::filesystem::path> file = found_file(folder, named)) return *std::move(file);
@@ -45,7 +45,7 @@ std::filesystem::path named_file(const std::string& kind, const std::string& nam
 
 ConditionPatch named_condition(const std::string& named) { return read_condition(named_file("condition", named)); }
 
-/// What an axis does not have may be a condition file, shipped or a person's own.
+/// A choice that an axis does not have may be a condition file, shipped or the user's.
 AxisChoice choice_from_file(const Axis& axis, const std::string& named) {
   if (const std::optional<std::filesystem::path> file = found_file("conditions", named))
     return {file->stem().string(), read_condition(*file)};
@@ -69,7 +69,7 @@ void choose_as_told(const SessionOptions& options, Experiment& experiment) {
   for (const auto& [axis, names] : chosen) choose(experiment, axis, names, choice_from_file);
 }
 
-/// With what the command line says otherwise.
+/// The experiment with the changes of the command line.
 Experiment wanted_experiment(const SessionOptions& options) {
   const bool is_file = found_file("experiments", options.experiment).has_value();
   const std::string named = is_file ? options.experiment : present_name(options.experiment);
@@ -95,7 +95,7 @@ Experiment wanted_experiment(const SessionOptions& options) {
   return experiment;
 }
 
-/// Of files, each of which is read once.
+/// Digests of files; each file is read once.
 class FileHashes {
  public:
   /// Throws std::runtime_error with one line where it cannot be read.
@@ -141,13 +141,13 @@ Condition Session::condition_of(const Task& task) const {
   return reorient::condition_of(experiment_, cells_[task.cell], task);
 }
 
-/// Which of the different conditions of its cell a task is run under: the one of the alternate whose turn it is.
+/// The condition of a task: the alternates of its cell take turns.
 std::size_t Session::turn_of(const Task& task) const {
   return static_cast<std::size_t>(task.trial) % std::max<std::size_t>(1, experiment_.alternates.size());
 }
 
-/// What is wrong with one of them is better told now than hours later. What each follows from, but for the seed, is
-/// noted.
+/// Checks all conditions now, since an error hours later would cost time. Stores the origin of each: a digest of
+/// everything that the results follow from, except for the seed.
 void Session::prepare_conditions() {
   scripts_hash_ = content_hash(read_scripts(scripts_));
   FileHashes files;
@@ -177,7 +177,7 @@ void Session::run(int number) {
   if (result(number)) return;
   const Task& task = this->task(number);
   const TrialResult result = run_trial(condition_of(task), task.seed, scripts_, rooms_);
-  // Each trial reads the scripts: an edit since the session began would be a result of others.
+  // Each trial reads the scripts: an edit since the session began would mix results of different scripts.
   if (content_hash(read_scripts(scripts_)) != scripts_hash_)
     throw std::runtime_error("the scripts in " + scripts_.string() + " have changed since this run began");
   results_.write(number, origin_of(task), result);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An experiment as it is run: its cells, its tasks, and where their results lie.
+// A running experiment: its cells, its tasks, and the folder of their results.
 #pragma once
 
 #include <cstdint>
@@ -34,15 +34,15 @@ struct SessionOptions {
 
 class Session {
  public:
-  /// Throws std::runtime_error with one line where something is wrong with any of the conditions.
+  /// Throws std::runtime_error with one line if any of the conditions has a mistake.
   explicit Session(const SessionOptions& options);
 
   const Experiment& experiment() const { return experiment_; }
   const std::vector<Task>& tasks() const { return tasks_; }
   const std::filesystem::path& folder() const { return folder_; }
-  // Tasks are called by their numbers.
+  // Tasks have numbers.
 
-  /// What a task is run under.
+  /// The condition of a task.
   Condition condition_of(int number) const { return condition_of(task(number)); }
   std::uint64_t seed_of(int number) const { return task(number).seed; }
   const std::filesystem::path& scripts() const { return scripts_; }
@@ -53,12 +53,12 @@ class Session {
   /// Runs a task, unless another process has done so meanwhile, and writes its result. Throws std::runtime_error with
   /// one line.
   void run(int number);
-  /// Nothing: it was not run yet. Throws std::runtime_error with one line where what lies there is of another origin.
+  /// Nothing if the task did not run yet. Throws std::runtime_error with one line if the result has another origin.
   std::optional<TrialResult> result(int number) const;
-  /// Those without a result. Throws as result().
+  /// The tasks without a result. Throws as result().
   std::vector<int> missing(const std::vector<int>& tasks) const;
 
-  /// In the order of the plan, once no result is missing. Throws std::runtime_error with one line where one is.
+  /// In the order of the plan, once no result is missing. Throws std::runtime_error with one line if one is missing.
   std::vector<CellResults> cell_results() const;
 
  private:

@@ -30,7 +30,7 @@ ordered_json as_json(const std::optional<Value>& value) {
   return value ? as_json(*value) : ordered_json();
 }
 
-/// Throws nlohmann::json::exception or, where a number is that of no enumerator, std::out_of_range.
+/// Throws nlohmann::json::exception or, if a number is not an enumerator, std::out_of_range.
 template <typename Value>
 void read_value(const ordered_json& json, Value& value) {
   if constexpr (std::is_enum_v<Value>) {
@@ -105,7 +105,7 @@ TrialResult result_from(const ordered_json& json) {
 
 std::string hexadecimal(std::uint64_t number) { return fmt::format("{:016x}", number); }
 
-/// A bit that fell over on a disk leaves a number that looks like any other.
+/// Detects a flipped bit on the disk, after which a number would still look valid.
 std::string checksum(const ordered_json& result) { return hexadecimal(content_hash(result.dump())); }
 
 }  // namespace
@@ -114,7 +114,7 @@ std::filesystem::path TaskResults::file_of(int task) const { return folder_ / fm
 
 void TaskResults::write(int task, std::uint64_t origin, const TrialResult& result) const {
   std::error_code error;
-  std::filesystem::create_directories(folder_, error);  // where that fails, writing tells
+  std::filesystem::create_directories(folder_, error);  // if that fails, writing reports it
   const ordered_json content = to_json(result);
   const ordered_json json{
       {"task", task}, {"origin", hexadecimal(origin)}, {"checksum", checksum(content)}, {"result", content}};

@@ -17,8 +17,8 @@ class TaskResults {
 
   std::filesystem::path file_of(int task) const;
 
-  /// `origin`: a number for all that the result follows from. Beside the file first, then renamed; makes the folder.
-  /// Throws std::runtime_error with one line.
+  /// `origin`: digest of everything that determines the result. Writes a temporary file and renames it; creates the
+  /// folder. Throws std::runtime_error with one line.
   void write(int task, std::uint64_t origin, const TrialResult& result) const;
 
   /// Nothing if the task has no result yet. Throws std::runtime_error with one line if the file cannot be read, or has

@@ -43,7 +43,7 @@ SimulationOptions options_of(const Condition& condition, std::uint64_t seed, con
 namespace {
 
 /// The room on another day: the same parameters, but without a disturbance, and with another seed, so with other
-/// people. Nothing: it was not learned before.
+/// people. Nothing if it was not learned before.
 std::optional<SimulationOptions> options_of_another_day(const Condition& condition, std::uint64_t seed,
                                                         const std::filesystem::path& scripts) {
   constexpr std::uint64_t kOtherSeeds = 0x0d1f'0000'0000;
@@ -69,7 +69,7 @@ std::optional<SavedModel> model_of_another_day(const Condition& condition, std::
   return room.model();
 }
 
-/// Otherwise no trial would ever be measured, and all count as failed.
+/// Otherwise no trial would be measured, and all would count as failed.
 void require_state(const Condition& condition, const ScenarioHost& scenario) {
   const std::string& wanted = condition.measurement.from;
   if (wanted.empty()) return;

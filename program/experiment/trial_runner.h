@@ -14,22 +14,22 @@
 
 namespace reorient {
 
-/// What `reorient run` would be asked for, but for what was learned before. Throws std::runtime_error with one line.
+/// The options of the same `reorient run`, without a model learned before. Throws std::runtime_error with one line.
 SimulationOptions options_of(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
 
-/// The same with the room as the robot learned it on another day, where the condition says so; that day is played here.
+/// The same with the room as learned on another day, if the condition requests it; simulates that day.
 /// Throws as run_trial() does.
 SimulationOptions prepared_options_of(const Condition& condition, std::uint64_t seed,
                                       const std::filesystem::path& scripts, RoomCache& rooms);
 
-/// Of what is compared where a condition has compasses. Throws std::runtime_error with one line.
+/// The setup of the comparison, if a condition has compasses. Throws std::runtime_error with one line.
 CompassParameters compass_parameters_of(const Condition& condition);
 
-/// Before many trials: throws std::runtime_error with one line, which names the experiment's where it can, of what is
-/// wrong with the condition. Returns where they take place.
+/// Call before many trials: throws std::runtime_error with one line about a mistake in the condition, with the line of
+/// the experiment if possible. Returns the venue.
 Venue check_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
 
-/// The same result for the same condition and seed, whatever ran before. `rooms`: what is kept between trials. Throws
+/// The same result for the same condition and seed, whatever ran before. `rooms`: cache between trials. Throws
 /// std::runtime_error (of scripts: ScriptError) with one line.
 TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts,
                       RoomCache& rooms);

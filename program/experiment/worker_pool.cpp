@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kLongestMistake = 2000;  // bytes
 
-/// The other end of a worker's socket: numbers come in, what became of them goes out; each is one message.
+/// The worker's end of the socket: receives task numbers and sends the outcome of each, one message per task.
 [[noreturn]] void serve(int socket, const std::function<void(int task)>& work) {
   int task = 0;
   while (recv(socket, &task, sizeof task, 0) == sizeof task) {
@@ -37,12 +37,12 @@ constexpr std::size_t kLongestMistake = 2000;  // bytes
     mistake.insert(mistake.begin(), ' ');
     if (send(socket, mistake.data(), mistake.size(), MSG_NOSIGNAL) < 0) break;
   }
-  _exit(0);  // without what the parent has still to write
+  _exit(0);  // without flushing the buffers of the parent
 }
 
 class Worker {
  public:
-  /// `others`: sockets that are not this process's business.
+  /// `others`: sockets of other workers, which this process closes.
   Worker(const std::function<void(int task)>& work, const std::vector<int>& others) {
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -75,10 +75,10 @@ class Worker {
 
   void give(int task) {
     task_ = task;
-    send(socket_, &task, sizeof task, MSG_NOSIGNAL);  // where it is gone, its end is read next
+    send(socket_, &task, sizeof task, MSG_NOSIGNAL);  // if the worker has ended, the next read detects it
   }
 
-  /// What became of its task. Nothing: its process ended while it had none.
+  /// The outcome of its task. Nothing if its process ended without a task.
   std::optional<TaskEnd> take(bool& is_gone) {
     std::array<char, kLongestMistake + 1> message{};
     const ssize_t size = recv(socket_, message.data(), message.size(), 0);

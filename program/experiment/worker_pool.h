@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tasks in processes of their own: what crashes takes one task with it, and the others go on.
+// Runs tasks in several processes: a crash ends one task, and the others continue.
 #pragma once
 
 #include <functional>

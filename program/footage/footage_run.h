@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine behind footage, made ready to run.
+// The engine with footage as its input, ready to run.
 #pragma once
 
 #include <filesystem>
@@ -21,20 +21,20 @@ struct FootageSetup : EngineOptions {
   std::filesystem::path source;
   FootageArguments footage;
   std::optional<SavedModel> model;  ///< of the room, learned before
-  std::string at;                   ///< X,Y,DEGREES first pose if the footage has no positions; empty: unknown
+  std::string at;                   ///< X,Y,DEGREES: first pose if the footage has no positions; empty: unknown
 };
 
 struct PreparedFootage {
   FrameSetup frame;                   ///< with the wall that suits the footage
-  std::vector<ParameterChange> kept;  ///< overrides that belong to scripts which are not in this run
-  std::string wall;                   ///< a line for people
+  std::vector<ParameterChange> kept;  ///< overrides of scripts that are not in this run
+  std::string wall;                   ///< a line for the user
 };
 
 /// Finds mistakes before it looks for the wall, which takes a while. Throws std::runtime_error (of scripts:
 /// ScriptError) with one line.
 PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& scripts);
 
-/// Of the robot, but for what is done to its belief.
+/// Options of the robot, without changes of its belief.
 FootageOptions robot_options_of(const FootageSetup& setup);
 
 }  // namespace reorient

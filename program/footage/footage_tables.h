@@ -26,13 +26,13 @@ struct FootageResults {
   const FootageCase& case_of(std::size_t cell) const { return cases[cell % cases.size()]; }
 };
 
-/// What shows the trial of a footage, a start and a case.
+/// The command that shows one trial of a footage, a start and a case.
 using TrialCommand = std::function<std::string(std::size_t footage, std::size_t start, const FootageCase& one)>;
 
-/// s, as a number on the command line has it.
+/// s, in the format of the command line.
 double to_microseconds(double seconds);
 
-/// Times in images, what went wrong and why, what limits the figures, and the answer in one line.
+/// Prints times in images, failed trials with reasons, limits of the figures, and the result in one line.
 void print_footage_results(const FootageResults& results, const FootageTrialOptions& options,
                            const TrialCommand& command, std::ostream& out);
 

@@ -19,7 +19,7 @@ namespace reorient {
 /// A whole footage in memory, decoded once.
 class FootageInMemory {
  public:
-  /// Throws BadFootage, also where it is too large for that.
+  /// Throws BadFootage, also if it is too large.
   explicit FootageInMemory(FootageSource& source);
 
   std::size_t size() const { return frames_->size(); }
@@ -34,7 +34,7 @@ struct FootageTrialOptions {
   int starts = 100;        ///< evenly over the footage
   double learn = 0.0;      ///< s of the robot's time before the first start
   double watch = 10.0;     ///< s after a start
-  double hold = 2.0;       ///< s for which a belief must stay right
+  double hold = 2.0;       ///< s for which a belief must stay correct
   double turned_by = 0.0;  ///< rad by which the rotation is wrong in the trials "off"
 };
 
@@ -48,22 +48,22 @@ struct FootageCase {
 /// One footage, ready for its trials.
 class FootageTrials {
  public:
-  /// Lives through the footage once, with the recorded poses. Throws std::runtime_error with one line.
+  /// Processes the footage once, with the recorded poses. Throws std::runtime_error with one line.
   FootageTrials(const FootageSetup& setup, const FootageTrialOptions& options, const ScriptTexts& scripts)
       : FootageTrials(setup, options, prepare_footage(setup, scripts)) {}
 
   struct Start {
     std::size_t frame = 0;         ///< of the footage
-    std::string image;             ///< its file, or whatever names it
-    double time = 0.0;             ///< s, the robot's
+    std::string image;             ///< its file or another name
+    double time = 0.0;             ///< s, robot time
     std::vector<std::byte> state;  ///< of the engine, before that frame
   };
   const std::vector<Start>& starts() const { return starts_; }
-  /// s, when the evidence counted for the first time; nothing: not before the last start.
+  /// s, first time at which the evidence counted; nothing: not before the last start.
   std::optional<double> room_learned_at() const { return room_learned_at_; }
-  /// Which wall it has, for people.
+  /// Its wall, as text for the user.
   const std::string& wall() const { return wall_; }
-  /// Of all that the results follow from but the case.
+  /// Digest of everything that determines the results, except for the case.
   std::uint64_t origin() const { return origin_; }
 
   TrialResult run(std::size_t start, const FootageCase& one) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which virtual wall suits a footage: as --wall says, or found in the images.
+// The virtual wall of footage: set by --wall, or found in the images.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@
 namespace reorient {
 
 struct FootageWall {
-  std::vector<ParameterChange> parameters;  ///< before those of the person
-  std::string told;                         ///< a line for people
+  std::vector<ParameterChange> parameters;  ///< applied before the user's parameters
+  std::string told;                         ///< a line for the user
 };
 
-/// `choice`: "auto", "field" or a radius in m. Reads the source where it is "auto". Throws std::runtime_error with one
+/// `choice`: "auto", "field" or a radius in m. Reads the source if it is "auto". Throws std::runtime_error with one
 /// line.
 FootageWall footage_wall(FootageSource& source, const std::string& choice, const FieldDimensions& field,
                          const RobotBody& body);

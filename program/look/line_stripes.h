@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bright stripes on the carpet as they are in the image, without an assumption about the camera's pitch.
+// Bright stripes on the carpet in an image, found without an assumption about the camera's pitch.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// A place on the center of a stripe.
+/// A point on the center line of a stripe.
 struct LineStripe {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   Eigen::Vector2d tangent = Eigen::Vector2d::UnitX();  ///< along the stripe, of unit length

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was seen in one image, as JSON (docs/vision.md).
+// The percepts of one image as JSON (docs/vision.md).
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,10 @@ const char* to_string(PitchSource source);
 /// On one line.
 std::string as_json(const LookImage& image, const SeenImage& seen, const RobotBody& body);
 
-/// A list of JSON values in a file, written one after the other: it takes the place of `file` once it is whole.
+/// A list of JSON values in a file, written one by one; it replaces `file` when it is complete.
 class JsonList {
  public:
-  /// Throws std::runtime_error with one line, as all of it.
+  /// All functions throw std::runtime_error with one line.
   explicit JsonList(const std::filesystem::path& file);
   void add(const std::string& value);
   void end();

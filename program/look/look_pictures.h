@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pictures that `reorient look` writes: one for each of a few images, or sheets of small ones.
+// The pictures of `reorient look`: one for each of a few images, or sheets of small pictures.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,11 @@ class LookPictures {
   /// `inputs`: files that no picture may replace. `title`: of the sheets.
   LookPictures(std::filesystem::path folder, std::vector<std::filesystem::path> inputs, std::string title);
 
-  /// `name`: of the image. `short_caption`: for a sheet. Throws std::runtime_error with one line where a sheet cannot
+  /// `name`: of the image. `short_caption`: for a sheet. Throws std::runtime_error with one line if a sheet cannot
   /// be written.
   void add(const pictures::CameraView& view, const std::string& name, const std::string& caption,
            const std::string& short_caption);
-  /// Writes what is left. Throws the same.
+  /// Writes the rest. Throws the same.
   void end();
 
   /// In the order of writing.

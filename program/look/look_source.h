@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images that `reorient look` looks at, and what is known of each.
+// The input images of `reorient look`, with the known values of each.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ struct LookImage {
 class LookSource {
  public:
   virtual ~LookSource() = default;
-  /// False: there are no more images. Throws BadFootage with one line.
+  /// False at the end of the images. Throws BadFootage with one line.
   virtual bool next(LookImage& image) = 0;
 };
 

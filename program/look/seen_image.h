@@ -16,24 +16,24 @@
 
 namespace reorient {
 
-/// Where the pitch comes from.
+/// Source of the pitch.
 enum class PitchSource { given, recorded, searched };
 
-/// What a person sets for all images, and what they are looked at with.
+/// Settings of the user for all images, and the models to process them.
 struct LookSetup {
   CoreParameters parameters;
   FieldDimensions field;
   double level_pitch = 0.0;      ///< rad, of the camera while the head looks straight ahead
   std::optional<double> pitch;   ///< rad
   std::optional<double> height;  ///< m
-  Pose2 pose;                    ///< of the robot, where none was recorded
+  Pose2 pose;                    ///< of the robot, if none was recorded
 };
 
 struct SeenImage {
   CameraModel camera;
   Isometry3 robot_from_camera = Isometry3::Identity();
   PitchSource pitch_source = PitchSource::given;
-  PitchEstimate searched;       ///< where it was searched for; not known: the pitch is that of a level head
+  PitchEstimate searched;       ///< if it was searched for; if unknown, the pitch of a level head is used
   double height = 0.0;          ///< m
   bool height_is_body = false;  ///< neither given nor recorded
   double horizon = 0.0;         ///< row at the image's center column; it may lie outside of the image
@@ -47,7 +47,7 @@ struct SeenImage {
   bool pitch_is_known() const { return pitch_source != PitchSource::searched || searched.known; }
 };
 
-/// Each image by itself: nothing is learned from the images before.
+/// Processes each image alone: nothing is learned from earlier images.
 SeenImage see(const LookImage& image, const LookSetup& setup);
 
 /// Valid as long as the image.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the engine knows of the room, at the end of a run.
+// The room model of the engine at the end of a run.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class KnownRoom : public Observer {
     learned_ = frame.world.trained_seconds;
     if (const auto known = known_bias(frame.world)) camera_bias_ = known;
   }
-  /// Nothing where room awareness is off.
+  /// Nothing if room awareness is off.
   std::optional<SavedModel> model() const {
     if (tiles_.empty()) return std::nullopt;
     return SavedModel{basis_, learned_, BackgroundModel(tiles_), camera_bias_};

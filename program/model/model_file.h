@@ -8,10 +8,10 @@
 
 namespace reorient {
 
-/// Throws std::runtime_error, which says in a few words what is wrong with the file.
+/// Throws std::runtime_error with a short reason, without the file's name.
 SavedModel read_model_file(const std::filesystem::path& file);
 
-/// Writes beside the file first, then renames. Throws std::runtime_error with one line; then the file is as it was.
+/// Writes a temporary file and renames it. Throws std::runtime_error with one line; the file is then unchanged.
 void write_model_file(const SavedModel& model, const std::filesystem::path& file);
 
 }  // namespace reorient

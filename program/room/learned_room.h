@@ -17,12 +17,12 @@ struct Learning {
 };
 
 struct LearnedRoom {
-  std::string from;  ///< for people: "panorama hall.hdr, learned by the simulator"
+  std::string from;  ///< for the user: "panorama hall.hdr, learned by the simulator"
   SavedModel model;
 };
 
 /// `source`: "hall" (the built-in one) or a panorama file, which the simulator learns as in the
-/// scenario `trial`; a file that `run --model` wrote; or a recording, whose last state counts.
+/// scenario `trial`; a file that `run --model` wrote; or a recording, whose last state is used.
 /// `simulation`: body, field, scripts, parameters and seed. `stop` is asked after each frame. Throws std::runtime_error
 /// with one line.
 LearnedRoom learned_room(const std::string& source, const Learning& learning, SimulationOptions simulation,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person reads of a rated room, and what programs read of it.
+// The rating of a room, as text and as JSON.
 #pragma once
 
 #include <iosfwd>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine's setup as options give it, whichever robot it is for.
+// The setup of the engine from options, for any robot.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct EngineOptions {
   std::filesystem::path body;          ///< TOML file, or the name of a shipped one; empty: the NAO
   std::filesystem::path field;         ///< TOML file, or the name of a shipped one; empty: the body's
   std::filesystem::path scripts;       ///< root of the scripts
-  std::vector<std::string> behaviors;  ///< where no scenario lists them; empty: all that the robot can carry out
+  std::vector<std::string> behaviors;  ///< if no scenario lists them; empty: all that the robot supports
   ParameterOptions parameters;
   std::uint64_t seed = 1;
   bool room_awareness = true;

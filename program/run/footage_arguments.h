@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of all commands that take footage.
+// The options of all commands that read footage.
 #pragma once
 
 #include <filesystem>
@@ -30,12 +30,12 @@ struct FootageArguments {
 };
 
 void add_footage_options(CLI::App& parser, FootageArguments& arguments);
-/// Those of them that say how the footage is read; returns their names.
+/// The options that set how the footage is read; returns their names.
 std::vector<std::string> add_footage_reading_options(CLI::App& parser, FootageArguments& arguments);
 
-/// Of images without a calibration: --fov-degrees, else the body's upper camera.
+/// The camera of images without a calibration: --fov-degrees, else the body's upper camera.
 FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body);
-/// Of a folder, a table or a video. Throws BadFootage with one line.
+/// The request for a folder, a table or a video. Throws BadFootage with one line.
 FootageRequest request_of(const std::filesystem::path& source, const FootageArguments& arguments,
                           const RobotBody& body);
 
@@ -43,7 +43,7 @@ FootageRequest request_of(const std::filesystem::path& source, const FootageArgu
 std::unique_ptr<FootageSource> open_footage(const std::filesystem::path& source, const FootageArguments& arguments,
                                             const RobotBody& body);
 
-/// Headers of the table that are not used; none where there is no table. Throws BadFootage with one line.
+/// Headers of the table that are not used; empty without a table. Throws BadFootage with one line.
 std::vector<std::string> unused_columns(const std::filesystem::path& source, const FootageArguments& arguments,
                                         const RobotBody& body);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the runs of all robots have in common: the operator follows and steers them, and what they learn is saved.
+// The common parts of the runs of all robots: progress, prompt, recording, and saving the learned model.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace reorient {
 
 /// A robot and an engine that are ready to run. What it points to must outlive the run.
 struct LiveRunParts {
-  RunParts parts;                            ///< with the sources and observers of this robot alone
+  RunParts parts;                            ///< with the sources and observers of this robot only
   ScriptEdits* edits = nullptr;              ///< nullptr: the run takes neither edits of scripts nor commands
   std::optional<SavedModel> model;           ///< from the file that the options name
   std::uint64_t mounting = 0;                ///< of the cameras, as in as_mounted()
@@ -33,21 +33,21 @@ class LiveRun {
  public:
   LiveRun(const RunOptions& options, LiveConsole& console, std::ostream& out, std::ostream& err);
 
-  /// Prints a line for the operator, and leaves the lines of prompt and progress whole.
+  /// Prints a line for the operator, without breaking the lines of prompt and progress.
   void tell(const std::string& line);
 
-  /// Until the robot, the operator, a signal or `live.parts.stop` ends it. An Interruption must exist. The robot's own
-  /// observers come before all others, its sources behind. Throws std::runtime_error with one line where the recording
+  /// Runs until the robot, the operator, a signal or `live.parts.stop` ends it. An Interruption must exist. The robot's
+  /// own observers come before all others, its sources behind. Throws std::runtime_error with one line if the recording
   /// cannot begin.
   RunEnd run(LiveRunParts live);
 
   // After run():
 
-  /// Prints what the recording holds, if there is one.
+  /// Prints the contents of the recording, if there is one.
   void end_recording() { recording_->end(out_); }
-  /// Adds a line to `failures` where the model's file cannot be written.
+  /// Adds a line to `failures` if the model's file cannot be written.
   void save_model(std::vector<std::string>& failures);
-  /// nullptr: the options name no model.
+  /// nullptr without --model.
   const ModelKeeper* model() const { return model_ ? &*model_ : nullptr; }
   const RunLog& log() const { return log_; }
 
@@ -67,7 +67,7 @@ class LiveRun {
 /// Whether a signal came or the operator typed quit.
 bool is_ended_by_hand(const LiveConsole& console);
 
-/// Of the program, once its runs are over.
+/// The exit code of the program after its runs.
 int exit_code_of_runs(const std::vector<std::string>& failures, bool succeeded = true);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A place on the field, as a person writes it on the command line.
+// A pose on the field, as on the command line.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// Of --at: X,Y,DEGREES in the field's frame; nothing where the text is empty. Throws std::runtime_error with one line.
+/// Of --at: X,Y,DEGREES in the field's frame; nothing if the text is empty. Throws std::runtime_error with one line.
 std::optional<Pose2> place_of(const std::string& text);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording of ours as footage: what a robot, or the simulator, saw before.
+// A recording of the program as footage: what a robot, or the simulator, saw before.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace reorient {
 
-/// Whether it is one; of no other file it is said.
+/// Whether the file is a recording of the program.
 bool is_recording(const std::filesystem::path& file);
 
-/// Of the upper camera. The pose is the truth, where the recording knows it. Throws BadFootage.
+/// Images of the upper camera. The pose is the true pose, if the recording has it. Throws BadFootage.
 std::unique_ptr<FootageSource> open_recorded_footage(const std::filesystem::path& file);
 
 }  // namespace reorient

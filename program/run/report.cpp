@@ -26,7 +26,7 @@ nlohmann::json to_json(const TimeQuantiles& times) {
           {"longest", kMilliseconds * times.longest}};
 }
 
-/// A script may say any bytes, and a file may have any name.
+/// A script may print any bytes, and a file may have any name.
 void make_utf8(nlohmann::json& json) {
   if (json.is_structured()) {
     for (nlohmann::json& each : json) make_utf8(each);
@@ -40,7 +40,7 @@ nlohmann::json or_null(const std::optional<Value>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
-/// Where the camera looks ahead. Empty: nothing that anybody must know.
+/// The error of the camera's angles straight ahead. Empty if it is small or uncertain.
 std::string bias_in_words(const CameraBias& bias) {
   constexpr double kWorthTelling = from_degrees(0.5), kSure = 3.0;  // times the deviation
   const auto [roll, pitch] = bias_ahead(bias);

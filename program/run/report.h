@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run in words for a person, and in JSON for a program.
+// The summary of a run, as text and as JSON.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// What only the program knows about a run.
+/// Facts about a run that only the program knows.
 struct RunCircumstances {
   std::string scenario;
   std::string room;
@@ -28,7 +28,7 @@ struct RunCircumstances {
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out);
 
-/// Writes beside the file first, then renames. Throws std::runtime_error where that fails.
+/// Writes beside the file first, then renames. Throws std::runtime_error if that fails.
 void write_summary(const RunSummary& summary, const CommandHistory& commands, const RunCircumstances& circumstances,
                    const std::filesystem::path& file);
 

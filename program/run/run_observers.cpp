@@ -37,7 +37,7 @@ class RoomMaker : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
   std::function<void()> make_room_;
 };
 
-/// Where the robot is and where it believes it is, once a second.
+/// The true pose and the believed pose, once a second.
 void log_pose(const World& world, const std::optional<GroundTruth>& truth) {
   if (!spdlog::should_log(spdlog::level::debug) || world.time - std::floor(world.time) >= world.time_step) return;
   const auto text = [](const Pose2& pose) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person sees of a run while it goes on: the progress line, and the log.
+// The output of a run while it runs: the progress line and the log.
 #pragma once
 
 #include <chrono>
@@ -46,7 +46,7 @@ class RoomForLog {
   std::shared_ptr<spdlog::sinks::sink> sink_;
 };
 
-/// Log lines and errors of scripts, what became of edits, and once a second, for debugging, belief and truth.
+/// Log lines and errors of scripts, results of edits, and once a second, for debugging, belief and truth.
 class RunLog : public Observer {
  public:
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;

@@ -18,7 +18,7 @@
 namespace reorient {
 namespace {
 
-/// The number behind `key` in "every:5"; nothing where it is no such text, or out of 1 to `most`.
+/// The number behind `key` in "every:5"; nothing for another text or a number outside 1 to `most`.
 std::optional<int> number_behind(std::string_view key, const std::string& option, int most) {
   if (!option.starts_with(key)) return std::nullopt;
   const char* const end = option.data() + option.size();
@@ -83,7 +83,7 @@ std::optional<std::filesystem::path> further_part(const std::filesystem::path& f
   return std::nullopt;
 }
 
-/// Neither the file is there nor a further part of it.
+/// A name for which neither a file nor a further part exists.
 std::filesystem::path free_name(const std::filesystem::path& first) {
   std::filesystem::path file = first;
   std::error_code error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The recording of a run, where one is wanted: `--record FILE`.
+// The recording of a run: `--record FILE`.
 #pragma once
 
 #include <filesystem>
@@ -13,28 +13,28 @@
 
 namespace reorient {
 
-/// What `--record` and its like ask for; nothing: no recording. `venue`: for people. Throws std::runtime_error with one
-/// line, also where the file could not be written.
+/// The options of `--record` and related options; nothing: no recording. `venue`: for the user. Throws
+/// std::runtime_error with one line, also if the file cannot be written.
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue);
 
-/// Throws std::runtime_error with one line where a file is there that is no recording: it is not to be lost. `option`:
-/// what names it.
+/// Throws std::runtime_error with one line if the file exists and is not a recording, so that it is not lost. `option`:
+/// the option that names it.
 void require_new_or_recording(const std::filesystem::path& file, const std::string& option);
 
-/// A robot's program is begun again by something that cannot choose a name, for another client or after a crash: what
-/// was recorded stays, and match-2.mcap is next, or the next number that is free.
+/// A supervisor that restarts the program, for another client or after a crash, cannot choose a name: the old recording
+/// stays, and match-2.mcap is next, or the next free number.
 enum class EarlierRecording { is_replaced, stays };
 
 class RunRecording {
  public:
-  /// `earlier`: what becomes of a file that is there already.
+  /// `earlier`: treatment of an existing file.
   RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell,
                EarlierRecording earlier);
 
   /// nullptr: nothing is recorded.
   Observer* observer() { return recorder_ ? &*recorder_ : nullptr; }
 
-  /// Ends the file, and says what is in it.
+  /// Ends the file, and prints what it contains.
   void end(std::ostream& out);
 
  private:

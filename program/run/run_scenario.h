@@ -14,7 +14,7 @@
 
 namespace reorient {
 
-/// What another one wants to see of a run, when it has seen enough, and what it says of it then.
+/// Observers of the caller, its condition to end the run, and its verdict.
 struct RunGuests {
   std::vector<Observer*> observers;
   std::function<bool()> stop;                        ///< asked after each frame; may be empty
@@ -24,7 +24,7 @@ struct RunGuests {
 /// A robot and an engine that are ready to run, on a simulated clock. What it points to must outlive the run.
 struct PreparedRun {
   LiveRunParts live;                       ///< without observers and a recording
-  std::string venue;                       ///< where it takes place, for people
+  std::string venue;                       ///< room and field, for the user
   ConsoleSubject subject;                  ///< what commands act on
   std::function<std::string()> failure{};  ///< one line, once it is over: why the robot ended early; may be empty
 };

@@ -12,7 +12,7 @@ namespace reorient {
 
 class ScriptEdits : public InputSource {
  public:
-  /// Reads the scripts; throws std::runtime_error with one line where that is not possible.
+  /// Reads the scripts; throws std::runtime_error with one line if that is not possible.
   explicit ScriptEdits(const std::filesystem::path& root) : files_(root) {}
 
   const ScriptTexts& texts() const { return files_.texts(); }

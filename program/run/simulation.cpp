@@ -28,13 +28,13 @@ std::vector<Parameter> merged(std::vector<std::vector<Parameter>> lists) {
 
 namespace {
 
-/// What says `what` of a run, for a message: an option, or the line of an experiment.
+/// The source of the setting `what`, for a message: an option, or the line of an experiment.
 std::string said(const SimulationOptions& options, const std::string& what) {
   const auto place = options.said_at.find(what);
   return place == options.said_at.end() ? "--" + what : place->second + ": " + what;
 }
 
-/// What `find` returns; what it throws begins with the line of the experiment that says `what`, if one does.
+/// The result of `find`; its exceptions begin with the line of the experiment that sets `what`, if one does.
 std::string with_its_line(const SimulationOptions& options, const std::string& what,
                           const std::function<std::string()>& find) {
   const auto place = options.said_at.find(what);

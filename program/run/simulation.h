@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scenario with the robot that it is played with, made ready to run.
+// A scenario with its robot, ready to run.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace reorient {
 
 class Simulation {
  public:
-  /// `rooms`: those that are kept for the next simulation. Throws std::runtime_error (of scripts: ScriptError) with one
+  /// `rooms`: cache for the next simulations. Throws std::runtime_error (of scripts: ScriptError) with one
   /// line on bad input.
   explicit Simulation(const SimulationOptions& options, RoomCache* rooms = nullptr)
       : Simulation(options, rooms, true) {}
@@ -35,13 +35,13 @@ class Simulation {
   RunParts parts();
 
   const Venue& venue() const { return venue_; }
-  /// That it began with, in the axes of the team; nothing: there was none.
+  /// The model at the start, in the axes of the team; nothing without a model.
   const std::optional<SavedModel>& model() const { return model_; }
   FrameLoop& engine() { return *engine_; }
   ScenarioHost& scenario() { return *scenario_; }
-  /// Of the engine, the scenario and the robot, by name, as they are now.
+  /// The present parameters of the engine, the scenario and the robot, by name.
   std::vector<Parameter> parameters() const;
-  /// What parameter files hold for scripts and robots that are not in this run, and still are not.
+  /// Parameters in files for scripts and robots that are not in this run.
   std::vector<ParameterChange> kept_parameters() const;
 
  private:
@@ -58,12 +58,12 @@ class Simulation {
   double longest_;  ///< s
 };
 
-/// What the options' file of a model holds, turned as they ask for; nothing: they name none, or it is not there. Throws
-/// std::runtime_error with one line where it is no model: it is not to be overwritten either.
+/// The model in the file of the options, rotated if requested; nothing without a file. Throws std::runtime_error with
+/// one line if the file is not a model, so that it is not overwritten either.
 std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options);
 
-/// Those of several owners as one list, by name; what two of them have, as several scripts share a library, stands
-/// there once, as the first has it.
+/// The parameters of several owners as one list, by name. A parameter of two owners, as of a shared library, is listed
+/// once, with the value of the first owner.
 std::vector<Parameter> merged(std::vector<std::vector<Parameter>> lists);
 
 }  // namespace reorient

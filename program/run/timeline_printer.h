@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The timeline for a person, line by line as it happens.
+// The timeline, line by line during the run.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace reorient {
 
-/// Prints a line for each event. What repeats itself soon, as a head that looks from side to side, is printed once and
-/// then counted: it would hide what matters. A granted flip, purge or reset is always printed.
+/// Prints a line for each event. Repeated events, as of a head that scans from side to side, are printed once and
+/// then counted: they would hide what matters. A granted flip, purge or reset is always printed.
 class TimelinePrinter : public Observer {
  public:
-  /// `make_room`: called before a line is printed where others have written into the terminal's last line; may be
+  /// `make_room`: called before a line is printed if other text is in the terminal's last line; may be
   /// empty.
   TimelinePrinter(std::ostream& out, bool every_event, std::function<void()> make_room = {});
 
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
   void finish(const FrameRecord& last, const SceneTruth& scene) override;
 
-  static constexpr double kRepeats = 10.0;  ///< s after which the same event is news again
+  static constexpr double kRepeats = 10.0;  ///< s after which the same event is printed again
   static constexpr std::size_t kMostRemembered =
       10'000;  ///< events; with all of them recent, new ones are counted only
 
@@ -34,8 +34,8 @@ class TimelinePrinter : public Observer {
   bool every_event_;
   std::function<void()> make_room_;
   bool has_header_ = false;
-  double tidied_ = 0.0;                            ///< s, when what is no longer recent was forgotten
-  std::map<std::string, double> last_;             ///< s; of each event that is remembered, when it came last
+  double tidied_ = 0.0;                            ///< s, when old events were removed
+  std::map<std::string, double> last_;             ///< s; last time of each stored event
   std::map<std::string, std::uint64_t> repeated_;  ///< by machine: events that were not printed
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kTomlFiles[] = {".toml"};
 
-/// The files of a folder that may be meant.
+/// The candidate files of a folder.
 std::vector<std::string> candidates(const std::filesystem::path& folder, std::span<const std::string_view> extensions) {
   constexpr std::size_t kMost = 10'000;
   std::vector<std::string> names;
@@ -73,7 +73,7 @@ std::filesystem::path field_file(const std::filesystem::path& named, const Robot
 
 std::string known_bodies() try {
   return list_of(asset_names("robots", kTomlFiles));
-} catch (const std::runtime_error&) {  // a help text is no place to tell that there is no home
+} catch (const std::runtime_error&) {  // a help page does not report a missing home folder
   return "none found";
 }
 

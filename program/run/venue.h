@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a run takes place, and with which body: what the command line says, else the scenario, else the shipped hall
-// and the body's field.
+// The room, field and body of a run: from the command line, else from the scenario, else the built-in hall and the
+// body's field.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace reorient {
 
-/// Of files that may be the panorama of a room.
+/// Extensions of panoramas of rooms.
 inline constexpr std::array<std::string_view, 4> kPanoramaExtensions{".hdr", ".png", ".jpg", ".jpeg"};
 
-/// The built-in room, where rooms are named.
+/// The name of the built-in hall in lists of rooms.
 inline constexpr std::string_view kHall = "hall";
 
 struct Venue {
@@ -29,8 +29,7 @@ struct Venue {
   std::string name() const;  ///< of the room, for people
 };
 
-/// `body`: on whose field it takes place where nothing else is said. Throws std::runtime_error with one line where a
-/// room or field is no file.
+/// `body`: its field is the default. Throws std::runtime_error with one line if the file of a room or field is missing.
 Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting, const RobotBody& body);
 
 /// A file, or a shipped file by its name; the NAO's for an empty path. Throws std::runtime_error with one line if the
@@ -39,7 +38,7 @@ std::filesystem::path body_file(const std::filesystem::path& named);
 /// The same for a field; for an empty path the body's field, if it is known.
 std::filesystem::path field_file(const std::filesystem::path& named);
 std::filesystem::path field_file(const std::filesystem::path& named, const RobotBody& body);
-/// Those that are shipped, for people: "booster-k1, nao-v6".
+/// The shipped bodies, as text: "booster-k1, nao-v6".
 std::string known_bodies();
 
 /// A file as a script names it: the name of a shipped one, or a path from the scripts' root.

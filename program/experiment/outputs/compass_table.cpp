@@ -30,7 +30,7 @@ void add(ordered_json& json, const std::string& key, double value, const Interva
 
 ordered_json as_json(const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(); }
 
-/// Of mirrored poses and of right ones, by the method's own rule.
+/// Flipped mirrored poses and flipped right poses, by the method's own rule.
 std::string flips_of(const CompassFigure& figure) {
   if (!figure.flipped || !figure.false_flipped) return "-";
   return fmt::format("{:.1f} %, {:.1f} %", 100.0 * *figure.flipped, 100.0 * *figure.false_flipped);

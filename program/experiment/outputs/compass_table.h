@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How well room awareness and its peers tell a pose from its reflection: a row for each, for a person and for programs.
+// How well room awareness and its peers distinguish a pose from the mirrored pose: a row for each, as text and as JSON.
 #pragma once
 
 #include <iosfwd>

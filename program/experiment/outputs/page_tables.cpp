@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr std::string_view kBegin = "<!-- rows ";
 constexpr std::string_view kEnd = "<!-- end of rows -->";
 
-/// What a comment asks for.
+/// The contents of a comment.
 struct TableWish {
   std::string file;
   std::vector<std::string> columns;
@@ -97,7 +97,7 @@ std::string number_text(const std::string& key, const ordered_json& value, const
   return fmt::format("{:.{}f}", value.get<double>(), key.ends_with("_s") || key.ends_with("_mean_low") ? 1 : 2);
 }
 
-/// One cell; rates and means stand with their intervals.
+/// One cell; rates and means have their intervals.
 std::string cell_of(const ordered_json& row, const std::string& key) {
   if (key == "false_flips_per_hour") {
     return number_text(key, value_of(row, key + "_low")) + " to " +
@@ -147,7 +147,7 @@ std::string table_of(const TableWish& wish, const ordered_json& rows) {
   return head + "\n" + line + "\n" + body;
 }
 
-/// One line: how the results were made.
+/// One line that says how the results were made.
 std::string origin_of(const std::string& text, const std::string& file) {
   if (text.empty()) return {};
   const ordered_json run = parsed(text, file);
@@ -161,7 +161,7 @@ std::string origin_of(const std::string& text, const std::string& file) {
   return line + "\n";
 }
 
-/// Of a page, and what ends it: on some systems two letters, in the last line perhaps nothing.
+/// A line of a page with its line ending: \n, \r\n, or nothing at the end of the file.
 struct PageLine {
   std::string_view text, end;
 };
@@ -169,7 +169,7 @@ struct PageLine {
 PageLine take_line(std::string_view& rest) {
   const std::string_view line = rest.substr(0, std::min(rest.size(), rest.find('\n')) + 1);
   rest.remove_prefix(line.size());
-  const std::size_t length = line.find_last_not_of("\r\n") + 1;  // 0 where there is nothing else
+  const std::size_t length = line.find_last_not_of("\r\n") + 1;  // 0 for an empty line
   return {line.substr(0, length), line.substr(length)};
 }
 
@@ -190,7 +190,8 @@ bool has_tables(std::string_view page) {
 std::string with_tables(std::string_view page,
                         const std::function<std::string(const std::filesystem::path& file)>& read) {
   std::string made;
-  int open = 0;  // line of the comment that began the table; 0: none did
+  bool has_wish = false;
+  int open = 0;  // line of the comment that began the table; 0: no table
   int number = 0;
   while (!page.empty()) {
     const auto [line, line_end] = take_line(page);
@@ -199,7 +200,7 @@ std::string with_tables(std::string_view page,
       if (open == 0) throw std::runtime_error(fmt::format("line {}: no rows begin before this end", number));
       open = 0;
     } else if (open > 0 && !line.starts_with(kBegin)) {
-      continue;  // what stood there before
+      continue;  // the old table
     }
     made.append(line).append(line_end);
     if (!line.starts_with(kBegin)) continue;
@@ -216,6 +217,9 @@ std::string with_tables(std::string_view page,
     }
   }
   if (open > 0) throw std::runtime_error(fmt::format("line {}: these rows do not end; add {}", open, kEnd));
+  // A page without tables is probably the wrong file, so it is not written.
+  if (!has_wish)
+    throw std::runtime_error("no `<!-- rows … -->` comment in it; docs/experiments.md says how to write one");
   return made;
 }
 

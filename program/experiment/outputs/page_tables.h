@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of a Markdown page that are generated from stored results, so that they always show what was measured.
+// Tables of a Markdown page that are made from stored results, so that each figure stays up to date.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How exact the belief was: a row for each cell, for a person and for programs.
+// Errors of the belief: a row for each cell, as text and as JSON.
 #pragma once
 
 #include <iosfwd>
@@ -18,7 +18,7 @@ bool have_pose_errors(const std::vector<CellResults>& cells);
 
 void print_pose_errors(const Experiment& experiment, const std::vector<CellResults>& cells, std::ostream& out);
 
-/// Adds the numbers of a row (docs/experiments.md); none where nothing was measured.
+/// Adds the numbers of a row (docs/experiments.md), unless nothing was measured.
 void add_pose_errors(const std::optional<PoseRow>& row, nlohmann::ordered_json& json);
 
 }  // namespace reorient

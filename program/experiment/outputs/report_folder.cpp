@@ -17,7 +17,7 @@
 namespace reorient {
 namespace {
 
-/// As the kernel calls it.
+/// The processor's name in the kernel.
 std::string processor_name() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --report: a page for people, and all trials as files beside it.
+// --report: a page with figures, and files with all trials.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace reorient {
 
-/// Of this processor, now; `command`: what makes the report again.
+/// This processor and the present time; `command` makes the report again.
 Provenance provenance_here(const std::string& command);
 
-/// index.html, rows.json, trials.csv and trials.json. Each is there as a whole or not at all, whatever becomes of the
-/// others. Returns a line for each that could not be written.
+/// index.html, rows.json, trials.csv and trials.json. Each file is written completely or not at all, independent of the
+/// others. Returns a line for each file that could not be written.
 std::vector<std::string> write_report(const Report& report, const std::filesystem::path& folder);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changed between two tables of experiments, in pairs of equal seeds.
+// The differences between two tables of experiments, in pairs with the same seed.
 #pragma once
 
 #include <iosfwd>
@@ -12,7 +12,7 @@
 namespace reorient {
 
 struct RowPair {
-  std::string name;  ///< of what both have in common: "room hall, mode paper"; empty: nothing
+  std::string name;  ///< choices that both have: "room hall, mode paper"; empty: none
   StoredRow first;
   StoredRow second;
 };
@@ -29,11 +29,11 @@ struct PairedRows {
 PairedRows pair_rows(std::pair<std::string, std::vector<StoredRow>> first,
                      std::pair<std::string, std::vector<StoredRow>> second);
 
-/// Rows that differ in one axis alone. Throws std::runtime_error with one line where there is no such axis or choice.
+/// Rows that differ in one axis alone. Throws std::runtime_error with one line if the axis or choice is unknown.
 PairedRows pair_choices(const std::vector<StoredRow>& rows, const std::string& axis, const std::string& from,
                         const std::string& to);
 
-/// Throws std::runtime_error with one line where there is no pair.
+/// Throws std::runtime_error with one line if there is no pair.
 void print_comparison(const PairedRows& rows, std::ostream& out);
 
 }  // namespace reorient

@@ -17,12 +17,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What is wrong, without the file's name.
+/// A mistake in the file, without the file's name.
 struct Flaw : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-constexpr double kLongest = 1e9;  // s or hours: more than anybody measures
+constexpr double kLongest = 1e9;  // s or hours: larger than any measurement
 constexpr int kMostEvents = 1'000'000'000;
 
 const ordered_json& at(const ordered_json& table, const char* key, const char* what) {
@@ -115,7 +115,7 @@ std::vector<StoredRow> rows_from(const ordered_json& list) {
     rows.push_back(row_from(one));
     if (!seen.insert(rows.back().choices).second) throw Flaw("it has two rows of the same choices");
   }
-  // Rows that are pooled over the rooms have no trials of their own that could be compared.
+  // Rows that are pooled over the rooms have no trials to compare.
   const bool has_trials =
       std::any_of(rows.begin(), rows.end(), [](const StoredRow& row) { return !row.outcomes.empty(); });
   if (has_trials) std::erase_if(rows, [](const StoredRow& row) { return row.outcomes.empty(); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that was measured of each trial, for programs.
+// All measurements of each trial, as JSON.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace reorient {
 
-/// A list with a line for each trial, in the order of the plan: the axes' choices, what was measured, and the
-/// confidences as lists of equal length (docs/experiments.md). What is not known is null.
+/// A list with a line for each trial, in the order of the plan: the axes' choices, the measurements, and the
+/// confidences as lists of equal length (docs/experiments.md). Unknown values are null.
 std::string trials_as_json(const Experiment& experiment, const std::vector<CellResults>& cells);
 
 }  // namespace reorient

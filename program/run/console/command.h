@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person can ask for at the prompt of a run.
+// A command of the prompt of a run.
 #pragma once
 
 #include <functional>
@@ -15,11 +15,11 @@ namespace reorient {
 
 using Words = std::vector<std::string>;
 
-/// What a command says, as whole lines, to be asked after each frame from its own on; nothing: it waits for a later
-/// one. A std::runtime_error that it throws is told instead.
+/// The answer of a command, as whole lines. It is called after each frame, beginning with its own; nothing: it waits
+/// for a later frame. If it throws std::runtime_error, that message is printed instead.
 using Reply = std::function<std::optional<std::string>(const FrameRecord& frame, const SceneTruth& scene)>;
 
-/// An answer that no frame changes.
+/// An answer that does not depend on a frame.
 inline Reply at_once(std::string text) {
   return [text = std::move(text)](const FrameRecord&, const SceneTruth&) { return text; };
 }
@@ -27,11 +27,11 @@ inline Reply at_once(std::string text) {
 /// One row of the table that dispatch, help and completion read.
 struct Command {
   std::string_view name;
-  std::string_view arguments;  ///< "NAME VALUE"; in brackets what may be left out; "TEXT...": any number of words
+  std::string_view arguments;  ///< "NAME VALUE"; optional ones in brackets; "TEXT...": any number of words
   std::string_view help;
-  /// What it does to the frame that begins. Throws std::runtime_error with one line on bad input.
+  /// Its effect on the next frame. Throws std::runtime_error with one line on bad input.
   std::function<Reply(const Words& arguments, FrameInputs& inputs)> act;
-  /// What may stand behind these arguments; may be empty.
+  /// Completions after these arguments; may be empty.
   std::function<Words(const Words& before)> candidates = {};
 };
 

@@ -15,11 +15,11 @@
 
 namespace reorient {
 
-/// What the commands act on.
+/// The objects that commands act on.
 struct ConsoleSubject {
   ScenarioHost* scenario = nullptr;                                 ///< may be nullptr
-  std::function<std::vector<Parameter>()> parameters;               ///< all that there are
-  std::function<std::vector<ParameterChange>()> kept_parameters{};  ///< of scripts that are not there; may be empty
+  std::function<std::vector<Parameter>()> parameters;               ///< all existing parameters
+  std::function<std::vector<ParameterChange>()> kept_parameters{};  ///< of scripts that are not loaded; may be empty
   std::filesystem::path scripts{};                                  ///< their root
 };
 
@@ -29,12 +29,12 @@ class CommandTable {
   CommandTable(const CommandTable&) = delete;
   CommandTable& operator=(const CommandTable&) = delete;
 
-  /// `words`: a command with its arguments. Throws std::runtime_error with one line where it cannot be obeyed.
+  /// `words`: a command with its arguments. Throws std::runtime_error with one line if it cannot be executed.
   Reply obey(const Words& words, FrameInputs& inputs);
-  /// What the next word may be, behind these.
+  /// Completions for the next word after these.
   Words candidates(const Words& before) const;
 
-  /// Each frame, behind the answer to it: what is to be told without having been asked for just now, as whole lines.
+  /// Call in each frame, after the answer: unrequested output, such as watched values, as whole lines.
   std::string observe(const FrameRecord& frame, const SceneTruth& scene);
 
   bool wants_to_quit() const { return quit_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line that is edited at a terminal while the run goes on: libedit, fed key by key.
+// A line editor for a terminal during the run: libedit, fed key by key.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace reorient {
 
 class LineEditor {
  public:
-  /// What the next word may be, behind these.
+  /// Completions for the next word after these.
   using Candidates = std::function<Words(const Words& before)>;
 
   /// Reads `descriptor` and writes to the standard output, which are one terminal. The locale must be one of UTF-8.
@@ -36,14 +36,14 @@ class LineEditor {
   /// Takes what was typed since the last call, up to the end of a line. Never blocks.
   Typed poll();
 
-  /// The prompt with what is typed so far; a new line where the last one was ended.
+  /// Shows the prompt with the text typed so far; a new line if the last one was ended.
   void show();
-  /// Leaves its place on the screen to others, until it is shown again.
+  /// Clears its line on the screen, until it is shown again.
   void hide();
-  /// The terminal as it was before; what is typed so far is forgotten.
+  /// Restores the terminal; the text typed so far is discarded.
   void close();
 
-  /// Adds what was typed to the file. Throws nothing: what goes wrong is told in the log.
+  /// Adds the typed lines to the file. Does not throw: errors go to the log.
   void save_history();
 
  private:
@@ -67,12 +67,12 @@ class LineEditor {
   Words typed_;  ///< lines of this run
   std::unique_ptr<History, void (*)(History*)> history_;
   std::unique_ptr<EditLine, void (*)(EditLine*)> editor_;
-  std::optional<TerminalGuard> guard_;  ///< while the terminal is ours
+  std::optional<TerminalGuard> guard_;  ///< while the prompt uses the terminal
   Line line_ = Line::none;
   KeyQueue keys_;
-  int late_ = 0;         ///< for how many calls the rest of a key has not come
-  std::string key_;      ///< what libedit has not yet read of the key that it is told now
-  std::string listing_;  ///< names to be shown above the line
+  int late_ = 0;         ///< number of calls without the rest of a key
+  std::string key_;      ///< the part of the present key that libedit has not read yet
+  std::string listing_;  ///< names to show above the line
   int columns_ = 80;
 };
 

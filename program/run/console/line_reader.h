@@ -11,18 +11,19 @@ namespace reorient {
 /// Bytes. A longer line is not a command.
 inline constexpr std::size_t kLongestLine = 1000;
 
-/// Since the last look.
+/// The input since the last call.
 struct Typed {
-  std::optional<std::string> line;  ///< nothing: none is whole yet
+  std::optional<std::string> line;  ///< nothing: no complete line yet
   bool closed = false;              ///< of a terminal: by Ctrl-D on an empty line
 };
 
-/// Reads from a file descriptor without ever blocking, and little at a time: whatever pours in, the robot goes on.
+/// Reads from a file descriptor without ever blocking, and little at a time, so that much input does not delay the
+/// robot.
 class LineReader {
  public:
   explicit LineReader(int descriptor) : descriptor_(descriptor) {}
 
-  /// The next line. What stands behind the last line break is a line once there is no more.
+  /// The next line. At the end of the input, the text after the last line break is a line, too.
   Typed poll();
 
  private:
@@ -30,9 +31,9 @@ class LineReader {
   std::optional<std::string> take_line();
 
   int descriptor_;
-  std::string read_;       ///< and not yet taken
+  std::string read_;       ///< read, but not yet returned
   bool too_long_ = false;  ///< the rest of an endless line is dropped
-  bool ended_ = false;     ///< there will be no more
+  bool ended_ = false;     ///< at the end of the input
 };
 
 /// Whether a read would not block; false for a terminal that another process group uses now.

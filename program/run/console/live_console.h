@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prompt of a run: commands that a person types, or a program writes, while the robot goes on.
+// The prompt of a run: commands that the user types, or a program writes, while the robot continues.
 #pragma once
 
 #include <iosfwd>
@@ -14,9 +14,9 @@
 
 namespace reorient {
 
-/// One command a frame, and no waiting for any. An empty line opens the prompt, so that the progress line leaves the
-/// terminal to the typing; the next empty one closes it. What a command changes enters the frame that begins; what it
-/// says is read from that frame's record, before the next command is looked at.
+/// Executes at most one command per frame, without waiting. An empty line opens the prompt and hides the progress line;
+/// the next empty line closes it. The changes of a command enter the next frame. Its answer is read from that frame's
+/// record, before the next command is read.
 class LiveConsole : public InputSource, public Observer {
  public:
   /// Reads `descriptor`, answers on `out`. `history`: the file of lines from earlier runs, for a terminal.
@@ -47,10 +47,10 @@ class LiveConsole : public InputSource, public Observer {
   CommandTable table_;
   std::optional<std::filesystem::path> history_;
   LineReader lines_;
-  std::optional<LineEditor> editor_;  ///< from the first time that the prompt is opened at a terminal
-  Reply reply_;                       ///< that is still to be given; empty: none
+  std::optional<LineEditor> editor_;  ///< created when the prompt is first opened at a terminal
+  Reply reply_;                       ///< the pending answer; empty: none
   bool open_ = false;
-  bool is_prompted_ = false;  ///< the prompt is the last thing on `out`, where nothing is edited
+  bool is_prompted_ = false;  ///< the prompt is the last text on `out`, without a line editor
 };
 
 }  // namespace reorient

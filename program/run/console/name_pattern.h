@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names as a person picks them out of many.
+// Selects names by patterns.
 #pragma once
 
 #include <span>
@@ -9,14 +9,15 @@
 
 namespace reorient {
 
-/// Whether the whole name is as the pattern says, in which '*' stands for any letters.
+/// Whether the whole name matches the pattern, in which '*' matches any characters.
 bool matches(std::string_view pattern, std::string_view name);
 
-/// The indices of the name that is `wanted`; else, where it holds a '*', of those that match; else of those that it is
-/// a part of. Throws std::runtime_error with one line if no name matches; the message calls it a `kind` ("parameter").
+/// The index of the name equal to `wanted`; otherwise, if it contains a '*', of those that match; otherwise of those
+/// that contain it. Throws std::runtime_error with one line if no name matches; the message calls it a `kind`
+/// ("parameter").
 std::vector<std::size_t> pick(std::string_view wanted, std::span<const std::string> names, std::string_view kind);
 
-/// Others' bytes within a line of ours: on a terminal they must not be commands, and not fill it.
+/// Foreign bytes made safe for a line of output: they must not control the terminal, nor fill it.
 std::string printable(std::string_view text);
 
 }  // namespace reorient

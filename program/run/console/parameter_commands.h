@@ -12,20 +12,20 @@ namespace reorient {
 
 class ParameterCommands {
  public:
-  /// `scenario` may be nullptr; `parameters`: all that there are; `kept_parameters`: of scripts that are not there, may
+  /// `scenario` may be nullptr; `parameters`: all existing ones; `kept_parameters`: of scripts that are not loaded, may
   /// be empty.
   ParameterCommands(ScenarioHost* scenario, std::function<std::vector<Parameter>()> parameters,
                     std::function<std::vector<ParameterChange>()> kept_parameters);
 
   Reply set(const std::string& name, const std::string& value, FrameInputs& inputs);
-  /// Takes the last change back; called again, the one before it.
+  /// Undoes the last change; called again, the one before it.
   Reply undo(FrameInputs& inputs);
   Reply list(const std::string& pattern) const;
   Reply differences() const;
   Reply save(const std::string& file) const;
 
   Words names() const;
-  /// What the parameter could be set to: its choices, or what it is now.
+  /// Completions for a value: the choices of the parameter, or its present value.
   Words values(const std::string& name) const;
 
  private:
@@ -34,13 +34,13 @@ class ParameterCommands {
     std::string value;
   };
 
-  /// `done` is called where it was taken.
+  /// `done` is called if the change was accepted.
   Reply change(const Change& wanted, FrameInputs& inputs, std::function<void()> done);
 
   ScenarioHost* scenario_;
   std::function<std::vector<Parameter>()> parameters_;
   std::function<std::vector<ParameterChange>()> kept_parameters_;
-  std::vector<Change> before_;  ///< what each change that was taken replaced, the last one at the end
+  std::vector<Change> before_;  ///< the old value of each accepted change, the latest at the end
 };
 
 }  // namespace reorient

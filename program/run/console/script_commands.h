@@ -22,7 +22,7 @@ class ScriptCommands {
   /// Reads scripts again, also those that did not change; an empty name: all.
   Reply reload(const std::string& name, FrameInputs& inputs) const;
 
-  /// Which machines there are, for completion.
+  /// The names of all machines, for completion.
   void observe(const FrameRecord& frame, const SceneTruth& scene);
   const Words& machines() const { return machines_; }
   /// Names that reload() takes.

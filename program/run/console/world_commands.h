@@ -16,12 +16,12 @@ class WorldCommands {
 
   /// The values of all fields whose names match.
   Reply look(const std::string& pattern) const;
-  /// Tells these from now on whenever they change. An empty pattern: those that are watched.
+  /// Prints these values whenever they change. An empty pattern: lists the watched values.
   Reply watch(const std::string& pattern);
   /// An empty pattern: all.
   Reply unwatch(const std::string& pattern);
 
-  /// Lines about what changed; each value at most twice a second of the robot's time.
+  /// Lines about changed values; each value at most twice a second of the robot's time.
   std::string changes(const World& world);
 
   const Words& names() const { return names_; }
