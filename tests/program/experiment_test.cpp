@@ -84,14 +84,14 @@ TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   expect_refused({"--out", out}, "short.toml:17: unknown key 'widht' (did you mean 'width'?)");
   folder.write("short.toml", std::string(kShort) + "room = \"gone.hdr\"\n");
   expect_refused({"--out", out}, "gone.hdr");
-  folder.write("short.toml", std::string(kShort) + "scenario = \"mirrored_placment\"\n");
+  folder.write("short.toml", std::string(kShort) + "scenario = \"mirrored_placemnt\"\n");
   expect_refused({"--out", out}, "did you mean 'mirrored_placement'?");
   folder.write("short.toml", kShort);
   expect_refused({"--out", out, "--room", "gone.hdr"}, "gone.hdr");
   expect_refused({"--out", out, "--trials", "0"}, "--trials");
   expect_refused({"--out", out, "--jobs", "0"}, "--jobs");
   EXPECT_FALSE(std::filesystem::exists(out));
-  const ProgramRun unknown = run_reorient({"experiment", "mirrored_placment"});
+  const ProgramRun unknown = run_reorient({"experiment", "mirrored_placemnt"});
   EXPECT_EQ(unknown.code, kBadInput);
   EXPECT_NE(unknown.err.find("did you mean 'mirrored_placement'?"), std::string::npos) << unknown.err;
 }
