@@ -108,7 +108,7 @@ TEST_F(RunWithAModel, IsRefusedADamagedOne) {
 TEST_F(RunWithAModel, IsRefusedOneOfAnotherKind) {
   const std::string good = file_of(some_model(1));
   expect_refused(good, {"--set", "wall.columns=24"},
-                 "it was learned with other parameters: wall.columns=48; give this run the same with --set, or name "
+                 "it was learned with other parameters: wall.columns=48; set the same values with --set, or name "
                  "another file with --model");
   expect_refused(good, {"--set", "color.dark_below=80"}, "color.dark_below=85");
   expect_refused(good, {"--params", "paper"}, "light_adaptation.enabled=true");
@@ -296,8 +296,8 @@ TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
   other.basis.wall.radius = 9.0;
   const ProgramRun little = model({file_of(other)});
   EXPECT_NE(little.out.find("parameters: wall.radius=9\n"), std::string::npos) << little.out;
-  EXPECT_NE(little.out.find("too little to decide with"), std::string::npos);
-  EXPECT_NE(little.out.find("says nothing about the pose"), std::string::npos);
+  EXPECT_NE(little.out.find("too little for decisions"), std::string::npos);
+  EXPECT_NE(little.out.find("no evidence about the pose"), std::string::npos);
 }
 
 TEST_F(ModelCommand, TellsWhereTwoDifferAndWhetherOneIsTurned) {
@@ -323,7 +323,7 @@ TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
   EXPECT_EQ(done.code, kSuccess) << done.err;
   EXPECT_NE(done.out.find("learned for 80.0 s"), std::string::npos) << done.out;
   const std::string merged_bytes = read_text(both);
-  expect_bad({"merge", one, turned, "--out", both}, "the teams had changed sides; merge them with --sides-changed");
+  expect_bad({"merge", one, turned, "--out", both}, "the teams changed sides; merge them with --sides-changed");
   expect_bad({"merge", one, other, "--out", both, "--sides-changed"}, "leave out --sides-changed");
   expect_bad({"merge", one, file_of(some_model(2), "hall"), "--out", both}, "cannot tell that " + one + " and ");
   EXPECT_EQ(read_text(both), merged_bytes);

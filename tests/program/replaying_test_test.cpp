@@ -127,7 +127,7 @@ TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
   EXPECT_TRUE(part.view_topics().empty()) << "nothing but what decides";
   const ProgramRun run = run_reorient({"test", "--scripts", scripts().string()});
   EXPECT_EQ(run.code, 0) << run.out;
-  EXPECT_NE(run.out.find("made_here goes on as it did"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("made_here continues as recorded"), std::string::npos) << run.out;
   edit("tests/made_here_test.lua", "-- expect.as_recorded()", "expect.as_recorded()");
   EXPECT_EQ(run_reorient({"test", "--scripts", scripts().string()}).code, 0);
 
