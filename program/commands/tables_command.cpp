@@ -58,11 +58,13 @@ void fill(const std::vector<std::filesystem::path>& pages) {
 }  // namespace
 
 Subcommand add_tables(CLI::App& experiment) {
-  const auto page = std::make_shared<std::filesystem::path>();
-  CLI::App* const parser = experiment.add_subcommand("tables", "fill the tables of a Markdown page from results");
-  set_examples(*parser, {{"reorient experiment tables docs/light.md", "update the tables of a page"},
+  const auto pages = std::make_shared<std::vector<std::filesystem::path>>();
+  CLI::App* const parser = experiment.add_subcommand("tables", "fill the tables of Markdown pages from results");
+  set_examples(*parser, {{"reorient experiment tables docs/evidence/*.md", "update the tables of several pages"},
                          {"reorient experiment tables report.md", "fill a page of yours"}});
-  parser->add_option("page", *page, "Markdown page with comments that name the rows (docs/experiments.md)")
+  parser
+      ->add_option("pages", *pages,
+                   "Markdown pages with comments that name the rows (docs/experiments.md); others are skipped")
       ->type_name("PAGE")
       ->check(check_not_empty)
       ->required();
