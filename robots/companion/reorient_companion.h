@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-/* Reorient's companion protocol, and a client for it in C99: the one file that a team copies. No dependency but a POSIX
- * system that is Linux. docs/companion.md says what is sent when, byte for byte.
+/* Reorient's companion protocol, and a client for it in C99: the one file that a team copies. It needs Linux and
+ * nothing else. docs/companion.md describes the protocol byte for byte.
  *
  * Structures only:            #include "reorient_companion.h"
  * The client, in one file:    #define _GNU_SOURCE  (the first line)
  *                             #define REORIENT_COMPANION_CLIENT
  *                             #include "reorient_companion.h"  (and link with -lm)
  *
- * Metres, radians, seconds, kilograms. x forward, y to the left, z up; in the field's frame x points towards the
- * opponents' goal and the origin is the centre. Numbers are little-endian and lie as the structures say: without gaps.
+ * Units: meters, radians, seconds, kilograms. x forward, y to the left, z up; in the field's frame x points to the
+ * opponents' goal and the origin is the field center. Numbers are little-endian, structures have no padding.
  */
 #ifndef REORIENT_COMPANION_H
 #define REORIENT_COMPANION_H
@@ -19,20 +19,20 @@
 #define REORIENT_VERSION_2 2
 
 enum {
-  REORIENT_LONGEST_BODY = 1 << 16, /* bytes of a message behind its header */
+  REORIENT_LONGEST_BODY = 1 << 16, /* bytes of a message after its header */
   REORIENT_MOST_PARTICLES = 2000,
   REORIENT_MOST_MESSAGES = 8,
   REORIENT_SLOTS = 3,               /* images of one camera in shared memory */
-  REORIENT_SLOT_HEADER = 64,        /* bytes before the pixels of each */
+  REORIENT_SLOT_HEADER = 64,        /* bytes before the pixels of each slot */
   REORIENT_LARGEST_IMAGE = 1 << 24, /* bytes */
   REORIENT_LONGEST_TEXT = 240,      /* bytes of a message between robots */
-  REORIENT_LONGEST_DATAGRAM = 256   /* bytes of one of the GameController's */
+  REORIENT_LONGEST_DATAGRAM = 256   /* bytes of a datagram of the GameController */
 };
 
 /* Before each message. */
 struct reorient_header {
-  uint32_t size;    /* bytes of the message behind this header */
-  uint16_t kind;    /* one of those below */
+  uint32_t size;    /* bytes of the message after this header */
+  uint16_t kind;    /* type of the message, REORIENT_HELLO ... REORIENT_NOTE */
   uint16_t version; /* REORIENT_VERSION_2: 2 */
 };
 
@@ -64,50 +64,50 @@ enum {
 
 struct reorient_camera {
   uint16_t width, height; /* pixels, even */
-  uint32_t format;        /* REORIENT_YUYV ...; REORIENT_NO_IMAGE: there is no such camera */
-  double focal[2];        /* pixels, along the rows and the columns */
-  double center[2];       /* pixels from the middle of the first one */
-  double distortion[2];   /* radial: of the square and of the fourth power; 0, 0 where images are rectified */
-  double position[3];     /* in the head, from the neck's second axis */
-  double tilt;            /* rad, downwards */
+  uint32_t format;        /* REORIENT_YUYV ...; REORIENT_NO_IMAGE: the robot does not have this camera */
+  double focal[2];        /* focal length in pixels, horizontal and vertical */
+  double center[2];       /* principal point, pixels from the middle of the first pixel */
+  double distortion[2];   /* radial coefficients k1, k2; 0, 0 for rectified images */
+  double position[3];     /* of the camera in the head's frame, m from the second neck axis */
+  double tilt;            /* of the camera in the head, rad, positive downwards */
 };
 
 enum {                            /* reorient_body.has */
-       REORIENT_BODY_NUMBERS = 1, /* the numbers below count; else the name is that of a robot that Reorient knows */
-       REORIENT_BODY_FEET = 2,    /* they feel their load */
+       REORIENT_BODY_NUMBERS = 1, /* use the numbers below; without this bit: the robot with this name */
+       REORIENT_BODY_FEET = 2,    /* load sensors in the feet */
        REORIENT_BODY_WALK = 4,
        REORIENT_BODY_GET_UP = 8
 };
 
 struct reorient_body {
-  char name[32];         /* ends with a zero */
+  char name[32];         /* name of the robot, zero-terminated */
   uint32_t has;          /* REORIENT_BODY_... */
-  uint32_t pitch_first;  /* 0: the neck's first joint is the yaw */
-  double torso_height;   /* of the torso's origin, standing */
-  double first_axis[3];  /* of the neck, from the torso's origin */
-  double second_axis[3]; /* from the first one */
-  double yaw_limit;      /* rad, to either side */
-  double pitch_limit[2]; /* rad: upwards (negative), downwards */
-  double head_speed;     /* rad/s */
-  double standing_load;  /* kg, on both feet */
-  double walk_limit[3];  /* m/s, m/s, rad/s: forward, left, turn */
-  double cruise;         /* m/s, at which it goes far */
+  uint32_t pitch_first;  /* first joint of the neck: 0 yaw, 1 pitch */
+  double torso_height;   /* height of the torso's origin above the ground while standing, m */
+  double first_axis[3];  /* position of the first neck axis from the torso's origin, m */
+  double second_axis[3]; /* position of the second neck axis from the first, m */
+  double yaw_limit;      /* largest yaw to each side, rad */
+  double pitch_limit[2]; /* largest pitch upwards (negative) and downwards, rad */
+  double head_speed;     /* largest speed of the head, rad/s */
+  double standing_load;  /* load on both feet while standing, kg */
+  double walk_limit[3];  /* largest speed forward (m/s), to the left (m/s), turning (rad/s) */
+  double cruise;         /* walking speed over long distances, m/s */
 };
 
 struct reorient_field {
-  char name[32];        /* of a field that Reorient knows; empty: the numbers count; both empty: the body's field */
-  double length, width; /* between the middles of lines */
-  double border;        /* carpet beyond them */
-  double line_width;
-  double penalty_area[2], goal_area[2]; /* depth, width */
-  double penalty_mark;                  /* its distance from the field's centre */
-  double mark_size;                     /* from end to end */
-  double circle_radius;                 /* of the centre circle, to the middle of the line */
-  double corner_radius;                 /* of the arcs at the corners; 0: there are none */
-  double post_y;                        /* the middles of goal posts stand at y = +-this */
-  double goal_height;                   /* to the upper edge of the crossbar */
-  double goal_depth;                    /* of the net, behind the goal line */
-  double post_diameter;
+  char name[32]; /* name of a known field; empty: use the numbers; empty and all numbers 0: the field of the body */
+  double length, width;                 /* between the middles of the outer lines, m */
+  double border;                        /* width of the carpet outside the outer lines, m */
+  double line_width;                    /* m */
+  double penalty_area[2], goal_area[2]; /* depth, width, m */
+  double penalty_mark;                  /* distance from the field center, m */
+  double mark_size;                     /* length of the penalty mark from end to end, m */
+  double circle_radius;                 /* center circle, to the middle of the line, m */
+  double corner_radius;                 /* corner arcs, m; 0: the field has none */
+  double post_y;                        /* distance of the middle of each goal post from the x axis, m */
+  double goal_height;                   /* to the upper edge of the crossbar, m */
+  double goal_depth;                    /* depth of the net behind the goal line, m */
+  double post_diameter;                 /* m */
 };
 
 enum { REORIENT_OWN_LOCALIZATION = 1, REORIENT_OUR_LOCALIZATION = 2 };
@@ -115,37 +115,37 @@ enum { REORIENT_OWN_LOCALIZATION = 1, REORIENT_OUR_LOCALIZATION = 2 };
 enum { REORIENT_WANT_HEAD = 1, REORIENT_WANT_WALK = 2, REORIENT_WANT_GET_UP = 4 };
 
 struct reorient_hello {
-  uint64_t client; /* drawn by lot when your process begins; another one: clock and odometry begin anew */
-  uint32_t way;    /* whose localization counts: REORIENT_OWN_LOCALIZATION, REORIENT_OUR_LOCALIZATION */
-  uint32_t wants;  /* which requests of behaviours the robot carries out: REORIENT_WANT_... */
-  double delay;    /* s that an image is old when its frame arrives; counts where frames bring no time */
-  struct reorient_camera cameras[2]; /* the one that sees the walls, and a lower one */
-  struct reorient_body body;
-  struct reorient_field field;
+  uint64_t client; /* random number, drawn when your process starts; a new number: clock and odometry restarted */
+  uint32_t way;    /* whose localization is used: REORIENT_OWN_LOCALIZATION, REORIENT_OUR_LOCALIZATION */
+  uint32_t wants;  /* which requests of behaviors the robot carries out, sum of REORIENT_WANT_... */
+  double delay;    /* age of an image when its frame arrives, s; used for frames without REORIENT_HAS_TIME */
+  struct reorient_camera cameras[2]; /* upper camera, which sees the walls, and lower camera */
+  struct reorient_body body;         /* the robot's dimensions and abilities */
+  struct reorient_field field;       /* the field's dimensions */
 };
 
 enum {
-  REORIENT_LENS_OF_CAMERA = 0, /* a pinhole with reorient_camera's distortion, as without this block */
+  REORIENT_LENS_OF_CAMERA = 0, /* pinhole with the distortion of reorient_camera, as without this block */
   REORIENT_LENS_PINHOLE = 1,
   REORIENT_LENS_FISHEYE = 2,
   REORIENT_LENS_EQUIRECTANGULAR = 3
 };
 
-/* Optional: one for each camera, directly behind the hello and in the same message. A server from before there was this
- * block refuses such a hello. */
+/* Optional: one for each camera, directly after the hello, in the same message. A server older than this block refuses
+ * such a hello. */
 struct reorient_lens {
   uint32_t model;         /* REORIENT_LENS_... */
-  uint32_t count;         /* of coefficients: pinhole 0, 2, 4, 5 or 8; fisheye 0 or 4; equirectangular 0 */
-  double coefficients[8]; /* in OpenCV's order: k1, k2, p1, p2, k3, k4, k5, k6; of a fisheye k1, k2, k3, k4 */
+  uint32_t count;         /* number of coefficients: pinhole 0, 2, 4, 5 or 8; fisheye 0 or 4; equirectangular 0 */
+  double coefficients[8]; /* in OpenCV's order: k1, k2, p1, p2, k3, k4, k5, k6; fisheye: k1, k2, k3, k4 */
 };
 
 /* ---- memory: once for each camera, with a file descriptor of a memfd (SCM_RIGHTS) that has F_SEAL_SHRINK ---- */
 
-/* Three slots one behind the other. Each begins with its sequence number (uint64_t, odd while the pixels are written)
- * and has its pixels from byte REORIENT_SLOT_HEADER on. */
+/* Three slots, one after the other. Each starts with its sequence number (uint64_t, odd while the pixels are written).
+ * Its pixels start at byte REORIENT_SLOT_HEADER. */
 struct reorient_memory {
-  uint32_t camera;    /* 0 or 1 */
-  uint32_t slot_size; /* bytes, REORIENT_SLOT_HEADER and the pixels; a multiple of 64 */
+  uint32_t camera;    /* 0 upper, 1 lower */
+  uint32_t slot_size; /* bytes: at least REORIENT_SLOT_HEADER + pixels; a multiple of 64 */
 };
 
 /* ---- frame ---- */
@@ -157,90 +157,90 @@ enum { /* reorient_frame.has */
        REORIENT_HAS_RATES = 8,
        REORIENT_HAS_ACCELERATION = 16,
        REORIENT_HAS_FOOT_LOAD = 32,
-       REORIENT_HAS_BELIEF = 64, /* a pose of the team's localization; particles say so by their number */
+       REORIENT_HAS_BELIEF = 64, /* a pose of the team's localization; not needed for particles */
        REORIENT_HAS_TOLD_POSE = 128,
        REORIENT_HAS_REFEREE = 256,
-       /* all in it is in the axes of the other half; in each frame from half-time on. That it is there in one frame and
-          not in the next, or the other way round, is half-time; how your process begins is of no account */
+       /* poses are in the axes of the other half: set it in each frame after half-time. A change of this bit between
+          two frames is half-time; its value in the first frame of a process has no effect */
        REORIENT_OTHER_HALF = 512
 };
 
 enum { REORIENT_UNKNOWN = 0, REORIENT_UPRIGHT = 1, REORIENT_FALLING = 2, REORIENT_FALLEN = 3, REORIENT_GETTING_UP = 4 };
 
 struct reorient_image {
-  uint32_t slot;     /* 0 to 2 */
-  uint32_t present;  /* 0: this camera has no new image; 1: it has, and the joints say where the camera was;
-                        2: it has, and the pose below says so */
-  uint64_t sequence; /* of the slot, even */
-  double age;        /* s that it is older than the frame's time, 0 to 1 */
+  uint32_t slot;     /* slot of the image, 0 to 2 */
+  uint32_t present;  /* 0: no new image of this camera; 1: new image, camera pose from the joint angles;
+                        2: new image, camera pose from `pose` */
+  uint64_t sequence; /* sequence number of the slot, even */
+  double age;        /* how much older the image is than the frame's time, s, 0 to 1 */
   double pose[12];   /* robot from camera, three rows of four; origin on the ground below the torso, x along the
                         optical axis, y to the left, z up */
 };
 
 struct reorient_frame {
-  uint64_t number;    /* counts up */
-  double time;        /* s, when the image was exposed, on any clock that goes on */
-  uint32_t has;       /* REORIENT_HAS_... */
-  uint32_t posture;   /* as the robot says it: REORIENT_UPRIGHT ... */
-  uint32_t penalized; /* 0, 1 */
-  uint32_t particles; /* how many follow behind this structure */
-  uint32_t messages;  /* how many follow behind those */
-  uint32_t done;      /* the number of the last command that was carried out, 0: none; of the server that is: */
-  uint64_t done_server;
-  double odometry[3];       /* x, y, turn: summed since the client began, so that a lost frame loses none */
-  double head[2];           /* yaw to the left, pitch downwards */
-  double attitude[2];       /* roll (left side up), pitch (downwards) of the torso */
-  double rates[3];          /* rad/s of the torso */
-  double acceleration[3];   /* m/s^2 against free fall: (0, 0, +9.81) while it stands */
-  double foot_load;         /* kg on both feet */
-  double belief[3];         /* x, y, rotation */
-  double covariance[6];     /* of it: xx, xy, x rotation, yy, y rotation, rotation rotation */
-  double told_pose[3];      /* where the team is sure to be */
-  double told_deviation[2]; /* m, rad: above 0 */
-  struct reorient_image images[2];
+  uint64_t number;          /* increases with each frame */
+  double time;              /* when the image was exposed, s, on any monotonic clock */
+  uint32_t has;             /* REORIENT_HAS_... */
+  uint32_t posture;         /* result of the robot's fall detection, REORIENT_UNKNOWN ... REORIENT_GETTING_UP */
+  uint32_t penalized;       /* by the referee: 0 no, 1 yes */
+  uint32_t particles;       /* number of particles after this structure */
+  uint32_t messages;        /* number of messages after the particles */
+  uint32_t done;            /* number of the last command that was carried out, 0: none */
+  uint64_t done_server;     /* the server that sent this command, as in its welcome */
+  double odometry[3];       /* x, y, rotation: summed since the client started, so that a lost frame loses no motion */
+  double head[2];           /* yaw (positive to the left), pitch (positive downwards), rad */
+  double attitude[2];       /* of the torso: roll (left side up), pitch (downwards), rad */
+  double rates[3];          /* angular velocity of the torso, rad/s */
+  double acceleration[3];   /* m/s^2 against free fall: (0, 0, +9.81) while the robot stands */
+  double foot_load;         /* load on both feet, kg */
+  double belief[3];         /* pose of the team's localization: x, y, rotation */
+  double covariance[6];     /* of the belief: xx, xy, x rotation, yy, y rotation, rotation rotation */
+  double told_pose[3];      /* initial pose: x, y, rotation */
+  double told_deviation[2]; /* standard deviations of the initial pose, m, rad: above 0 */
+  struct reorient_image images[2]; /* upper and lower camera */
 };
 
 struct reorient_particle {
-  float x, y, rotation; /* in the field's frame */
-  float weight;         /* 0 or more; their sum is of no account */
+  float x, y, rotation; /* pose in the field frame */
+  float weight;         /* non-negative; the sum need not be 1 */
 };
 
 struct reorient_message {
-  int32_t sender;  /* the player's number */
-  uint32_t length; /* bytes of the text, 0 to 240; it needs no zero at its end */
+  int32_t sender;  /* player number of the sender */
+  uint32_t length; /* bytes of the text, 0 to 240; a terminating zero is not necessary */
   char text[REORIENT_LONGEST_TEXT];
 };
 
-/* ---- sample: of the body, between frames, where it is felt more often than it sees ---- */
+/* ---- sample: sensor values of the body between two frames ---- */
 
 struct reorient_sample {
-  double time;  /* on the frames' clock; counts only where frames bring a time */
-  uint32_t has; /* REORIENT_HAS_HEAD ... REORIENT_HAS_FOOT_LOAD */
-  uint32_t zero;
+  double time;   /* s, on the clock of the frames; used only if frames have REORIENT_HAS_TIME */
+  uint32_t has;  /* REORIENT_HAS_HEAD ... REORIENT_HAS_FOOT_LOAD */
+  uint32_t zero; /* unused, 0 */
   double head[2], attitude[2], rates[3], acceleration[3], foot_load;
 };
 
-/* ---- game: what the league's GameController sent, as it came ---- */
+/* ---- game: what the league's GameController sent, unchanged ---- */
 
 struct reorient_game {
-  uint32_t team;   /* yours, as the league numbers it */
-  uint32_t player; /* this robot, 1 to 20 */
-  uint32_t size;   /* bytes of the datagram */
-  uint32_t zero;
-  uint8_t datagram[REORIENT_LONGEST_DATAGRAM]; /* RGme, version 18, 19 or 20; others do nothing */
+  uint32_t team;                               /* number of your team in the league */
+  uint32_t player;                             /* player number of this robot, 1 to 20 */
+  uint32_t size;                               /* bytes of the datagram */
+  uint32_t zero;                               /* unused, 0 */
+  uint8_t datagram[REORIENT_LONGEST_DATAGRAM]; /* RGme, version 18, 19 or 20; others are ignored */
 };
 
 /* ---- to the client ---- */
 
 struct reorient_welcome {
-  uint64_t server;    /* drawn by lot when the server began */
-  uint32_t goes_on;   /* 1: it knows what it knew before; 0: it begins anew */
-  uint32_t behaviors; /* how many run */
+  uint64_t server;    /* random number, drawn when the server starts */
+  uint32_t goes_on;   /* 1: the server continues from its state; 0: it starts without knowledge */
+  uint32_t behaviors; /* number of behaviors that run */
 };
 
-/* And then the connection ends. */
+/* The server closes the connection after it. */
 struct reorient_refusal {
-  char why[256]; /* ends with a zero */
+  char why[256]; /* reason, zero-terminated */
 };
 
 enum { REORIENT_FLIP = 1, REORIENT_PURGE = 2, REORIENT_RESET = 3 };
@@ -250,44 +250,44 @@ enum { /* reorient_answer.has */
        REORIENT_ANSWER_HEAD = 2,
        REORIENT_ANSWER_WALK = 4,
        REORIENT_ANSWER_GET_UP = 8,
-       REORIENT_ANSWER_ROOM = 16, /* the room can tell the pose from its reflection now */
+       REORIENT_ANSWER_ROOM = 16, /* the room can distinguish the pose from the mirrored pose now */
        REORIENT_ANSWER_TRAINING_PAUSED = 32,
        REORIENT_ANSWER_EVALUATION_PAUSED = 64
 };
 
 struct reorient_answer {
-  uint64_t number; /* of the frame */
-  double time;     /* of the frame, on the client's clock */
-  double took;     /* s from its arrival to this answer */
-  uint32_t has;    /* REORIENT_ANSWER_... */
-  uint32_t zero;
-  uint32_t command;         /* its number, 0: none; repeated until a frame says that it is done */
-  uint32_t command_kind;    /* REORIENT_FLIP, _PURGE, _RESET: to be carried out on the team's belief, once */
-  double current, opposite; /* confidences in the believed pose and in its reflection, 0 to 1 */
-  double evidence;          /* log-odds of the reflection against the believed pose */
-  double pose[3];           /* the believed pose: ours, or yours as it was understood */
+  uint64_t number;          /* number of the frame */
+  double time;              /* time of the frame, s, on the client's clock */
+  double took;              /* s from the frame's arrival to this answer */
+  uint32_t has;             /* REORIENT_ANSWER_... */
+  uint32_t zero;            /* unused, 0 */
+  uint32_t command;         /* number of the command, 0: none; repeated until a frame acknowledges it */
+  uint32_t command_kind;    /* REORIENT_FLIP, _PURGE or _RESET: carry it out once on the team's belief */
+  double current, opposite; /* confidence in the believed pose and in the mirrored pose, 0 to 1 */
+  double evidence;          /* log-odds of the mirrored pose against the believed pose */
+  double pose[3];           /* believed pose: Reorient's, or the one computed from your belief */
   double covariance[6];
-  double head[3];      /* wanted yaw, pitch, and speed in rad/s */
-  double walk[3];      /* wanted m/s forward, m/s to the left, rad/s to the left; all 0: stand */
-  uint64_t frames;     /* that arrived, of all clients since the server began */
-  uint64_t superseded; /* of those were not looked at, since a newer one had come */
-  uint64_t unusable;   /* of those: numbers that make no sense, a time before the last, an image written over */
+  double head[3];      /* requested yaw (rad), pitch (rad) and speed (rad/s) */
+  double walk[3];      /* requested m/s forward, m/s to the left, rad/s to the left; all 0: stand */
+  uint64_t frames;     /* frames that arrived from all clients since the server started */
+  uint64_t superseded; /* frames that were not used because a newer one had arrived */
+  uint64_t unusable;   /* frames that were dropped: invalid numbers, a time not after the last, an overwritten image */
 };
 
-/* Where a behaviour's state machine is: at first, and whenever it changes. */
+/* State of a behavior's state machine: after each connection and after each change. */
 struct reorient_state {
-  char behavior[64]; /* its name */
-  char state[192];   /* as in "watching/in doubt"; "stopped" after too many errors */
+  char behavior[64]; /* name of the behavior */
+  char state[192];   /* for example "watching/in doubt"; "stopped" after too many errors */
 };
 
 enum { REORIENT_NOTE_FAULT = 1, REORIENT_NOTE_LOG = 2, REORIENT_NOTE_MESSAGE = 3 /* to the other robots */ };
 
 struct reorient_note {
-  uint32_t kind;  /* REORIENT_NOTE_...: 1 fault, 2 line of the log, 3 message to the other robots */
-  char text[252]; /* ends with a zero */
+  uint32_t kind;  /* REORIENT_NOTE_...: 1 fault, 2 log line, 3 message to the other robots */
+  char text[252]; /* zero-terminated */
 };
 
-/* As C99 can say it: a compiler that puts gaps anywhere stops here. */
+/* Static assertion for C99: fails to compile if the compiler adds padding. */
 #define REORIENT_SIZE(type, size) typedef char reorient_size_of_##type[sizeof(struct type) == (size) ? 1 : -1]
 REORIENT_SIZE(reorient_header, 8);
 REORIENT_SIZE(reorient_camera, 88);
@@ -308,7 +308,7 @@ REORIENT_SIZE(reorient_answer, 208);
 REORIENT_SIZE(reorient_state, 256);
 REORIENT_SIZE(reorient_note, 256);
 
-/* Of an image, in its format; 0: there is no such format. */
+/* Bytes of an image of this camera; 0: unknown format. */
 static inline size_t reorient_image_bytes(const struct reorient_camera* camera) {
   const size_t pixels = (size_t)camera->width * camera->height;
   switch (camera->format) {
@@ -327,7 +327,7 @@ static inline size_t reorient_image_bytes(const struct reorient_camera* camera) 
 }
 
 #ifdef REORIENT_COMPANION_CLIENT
-/* ---- the client: no call waits for anything ---- */
+/* ---- the client: no call blocks ---- */
 /* NOLINTBEGIN(modernize-use-nullptr): C99 has none */
 
 #include <errno.h>
@@ -343,16 +343,16 @@ enum { REORIENT_TOLD_FRAMES = 60 };
 
 struct reorient_client {
   struct reorient_hello hello;
-  struct reorient_lens lenses[2]; /* sent where one of them has a model: set them between open and the first frame */
+  struct reorient_lens lenses[2]; /* sent if one has a model: set them between open and the first frame */
   struct sockaddr_un address;
-  int socket;    /* -1: not connected; to be waited for with poll() by whoever wants to wait */
-  int broken;    /* nothing can be sent any more; what has come is still to be read, a refusal perhaps */
+  int socket;    /* -1: not connected; use poll() to wait for messages */
+  int broken;    /* sending failed; received messages, perhaps a refusal, can still be read */
   int memory[2]; /* memfd of each camera, or -1 */
   unsigned char* slots[2];
   uint32_t slot_size[2];
-  uint32_t slot[2];      /* that is written to */
-  uint64_t sequence[2];  /* of the image that was written last */
-  uint64_t number;       /* of the last frame */
+  uint32_t slot[2];      /* slot that is written to */
+  uint64_t sequence[2];  /* sequence number of the image that was written last */
+  uint64_t number;       /* number of the last frame */
   uint64_t lost;         /* frames that could not be sent */
   uint64_t server;       /* 0: no welcome yet */
   uint64_t first_number; /* of the first frame of this connection */
@@ -551,9 +551,9 @@ static inline void reorient_image_written(struct reorient_client* client, int ca
   if (frame->images[camera].present == 0) frame->images[camera].present = 1;
 }
 
-/* A told pose waits until it was heard, and for some frames more: a server that is killed within these has not kept it,
- * and the next one is told again. Meanwhile it goes with the robot and into the axes of the other half; odometry
- * is taken to be wrong by a tenth, and what nobody can be sure of any more is forgotten. */
+/* Stores an initial pose until an answer confirms it, and for some frames more: a server that is killed within these
+ * has not saved it, and the next server gets it again. Meanwhile the pose moves with the odometry and changes the axes
+ * at half-time. Odometry counts with an error of 10%, and a pose that became too uncertain is dropped. */
 static inline void reorient_keep_told(struct reorient_client* client, const struct reorient_frame* frame) {
   const double pi = 3.14159265358979323846, drift = 0.1, unsure[2] = {2.0, 1.0}; /* m, rad */
   const double* now = frame->odometry;
@@ -588,10 +588,10 @@ static inline void reorient_keep_told(struct reorient_client* client, const stru
   client->told_half = frame->has & REORIENT_OTHER_HALF;
 }
 
-/* 1: it is on its way. 0: it is lost, and counted, since there is no server or it is slow. A told pose goes with the
- * next frame then, and with the first one of another connection where no answer has come. `frame->particles` and
- * `frame->messages` say how many there are of both. The number of the frame, and of the last command that was carried
- * out, are filled in; the rest stays as it is. */
+/* Returns 1 if the frame is sent. Returns 0 and counts it as lost if no server listens or the server is slow. Then an
+ * initial pose is sent with the next frame, and without an answer again with the first frame of the next connection.
+ * `frame->particles` and `frame->messages` are the lengths of the arrays. The call sets the number of the frame and of
+ * the last command that was carried out, and changes nothing else. */
 static inline int reorient_send_frame(struct reorient_client* client, struct reorient_frame* frame,
                                       const struct reorient_particle* particles,
                                       const struct reorient_message* messages) {
@@ -659,7 +659,7 @@ static inline size_t reorient_size_of(uint16_t kind) {
   }
 }
 
-/* The next message, if one has come: its kind. 0: none. Texts end with a zero, whatever came. */
+/* Returns the type of the next message, or 0 if none has arrived. All texts are zero-terminated. */
 static inline int reorient_receive(struct reorient_client* client, union reorient_event* event) {
   struct reorient_header header;
   size_t wanted = sizeof header;
@@ -706,20 +706,19 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
       }
     }
   }
-  reorient_disconnect(client); /* it has ended, or is no server of ours; the next frame connects again */
+  reorient_disconnect(client); /* the server ended or sent an invalid message; the next frame connects again */
   return 0;
 }
 
-/* The kind of the command to be carried out now, 0: none. Each is told once, however often it is repeated; none of an
- * answer from before this connection, and none where the team was told another pose meanwhile, since it was meant for
- * the belief before. */
+/* Returns the command to carry out now, or 0. Returns each command once, although answers repeat it. Ignores commands
+ * of answers to frames before this connection or before the last initial pose: they refer to an earlier belief. */
 static inline int reorient_take_command(struct reorient_client* client, const struct reorient_answer* answer) {
   const int again = client->done_server == client->server && answer->command <= client->done;
   if (client->server == 0 || answer->command == 0 || again) return 0;
   if (answer->number < client->first_number || answer->number < client->told_number) return 0;
   client->done_server = client->server;
   client->done = answer->command;
-  client->keeps_told = 0; /* the belief is another one now */
+  client->keeps_told = 0; /* the command changes the belief */
   return (int)answer->command_kind;
 }
 
