@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kMostSamples = 100;      // of the body, from frame to frame
+constexpr std::size_t kMostSamples = 100;      // of the body between two frames
 constexpr std::size_t kMostWaitingNotes = 64;  // that wait
 
 ReportedPosture posture_of(std::uint32_t reported) { return static_cast<ReportedPosture>(reported); }
@@ -52,7 +52,7 @@ void set_covariance(const Eigen::Matrix3d& full, double (&half)[6]) {
   std::copy(std::begin(values), std::end(values), std::begin(half));
 }
 
-/// The oldest make room for the newest.
+/// Drops the oldest note if too many wait.
 void keep_note(std::vector<reorient_note>& notes, std::uint32_t kind, std::string_view text) {
   if (notes.size() >= kMostWaitingNotes) notes.erase(notes.begin());
   reorient_note& note = notes.emplace_back();
@@ -86,27 +86,27 @@ void Companion::begin(const Handshake& handshake, bool goes_on, int behaviors) {
   goes_on_ = goes_on;
   behaviors_ = behaviors;
   states_.clear();
-  command_.withdraw();  // another engine asked for it
+  command_.withdraw();  // it was requested by another engine
   if (!goes_on) pending_.begin_axes();
   meet();
 }
 
-/// Welcomes a client that the engine was made for.
+/// Welcomes a client whose robot the engine was created for.
 void Companion::meet() {
   if (!handshake_ || !engine_for_) return;
   has_other_robot_ = identity_of(*handshake_) != identity_of(*engine_for_);
   if (has_other_robot_ || welcomed_) return;
   welcomed_ = connection_.send(
       REORIENT_WELCOME, reorient_welcome{options_.server, goes_on_ ? 1u : 0u, static_cast<std::uint32_t>(behaviors_)});
-  goes_on_ = true;  // whoever comes next finds an engine that knows something
+  goes_on_ = true;  // the next client finds an engine with knowledge
 }
 
 bool Companion::observe(Observation& observation) {
-  // What has come while the engine was busy comes first: the newest frame is wanted, not the oldest.
+  // Read everything that arrived while the engine was busy, to use the newest frame and not the oldest.
   connection_.listen(0.0, *this);
   while (true) {
     if (has_other_robot()) return false;
-    // Who only says hello, and hangs up again, costs nobody what was learned.
+    // A client that sends only a hello does not replace the engine with what it learned.
     if (!has_other_robot_ && use_newest(observation)) return true;
     if (options_.is_over && options_.is_over()) return false;
     connection_.listen(options_.patience, *this);
@@ -126,14 +126,14 @@ void Companion::disconnected() {
   welcomed_ = false;
   has_newest_ = false;
   samples_.clear();
-  words_.clear();  // what is said is said now
+  words_.clear();  // messages to teammates do not wait for another client
   for (auto& images : shared_) images.reset();
   for (auto& [behavior, state] : states_) state.second = false;
 }
 
 void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, OwnedDescriptor& memory) {
   if (kind == REORIENT_HELLO) return take_hello(body);
-  if (!handshake_) throw BadMessage("the first message of a client is its hello");
+  if (!handshake_) throw BadMessage("expected a hello as the first message, found type " + std::to_string(kind));
   switch (kind) {
     case REORIENT_MEMORY:
       return take_memory(body, memory);
@@ -144,12 +144,12 @@ void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, Own
     case REORIENT_GAME:
       return take_game(body);
     default:
-      throw BadMessage("there is no message of kind " + std::to_string(kind));
+      throw BadMessage("unknown message type " + std::to_string(kind) + " (expected 1 to 5)");
   }
 }
 
 void Companion::take_hello(std::span<const std::byte> body) {
-  if (handshake_) throw BadMessage("a client says hello once; connect again to say something else");
+  if (handshake_) throw BadMessage("second hello on one connection (expected one); connect again to send another");
   handshake_ = read_handshake(body, options_.known);
   pending_.begin_client(handshake_->client);
   for (std::size_t i = 0; i < images_.size(); ++i) {
@@ -160,11 +160,13 @@ void Companion::take_hello(std::span<const std::byte> body) {
 }
 
 void Companion::take_memory(std::span<const std::byte> body, OwnedDescriptor& memory) {
-  const auto layout = take_message<reorient_memory>(body, "a message about memory");
-  if (!body.empty()) throw BadMessage("a message about memory is longer than it should be");
-  if (!memory) throw BadMessage("a message about memory came without a file descriptor");
+  const auto layout = take_message<reorient_memory>(body, "memory");
+  if (!body.empty())
+    throw BadMessage("memory: " + std::to_string(body.size()) + " bytes too many (expected " +
+                     std::to_string(sizeof(layout)) + ")");
+  if (!memory) throw BadMessage("memory: message without a file descriptor");
   if (layout.camera >= shared_.size() || !handshake_->cameras[layout.camera])
-    throw BadMessage("memory for a camera that the hello does not have");
+    throw BadMessage("memory: camera " + std::to_string(layout.camera) + " (the hello does not describe it)");
   shared_[layout.camera].reset();
   shared_[layout.camera].emplace(memory, layout, *handshake_->cameras[layout.camera]);
   memory = OwnedDescriptor();
@@ -175,8 +177,10 @@ void Companion::take_frame(std::span<const std::byte> body) {
   for (std::size_t i = 0; i < shared_.size(); ++i) {
     const reorient_image& image = arrived_.message.frame.images[i];
     if (image.present == 0) continue;
-    if (!shared_[i]) throw BadMessage("an image of a camera whose memory was not handed over");
-    if (image.slot >= REORIENT_SLOTS) throw BadMessage("there is no slot " + std::to_string(image.slot));
+    if (!shared_[i]) throw BadMessage("frame: image of camera " + std::to_string(i) + ", whose memory was not sent");
+    if (image.slot >= REORIENT_SLOTS)
+      throw BadMessage("frame: images[" + std::to_string(i) + "].slot is " + std::to_string(image.slot) +
+                       " (expected 0 to 2)");
   }
   ++counts_.frames;
   command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
@@ -189,13 +193,13 @@ void Companion::take_frame(std::span<const std::byte> body) {
   has_newest_ = true;
 }
 
-/// A frame that is of no use has no answer that could say so.
+/// Reports an unusable frame by a note, since it gets no answer.
 void Companion::leave_out(std::uint64_t number, const std::string& why) {
-  constexpr double kPause = 1.0;  // s: who sends one wrong frame sends many
+  constexpr double kPause = 1.0;  // s; a client that sends one wrong frame sends many
   ++counts_.unusable;
   if (options_.now() < next_complaint_) return;
   next_complaint_ = options_.now() + kPause;
-  tell_note(NoteKind::fault, "frame " + std::to_string(number) + " is of no use: " + why);
+  tell_note(NoteKind::fault, "frame " + std::to_string(number) + " dropped: " + why);
   send_waiting();
 }
 
@@ -207,9 +211,12 @@ void Companion::take_sample(std::span<const std::byte> body) {
 }
 
 void Companion::take_game(std::span<const std::byte> body) {
-  const auto game = take_message<reorient_game>(body, "a game");
-  if (!body.empty()) throw BadMessage("a game is longer than it should be");
-  if (game.size > REORIENT_LONGEST_DATAGRAM) throw BadMessage("a game's datagram of more than 256 bytes");
+  const auto game = take_message<reorient_game>(body, "game");
+  if (!body.empty())
+    throw BadMessage("game: " + std::to_string(body.size()) + " bytes too many (expected " +
+                     std::to_string(sizeof(game)) + ")");
+  if (game.size > REORIENT_LONGEST_DATAGRAM)
+    throw BadMessage("game: datagram of " + std::to_string(game.size) + " bytes (expected at most 256)");
   constexpr std::uint32_t kMost = 255;  // teams, players
   if (game.team > kMost || game.player > kMost) return;
   const int team = static_cast<int>(game.team), player = static_cast<int>(game.player);
@@ -219,7 +226,7 @@ void Companion::take_game(std::span<const std::byte> body) {
   pending_.hear(heard);
 }
 
-/// False: there is none, or it is of no use.
+/// Returns false if there is no new frame or it is unusable.
 bool Companion::use_newest(Observation& observation) {
   if (!has_newest_) return false;
   has_newest_ = false;
@@ -230,14 +237,14 @@ bool Companion::use_newest(Observation& observation) {
   const std::optional<ClientClock::Moment> moment =
       clock_.advance(handshake_->client, time, pose_of(frame.odometry), newest_.at - last_arrival_);
   last_arrival_ = newest_.at;
-  if (clock_.restarted()) {  // with another belief, and in the axes of this moment
+  if (clock_.restarted()) {  // with a new belief, in the present axes
     command_.withdraw();
     pending_.begin_axes();
   }
   observation = {};
-  if (!moment) return leave_out(frame.number, "its time is not after that of the frame before"), false;
+  if (!moment) return leave_out(frame.number, "its time is not later than that of the previous frame"), false;
   if (!take_images(message, moment->time, observation))
-    return leave_out(frame.number, "its image was written over before it was looked at"), false;
+    return leave_out(frame.number, "its image was overwritten before it was read"), false;
   observation.time = moment->time;
   observation.odometry = moment->odometry;
   observation.body = with_load(body_sample(frame, moment->time), frame.has);
@@ -258,15 +265,15 @@ bool Companion::use_newest(Observation& observation) {
   return true;
 }
 
-/// Where the robot has no feet that feel, or does not say what they do, as it stands.
+/// Uses the standing load if the robot does not report the load on its feet.
 BodySample Companion::with_load(BodySample sample, std::uint32_t has) const {
   if ((has & REORIENT_HAS_FOOT_LOAD) == 0 && handshake_->body.standing_load)
     sample.foot_load = *handshake_->body.standing_load;
   return sample;
 }
 
-/// Those since the frame before. A frame arrives later than its image was exposed, and what was felt after that waits
-/// for the next one. What is on another clock, or out of order, is left out.
+/// Takes the samples since the previous frame. A frame arrives after its image was exposed, so later samples wait for
+/// the next frame. Samples of another clock or out of order are dropped.
 void Companion::take_samples(double time, bool has_time) {
   constexpr double kFarthestAhead = 1.0;  // s
   double after = last_time_;
@@ -285,7 +292,7 @@ void Companion::take_samples(double time, bool has_time) {
   last_time_ = time;
 }
 
-/// False: one of them was written over.
+/// Returns false if an image was overwritten.
 bool Companion::take_images(const FrameMessage& message, double time, Observation& observation) {
   const bool told_attitude = message.has(REORIENT_HAS_ATTITUDE), told_head = message.has(REORIENT_HAS_HEAD);
   for (std::size_t i = 0; i < images_.size(); ++i) {

@@ -30,23 +30,23 @@ sockaddr_un address_of(const std::filesystem::path& path) {
   address.sun_family = AF_UNIX;
   const std::string text = path.string();
   if (text.empty() || text.size() >= sizeof(address.sun_path))
-    throw std::runtime_error("--socket " + text + ": a socket's path has 1 to " +
-                             std::to_string(sizeof(address.sun_path) - 1) + " letters; name a shorter one");
+    throw std::runtime_error("--socket " + text + ": path of " + std::to_string(text.size()) +
+                             " bytes (expected 1 to " + std::to_string(sizeof(address.sun_path) - 1) + ")");
   std::copy(text.begin(), text.end(), address.sun_path);
   return address;
 }
 
 OwnedDescriptor new_socket() {
   OwnedDescriptor made(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (!made) throw std::runtime_error("no socket can be made: " + std::string(strerror(errno)));
+  if (!made) throw std::runtime_error("cannot create a socket: " + std::string(strerror(errno)));
   return made;
 }
 
 const sockaddr* generic(const sockaddr_un& address) { return reinterpret_cast<const sockaddr*>(&address); }
 
-/// To look who listens, to take away what was left, and to listen is one step for whoever else begins in this folder.
-/// Held as long as the descriptor is open; where another program holds it for long, what is done is no less right than
-/// without, as two seldom begin at once.
+/// Locks the folder, so that checking for a listener, removing an old socket and listening are one step for other
+/// companions. The lock lasts as long as the descriptor is open. If another program holds it for long, continue without
+/// it, since two companions seldom start at the same time.
 OwnedDescriptor lock_folder_of(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   OwnedDescriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -56,17 +56,18 @@ OwnedDescriptor lock_folder_of(const std::filesystem::path& path) {
   return opened;
 }
 
-/// What an earlier process left behind. Throws where it is none of that.
+/// Removes the socket of an earlier process. Throws if the file is not such a socket.
 void remove_left_socket(const std::filesystem::path& path, const sockaddr_un& address) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0) return;
   if (!S_ISSOCK(status.st_mode))
-    throw std::runtime_error("--socket " + path.string() + ": there is a file of this name; name another one");
+    throw std::runtime_error("--socket " + path.string() +
+                             ": expected a socket or no file, found another file; choose another path");
   const OwnedDescriptor probe = new_socket();
   const bool answers = connect(probe.get(), generic(address), sizeof(address)) == 0 || errno == EAGAIN;
   if (answers)
     throw std::runtime_error("--socket " + path.string() +
-                             ": another companion listens there; end it, or name another");
+                             ": another companion listens there; stop it or choose another path");
   unlink(path.c_str());
 }
 
@@ -76,7 +77,7 @@ bool is_same_user(int client) {
   return getsockopt(client, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && (peer.uid == geteuid() || peer.uid == 0);
 }
 
-/// Whatever it may have said before.
+/// Whether the client disconnected, also if unread data is left.
 bool has_hung_up(int client) {
   pollfd look{client, 0, 0};
   return poll(&look, 1, 0) == 1 && (look.revents & (POLLHUP | POLLERR)) != 0;
@@ -101,7 +102,7 @@ Connection::Connection(std::filesystem::path path, std::function<double()> now)
   lstat(path_.c_str(), &made_);
 }
 
-/// Somebody else may listen there by now.
+/// Removes the socket only if it is still this one: another process may listen there by now.
 Connection::~Connection() {
   const OwnedDescriptor lock = lock_folder_of(path_);
   struct stat status {};
@@ -133,9 +134,9 @@ void Connection::accept_clients(Receiver& receiver) {
     OwnedDescriptor client(accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!client) return;
     if (!is_same_user(client.get())) {
-      refuse(client, "only processes of the companion's own user may connect");
+      refuse(client, "only processes of the companion's user or of root may connect");
     } else if (client_ && !has_hung_up(client_.get()) && now_() - last_heard_ < kSilent) {
-      refuse(client, "another client is connected, and has been heard within 2 s");
+      refuse(client, "another client is connected and sent data within the last 2 s");
     } else {
       if (client_) drop(receiver);
       client_ = std::move(client);
@@ -145,7 +146,7 @@ void Connection::accept_clients(Receiver& receiver) {
   }
 }
 
-/// A refusal looks the same in each version, so that whoever speaks another one can read why.
+/// A refusal has the same layout in each version, so that a client of another version can read the reason.
 void Connection::refuse(OwnedDescriptor& client, const std::string& why, std::uint16_t version) const {
   reorient_refusal refusal{};
   set_text(refusal.why, why);
@@ -167,7 +168,7 @@ void Connection::drop(Receiver& receiver) {
 }
 
 void Connection::read_messages(Receiver& receiver) {
-  constexpr std::size_t kAtOnce = 64 * kPiece;  // whoever sends without end must not keep us from anything else
+  constexpr std::size_t kAtOnce = 64 * kPiece;  // limits a client that sends without end
   for (std::size_t total = 0; total < kAtOnce;) {
     union {
       cmsghdr header;
@@ -188,10 +189,10 @@ void Connection::read_messages(Receiver& receiver) {
         for (std::size_t i = 0; i < count; ++i) {
           int descriptor = -1;
           std::memcpy(&descriptor, CMSG_DATA(header) + i * sizeof(int), sizeof(int));
-          // It may be anything: a network's socket could keep close() waiting for whoever is at its other end.
+          // The descriptor may be anything. A network socket could block close() until its peer responds.
           const linger none{0, 0};
           setsockopt(descriptor, SOL_SOCKET, SO_LINGER, &none, sizeof(none));
-          memory_ = OwnedDescriptor(descriptor);  // the last one counts, and the others are closed
+          memory_ = OwnedDescriptor(descriptor);  // the last one is used, the others are closed
         }
       }
     }
@@ -205,7 +206,7 @@ void Connection::read_messages(Receiver& receiver) {
   }
 }
 
-/// False: the client is gone.
+/// Returns false if the client has disconnected.
 bool Connection::take_whole_messages(Receiver& receiver) {
   std::span<const std::byte> rest = std::span(in_).first(received_);
   std::uint16_t version = REORIENT_VERSION_2;
@@ -215,10 +216,9 @@ bool Connection::take_whole_messages(Receiver& receiver) {
       const auto header = take_message<reorient_header>(bytes, "a header");
       version = header.version;
       if (version != REORIENT_VERSION_2)
-        throw BadMessage("this companion speaks version 2 of the protocol, and the message is of version " +
-                         std::to_string(version));
+        throw BadMessage("expected protocol version 2, found version " + std::to_string(version));
       if (header.size > REORIENT_LONGEST_BODY)
-        throw BadMessage("a message of " + std::to_string(header.size) + " bytes; the longest has 65536");
+        throw BadMessage("message of " + std::to_string(header.size) + " bytes (expected at most 65536)");
       if (bytes.size() < header.size) break;
       receiver.receive(header.kind, bytes.first(header.size), memory_);
       rest = bytes.subspan(header.size);
@@ -233,7 +233,7 @@ bool Connection::take_whole_messages(Receiver& receiver) {
   return true;
 }
 
-/// False: something is left, or the client is gone.
+/// Returns false if data is left or the client has disconnected.
 bool Connection::flush() {
   while (sent_ < out_.size()) {
     const ssize_t sent = ::send(client_.get(), out_.data() + sent_, out_.size() - sent_, MSG_DONTWAIT | MSG_NOSIGNAL);

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kFarthest = 1e4;  // m; also of angles that are summed, rad
+constexpr double kFarthest = 1e4;  // m; also limits summed angles, rad
 
 template <std::size_t Size>
 bool are_within(const double (&values)[Size], double most) {
@@ -17,7 +17,7 @@ bool are_within(const double (&values)[Size], double most) {
                      [most](double value) { return value >= -most && value <= most; });
 }
 
-/// Of what a frame and a sample have in common.
+/// Checks the sensor values that a frame and a sample have in common.
 template <typename Body>
 bool is_body_sound(const Body& body) {
   constexpr double kFastest = 200.0, kHardest = 2000.0, kHeaviest = 1000.0;
@@ -43,7 +43,7 @@ BodySample sample_of(const Body& body, double time) {
   return sample;
 }
 
-/// Three rows of a rotation and a place.
+/// Whether the three rows contain a rotation and a position.
 bool is_camera_pose(const double (&pose)[12]) {
   constexpr double kTolerance = 1e-3;
   if (!are_within(pose, kFarthest)) return false;
@@ -57,23 +57,28 @@ bool is_camera_pose(const double (&pose)[12]) {
 }  // namespace
 
 void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
-  message.frame = take_message<reorient_frame>(bytes, "a frame");
+  message.frame = take_message<reorient_frame>(bytes, "frame");
   message.particles.clear();
   message.messages.clear();
   const reorient_frame& frame = message.frame;
-  if (frame.particles > REORIENT_MOST_PARTICLES) throw BadMessage("a frame with more than 2000 particles");
-  if (frame.messages > REORIENT_MOST_MESSAGES) throw BadMessage("a frame with more than 8 messages");
-  if (frame.posture > REORIENT_GETTING_UP) throw BadMessage("a frame with a posture that there is not");
+  if (frame.particles > REORIENT_MOST_PARTICLES)
+    throw BadMessage("frame: " + std::to_string(frame.particles) + " particles (expected at most 2000)");
+  if (frame.messages > REORIENT_MOST_MESSAGES)
+    throw BadMessage("frame: " + std::to_string(frame.messages) + " messages (expected at most 8)");
+  if (frame.posture > REORIENT_GETTING_UP)
+    throw BadMessage("frame: unknown posture " + std::to_string(frame.posture) + " (expected 0 to 4)");
   for (std::uint32_t i = 0; i < frame.particles; ++i) {
-    const auto particle = take_message<reorient_particle>(bytes, "a particle");
+    const auto particle = take_message<reorient_particle>(bytes, "frame: particle");
     message.particles.push_back({Pose2(particle.x, particle.y, particle.rotation), particle.weight});
   }
   for (std::uint32_t i = 0; i < frame.messages; ++i) {
-    const auto word = take_message<reorient_message>(bytes, "a message");
-    if (word.length > REORIENT_LONGEST_TEXT) throw BadMessage("a message of more than 240 bytes");
+    const auto word = take_message<reorient_message>(bytes, "frame: message");
+    if (word.length > REORIENT_LONGEST_TEXT)
+      throw BadMessage("frame: message of " + std::to_string(word.length) + " bytes (expected at most 240)");
     message.messages.push_back({word.sender, std::string(word.text, word.length)});
   }
-  if (!bytes.empty()) throw BadMessage("a frame is longer than it should be");
+  if (!bytes.empty())
+    throw BadMessage("frame: " + std::to_string(bytes.size()) + " bytes more than its particles and messages need");
 }
 
 bool is_odometry_sound(const reorient_frame& frame) { return are_within(frame.odometry, kFarthest); }
@@ -89,32 +94,37 @@ std::string nonsense_in(const FrameMessage& message) {
   constexpr double kLatest = 1e10, kOldest = 1.0;  // s
   const reorient_frame& frame = message.frame;
   if (message.has(REORIENT_HAS_TIME) && !(std::abs(frame.time) <= kLatest))
-    return "its time is no number of seconds that a clock shows";
-  if (!is_odometry_sound(frame)) return "the odometry makes no sense";
-  if (!is_body_sound(frame)) return "what the body feels makes no sense";
+    return "invalid time (expected -1e10 to 1e10 s)";
+  if (!is_odometry_sound(frame)) return "invalid odometry (expected -1e4 to 1e4 m and rad)";
+  if (!is_body_sound(frame))
+    return "invalid head, attitude, rates, acceleration or foot_load: not finite, or out of range";
   if (message.has(REORIENT_HAS_BELIEF) && !(are_within(frame.belief, kFarthest) && are_within(frame.covariance, 1e6)))
-    return "the belief makes no sense";
+    return "invalid belief (expected -1e4 to 1e4 m and rad, covariance -1e6 to 1e6)";
   const bool sound_particles = std::all_of(message.particles.begin(), message.particles.end(), [](const auto& one) {
     return one.pose.position.cwiseAbs().maxCoeff() <= kFarthest && std::abs(one.pose.rotation) <= kFarthest &&
            one.weight >= 0.0 && std::isfinite(one.weight);
   });
-  if (!sound_particles) return "the particles make no sense";
+  if (!sound_particles)
+    return "invalid particle (expected poses of -1e4 to 1e4 m and rad, finite weights of at least 0)";
   if (message.has(REORIENT_HAS_TOLD_POSE) && !is_told_pose_sound(frame))
-    return "the told pose makes no sense: its deviations are above 0, at most 20 m and 10 rad";
+    return "invalid told_pose or told_deviation (expected deviations above 0, at most 20 m and 10 rad)";
   for (std::size_t i = 0; i < std::size(frame.images); ++i) {
     const reorient_image& image = frame.images[i];
     if (image.present == 0) continue;
     const std::string which = "images[" + std::to_string(i) + "].";
     if (!(image.age >= 0.0 && image.age <= kOldest))
-      return which + "age is " + std::to_string(image.age) + " s, and can be 0 to 1: time is that of the newest image";
-    if (image.present == 2 && !is_camera_pose(image.pose)) return which + "pose is no rotation and place";
+      return which + "age is " + std::to_string(image.age) + " s (expected 0 to 1: time is that of the newest image)";
+    if (image.present == 2 && !is_camera_pose(image.pose))
+      return which + "pose: expected a rotation matrix and a position";
   }
   return "";
 }
 
 reorient_sample read_sample(std::span<const std::byte> bytes) {
-  const auto sample = take_message<reorient_sample>(bytes, "a sample");
-  if (!bytes.empty()) throw BadMessage("a sample is longer than it should be");
+  const auto sample = take_message<reorient_sample>(bytes, "sample");
+  if (!bytes.empty())
+    throw BadMessage("sample: " + std::to_string(bytes.size()) + " bytes too many (expected " +
+                     std::to_string(sizeof(sample)) + ")");
   return sample;
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 double checked(double value, double least, double most, const char* what) {
   if (value >= least && value <= most) return value;  // written so that NaN fails as well
-  throw BadMessage(std::string("hello: ") + what + " is " + std::to_string(value) + ", and can be " +
-                   std::to_string(least) + " to " + std::to_string(most));
+  throw BadMessage(std::string("hello: ") + what + " is " + std::to_string(value) + " (expected " +
+                   std::to_string(least) + " to " + std::to_string(most) + ")");
 }
 
 template <std::size_t Size>
@@ -28,12 +28,14 @@ void check(const reorient_camera& camera) {
   const auto is_sound = [](int pixels) { return pixels >= kLeast && pixels <= kMost && pixels % 2 == 0; };
   if (!is_sound(camera.width) || !is_sound(camera.height))
     throw BadMessage("hello: images of " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
-                     " pixels; both are even, from 64 to 4096");
+                     " pixels (expected even numbers from 64 to 4096)");
   const std::size_t bytes = reorient_image_bytes(&camera);
-  if (bytes == 0) throw BadMessage("hello: there is no image format " + std::to_string(camera.format));
-  if (bytes > REORIENT_LARGEST_IMAGE) throw BadMessage("hello: images of more than 16 MiB");
+  if (bytes == 0)
+    throw BadMessage("hello: unknown image format " + std::to_string(camera.format) + " (expected 1 to 5)");
+  if (bytes > REORIENT_LARGEST_IMAGE)
+    throw BadMessage("hello: images of " + std::to_string(bytes) + " bytes (expected at most 16 MiB)");
   check(camera.focal, 10.0, 1e5, "a focal length in pixels");
-  check(camera.center, -1e4, 1e4, "an image's centre in pixels");
+  check(camera.center, -1e4, 1e4, "an image's center in pixels");
   check(camera.distortion, -2.0, 2.0, "a distortion");
   check(camera.position, -kTallest, kTallest, "a camera's position");
   checked(camera.tilt, -0.5 * kPi, 0.5 * kPi, "a camera's tilt");
@@ -81,7 +83,7 @@ RobotBody body_of(const reorient_body& told, const KnownRobots& known) {
   const std::string name = text_of(told.name);
   if ((told.has & REORIENT_BODY_NUMBERS) == 0) {
     if (std::optional<RobotBody> body = known.body(name)) return *std::move(body);
-    throw BadMessage("hello: there is no robot '" + name + "' here; send its numbers (REORIENT_BODY_NUMBERS)");
+    throw BadMessage("hello: unknown robot '" + name + "'; send its numbers (REORIENT_BODY_NUMBERS)");
   }
   RobotBody body;
   body.name = name.empty() ? "a robot" : name;
@@ -93,7 +95,8 @@ RobotBody body_of(const reorient_body& told, const KnownRobots& known) {
   dimensions.first_axis = vector_of(told.first_axis);
   dimensions.second_axis = vector_of(told.second_axis);
   check(told.pitch_limit, -kPi, kPi, "pitch_limit");
-  if (told.pitch_limit[0] > told.pitch_limit[1]) throw BadMessage("hello: the least pitch is above the most");
+  if (told.pitch_limit[0] > told.pitch_limit[1])
+    throw BadMessage("hello: pitch_limit[0] is greater than pitch_limit[1]");
   body.neck = {checked(told.yaw_limit, 0.0, kPi, "yaw_limit"), {{0.0, told.pitch_limit[0], told.pitch_limit[1]}}};
   body.head_speed = checked(told.head_speed, 0.1, 20.0, "head_speed");
   body.standing_load.reset();
@@ -119,7 +122,7 @@ FieldDimensions field_of(const reorient_field& told, const RobotBody& body, cons
   if (!name.empty() || !has_numbers) {
     const std::string wanted = name.empty() ? body.field : name;
     if (const std::optional<FieldDimensions> field = known.field(wanted)) return *field;
-    throw BadMessage("hello: there is no field '" + wanted + "' here; send its numbers, and no name");
+    throw BadMessage("hello: unknown field '" + wanted + "'; send its numbers and an empty name");
   }
   FieldDimensions field;
   field.length = told.length;
@@ -145,17 +148,18 @@ FieldDimensions field_of(const reorient_field& told, const RobotBody& body, cons
 }  // namespace
 
 Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& known) {
-  const auto hello = take_message<reorient_hello>(bytes, "the hello");
+  const auto hello = take_message<reorient_hello>(bytes, "hello");
   std::array<std::optional<reorient_lens>, 2> lenses;
   if (!bytes.empty()) {
-    for (std::optional<reorient_lens>& lens : lenses) lens = take_message<reorient_lens>(bytes, "the hello's lenses");
+    for (std::optional<reorient_lens>& lens : lenses) lens = take_message<reorient_lens>(bytes, "hello: lens");
   }
-  if (!bytes.empty()) throw BadMessage("the hello is longer than it should be");
+  if (!bytes.empty())
+    throw BadMessage("hello: " + std::to_string(bytes.size()) + " bytes too many (expected 528, or 672 with lenses)");
   if (hello.way != REORIENT_OWN_LOCALIZATION && hello.way != REORIENT_OUR_LOCALIZATION)
-    throw BadMessage("hello: way is " + std::to_string(hello.way) + ", and can be 1 (your localization) or 2 (ours)");
+    throw BadMessage("hello: way is " + std::to_string(hello.way) +
+                     " (expected 1, your localization, or 2, Reorient's)");
   if (hello.client == 0)
-    throw BadMessage(
-        "hello: client is 0; draw it by lot when your process begins, so that a new one is told from the old");
+    throw BadMessage("hello: client is 0 (expected a random number, drawn when your process starts)");
   Handshake handshake;
   handshake.client = hello.client;
   handshake.own_localization = hello.way == REORIENT_OWN_LOCALIZATION;
@@ -168,7 +172,7 @@ Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& kn
     handshake.cameras[i] = hello.cameras[i];
     handshake.lenses[i] = lens_of(hello.cameras[i], lenses[i], static_cast<int>(i));
   }
-  if (!handshake.cameras[0]) throw BadMessage("hello: the first camera is missing; a robot with one has that one");
+  if (!handshake.cameras[0]) throw BadMessage("hello: cameras[0] is missing (expected at least this camera)");
   RobotBody& body = handshake.body;
   const auto mount_of = [](const reorient_camera& camera) {
     return CameraMount{vector_of(camera.position), camera.tilt};

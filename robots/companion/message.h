@@ -16,16 +16,18 @@
 
 namespace reorient {
 
-/// What no client of the protocol sends: one line, for whoever wrote it. The connection ends.
+/// A message that violates the protocol. The text is one line for the client's developer. The connection ends.
 struct BadMessage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Takes a structure off the front. Throws BadMessage where there is less.
+/// Removes a structure from the front. Throws BadMessage if there are too few bytes.
 template <typename Message>
 Message take_message(std::span<const std::byte>& bytes, const char* what) {
   static_assert(std::is_trivially_copyable_v<Message>);
-  if (bytes.size() < sizeof(Message)) throw BadMessage(std::string(what) + " is cut short");
+  if (bytes.size() < sizeof(Message))
+    throw BadMessage(std::string(what) + ": expected " + std::to_string(sizeof(Message)) + " bytes, found " +
+                     std::to_string(bytes.size()));
   Message message;
   std::memcpy(&message, bytes.data(), sizeof(Message));
   bytes = bytes.subspan(sizeof(Message));
@@ -45,13 +47,13 @@ void append_message(std::uint16_t kind, const Message& message, std::vector<std:
   append(message);
 }
 
-/// Of a text that ends with a zero, or with the field.
+/// The text of a field, which ends with a zero or with the field.
 template <std::size_t Size>
 std::string text_of(const char (&field)[Size]) {
   return {field, strnlen(field, Size)};
 }
 
-/// Cut off where it does not fit, never in the middle of a letter.
+/// Truncates a text that does not fit, but not within a UTF-8 character.
 template <std::size_t Size>
 void set_text(char (&field)[Size], std::string_view text) {
   std::size_t length = std::min(text.size(), Size - 1);

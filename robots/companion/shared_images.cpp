@@ -11,7 +11,7 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
-// It does not see fences. The one below is between two processes, of which it sees one.
+// The thread sanitizer does not support fences. The fence below is between two processes.
 #ifdef __SANITIZE_THREAD__
 #pragma GCC diagnostic ignored "-Wtsan"
 #endif
@@ -19,7 +19,7 @@
 namespace reorient {
 namespace {
 
-/// Of a camera whose image size is not 0, so that its format is known.
+/// Format of a camera whose image size is not 0, so that its format is known.
 PixelFormat format_of(const reorient_camera& camera) {
   switch (camera.format) {
     case REORIENT_YUYV:
@@ -57,23 +57,25 @@ SharedImages::SharedImages(const OwnedDescriptor& memory, const reorient_memory&
       format_(format_of(camera)),
       image_bytes_(reorient_image_bytes(&camera)) {
   constexpr std::size_t kAligned = 64;
-  if (image_bytes_ == 0) throw BadMessage("memory for a camera that the hello does not have");
-  if (slot_size_ % kAligned != 0 || slot_size_ < REORIENT_SLOT_HEADER + image_bytes_ ||
-      slot_size_ > REORIENT_SLOT_HEADER + std::size_t{REORIENT_LARGEST_IMAGE})
-    throw BadMessage("slots of " + std::to_string(slot_size_) + " bytes do not fit images of " +
-                     std::to_string(image_bytes_));
+  if (image_bytes_ == 0) throw BadMessage("memory: the hello does not describe this camera");
+  const std::size_t least = (REORIENT_SLOT_HEADER + image_bytes_ + kAligned - 1) / kAligned * kAligned;
+  constexpr std::size_t kMost = REORIENT_SLOT_HEADER + std::size_t{REORIENT_LARGEST_IMAGE};
+  if (slot_size_ % kAligned != 0 || slot_size_ < REORIENT_SLOT_HEADER + image_bytes_ || slot_size_ > kMost)
+    throw BadMessage("memory: slot_size " + std::to_string(slot_size_) + " (expected a multiple of 64, at least " +
+                     std::to_string(least) + ": header of 64 bytes and image of " + std::to_string(image_bytes_) +
+                     " bytes; at most " + std::to_string(kMost) + ")");
   const int seals = fcntl(memory.get(), F_GET_SEALS);
   if (seals < 0 || (seals & F_SEAL_SHRINK) == 0)
-    throw BadMessage("the memory for images is no memfd, or has no F_SEAL_SHRINK");
-  // One of huge pages has the seal as well, and where there are no more of them, to read a hole in it is a bus error.
+    throw BadMessage("memory: expected a memfd with F_SEAL_SHRINK, found another file descriptor or no seal");
+  // A memfd of huge pages has the seal, too, but reading a hole in it is a bus error if no huge page is free.
   struct statfs system {};
   if (fstatfs(memory.get(), &system) != 0 || system.f_type != TMPFS_MAGIC)
-    throw BadMessage("the memory for images is no memfd of ordinary pages");
+    throw BadMessage("memory: expected a memfd of ordinary pages, found huge pages or another file system");
   struct stat status {};
   if (fstat(memory.get(), &status) != 0 || status.st_size < static_cast<off_t>(size_))
-    throw BadMessage("the memory for images is smaller than its slots");
+    throw BadMessage("memory: smaller than its slots (expected at least " + std::to_string(size_) + " bytes)");
   void* const base = mmap(nullptr, size_, PROT_READ, MAP_SHARED, memory.get(), 0);
-  if (base == MAP_FAILED) throw BadMessage("the memory for images cannot be mapped");
+  if (base == MAP_FAILED) throw BadMessage("memory: mmap failed");
   base_ = static_cast<const std::byte*>(base);
 }
 

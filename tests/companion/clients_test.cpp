@@ -56,9 +56,9 @@ TEST_P(CompanionClient, EndsRightAfterItsRobotWasTurnedRound) {
     std::vector<std::string> words = server();
     words.insert(words.end(), {"--record", recording});
     ChildProgram companion(folder_.path(), words);
-    ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+    ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
     EXPECT_EQ(std::system(play(GetParam(), socket(), 15, 10).c_str()), 0) << companion.out() << companion.err();
-    EXPECT_NE(companion.err().find("beginning anew"), std::string::npos) << companion.err();
+    EXPECT_NE(companion.err().find("starts without knowledge"), std::string::npos) << companion.err();
     EXPECT_NE(companion.out().find("flip_pose granted"), std::string::npos) << companion.out();
     companion.kill(SIGTERM);
     EXPECT_EQ(companion.wait(), 128 + SIGTERM);
@@ -125,14 +125,14 @@ TEST_F(CompanionClient, GoesOnWithACompanionThatWasKilledAndBegunAgain) {
   const std::string job = robot.environment() + play(setting, socket(), 40, 15, 8);
   {
     const ChildProgram companion(folder_.path(), server());
-    ASSERT_TRUE(companion.await("no client has come yet"));
+    ASSERT_TRUE(companion.await("waiting for a client"));
     client = std::async(std::launch::async, [&] { return std::system(job.c_str()); });
     ASSERT_TRUE(companion.await("trusting/")) << companion.out();  // the room is learned
     ASSERT_TRUE(await_whole_save(socket())) << companion.err();    // and kept
     companion.kill(SIGKILL);
   }
   const ChildProgram companion(folder_.path(), server());
-  EXPECT_TRUE(companion.await("going on from before")) << companion.err();
+  EXPECT_TRUE(companion.await("continues from the saved state")) << companion.err();
   robot.lift();
   EXPECT_EQ(client.get(), 0) << companion.out() << companion.err();
 }
@@ -145,7 +145,7 @@ TEST_F(CompanionClient, FindsItsWayToACompanionThatComesLater) {
   client = std::async(std::launch::async, [&] { return std::system(job.c_str()); });
   ASSERT_TRUE(robot.await_frame());
   const ChildProgram companion(folder_.path(), server());
-  EXPECT_TRUE(companion.await("a client has come")) << companion.err();
+  EXPECT_TRUE(companion.await("client connected")) << companion.err();
   robot.lift();
   // It may end before the room is learned. Then the robot stays wrong: 1.
   const int status = client.get();
@@ -172,7 +172,7 @@ std::optional<bool> goes_on(const std::string& socket, const reorient_hello& hel
 
 TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
   ChildProgram companion(folder_.path(), server());
-  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+  ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
   const reorient_hello one = small_hello(1);
   reorient_hello other = small_hello(2);
   other.body.yaw_limit = 0.5;
@@ -194,9 +194,9 @@ TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
   // Only root can make a file that is another user's.
   ASSERT_EQ(chown(state.c_str(), 12345, 12345), 0);
   const ChildProgram again(folder_.path(), server());
-  ASSERT_TRUE(again.await("no client has come yet")) << again.err();
+  ASSERT_TRUE(again.await("waiting for a client")) << again.err();
   EXPECT_EQ(goes_on(socket(), other), false) << again.err();
-  EXPECT_TRUE(again.await("it is another user's")) << again.err();
+  EXPECT_TRUE(again.await("belongs to another user")) << again.err();
 }
 
 /// The pose in the answer to a frame that tells the pose there, or none.
@@ -230,7 +230,7 @@ TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanion
   const Pose2 told(-3.0, 2.0, 1.0);
   {
     const ChildProgram companion(folder_.path(), server());
-    ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+    ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
     const std::ptrdiff_t threads = threads_of(companion);
     RawClient client(socket());
     client.introduce(hello);
@@ -249,7 +249,7 @@ TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanion
     companion.kill(SIGKILL);
   }
   const ChildProgram companion(folder_.path(), server());
-  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+  ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
   RawClient client(socket());
   client.introduce(hello);
   const std::optional<Pose2> pose = pose_after(client, 1.0, 5, std::nullopt);
@@ -273,7 +273,7 @@ TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
       {{"run", "--robot", "companion", "--socket", socket(), "--behaviors", "orientatoin"}, "orientatoin"},
       {{"run", "--robot", "companion", "--socket", socket(), "--set", "pose_filter.particles=-1"},
        "pose_filter.particles"},
-      {{"run", "--robot", "companion", "--socket", socket(), "--state", link.string()}, "that is a link"},
+      {{"run", "--robot", "companion", "--socket", socket(), "--state", link.string()}, "found a symbolic link"},
   };
   for (const auto& [words, why] : mistakes) {
     ChildProgram program(folder_.path(), words);
@@ -295,7 +295,7 @@ TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServ
   std::vector<std::string> words = server();
   words.insert(words.end(), {"--model", model});
   ChildProgram companion(folder_.path(), words);
-  ASSERT_TRUE(companion.await("no client has come yet")) << companion.err();
+  ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
   std::string why;
   for (int i = 0; i < 3; ++i) {  // a client of another height comes again and again
     RawClient client(socket());
@@ -322,7 +322,7 @@ TEST_F(CompanionClient, BeginsAnewWhereTheSidesHaveChanged) {
   };
   const auto welcomed = [&](bool sides_changed) {
     ChildProgram companion(folder_.path(), begin(sides_changed));
-    EXPECT_TRUE(companion.await("no client has come yet")) << companion.err();
+    EXPECT_TRUE(companion.await("waiting for a client")) << companion.err();
     const std::optional<bool> knew = goes_on(socket(), small_hello(1));
     companion.kill(SIGTERM);
     companion.wait();
@@ -336,7 +336,7 @@ TEST_F(CompanionClient, BeginsAnewWhereTheSidesHaveChanged) {
 
 TEST_F(CompanionClient, IsServedUntilSomebodyEndsTheCompanion) {
   ChildProgram companion(folder_.path(), server());
-  ASSERT_TRUE(companion.await("no client has come yet"));
+  ASSERT_TRUE(companion.await("waiting for a client"));
   companion.kill(SIGTERM);
   EXPECT_EQ(companion.wait(), 128 + SIGTERM);
   EXPECT_FALSE(std::filesystem::exists(socket()));

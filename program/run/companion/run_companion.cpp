@@ -30,12 +30,12 @@
 namespace reorient {
 namespace {
 
-std::uint64_t drawn_by_lot() {
+std::uint64_t random_number() {
   std::random_device device;
   return (static_cast<std::uint64_t>(device()) << 32) | device();
 }
 
-/// By their names here; what a client calls otherwise it has to send as numbers.
+/// Robots and fields of the files here. A client with another robot or field sends its numbers.
 KnownRobots known_robots() {
   const auto named = [](const std::string& name, auto load) -> decltype(std::optional(load(name))) {
     try {
@@ -54,8 +54,8 @@ KnownRobots known_robots() {
           }};
 }
 
-/// What a process that goes on from another one's state must have in common with it. In the axes of which half the
-/// state is, --sides-changed says, and so the model's file would be saved in others.
+/// Digest of everything that must be equal when a process continues from a saved state. It contains --sides-changed,
+/// which says in which half's axes the state is: otherwise the model file would be saved in the wrong axes.
 std::string circumstances_of(const Handshake& handshake, const FrameSetup& setup, const RunOptions& options) {
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
@@ -66,7 +66,7 @@ std::string circumstances_of(const Handshake& handshake, const FrameSetup& setup
   return digest.hex();
 }
 
-/// The companion as the run loop sees it: before it waits for the next frame, what is known is kept.
+/// The companion as the robot of the run loop: saves the state before it waits for the next frame.
 class KeptCompanion : public Robot {
  public:
   KeptCompanion(Companion& companion, StateKeeper& keeper) : companion_(companion), keeper_(keeper) {}
@@ -90,7 +90,7 @@ class KeptCompanion : public Robot {
   bool was_told_pose_ = false;
 };
 
-/// Machines' states, logs and faults, for the client.
+/// Sends the states of machines, log lines and faults to the client.
 class CompanionReport : public Observer {
  public:
   explicit CompanionReport(Companion& companion) : companion_(companion) {}
@@ -107,18 +107,18 @@ class CompanionReport : public Observer {
   Companion& companion_;
 };
 
-/// What is known before anybody comes. Throws std::runtime_error with one line.
+/// The engine's setup for a client. Throws std::runtime_error with one line.
 FrameSetup setup_for(const Handshake& handshake, const RunOptions& options, const ScriptTexts& scripts) {
   return engine_setup(
       options, scripts, handshake.body, handshake.field,
       {.head = handshake.carries_out_head, .walk = handshake.carries_out_walk, .get_up = handshake.carries_out_get_up});
 }
 
-/// What is wrong with options and scripts is told now, not to the first client.
+/// Reports errors of options and scripts at the start and not to the first client.
 void try_out(const RunOptions& options, const ScriptTexts& scripts) {
-  Handshake somebody;
-  somebody.carries_out_head = somebody.carries_out_walk = somebody.carries_out_get_up = true;
-  const FrameLoop engine(setup_for(somebody, options, scripts));
+  Handshake any_client;
+  any_client.carries_out_head = any_client.carries_out_walk = any_client.carries_out_get_up = true;
+  const FrameLoop engine(setup_for(any_client, options, scripts));
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   require_no_link(state);
   const std::optional<RecorderOptions> recording_options = recorder_options(options, "");
 
-  // What the prompt looks at changes with each client that is another robot.
+  // The prompt's engine changes with each client that is another robot.
   FrameLoop* engine_now = nullptr;
   LiveConsole console(
       STDIN_FILENO, out,
@@ -143,8 +143,8 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
        .scripts = options.scripts},
       history_path());
   const auto is_over = [&] { return is_ended_by_hand(console); };
-  Companion companion({socket, known_robots(), drawn_by_lot(), monotonic_clock, is_over});
-  err << "reorient: listening at " << socket.string() << "; no client has come yet\n" << std::flush;
+  Companion companion({socket, known_robots(), random_number(), monotonic_clock, is_over});
+  err << "reorient: listening at " << socket.string() << "; waiting for a client\n" << std::flush;
 
   bool fresh = options.fresh;
   std::vector<std::string> failures;
@@ -164,10 +164,10 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
       if (!fresh) engine = kept->restore(companion, why_not);
       goes_on = engine != nullptr;
       if (goes_on) edits.add_missed(engine->scripts());
-      if (!why_not.empty()) spdlog::warn("{} is not gone on from: {}", state.string(), why_not);
+      if (!why_not.empty()) spdlog::warn("{}: state not used: {}", state.string(), why_not);
       if (!engine) engine = std::make_unique<FrameLoop>(std::move(setup));
     } catch (const std::exception& error) {
-      // A model of another wall, or a script that was damaged since the start: others may come, and it may be mended.
+      // A model of another wall, or a script with a new error. Other clients may connect, and the script may be fixed.
       const bool is_models = dynamic_cast<const UnfitModel*>(&error) != nullptr;
       const std::string mistake = (is_models ? "--model " + options.model.string() + ": " : "") + error.what();
       if (std::exchange(told_mistake, mistake) != mistake) err << "reorient: " << mistake << "\n" << std::flush;
@@ -180,10 +180,10 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     engine_now = engine.get();
     companion.begin(handshake, goes_on, static_cast<int>(behaviors));
     err << fmt::format(
-               "reorient: a client has come: {}, field of {:.1f} x {:.1f} m, {} localization, {} behaviours, {}\n",
+               "reorient: client connected: {}, field of {:.1f} x {:.1f} m, {} localization, {} behaviors, {}\n",
                handshake.body.name, handshake.field.length, handshake.field.width,
-               handshake.own_localization ? "its own" : "our", behaviors,
-               goes_on ? "going on from before" : "beginning anew")
+               handshake.own_localization ? "its own" : "Reorient's", behaviors,
+               goes_on ? "continues from the saved state" : "starts without knowledge")
         << std::flush;
 
     LiveRun live(options, console, out, err);
@@ -208,9 +208,8 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     if (is_over() || !companion.has_other_robot()) break;
   }
   const Companion::Counts& counts = companion.counts();
-  out << fmt::format(
-      "{} frames of {} clients; {} not looked at since a newer one had come, {} of no use, {} answers not taken\n",
-      counts.frames, counts.clients, counts.superseded, counts.unusable, counts.unanswered);
+  out << fmt::format("{} frames of {} clients: {} superseded by newer ones, {} unusable; {} answers not sent\n",
+                     counts.frames, counts.clients, counts.superseded, counts.unusable, counts.unanswered);
   return exit_code_of_runs(failures);
 }
 

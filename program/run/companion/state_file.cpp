@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x32706d6f43725272ull;  // "rRrComp2": another layout gets another number
 constexpr double kPeriod = 1.0, kUrgentPeriod = 0.1;     // s
-/// s, by the wall clock; a robot that nobody has watched for longer may be anywhere.
+/// s, by the wall clock; a robot that was not tracked for longer may be anywhere.
 constexpr double kOldest = 600.0;
 
 double wall_clock() {
@@ -34,14 +34,15 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
   return digest.value();
 }
 
-/// What is in the file becomes scripts that run, and its digest is no secret; where the folder is everybody's, as /tmp,
-/// anybody may have written it. Nothing: there is none, or it is not ours, and `why_not` says so.
+/// Reads the file only if it belongs to this user: its content becomes scripts that run, its digest is not secret, and
+/// in a folder such as /tmp each user may write. Returns nothing if the file is missing, or, with `why_not`, another
+/// user's.
 std::optional<std::string> read_own_file(const std::filesystem::path& file, std::string& why_not) {
   const OwnedDescriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!opened || fstat(opened.get(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   if (status.st_uid != geteuid()) {
-    why_not = "it is another user's";
+    why_not = "the file belongs to another user";
     return std::nullopt;
   }
   return read_whole_file("/proc/self/fd/" + std::to_string(opened.get()));
@@ -53,13 +54,13 @@ void require_no_link(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_symlink(file, error))
     throw std::runtime_error("--state " + file.string() +
-                             ": that is a link, and could be anybody's; name the file itself");
+                             ": expected a file, found a symbolic link; name the file itself");
 }
 
 StateKeeper::StateKeeper(std::filesystem::path file, std::string circumstances)
     : file_(std::move(file)), circumstances_(std::move(circumstances)) {}
 
-/// The digest of all that follows it stands first.
+/// The digest comes first, and covers everything after it.
 std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion& companion) const {
   std::vector<std::byte> state;
   engine.save(state);
@@ -76,7 +77,7 @@ std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion&
 void StateKeeper::keep(const FrameLoop& engine, Companion& companion, double now, bool is_urgent) {
   is_urgent_ |= is_urgent;
   if (file_.empty() || now - last_ < (is_urgent_ ? kUrgentPeriod : kPeriod)) return;
-  if (writing_.is_busy()) return;  // it is asked again in the next frame
+  if (writing_.is_busy()) return;  // the next frame tries again
   last_ = now;
   is_urgent_ = false;
   begin_writing(engine, companion);
@@ -120,14 +121,15 @@ std::unique_ptr<FrameLoop> StateKeeper::read(const std::filesystem::path& file, 
     ByteReader in(bytes);
     std::uint64_t magic = 0, digest = 0;
     in(magic, digest);
-    check_bytes(magic == kMagic, "it is of another version");
-    check_bytes(digest == digest_of(bytes.subspan(kHeader)), "it is damaged");
+    check_bytes(magic == kMagic, "saved by another version");
+    check_bytes(digest == digest_of(bytes.subspan(kHeader)), "damaged (digest mismatch)");
     std::string circumstances;
     double saved = 0.0;
     in(circumstances, saved);
-    check_bytes(wall_clock() - saved <= kOldest && saved <= wall_clock() + kPeriod, "it is older than ten minutes");
+    check_bytes(wall_clock() - saved <= kOldest && saved <= wall_clock() + kPeriod,
+                "saved more than 10 minutes ago, or in the future");
     is_of_another_ = circumstances != circumstances_;
-    check_bytes(!is_of_another_, "it is of another robot, field, set of behaviours or of parameters");
+    check_bytes(!is_of_another_, "saved with another version, robot, field, set of behaviors, parameters or options");
     std::vector<std::byte> state;
     in(state);
     auto engine = std::make_unique<FrameLoop>(state);

@@ -85,26 +85,26 @@ TEST(Handshake, WithAMistakeIsRefusedWithWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<std::function<void(reorient_hello&)>, const char*> mistakes[] = {
       {[](auto& hello) { hello.way = 0; }, "way is 0"},
-      {[](auto& hello) { hello.client = 0; }, "client is 0; draw it by lot"},
+      {[](auto& hello) { hello.client = 0; }, "client is 0 (expected a random number"},
       {[](auto& hello) { hello.delay = -1.0; }, "delay is -1"},
       {[&](auto& hello) { hello.delay = nan; }, "delay is"},
-      {[](auto& hello) { hello.cameras[0].format = 0; }, "the first camera is missing"},
-      {[](auto& hello) { hello.cameras[0].format = 6; }, "there is no image format 6"},
+      {[](auto& hello) { hello.cameras[0].format = 0; }, "cameras[0] is missing"},
+      {[](auto& hello) { hello.cameras[0].format = 6; }, "unknown image format 6 (expected 1 to 5)"},
       {[](auto& hello) { hello.cameras[0].width = 63; }, "images of 63x64 pixels"},
       {[](auto& hello) { hello.cameras[0].height = 65534; }, "images of 64x65534 pixels"},
       {[](auto& hello) {
          hello.cameras[0].width = hello.cameras[0].height = 4096;
          hello.cameras[0].format = REORIENT_RGB;
        },
-       "images of more than 16 MiB"},
+       "images of 50331648 bytes (expected at most 16 MiB)"},
       {[](auto& hello) { hello.cameras[0].focal[1] = 0.0; }, "a focal length"},
       {[&](auto& hello) { hello.cameras[0].tilt = nan; }, "a camera's tilt"},
-      {[](auto& hello) { hello.body.has = 0; }, "there is no robot 'a test robot' here"},
+      {[](auto& hello) { hello.body.has = 0; }, "unknown robot 'a test robot'"},
       {[](auto& hello) { hello.body.torso_height = 1e300; }, "torso_height is"},
-      {[](auto& hello) { hello.body.pitch_limit[0] = 0.6; }, "the least pitch is above the most"},
+      {[](auto& hello) { hello.body.pitch_limit[0] = 0.6; }, "pitch_limit[0] is greater than pitch_limit[1]"},
       {[&](auto& hello) { hello.body.first_axis[0] = nan; }, "first_axis"},
       {[](auto& hello) { hello.field.length = 1e9; }, "field: 'length' must be a number from 2 to 120"},
-      {[](auto& hello) { hello.field.length = 0.0; }, "there is no field 'spl' here"},
+      {[](auto& hello) { hello.field.length = 0.0; }, "unknown field 'spl'"},
   };
   for (const auto& [make, why] : mistakes) {
     reorient_hello hello = small_hello();
