@@ -25,8 +25,8 @@ UdpReferee::UdpReferee(std::uint16_t port, std::uint16_t return_port, std::funct
   if (socket_ < 0 || bind(socket_, reinterpret_cast<const sockaddr*>(&any), sizeof(any)) != 0) {
     const std::string why = std::strerror(errno);
     if (socket_ >= 0) close(socket_);
-    throw std::runtime_error("UDP port " + std::to_string(port) + ", where the GameController is heard: " + why +
-                             "; leave out --team, or end who holds it");
+    throw std::runtime_error("UDP port " + std::to_string(port) + " for the GameController: " + why +
+                             "; leave out --team, or stop the process that uses the port");
   }
 }
 

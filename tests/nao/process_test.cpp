@@ -30,23 +30,23 @@ class NaoProcesses : public ::testing::Test {
 TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao plays no scenario"},
-      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: used by the simulator only"},
-      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
-      {{"run", "--robot", "nao", "--width", "160"}, "a NAO's cameras give 320 or 640 pixels"},
-      {{"run", "--robot", "nao", "--at", "1,2"}, "expected X,Y,DEGREES"},
-      {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "expected X,Y,DEGREES"},
-      {{"run", "--robot", "nao", "--at", "nan,0,0"}, "expected X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: only the simulator heeds it"},
+      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
+      {{"run", "--robot", "nao", "--width", "160"}, "(expected 320 or 640 pixels for a NAO)"},
+      {{"run", "--robot", "nao", "--at", "1,2"}, "a place is X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "a place is X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "nan,0,0"}, "a place is X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--team", "255"}, "--team"},
       {{"run", "--robot", "nao", "--guard", folder_.write("other", "x").string()}, "of another version of the guard"},
       {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string()},
-       "--places: the referee is heard with --team alone"},
+       "--places: requires --team"},
       {{"run", "--robot", "nao", "--places", folder_.write("bad.toml", "player_0 = [1, 2, 3]").string(), "--team", "5"},
        "unknown key 'player_0'"},
       {{"run", "--robot", "nao", "--calibration", file("nowhere.toml")},
        "the file does not exist (expected: calibration"},
       {{"run", "--robot", "nao", "--calibration",
         folder_.write("late.toml", "[footage]\nrecorded_roll = false").string()},
-       "leaves out what footage recorded"},
+       "ignores values recorded in footage"},
       {{"calibrate"}, "--at is required"},
       {{"calibrate", "--at", "here"}, "expected X,Y,DEGREES"},
       {{"calibrate", "--at", "0,0,0", "--out", "/nowhere/calibration.toml"}, "--out"},
@@ -78,7 +78,7 @@ TEST_F(NaoProcesses, TheCamerasOfASimulatedRobotAreCalibrated) {
 
 TEST_F(NaoProcesses, TheProgramSaysThatNoGuardIsThereAndWaitsForOne) {
   ChildProgram program(folder_.path(), {"run", "--robot", "nao", "--guard", file("body")});
-  EXPECT_TRUE(program.await("no guard is there; start reorient-nao-guard")) << program.err();
+  EXPECT_TRUE(program.await("no guard is running; start reorient-nao-guard")) << program.err();
   program.kill(SIGTERM);
   EXPECT_EQ(program.wait(), 128 + SIGTERM);
   EXPECT_NE(program.out().find("0 frames"), std::string::npos) << program.out();
@@ -86,11 +86,11 @@ TEST_F(NaoProcesses, TheProgramSaysThatNoGuardIsThereAndWaitsForOne) {
 
 TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
   const std::pair<const char*, const char*> mistakes[] = {
-      {"--priority 100", "--priority is a number from 0 to 99"},
-      {"--priority", "--priority needs a value"},
-      {"--stand", "--stand is not known"},
+      {"--priority 100", "--priority: expected a number from 0 to 99"},
+      {"--priority", "--priority: expected a value"},
+      {"--stand", "--stand: unknown option"},
       {"--body /", "reorient-nao-guard: /"},
-      {"--body /dev/null", "no file of a guard of this user"},
+      {"--body /dev/null", "expected a guard's file of this user"},
   };
   for (const auto& [words, why] : mistakes) {
     const std::string err = file("err");

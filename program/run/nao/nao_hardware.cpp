@@ -20,16 +20,16 @@ void wait_for(double seconds, std::span<const int> descriptors) {
   poll(waits.data(), count, static_cast<int>(1000.0 * seconds));
 }
 
-/// What it waits for, and how to mend that.
-std::string told_of(nao::Missing missing) {
+/// What the robot waits for, and how to fix it.
+std::string description_of(nao::Missing missing) {
   using nao::Missing;
   switch (missing) {
     case Missing::guard:
-      return "no guard is there; start reorient-nao-guard";
+      return "no guard is running; start reorient-nao-guard";
     case Missing::measurements:
-      return "the guard hears nothing of the body; is LoLA running?";
+      return "the guard receives no measurements; check that LoLA is running";
     case Missing::images:
-      return "no image comes from /dev/video-top, or its colours are still settling";
+      return "no image from /dev/video-top, or its colors are still settling";
     case Missing::nothing:
       break;
   }
@@ -50,7 +50,7 @@ nao::NaoSurroundings NaoHardware::surroundings(std::function<bool()> is_over,
   around.now = monotonic_clock;
   around.wait = wait_for;
   around.is_over = std::move(is_over);
-  around.tell_missing = [tell = std::move(tell)](nao::Missing missing) { tell(told_of(missing)); };
+  around.tell_missing = [tell = std::move(tell)](nao::Missing missing) { tell(description_of(missing)); };
   around.body = [this] { return guards_memory(monotonic_clock()); };
   around.run_errand = nao::run_apart;
   around.upper = &upper_;

@@ -61,12 +61,12 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   std::optional<RecorderOptions> recording_options = recorder_options(options, "");
   const std::optional<Pose2> place = place_of(options.at);
   if (options.width != 320 && options.width != 640)
-    throw std::runtime_error("--width " + std::to_string(options.width) + ": a NAO's cameras give 320 or 640 pixels");
+    throw std::runtime_error("--width " + std::to_string(options.width) + " (expected 320 or 640 pixels for a NAO)");
 
   const Places places = options.places.empty() ? Places() : load_places(options.places);
   if (!options.places.empty() && options.team == 0)
     throw std::runtime_error(
-        "--places: the referee is heard with --team alone; give the team's number, or leave it out");
+        "--places: requires --team, since the referee's messages are used only with the team's number");
 
   nao::NaoOptions robot_options;
   std::uint64_t mounting = 0;
@@ -74,8 +74,8 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
     const Calibration calibration = load_calibration(options.calibration);
     if (calibration.recorded != RecordedAttitude())
       throw std::runtime_error(options.calibration.string() +
-                               ": [footage]: expected a calibration of this robot's cameras, found one that leaves out "
-                               "what footage recorded; it is for run --robot footage --camera-offset");
+                               ": [footage]: expected a calibration of this robot's cameras, found one that ignores "
+                               "values recorded in footage; use it with run --robot footage --camera-offset");
     robot_options.offsets = calibration.offsets;
     mounting = mounting_of(calibration);
   }
@@ -104,8 +104,8 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                                                                  [&](const std::string& line) { live.tell(line); }));
   const Nao& itself = *robot;
   StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], itself, engine);
-  err << fmt::format("reorient: {} behaviours on a NAO; {}\n", behaviors,
-                     options.stand ? "it stands up" : "press its chest's button, and it stands up")
+  err << fmt::format("reorient: {} behaviors on a NAO; {}\n", behaviors,
+                     options.stand ? "the robot stands up" : "press the chest button to make the robot stand up")
       << std::flush;
   RobotInstance instance{std::move(robot), robot_options.body, RobotInstance::Clock::real, nullptr, nullptr};
   live.run({.parts = {.robot = instance, .engine = engine, .sources = {&start}, .observers = {}, .stop = {}},
@@ -119,8 +119,8 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
   const Nao::Counts counts = itself.counts();
   out << fmt::format(
-      "{} frames; {} images not looked at since a newer one had come, {} of which nobody knows where the head was, {} "
-      "damaged; cameras begun anew {} times\n",
+      "{} frames; images: {} superseded by newer ones, {} without head angles, {} damaged; cameras restarted {} "
+      "times\n",
       counts.frames, counts.superseded, counts.unplaced, counts.damaged, counts.restarts);
   return exit_code_of_runs(failures);
 }

@@ -23,7 +23,7 @@
 namespace reorient::nao {
 namespace {
 
-constexpr double kSilent = 1.0;           // s without a packet, after which the connection is begun anew
+constexpr double kSilent = 1.0;           // s without a packet, after which the guard connects again
 constexpr double kAgain = 0.5;            // s between two attempts to connect
 constexpr double kLongestFarewell = 8.0;  // s for sitting down at the end
 
@@ -68,34 +68,38 @@ sockaddr_un address_of(const std::filesystem::path& path) {
   address.sun_family = AF_UNIX;
   const std::string text = path.string();
   if (text.empty() || text.size() >= sizeof(address.sun_path))
-    throw std::runtime_error("--lola " + text + ": a socket's path has 1 to " +
-                             std::to_string(sizeof(address.sun_path) - 1) + " letters");
+    throw std::runtime_error("--lola " + text + ": path of " + std::to_string(text.size()) + " bytes (expected 1 to " +
+                             std::to_string(sizeof(address.sun_path) - 1) + ")");
   std::copy(text.begin(), text.end(), address.sun_path);
   return address;
 }
 
-constexpr std::array<const char*, kGuardStates> kStates{
-    "waits for LoLA", "soft", "stands up", "stands", "sits down", "sits", "fallen: soft until asked to sit"};
+constexpr std::array<const char*, kGuardStates> kStates{"waiting for LoLA",
+                                                        "soft",
+                                                        "standing up",
+                                                        "standing",
+                                                        "sitting down",
+                                                        "sitting",
+                                                        "fallen: soft until a request to sit"};
 
 struct WorryText {
   std::uint32_t worry;
   const char* text;
 };
 constexpr std::array<WorryText, 10> kWorries{{
-    {kNoRequest, "nobody asks for anything"},
+    {kNoRequest, "no requests from the engine"},
     {kTilted, "tilted too far to stand up or sit down"},
     {kHot, "a motor is hot"},
     {kTooHot, "a motor is too hot"},
     {kBatteryLow, "the battery is low"},
     {kBatteryEmpty, "the battery is empty"},
-    {kJointStuck, "a joint does not go where it should"},
-    {kJointGivenUp, "a leg's joint has not gone where it should for 3 s"},
-    {kBlind, "LoLA's packets hold no positions or angles"},
-    {kForeignBody, "the body is not of version 6: it is not moved"},
+    {kJointStuck, "a joint does not reach its target"},
+    {kJointGivenUp, "a leg joint did not reach its target for 3 s"},
+    {kBlind, "LoLA's packets contain no positions or angles"},
+    {kForeignBody, "unsupported body version (expected 6): no motion"},
 }};
 
-/// Tells what is new. Nobody who reads it may keep the guard waiting: a line that cannot be written at once is left
-/// out.
+/// Prints changes. A slow reader must not block the guard, so a line that cannot be written at once is dropped.
 class Narrator {
  public:
   explicit Narrator(int out) : out_(out) {}
@@ -113,7 +117,7 @@ class Narrator {
   void tell(const GuardReport& report) {
     if (report.state != state_) line(kStates[static_cast<std::size_t>(report.state)]);
     state_ = report.state;
-    constexpr double kPause = 0.5;  // s: what comes and goes in each cycle is no news
+    constexpr double kPause = 0.5;  // s; limits warnings that change in each cycle
     if (report.worries == worries_ || report.time < next_) return;
     next_ = report.time + kPause;
     for (const WorryText& worry : kWorries) {
@@ -140,7 +144,7 @@ void ask_for_real_time(int priority, Narrator& narrator) {
   sched_param parameter{};
   parameter.sched_priority = priority;
   if (sched_setscheduler(0, SCHED_FIFO, &parameter) != 0)
-    narrator.line("no real-time priority is allowed; answers may be late (LimitRTPRIO=, or CAP_SYS_NICE)");
+    narrator.line("real-time priority is not permitted; answers may be late (LimitRTPRIO=, or CAP_SYS_NICE)");
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
     narrator.line("memory cannot be locked; answers may be late (LimitMEMLOCK=)");
 }
@@ -196,7 +200,7 @@ void run_guard(const GuardOptions& options, int out) {
     }
   };
 
-  narrator.line("waits for LoLA");
+  narrator.line("waiting for LoLA");
   while (true) {
     const double time = now();
     if (signals > 0) {
@@ -225,15 +229,15 @@ void run_guard(const GuardOptions& options, int out) {
     constexpr int kPatience = 100;  // ms
     const int ready = poll(&wait, 1, kPatience);
     if (ready > 0 && (wait.revents & (POLLIN | POLLHUP | POLLERR)) != 0 && !read_packets()) {
-      hang_up("the connection to LoLA is lost; it is begun anew");
+      hang_up("lost the connection to LoLA; connecting again");
       continue;
     }
     if (!send_answer()) {
-      hang_up("LoLA takes no answers; the connection is begun anew");
+      hang_up("LoLA accepts no answers; connecting again");
       continue;
     }
     if (now() - heard > kSilent) {
-      hang_up("LoLA has said nothing for 1 s; the connection is begun anew");
+      hang_up("no packet from LoLA for 1 s; connecting again");
       continue;
     }
     narrator.tell(session.report(heard));

@@ -15,16 +15,16 @@ namespace {
 constexpr const char* kHelp =
     "reorient-nao-guard [--lola SOCKET] [--body FILE] [--priority N]\n"
     "\n"
-    "Holds the body of a NAO, does what `reorient run --robot nao` asks as far as it is safe, and sits down where "
-    "nobody\n"
-    "asks any more. SIGTERM: it sits down, and ends.\n"
+    "Controls the joints of a NAO. Carries out the requests of `reorient run --robot nao` as far as they are safe, "
+    "and\n"
+    "sits down if they stop. On SIGTERM it sits down and ends.\n"
     "\n"
-    "  --lola SOCKET   of the robot's joint and sensor service (/tmp/robocup)\n"
-    "  --body FILE     in memory, shared with the engine (/dev/shm/reorient-nao-UID)\n"
-    "  --priority N    of real time, 1 to 99, where that is allowed; 0: none (20)\n";
+    "  --lola SOCKET   socket of LoLA, the robot's joint and sensor service (default: /tmp/robocup)\n"
+    "  --body FILE     shared memory file for the engine (default: /dev/shm/reorient-nao-UID)\n"
+    "  --priority N    real-time priority if permitted, 1 to 99; 0: no real time (default: 20)\n";
 
 int complain(const char* what, const char* argument) {
-  std::fprintf(stderr, "reorient-nao-guard: %s %s; see reorient-nao-guard --help\n", argument, what);
+  std::fprintf(stderr, "reorient-nao-guard: %s: %s; see reorient-nao-guard --help\n", argument, what);
   return 2;
 }
 
@@ -39,15 +39,15 @@ int main(int count, char** arguments) {
       std::fputs(kHelp, stdout);
       return 0;
     }
-    if (name != "--lola" && name != "--body" && name != "--priority") return complain("is not known", arguments[i]);
-    if (i + 1 == count || *arguments[i + 1] == '\0') return complain("needs a value", arguments[i]);
+    if (name != "--lola" && name != "--body" && name != "--priority") return complain("unknown option", arguments[i]);
+    if (i + 1 == count || *arguments[i + 1] == '\0') return complain("expected a value", arguments[i]);
     const std::string_view value = arguments[++i];
     if (name == "--lola") options.lola = value;
     if (name == "--body") options.body = value;
     if (name == "--priority") {
       const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), options.priority);
       if (error != std::errc() || end != value.data() + value.size() || options.priority < 0 || options.priority > 99)
-        return complain("is a number from 0 to 99", "--priority");
+        return complain("expected a number from 0 to 99", "--priority");
     }
   }
   try {

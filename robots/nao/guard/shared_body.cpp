@@ -64,22 +64,22 @@ MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
     close_all();
     throw std::runtime_error(file.string() + ": " + why);
   };
-  constexpr const char* kOtherVersion = "of another version of the guard; start the one that belongs to this program";
+  constexpr const char* kOtherVersion = "file of another version of the guard; start the guard of this version";
   if (file_ < 0) give_up(std::strerror(errno));
   struct stat status {};
   if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != geteuid())
-    give_up("no file of a guard of this user; name another one");
+    give_up("expected a guard's file of this user, found another; choose another file");
   constexpr auto kSize = static_cast<off_t>(sizeof(SharedBody));
   if (side == Side::guard) {
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0) give_up("another guard holds the body; end it first");
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0) give_up("another guard controls the body; stop it first");
     if (status.st_size != kSize && ftruncate(file_, kSize) != 0) give_up(std::strerror(errno));
   } else if (status.st_size == 0) {
-    close_all();  // it is being made
+    close_all();  // the guard is creating it
     return;
   } else if (status.st_size != kSize) {
     give_up(kOtherVersion);
   } else if (side == Side::engine && !lock_as_engine(file_)) {
-    give_up("another program asks this guard; end it first, as with: systemctl --user stop reorient");
+    give_up("another program uses this guard; stop it first, for example: systemctl --user stop reorient");
   }
   void* const memory = mmap(nullptr, sizeof(SharedBody), PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0);
   if (memory == MAP_FAILED) give_up(std::strerror(errno));
@@ -87,7 +87,7 @@ MappedBody::MappedBody(const std::filesystem::path& file, Side side) {
   if (side == Side::guard) {
     body_->layout.store(SharedBody::kLayout, std::memory_order_release);
   } else if (const std::uint64_t layout = body_->layout.load(std::memory_order_acquire); layout == 0) {
-    close_all();  // it is being made
+    close_all();  // the guard is creating it
   } else if (layout != SharedBody::kLayout) {
     give_up(kOtherVersion);
   }

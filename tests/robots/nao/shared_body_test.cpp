@@ -76,16 +76,16 @@ TEST_F(SharedBodyTest, AnEngineWithoutAGuardHasNone) { EXPECT_FALSE(MappedBody(f
 
 TEST_F(SharedBodyTest, HasOneGuard) {
   const MappedBody guard(file_, Side::guard);
-  EXPECT_EQ(refusal(Side::guard), file_.string() + ": another guard holds the body; end it first");
+  EXPECT_EQ(refusal(Side::guard), file_.string() + ": another guard controls the body; stop it first");
 }
 
 TEST_F(SharedBodyTest, HasOneEngineAndBesideItAWalk) {
   const MappedBody guard(file_, Side::guard);
   {
     const MappedBody engine(file_, Side::engine);
-    EXPECT_EQ(
-        refusal(Side::engine),
-        file_.string() + ": another program asks this guard; end it first, as with: systemctl --user stop reorient");
+    EXPECT_EQ(refusal(Side::engine),
+              file_.string() +
+                  ": another program uses this guard; stop it first, for example: systemctl --user stop reorient");
     EXPECT_EQ(refusal(Side::walk), "");
   }
   EXPECT_EQ(refusal(Side::engine), "") << "it has ended";
@@ -110,7 +110,7 @@ TEST_F(SharedBodyTest, OfANewGuardBeginsAnewUnderTheEnginesHands) {
 TEST_F(SharedBodyTest, OfAnotherVersionIsRefused) {
   std::ofstream(file_) << "something";
   EXPECT_EQ(refusal(Side::engine),
-            file_.string() + ": of another version of the guard; start the one that belongs to this program");
+            file_.string() + ": file of another version of the guard; start the guard of this version");
 }
 
 TEST_F(SharedBodyTest, OfAnotherLayoutIsRefused) {
