@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client's time and odometry as the engine sees them: both go on, whatever becomes of the client. A client's clock
-// begins anyhow, its odometry begins at zero whenever its process does.
+// A client's time and odometry as the engine sees them: both continue when the client restarts. A client's clock
+// starts at any value, and its odometry starts at zero with each process.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,10 @@ namespace reorient {
 
 class ClientClock {
  public:
-  /// One frame's time (s) and odometry on the client's side, as the engine's. `client`: another one where its process
-  /// has begun anew; `silence`: s on our clock since the frame before. Nothing: the time is not after that of the frame
-  /// before. A clock that went back stays back: after a second of such frames the engine's goes on with it.
+  /// One frame's time (s) and odometry on the client's side, as the engine's. `client`: differs after a restart
+  /// of the client's process; `silence`: s on our clock since the previous frame. Returns nothing if the time is not
+  /// later than that of the previous frame. After a second of such frames, the clock counts as set back, and time
+  /// continues.
   struct Moment {
     double time = 0.0;
     Pose2 odometry;
@@ -25,7 +26,7 @@ class ClientClock {
   double to_engine(double time) const { return time + offset_; }
   /// The engine's, of the last frame.
   const Pose2& odometry() const { return last_odometry_; }
-  /// Whether the last frame was the first one of a client that has begun anew.
+  /// Whether the last frame was the first one of a restarted client.
   bool restarted() const { return restarted_; }
 
   template <typename Archive>

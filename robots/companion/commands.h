@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reorientations that somebody else has to carry out, at most once each: numbered, and repeated until they are done.
+// Reorientations that the client has to carry out, at most once each: numbered, and repeated until they are done.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace reorient {
 
-/// There is one at a time. What is granted while another one waits takes its place, unless it is the same: the belief
-/// that it is about has not changed yet, and two flips would be none. A purge does not take a flip's place: behaviours
-/// purge what a flip has left over, and without the flip they would purge the pose that is right.
+/// One command waits at a time. A newer command replaces it, unless it is the same: the belief has not changed yet, and
+/// two flips would cancel out. A purge does not replace a flip: behaviors purge what a flip leaves, and without the
+/// flip they would purge the correct pose.
 class PendingCommand {
  public:
-  /// `server`: drawn by lot, so that no number of an earlier process is taken for one of this.
+  /// `server`: random, so that numbers of an earlier process are not taken for those of this process.
   explicit PendingCommand(std::uint64_t server) : server_(server) {}
 
   std::uint64_t server() const { return server_; }
   void grant(Reorientation reorientation);
   /// All up to this number were carried out.
   void acknowledge(std::uint64_t server, std::uint32_t number);
-  /// Nobody shall carry it out any more: the belief is another one.
+  /// Withdraws the waiting command, because the belief has changed.
   void withdraw() { waiting_.reset(); }
 
   std::optional<Reorientation> waiting() const { return waiting_; }

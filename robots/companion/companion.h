@@ -29,26 +29,26 @@ namespace reorient {
 struct CompanionOptions {
   std::filesystem::path socket;
   KnownRobots known;
-  std::uint64_t server = 1;       ///< another number for each process: drawn by lot
-  std::function<double()> now;    ///< s, of a clock that only goes on
-  std::function<bool()> is_over;  ///< asked as often as patience says while nothing comes
+  std::uint64_t server = 1;       ///< random number of this process
+  std::function<double()> now;    ///< s, of a monotonic clock
+  std::function<bool()> is_over;  ///< called every `patience` seconds while nothing arrives
   double patience = 0.1;          ///< s
 };
 
-/// What the client is told beside answers.
+/// Notes that the client gets besides answers.
 enum class NoteKind { fault = REORIENT_NOTE_FAULT, log = REORIENT_NOTE_LOG };
 
 class Companion : public Robot, private Receiver {
  public:
-  /// Throws std::runtime_error with one line where nobody can listen there.
+  /// Throws std::runtime_error with one line if the socket cannot be created.
   explicit Companion(CompanionOptions options);
 
-  /// Waits until a client has said who it is. Nothing: it is over.
+  /// Waits for the hello of a client. Returns nullptr if the run is over.
   const Handshake* wait_for_handshake();
   /// An engine that was made for `handshake` stands behind this from now on. `goes_on`: it knows what one before it
   /// knew.
   void begin(const Handshake& handshake, bool goes_on, int behaviors);
-  /// There can be no engine for this client: it is told why, and gone.
+  /// Refuses a client for which no engine can be created, and disconnects it.
   void refuse(const std::string& why) { connection_.refuse(why, *this); }
 
   /// False: it is over, or a frame has come of a client that is another robot (has_other_robot()): it waits for the
@@ -60,17 +60,17 @@ class Companion : public Robot, private Receiver {
   void tell_state(std::string_view behavior, std::string_view state);
   void tell_note(NoteKind kind, std::string_view text);
 
-  /// Of all clients so far.
+  /// Of all clients since the start.
   struct Counts {
     std::uint64_t frames = 0;      ///< that arrived
-    std::uint64_t superseded = 0;  ///< of those were not looked at, since a newer one had come
-    std::uint64_t unusable = 0;  ///< of those: numbers that make no sense, a time before the last, images written over
-    std::uint64_t unanswered = 0;  ///< answers that the client did not take
+    std::uint64_t superseded = 0;  ///< frames not used because a newer one had arrived
+    std::uint64_t unusable = 0;    ///< frames with invalid numbers, a time not after the last, or an overwritten image
+    std::uint64_t unanswered = 0;  ///< answers that could not be sent
     std::uint64_t clients = 0;
   };
   const Counts& counts() const { return counts_; }
 
-  /// What a process that takes this one's place has to know, but for the engine.
+  /// The state that a new process continues from, without the engine.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.clock_, self.last_time_, self.pending_, self.game_);
@@ -110,7 +110,7 @@ class Companion : public Robot, private Receiver {
   PendingExternalInputs pending_;
 
   std::optional<Handshake> handshake_;   ///< of the client that is connected
-  std::optional<Handshake> engine_for_;  ///< nothing: there is no engine yet
+  std::optional<Handshake> engine_for_;  ///< empty until an engine exists
   bool has_other_robot_ = false;         ///< they differ in their identity
   bool goes_on_ = false;
   int behaviors_ = 0;
@@ -119,12 +119,12 @@ class Companion : public Robot, private Receiver {
 
   Arrived arrived_, newest_;
   bool has_newest_ = false;
-  double last_arrival_ = 0.0;             ///< s, on our clock, of the frame that was looked at last, of use or not
+  double last_arrival_ = 0.0;             ///< s, on our clock, of the last frame that was used or found unusable
   std::vector<reorient_sample> samples_;  ///< no frame has come yet that was exposed after them
   double last_time_ = 0.0;                ///< s, the engine's, of the frame before
   double next_complaint_ = 0.0;           ///< s, on our clock
 
-  // What the observation looks at, until the next one.
+  // Storage of the observation, valid until the next one.
   std::array<Image, 2> images_;
   std::vector<BodySample> body_samples_;
   std::vector<ExternalBelief::Particle> particles_;
@@ -132,10 +132,11 @@ class Companion : public Robot, private Receiver {
   double answered_time_ = 0.0;  ///< s, on the client's clock
   double answered_at_ = 0.0;    ///< s, on ours, when it came
 
-  /// Of each behaviour, and whether the client knows.
+  /// State of each behavior, and whether it was sent to the client.
   std::map<std::string, std::pair<std::string, bool>, std::less<>> states_;
   std::vector<reorient_note> notes_;  ///< to be sent
-  std::vector<reorient_note> words_;  ///< of behaviours to the team mates: no flood of notes takes their place
+  std::vector<reorient_note>
+      words_;  ///< messages of behaviors to teammates, separate so that many notes do not displace them
 };
 
 }  // namespace reorient

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A UNIX socket at which one client of the same user is served: whole messages come out of it, and what is sent never
-// waits. What a client does ends its own connection at most.
+// A UNIX socket at which one client of the same user is served: whole messages come out of it, and sending never
+// blocks. An error of a client ends at most its own connection.
 #pragma once
 
 #include <cstddef>
@@ -19,21 +19,22 @@
 
 namespace reorient {
 
-/// Who listens to a connection.
+/// Receives the messages of a connection.
 class Receiver {
  public:
   virtual ~Receiver() = default;
   virtual void connected() = 0;
-  /// One message; `memory`: the file descriptor that came with it, if any. Throws BadMessage: the client is told why,
-  /// and gone.
+  /// One message; `memory`: the file descriptor that came with it, if any. After a BadMessage the client is refused
+  /// with its text and disconnected.
   virtual void receive(std::uint16_t kind, std::span<const std::byte> body, OwnedDescriptor& memory) = 0;
   virtual void disconnected() = 0;
 };
 
 class Connection {
  public:
-  /// Listens: whoever may write to the file, mode 0600, can connect. `now`: s, for how long a client has been silent.
-  /// Throws std::runtime_error with one line: the path is too long, is no socket, or somebody else listens there.
+  /// Listens: processes that may write to the file (mode 0600) can connect. `now`: s, to measure how long a client
+  /// sends nothing. Throws std::runtime_error with one line: path too long, not a socket, or another process listens
+  /// there.
   Connection(std::filesystem::path path, std::function<double()> now);
   ~Connection();
   Connection(const Connection&) = delete;
@@ -43,9 +44,9 @@ class Connection {
   void listen(double seconds, Receiver& receiver);
 
   bool has_client() const { return static_cast<bool>(client_); }
-  /// The client is told why, and gone.
+  /// Sends the reason to the client and disconnects it.
   void refuse(const std::string& why, Receiver& receiver);
-  /// False: there is no client, or it has not read what was sent before; then all of it is left out.
+  /// Returns false and sends nothing if no client is connected or it has not read the previous data.
   template <typename Message>
   bool send(std::uint16_t kind, const Message& message) {
     if (!client_ || !flush()) return false;
@@ -76,7 +77,7 @@ class Connection {
   OwnedDescriptor memory_;  // came, and no message has taken it yet
 };
 
-/// Where to listen if nobody says otherwise: in the user's own folder for such things.
+/// Default path of the socket: in the user's runtime folder.
 std::filesystem::path default_socket_path();
 
 }  // namespace reorient

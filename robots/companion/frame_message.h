@@ -19,19 +19,19 @@ struct FrameMessage {
   bool has(std::uint32_t what) const { return (frame.has & what) != 0; }
 };
 
-/// Throws BadMessage where it is none: its size, how many particles or messages there are, what is no posture.
+/// Throws BadMessage for a wrong size, too many particles or messages, or an unknown posture.
 void read_frame(std::span<const std::byte> bytes, FrameMessage& message);
 
-/// Why its numbers make no sense, and what would; empty: they do. Such a frame is left out, and the client stays.
+/// Which numbers are invalid, and what is expected; empty if valid. An invalid frame is dropped, the client stays.
 std::string nonsense_in(const FrameMessage& message);
 
-/// Of a part that counts even where the rest makes no sense.
+/// Checks of parts that are used even if the rest is invalid.
 bool is_odometry_sound(const reorient_frame& frame);
 bool is_told_pose_sound(const reorient_frame& frame);
 
 Pose2 pose_of(const double (&numbers)[3]);
 
-/// The same of a sample. Throws BadMessage where it is none.
+/// Reads a sample. Throws BadMessage for a wrong size.
 reorient_sample read_sample(std::span<const std::byte> bytes);
 bool is_sound(const reorient_sample& sample);
 

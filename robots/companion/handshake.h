@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client says of itself, once: whose localization counts, which robot it is, its cameras, its field.
+// What a client's hello contains: whose localization is used, which robot it is, its cameras, its field.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@
 
 namespace reorient {
 
-/// Robots and fields that have a name here; nothing: there is none of this name.
+/// Loads robots and fields by name; returns nothing for an unknown name.
 struct KnownRobots {
   std::function<std::optional<RobotBody>(const std::string& name)> body;
   std::function<std::optional<FieldDimensions>(const std::string& name)> field;
 };
 
 struct Handshake {
-  std::uint64_t client = 0;       ///< another one where the client's process has begun anew
-  bool own_localization = false;  ///< the team's belief counts, and ours rests
-  bool carries_out_head = false;  ///< what the robot does of what behaviours ask for
+  std::uint64_t client = 0;       ///< differs after a restart of the client's process
+  bool own_localization = false;  ///< the team's belief is used, ours is not
+  bool carries_out_head = false;  ///< requests of behaviors that the robot carries out
   bool carries_out_walk = false;
   bool carries_out_get_up = false;
-  double delay = 0.0;  ///< s that an image without a time is old when it arrives
+  double delay = 0.0;  ///< age of an image without a time when it arrives, s
   RobotBody body;
   FieldDimensions field;
   std::array<std::optional<reorient_camera>, 2> cameras;  ///< the upper and the lower one
@@ -41,8 +41,8 @@ Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& kn
 
 CameraModel camera_model(const reorient_camera& camera, const Lens& lens);
 
-/// All that an engine is made for: the robot, its field, what it carries out and whose localization counts; not how its
-/// cameras are calibrated. Where two are equal, an engine can go on from the one with the other.
+/// Everything that an engine depends on: the robot, its field, what it carries out and whose localization counts; not
+/// how its cameras are calibrated. If two are equal, an engine can continue from the state of the other.
 std::vector<std::byte> identity_of(const Handshake& handshake);
 
 }  // namespace reorient

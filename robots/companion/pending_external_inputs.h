@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client has told with frames, until one of them is looked at.
+// External inputs of a client's frames, stored until a frame is used.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace reorient {
 
-/// What is told once must not be lost with a frame that nobody looks at, whatever else is wrong with that frame.
+/// Inputs that are sent once must not be lost with a frame that is superseded or unusable.
 class PendingExternalInputs {
  public:
   /// This client has said hello. Where it is another process, the one before it was so sure of a pose that it told.
   void begin_client(std::uint64_t client);
-  /// The next frame has the axes that it has: nothing is known yet that could be turned round.
+  /// The next frame defines the axes: nothing is known yet that half-time could rotate.
   void begin_axes() { is_other_half_.reset(); }
 
-  /// Whether a pose was told.
+  /// Whether the frame contained an initial pose.
   bool hear(const FrameMessage& message);
   /// What the GameController says.
   void hear(const ExternalInputs& game);

@@ -355,19 +355,19 @@ struct reorient_client {
   uint64_t number;       /* number of the last frame */
   uint64_t lost;         /* frames that could not be sent */
   uint64_t server;       /* 0: no welcome yet */
-  uint64_t first_number; /* of the first frame of this connection */
+  uint64_t first_number; /* number of the first frame of this connection */
   uint64_t done_server;
   uint32_t done; /* the last command that was carried out */
-  /* A told pose of which nobody can be sure yet that it was heard, and kept. It goes with the robot. */
+  /* An initial pose that the server may not have saved yet. It moves with the robot. */
   int keeps_told;
-  int told_is_sent;     /* on this connection */
-  int told_frames;      /* for so many frames more, since it was answered; 0: it was not */
-  uint64_t told_server; /* that has answered it */
-  uint64_t told_number; /* of the last frame that brought one */
-  uint32_t told_half;   /* REORIENT_OTHER_HALF: its axes are those */
+  int told_is_sent;     /* it was sent on this connection */
+  int told_frames;      /* frames for which it is still stored after an answer; 0: no answer yet */
+  uint64_t told_server; /* the server that answered it */
+  uint64_t told_number; /* number of the last frame that contained it */
+  uint32_t told_half;   /* REORIENT_OTHER_HALF if it is in the axes of the other half */
   double told_pose[3], told_deviation[2];
-  double told_drift[2];    /* of the deviation: what has been added since it was told */
-  double told_odometry[3]; /* where the robot was there */
+  double told_drift[2];    /* growth of the deviation since it was set */
+  double told_odometry[3]; /* odometry of the last frame */
   size_t out_size, out_sent, in_size;
   unsigned char out[sizeof(struct reorient_header) + REORIENT_LONGEST_BODY];
   unsigned char in[sizeof(struct reorient_header) + 512];
@@ -439,7 +439,7 @@ static inline void reorient_break(struct reorient_client* client) {
   client->out_size = client->out_sent = 0;
 }
 
-/* Sends what is left of the last message. 1: there is nothing left. */
+/* Sends the rest of the last message. Returns 1 if nothing is left. */
 static inline int reorient_flush(struct reorient_client* client) {
   while (client->out_sent < client->out_size) {
     const ssize_t sent = send(client->socket, client->out + client->out_sent, client->out_size - client->out_sent,
@@ -502,15 +502,15 @@ static inline int reorient_send_memory(struct reorient_client* client, int camer
   return sendmsg(client->socket, &all, MSG_DONTWAIT | MSG_NOSIGNAL) == (ssize_t)sizeof message;
 }
 
-/* Where the socket lies in a folder that is everybody's, as /tmp, anybody may listen there. */
+/* In a folder such as /tmp, each user could listen at the socket's path. */
 static inline int reorient_is_trusted(int server) {
   struct ucred peer;
   socklen_t size = sizeof peer;
   return getsockopt(server, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && (peer.uid == geteuid() || peer.uid == 0);
 }
 
-/* 1: there is a connection, new or old. One that broke is left when it breaks for the second time: between the two
- * reorient_receive() has had its chance. */
+/* Returns 1 if a connection exists or was made. A broken connection is closed at the second failure, so that
+ * reorient_receive() can read the remaining messages before. */
 static inline int reorient_connect(struct reorient_client* client) {
   size_t lenses; /* bytes */
   if (client->socket >= 0 && !client->broken) return 1;

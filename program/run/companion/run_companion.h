@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient run --robot companion`: the engine beside a team's own program, for as long as nobody ends it.
+// `reorient run --robot companion`: the engine beside a team's own program, until it is stopped.
 #pragma once
 
 #include <iosfwd>

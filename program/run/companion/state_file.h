@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a companion knew, in a file: the next process goes on from it, as if it had only been slow.
+// The state of a companion in a file: the next process continues from it, as if it had only been slow.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,20 @@
 
 namespace reorient {
 
-/// In a folder that is everybody's a link may be anybody's, and lead to what must not be written over. Throws
+/// In a shared folder another user may create a link to a file that must not be overwritten. Throws
 /// std::runtime_error with one line.
 void require_no_link(const std::filesystem::path& file);
 
-/// Saves once a second, and at once what a client says only once. A disk is slow: no frame waits for it.
+/// Saves once a second, and inputs that a client sends once at once. Frames do not wait for the disk.
 class StateKeeper {
  public:
-  /// `circumstances`: of two processes that shall go on from each other they are equal. Empty file: keeps nothing.
+  /// `circumstances`: equal for two processes that continue from each other. Empty file: saves nothing.
   StateKeeper(std::filesystem::path file, std::string circumstances);
 
-  /// Between two frames; `now`: s, of a clock that only goes on. `is_urgent`: the frame before told what nobody will
-  /// tell again; a client that tells with every frame is kept ten times a second.
+  /// Between two frames; `now`: s, of a monotonic clock. `is_urgent`: the previous frame contained an initial pose,
+  /// which is sent once; if each frame does, the state is saved ten times a second.
   void keep(const FrameLoop& engine, Companion& companion, double now, bool is_urgent);
-  /// The last of it, when the run ends.
+  /// Saves the final state when the run ends.
   void finish(const FrameLoop& engine, Companion& companion);
 
   /// An engine that goes on, and a companion that knows it. Nothing: there is no such file, or `why_not` says in a few

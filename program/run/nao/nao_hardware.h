@@ -24,7 +24,7 @@ class NaoHardware {
   /// Throws std::runtime_error with one line where the referee's port cannot be had.
   explicit NaoHardware(const Options& options);
 
-  /// Valid as long as this. `tell`: what has been missing for a while, and how to mend that; each once.
+  /// Valid as long as this. `tell`: what has been missing for a while, and how to fix it; each once.
   nao::NaoSurroundings surroundings(std::function<bool()> is_over, std::function<void(const std::string&)> tell);
 
  private:
@@ -32,7 +32,7 @@ class NaoHardware {
 
   std::filesystem::path guard_;
   std::optional<nao::MappedBody> mapped_;
-  nao::SharedBody* body_ = nullptr;  // nullptr: there is none now
+  nao::SharedBody* body_ = nullptr;  // nullptr: no guard
   std::uint64_t measured_ = 0;
   double next_look_ = 0.0;  // s
   nao::SystemVideoDevice upper_, lower_;

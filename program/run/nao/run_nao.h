@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient run --robot nao`: the engine alone on a NAO, for as long as nobody ends it.
+// `reorient run --robot nao`: the engine alone on a NAO, until it is stopped.
 #pragma once
 
 #include <iosfwd>
