@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-/* A small localization of a team's own: odometry, and bearings and rough distances to goal posts that all look alike,
- * so that a pose and its reflection through the field's centre always fit equally well. Reorient's commands tell the
- * two apart. */
+/* A small example of a team's localization. It uses odometry, and bearings and rough distances to goal posts. All posts
+ * look the same, so a pose and its mirrored pose always fit equally well. Reorient's commands resolve this. */
 #ifndef PARTICLE_FILTER_H
 #define PARTICLE_FILTER_H
 
@@ -16,7 +15,7 @@ struct particle {
 struct particle_filter {
   struct particle particles[PARTICLES];
   double post_x, post_y; /* posts stand at +-x, +-y */
-  double odometry[3];    /* of the frame before */
+  double odometry[3];    /* of the previous frame */
   uint64_t random;
   int knows;
 };
@@ -25,9 +24,9 @@ void filter_begin(struct particle_filter* filter, double post_x, double post_y, 
 void filter_told(struct particle_filter* filter, const double pose[3]);
 void filter_move(struct particle_filter* filter, const double odometry[3]);
 void filter_see(struct particle_filter* filter, const double* bearings, const double* distances, unsigned count);
-void filter_flip(struct particle_filter* filter);  /* all of it through the centre */
-void filter_purge(struct particle_filter* filter); /* no particle near the reflection of the mean */
-void filter_reset(struct particle_filter* filter); /* half of the particles through the centre */
+void filter_flip(struct particle_filter* filter);  /* mirrors all particles */
+void filter_purge(struct particle_filter* filter); /* removes particles near the mirrored mean */
+void filter_reset(struct particle_filter* filter); /* mirrors half of the particles */
 void filter_mean(const struct particle_filter* filter, double pose[3]);
 
 #endif

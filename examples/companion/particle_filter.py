@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A small localization of a team's own, as particle_filter.c: odometry, and bearings and rough distances to goal
-posts that all look alike."""
+posts that all look the same."""
 import math
 import random
 

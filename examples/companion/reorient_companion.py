@@ -21,11 +21,11 @@ LENS_OF_CAMERA, LENS_PINHOLE, LENS_FISHEYE, LENS_EQUIRECTANGULAR = 0, 1, 2, 3
 def lens(model, coefficients):
     """For `lenses` of Companion: of a camera that is not a pinhole with two radial coefficients. OpenCV's coefficients."""
     padded = tuple(coefficients) + (0.0,) * (8 - len(coefficients))
-    return struct.pack("<II8d", model, len(coefficients), *padded) + bytes(72)  # there is no second camera
+    return struct.pack("<II8d", model, len(coefficients), *padded) + bytes(72)  # no second camera
 
 
 class Companion:
-    """The connection. It is made anew when it is gone; nothing here waits. `camera`: focal, center, distortion, position and
+    """The connection. It reconnects after a failure; no call blocks. `camera`: focal, center, distortion, position and
     tilt of the one camera, 10 numbers; `body`: the name of a robot that Reorient knows, as bytes; `lenses`: what lens() gives,
     where the camera is not a pinhole with two radial coefficients."""
 
@@ -33,8 +33,8 @@ class Companion:
         self.path, self.socket, self.broken = path, None, False
         self.number = self.told = self.sequence = self.slot = 0
         self.server, self.done = 0, (0, 0)  # the server, and the last command of which server
-        # A told pose of which nobody can be sure yet that it was heard, and kept: the pose, its deviations, the odometry and
-        # the half there; for how many frames more, once it was answered, and by which server.
+        # An initial pose that the server may not have saved yet: the pose, its deviations, the odometry and the half at
+        # that time; the frames for which it stays stored after an answer, and the server that answered.
         self.kept, self.kept_frames, self.kept_server, self.told_sent = None, 0, 0, False
         self.image_bytes = 2 * width * height
         self.slot_size = (SLOT_HEADER + self.image_bytes + 63) // 64 * 64
@@ -137,7 +137,7 @@ class Companion:
                 if kind == WELCOME:
                     self.server = first
                     if self.kept_server and self.kept_server != self.server:
-                        # Whether it knows what the other was told, nobody knows.
+                        # The new server may not know the initial pose that the previous server got.
                         self.kept_frames, self.kept_server, self.told_sent = 0, 0, False
                 if kind == ANSWER and self.kept and not self.kept_server and first >= self.told:
                     self.kept_frames, self.kept_server = TOLD_FRAMES, self.server

@@ -17,7 +17,7 @@ struct pipe_frame { /* then the image */
   double time;
   double odometry[3], head[2], attitude[2], rates[3], acceleration[3], foot_load;
   double told_pose[3];
-  uint32_t is_told; /* somebody says where it stands: told_pose */
+  uint32_t is_told; /* 1: the operator sets the initial pose, told_pose */
   uint32_t is_over; /* nothing follows, and there is no image */
   uint32_t posts;   /* goal posts in view: */
   uint32_t zero;

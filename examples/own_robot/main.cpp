@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole engine with a robot of one's own. own_robot SCRIPTS: plays a minute with the behaviours in this folder, and
-// prints what they decide. After 40 s the robot is told that it stands on the other half of the field, which is wrong.
+// The whole engine with a robot of your own. own_robot SCRIPTS: runs the behaviors of this folder for one minute and
+// prints their decisions. After 40 s it sets a wrong pose, on the other half of the field.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 using namespace reorient;
 
-/// A robot that stands in a hall in which each direction has another colour. A real one waits for its camera here.
+/// A robot that stands in a hall with a different color in each direction. A real robot waits for its camera here.
 class OwnRobot : public Robot {
  public:
   bool observe(Observation& observation) override {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Room awareness alone, in a program that localizes itself: images and the believed pose go in, "is the belief the
-// reflection of the truth?" comes out. Here the camera is painted, and the belief is turned round on purpose.
+// Room awareness alone, in a program that localizes itself: the inputs are images and the
+// believed pose, the output is whether the belief is the mirrored pose. Here the images are generated, and the belief
+// is mirrored on purpose.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -18,8 +19,8 @@ using namespace reorient;
 constexpr double kFrame = 1.0 / 15.0;  // s
 const Pose2 kTruth(-2.0, -1.5, kPi / 2);
 
-/// Stands for the robot's camera: a hall in which 24 panels of different colours stand around the robot, above a green
-/// floor. `direction`: where on the field the camera looks, rad.
+/// Replaces the robot's camera: a hall with 24 panels of different colors around the robot, above a green floor.
+/// `direction`: direction of the camera on the field, rad.
 void paint(Image& image, const CameraModel& camera, double direction) {
   const int horizon = camera.height / 2 + camera.height / 16;
   for (int x = 0; x < camera.width; x += 2) {
@@ -54,7 +55,7 @@ class Localization {
     return std::nullopt;
   }
 
-  /// For whoever gives the pose filter another belief: what the room said spoke of the one before.
+  /// Call it after the belief was changed: the evidence so far is about the previous belief.
   void start_at(const Pose2& pose) {
     belief = pose;
     room_.restart();
@@ -99,7 +100,7 @@ bool report(const char* situation, std::optional<double> flipped, bool expected,
 int main() {
   Localization robot;
   bool right = report("learning", robot.flipped_within(20.0), false, robot.confidences());
-  robot.train = false;  // a reflected belief must not paint the room the wrong way round
+  robot.train = false;  // training with a mirrored belief would learn a mirrored room
   robot.start_at(kTruth);
   right &= report("right belief", robot.flipped_within(8.0), false, robot.confidences());
   robot.start_at(reflect(kTruth));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A NAO v6 with nobody else on board: its cameras, its body behind the guard, the referee. It looks about, stands up
-// and sits down; it has no walk and does not get up (a walk is a part of its own: see docs/on-a-robot.md).
+// A NAO v6 without another program: its cameras, its body behind the guard, the referee. It looks around, stands up and
+// sits down; it has no walk and does not get up (a walk is a part of its own: see docs/on-a-robot.md).
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@ enum class Missing { nothing, guard, measurements, images };
 class RefereePort {
  public:
   virtual ~RefereePort() = default;
-  /// The next one, valid until the next call; empty: there is none. Never waits.
+  /// Returns the next datagram, valid until the next call, or an empty span. Never blocks.
   virtual std::span<const std::byte> receive() = 0;
-  /// The last one was about our game: for a while no other address counts than the one it came from.
+  /// Accepts only the sender of the last datagram for a while, because it was about our game.
   virtual void heed() = 0;
   /// To whom the last one came from.
   virtual void answer(std::span<const std::byte> datagram) = 0;
@@ -82,8 +82,8 @@ class Nao : public Robot {
 
   struct Counts {
     std::uint64_t frames = 0;
-    std::uint64_t superseded = 0;  ///< images, since a newer one had come
-    std::uint64_t unplaced = 0;    ///< images of which it is not known how the head was turned
+    std::uint64_t superseded = 0;  ///< images not used because a newer one had arrived
+    std::uint64_t unplaced = 0;    ///< images without known head angles
     std::uint64_t damaged = 0;     ///< images
     std::uint64_t restarts = 0;    ///< cameras
   };

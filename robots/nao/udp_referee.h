@@ -13,8 +13,8 @@
 
 namespace reorient::nao {
 
-/// Hears everybody until one is heeded: from then on that one alone, until it has been silent for 10 s. Throws
-/// std::runtime_error with one line where the port cannot be had.
+/// Receives from each sender until heed(); then only from that sender, until it sends nothing for 10 s. Throws
+/// std::runtime_error with one line if the port cannot be opened.
 class UdpReferee : public RefereePort {
  public:
   /// `now`: s, monotonic.

@@ -283,8 +283,8 @@ void VideoCamera::flip() {
   }
 }
 
-/// The room's colours are known by their histograms: from here on a colour stays what it is. Of each of the sensor's
-/// registers first the address is told, and some time later the value is there. True: it is done.
+/// Locks the white balance, because the room's colors are learned as histograms. For each register of the sensor, first
+/// send the address; the value is available some time later. Returns true when done.
 bool VideoCamera::lock_colors() {
   if (asked_) {
     std::array<std::uint8_t, 5> data{};
@@ -304,8 +304,7 @@ bool VideoCamera::lock_colors() {
   return true;
 }
 
-/// As they were found: of a camera that is begun anew as well, since what was learned of the room was learned with
-/// them.
+/// Sets the color gains that were found, also after a restart of the camera, because the room was learned with them.
 void VideoCamera::write_colors() {
   set_control(V4L2_CID_AUTO_WHITE_BALANCE, 0);
   for (std::size_t i = 0; i < gains_.size(); ++i) {
@@ -318,8 +317,8 @@ void VideoCamera::write_colors() {
   }
 }
 
-/// Where the light asks for a longer exposure than a moving head allows, that is fixed, and the gain makes up for it.
-/// Else it goes on following the light, and so does what the room's colours are compared with.
+/// If the light requires a longer exposure than a moving head allows, fixes the exposure and increases the gain.
+/// Otherwise both continue to follow the light, and so does the comparison with the room's colors.
 void VideoCamera::bound_exposure() {
   const std::optional<int> exposure = control(V4L2_CID_EXPOSURE_ABSOLUTE), gain = control(V4L2_CID_GAIN);
   if (!exposure || !gain || *exposure <= settings_.longest_exposure) return;
@@ -329,7 +328,7 @@ void VideoCamera::bound_exposure() {
   write_exposure();
 }
 
-/// As it was fixed, of a camera that is begun anew as well.
+/// Sets the fixed exposure again, also after a restart of the camera.
 void VideoCamera::write_exposure() {
   if (!fixed_) return;
   set_control(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One of a NAO's cameras through V4L2: opened, set up, read and, where it fails, begun anew, without ever waiting for
-// it: what may take long is an errand that somebody else runs. Numbers and their order: what RoboCup teams published of
-// this camera (OV5640 behind a USB bridge), B-Human and HULKs above all.
+// One of a NAO's cameras through V4L2: opens, configures and reads it, and restarts it after a failure, without waiting
+// for it: slow calls run in another thread. Numbers and their order come from what RoboCup teams published about this
+// camera (OV5640 behind a USB bridge), mainly B-Human and HULKs.
 #pragma once
 
 #include <array>
@@ -46,12 +46,12 @@ class VideoCamera {
 
   struct Image {
     double time = 0.0;                   ///< s on the monotonic clock, when the exposure began
-    bool is_time_guessed = false;        ///< the driver did not say; it is when the image came, less one period
-    std::span<const std::uint8_t> yuyv;  ///< valid until a newer one comes, or the camera is begun anew
+    bool is_time_guessed = false;        ///< the driver gave no time; it is the arrival time minus one period
+    std::span<const std::uint8_t> yuyv;  ///< valid until the next image or a restart of the camera
   };
 
-  /// Once a frame, or whenever the descriptor is readable: goes on with what there is to be done at `now` (s,
-  /// monotonic). The newest image since the last call; older ones are passed over, and counted.
+  /// Once a frame, or whenever the descriptor is readable: continues the work that is due at `now` (s,
+  /// monotonic). Returns the newest image since the last call; older images are skipped and counted as superseded.
   std::optional<Image> look(double now);
 
   VideoState state() const { return state_; }

@@ -30,8 +30,8 @@ struct WalkTargets {
   std::uint32_t moves_joints = 0;  ///< while the guard stands, all joints but the head follow `joints`
   JointValues joints{};            ///< rad
   JointValues stiffness{};         ///< 0 to 1
-  /// Where it has carried the robot since it began: m forward and to the left of where it stood, rad. Its steps from
-  /// cycle to cycle count, so it may begin anew; turns are taken from the inertial unit.
+  /// Odometry of the walk since its start: m forward and to the left, rad. Only changes between cycles are used, so it
+  /// may restart; rotations come from the inertial unit.
   std::array<float, 3> odometry{};
 };
 
@@ -43,11 +43,11 @@ enum class GuardState : std::uint32_t {
   standing,
   sitting_down,
   sitting,
-  fallen,  ///< soft, until somebody asks for something else than to stand
+  fallen,  ///< soft, until a request for another posture than standing
 };
 inline constexpr int kGuardStates = 7;
 
-/// Why it does not do what it is asked; a bit each.
+/// Reasons why the guard does not carry out a request, one bit each.
 enum GuardWorry : std::uint32_t {
   kNoRequest = 1u << 0,  ///< none came for 100 ms
   kTilted = 1u << 1,     ///< too far to stand up or sit down
@@ -55,9 +55,9 @@ enum GuardWorry : std::uint32_t {
   kTooHot = 1u << 3,     ///< a motor, so that it sits down
   kBatteryLow = 1u << 4,
   kBatteryEmpty = 1u << 5,  ///< so that it sits down
-  kJointStuck = 1u << 6,    ///< a joint does not go where it should
+  kJointStuck = 1u << 6,    ///< a joint does not reach its target
   kJointGivenUp = 1u << 7,  ///< for so long that it sits down
-  kBlind = 1u << 8,         ///< positions or angles are missing from what LoLA says
+  kBlind = 1u << 8,         ///< LoLA's packets contain no positions or angles
   kForeignBody = 1u << 9,   ///< not of version 6: limits and postures are those of another robot
 };
 

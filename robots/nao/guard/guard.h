@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Holds the body of a NAO, cycle by cycle: does what the engine asks as far as it is safe, and sits down where nobody
-// asks any more. No clock, no socket: measurements, requests and the time come in, commands go out.
+// Controls the body of a NAO, cycle by cycle: carries out the engine's requests as far as they are safe, and sits down
+// if they stop. It has no clock and no socket: inputs are measurements, requests and the time, outputs are commands.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ class Guard {
 
   Glide glide_;
   bool is_crouched_ = false;  // while sitting down: the second part of the way
-  bool walks_ = false;        // somebody else moves the joints
+  bool walks_ = false;        // the walk moves the joints
   int held_ = 0;              // cycles for which it could not sit down though it is to end
   JointValues goal_{};        // before limits
   JointValues stiff_{};       // wanted

@@ -10,12 +10,12 @@ namespace reorient::nao {
 struct GuardOptions {
   std::filesystem::path lola = "/tmp/robocup";  ///< LoLA's socket
   std::filesystem::path body;                   ///< the file that is shared with the engine
-  int priority = 20;                            ///< of real time, where that is allowed; 0: none is asked for
+  int priority = 20;                            ///< real-time priority if permitted; 0: no real time
 };
 
-/// Until SIGINT, SIGTERM or SIGHUP: then it sits down, which takes 3 s, and lets go, after 5 s also where somebody
-/// holds the robot so that it cannot sit down; a second one ends it at once. Tells what happens in lines to the file
-/// descriptor `out`. Throws std::runtime_error with one line where it cannot begin.
+/// Runs until SIGINT, SIGTERM or SIGHUP. Then the robot sits down, which takes 3 s, and becomes soft; after 5 s also if
+/// an operator holds it so that it cannot sit down. A second signal ends the guard at once. Writes lines of what
+/// happens to the file descriptor `out`. Throws std::runtime_error with one line if it cannot start.
 void run_guard(const GuardOptions& options, int out);
 
 }  // namespace reorient::nao

@@ -24,11 +24,11 @@ struct SharedBody {
   std::array<SharedValue<Measurement>, kMeasurements> measurements;
   SharedValue<GuardReport> report;
   SharedValue<BodyRequest> request;
-  SharedValue<WalkTargets> walk;  ///< never written where nobody walks
+  SharedValue<WalkTargets> walk;  ///< never written without a walk
 
   /// The guard's.
   void add(const Measurement& measurement);
-  /// The newest measurement. False: there is none, or it is being written.
+  /// Reads the newest measurement. Returns false if none exists or it is being written.
   bool newest(Measurement& measurement) const;
   /// Appends those that came after the first `seen` ones, the oldest first; how many there ever were. What was
   /// overwritten meanwhile is left out.
@@ -42,9 +42,9 @@ std::filesystem::path default_body_file();
 class MappedBody {
  public:
   enum class Side { guard, engine, walk };
-  /// The guard makes the file where there is none, and holds it alone; an engine is the only one that asks. Engine and
-  /// walk take what a guard has made; nothing is mapped where there is none yet. Throws std::runtime_error with one
-  /// line: another guard holds it, another engine asks, or it is none of ours.
+  /// The guard creates the file if it is missing, and locks it; only one engine may send requests. Engine and walk open
+  /// the file of a guard, and map nothing if it does not exist yet. Throws std::runtime_error with one line if another
+  /// guard or engine uses the file, or if it is not a guard's file.
   MappedBody(const std::filesystem::path& file, Side side);
 
   ~MappedBody();

@@ -24,12 +24,12 @@ class SharedValue {
     std::memcpy(words.data(), &value, sizeof(Value));
     const std::uint64_t odd = sequence_.load(std::memory_order_relaxed) | 1u;
     sequence_.store(odd, std::memory_order_relaxed);
-    // Released, so that whoever sees one of the new words sees the odd number, too.
+    // Released, so that a reader that sees a new word sees the odd number, too.
     for (std::size_t i = 0; i < kWords; ++i) words_[i].store(words[i], std::memory_order_release);
     sequence_.store(odd + 1, std::memory_order_release);
   }
 
-  /// False: there is none yet, or it is being written at this very moment; then `value` is left as it was.
+  /// Returns false and leaves `value` unchanged if no value exists yet or it is being written.
   bool read(Value& value) const {
     constexpr int kAttempts = 4;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
