@@ -5,7 +5,7 @@ import collections
 import struct
 import subprocess
 
-# body: head, attitude, rates and acceleration, one after the other; told_pose: None, or the operator's initial pose; posts: goal
+# body: head, attitude, rates and acceleration, one after the other; told_pose: initial pose or None; posts: goal
 # posts in view, as (bearing, distance).
 Felt = collections.namedtuple("Felt", "time odometry body foot_load told_pose posts")
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a NAO shows of what the engine knows, for whoever stands beside it.
+// The LEDs of a NAO show the engine's state to the operator.
 #pragma once
 
 #include "robots/answer.h"

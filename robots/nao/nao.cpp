@@ -123,7 +123,7 @@ bool Nao::feel(double now) {
     body_samples_.push_back(history_.newest()->body);
   }
   if (guard_.state == GuardState::fallen && posture_ == WantedPosture::stand)
-    posture_ = WantedPosture::soft;  // until somebody has put it on its feet, and presses the button
+    posture_ = WantedPosture::soft;  // until the operator puts it on its feet and presses the button
   // A battery that is being charged, or a leg that was let go, is no reason to rise by itself; a motor that has cooled
   // is.
   if ((guard_.worries & (kBatteryEmpty | kJointGivenUp)) != 0 && posture_ == WantedPosture::stand)
@@ -160,7 +160,7 @@ void Nao::hear_referee(double now) {
     const std::span<const std::byte> datagram = around_.referee->receive();
     if (datagram.empty()) return;
     if (!game_.hear(datagram, external_)) continue;
-    around_.referee->heed();
+    around_.referee->accept_sender();
     if (now < next_return_) continue;
     next_return_ = now + kReturnPeriod;
     around_.referee->answer(
@@ -174,7 +174,7 @@ void Nao::look(HeadCamera which, double now) {
   const std::optional<VideoCamera::Image> image = eye.camera.look(now);
   const bool is_upper = which == HeadCamera::upper;
   if (image || eye.camera.state() == VideoState::closed) is_upper ? pairing_.drop_upper() : pairing_.drop_lower();
-  if (!image || eye.camera.state() != VideoState::running) return;  // colours that drift teach nothing
+  if (!image || eye.camera.state() != VideoState::running) return;  // do not train while the colors still drift
   const double time = engine_time(image->time) + options_.image_delay;
   const std::optional<BodyHistory::Moment> moment = history_.at(time);
   if (!moment) {

@@ -32,7 +32,7 @@ class RefereePort {
   /// Returns the next datagram, valid until the next call, or an empty span. Never blocks.
   virtual std::span<const std::byte> receive() = 0;
   /// Accepts only the sender of the last datagram for a while, because it was about our game.
-  virtual void heed() = 0;
+  virtual void accept_sender() = 0;
   /// To whom the last one came from.
   virtual void answer(std::span<const std::byte> datagram) = 0;
 };

@@ -34,7 +34,7 @@ UdpReferee::~UdpReferee() { close(socket_); }
 
 std::span<const std::byte> UdpReferee::receive() {
   constexpr double kSilent = 10.0;  // s
-  constexpr int kAtOnce = 100;      // whoever floods the port keeps us no longer
+  constexpr int kAtOnce = 100;      // limits the time that a flood of datagrams takes
   for (int i = 0; i < kAtOnce; ++i) {
     sockaddr_in from{};
     socklen_t length = sizeof(from);
@@ -43,7 +43,7 @@ std::span<const std::byte> UdpReferee::receive() {
     if (size < 0) return {};
     constexpr std::size_t kHeader = 4;
     if (static_cast<std::size_t>(size) < kHeader || std::memcmp(datagram_.data(), "RGme", kHeader) != 0) continue;
-    const bool is_other = heeded_ && *heeded_ != from.sin_addr.s_addr;
+    const bool is_other = accepted_ && *accepted_ != from.sin_addr.s_addr;
     if (is_other && now_() - heard_ < kSilent) continue;
     from_ = from;
     return std::span(datagram_).first(static_cast<std::size_t>(size));
@@ -51,8 +51,8 @@ std::span<const std::byte> UdpReferee::receive() {
   return {};
 }
 
-void UdpReferee::heed() {
-  heeded_ = from_.sin_addr.s_addr;
+void UdpReferee::accept_sender() {
+  accepted_ = from_.sin_addr.s_addr;
   heard_ = now_();
 }
 

@@ -13,7 +13,7 @@
 
 namespace reorient::nao {
 
-/// Receives from each sender until heed(); then only from that sender, until it sends nothing for 10 s. Throws
+/// Receives from each sender until accept_sender(); then only from that sender, until it sends nothing for 10 s. Throws
 /// std::runtime_error with one line if the port cannot be opened.
 class UdpReferee : public RefereePort {
  public:
@@ -24,16 +24,16 @@ class UdpReferee : public RefereePort {
   UdpReferee& operator=(const UdpReferee&) = delete;
 
   std::span<const std::byte> receive() override;
-  void heed() override;
+  void accept_sender() override;
   void answer(std::span<const std::byte> datagram) override;
 
  private:
   int socket_ = -1;
   std::uint16_t return_port_;
   std::function<double()> now_;
-  sockaddr_in from_{};               // the last one
-  std::optional<in_addr_t> heeded_;  // by its address
-  double heard_ = 0.0;               // s, when from there
+  sockaddr_in from_{};                 // the last one
+  std::optional<in_addr_t> accepted_;  // by its address
+  double heard_ = 0.0;                 // s, when from there
   std::array<std::byte, 512> datagram_{};
 };
 

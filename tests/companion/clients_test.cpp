@@ -50,7 +50,7 @@ class CompanionClient : public ::testing::TestWithParam<Setting> {
   TemporaryFolder folder_;
 };
 
-TEST_P(CompanionClient, EndsRightAfterItsRobotWasTurnedRound) {
+TEST_P(CompanionClient, EndsRightAfterItsRobotWasMirrored) {
   const std::string recording = (folder_.path() / "run.mcap").string();
   {
     std::vector<std::string> words = server();
@@ -118,7 +118,7 @@ bool await_whole_save(const std::string& socket) {
   return await_save();
 }
 
-TEST_F(CompanionClient, GoesOnWithACompanionThatWasKilledAndBegunAgain) {
+TEST_F(CompanionClient, ContinuesWithACompanionThatWasKilledAndRestarted) {
   const Setting setting{"", kC, "ours", "nao-v6", "spl"};
   std::future<int> client;
   const HeldRobot robot(folder_.path());
@@ -257,7 +257,7 @@ TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanion
   EXPECT_LT((pose->position - told.position).norm(), 0.3) << pose->position.transpose();
 }
 
-TEST_F(CompanionClient, IsToldInOneLineWhatTheCompanionDoesNotHeed) {
+TEST_F(CompanionClient, GetsOneLineForOptionsThatTheCompanionDoesNotUse) {
   const std::filesystem::path link = folder_.path() / "link";
   std::filesystem::create_symlink(folder_.path() / "precious", link);
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
@@ -312,7 +312,7 @@ TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServ
   EXPECT_EQ(err.find("--model"), err.rfind("--model")) << "it is told once\n" << err;
 }
 
-TEST_F(CompanionClient, BeginsAnewWhereTheSidesHaveChanged) {
+TEST_F(CompanionClient, StartsWithoutKnowledgeAfterASideChange) {
   const std::string model = (folder_.path() / "hall.model").string();
   const auto begin = [&](bool sides_changed) {
     std::vector<std::string> words = server();
@@ -334,7 +334,7 @@ TEST_F(CompanionClient, BeginsAnewWhereTheSidesHaveChanged) {
   EXPECT_EQ(welcomed(true), true);
 }
 
-TEST_F(CompanionClient, IsServedUntilSomebodyEndsTheCompanion) {
+TEST_F(CompanionClient, IsServedUntilTheCompanionIsStopped) {
   ChildProgram companion(folder_.path(), server());
   ASSERT_TRUE(companion.await("waiting for a client"));
   companion.kill(SIGTERM);

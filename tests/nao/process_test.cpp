@@ -27,7 +27,7 @@ class NaoProcesses : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(NaoProcesses, AreToldInOneLineWhatANaoDoesNotHeed) {
+TEST_F(NaoProcesses, GetOneLineForOptionsThatANaoDoesNotUse) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao plays no scenario"},
       {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: only the simulator heeds it"},
@@ -84,7 +84,7 @@ TEST_F(NaoProcesses, TheProgramSaysThatNoGuardIsThereAndWaitsForOne) {
   EXPECT_NE(program.out().find("0 frames"), std::string::npos) << program.out();
 }
 
-TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
+TEST_F(NaoProcesses, TheGuardRefusesInvalidOptions) {
   const std::pair<const char*, const char*> mistakes[] = {
       {"--priority 100", "--priority: expected a number from 0 to 99"},
       {"--priority", "--priority: expected a value"},
@@ -102,8 +102,8 @@ TEST_F(NaoProcesses, TheGuardRefusesWhatMakesNoSense) {
   }
 }
 
-/// SIGHUP: the login from which somebody began it is lost.
-TEST_F(NaoProcesses, TheGuardFindsTheRobotAndEndsWhenItIsAskedTo) {
+/// SIGHUP: the login from which it was started is lost.
+TEST_F(NaoProcesses, TheGuardConnectsToTheRobotAndEndsOnASignal) {
   const std::string lola = file("lola"), body = file("body"), said = file("said");
   const std::string limit = std::to_string(kWaitLimit.count()), tries = std::to_string(10 * kWaitLimit.count());
   const auto ended_by = [&](const std::string& signal) {

@@ -17,7 +17,8 @@ constexpr double kStandUp = 2.4;    // s
 constexpr double kCrouch = 1.8;     // s, the first part of sitting down
 constexpr double kArmsDown = 0.6;   // s, the second
 constexpr double kBackToStand = 1.0;  // s after a walk
-constexpr int kLetsGoAfter = 417;     // cycles, 5 s: for so long whoever ends the guard may still put the robot upright
+constexpr int kLetsGoAfter =
+    417;  // cycles, 5 s: time for the operator to put the robot upright after stopping the guard
 
 constexpr float kLegs = 0.8f, kArms = 0.4f, kHead = 0.6f;  // stiffness
 constexpr float kHips = 0.1f;  // of a sitting robot, so that it does not tip over (Nao Devils)
@@ -128,7 +129,7 @@ void Guard::look_after(const Measurement& measurement, const std::optional<Robot
     if (*hottest < 1.0f) set(kTooHot, false);  // not as soon as it is a little cooler
     if (*hottest >= 1.0f) joint_ = static_cast<std::uint32_t>(hottest - measurement.status.begin());
   }
-  // None at all says somebody who does not know, not a battery.
+  // A charge of exactly 0 means unknown, not an empty battery.
   if (measurement.has(SensorKey::battery) && measurement.battery[0] > 0.0f) {
     set(kBatteryLow, measurement.battery[0] < kLowCharge);
     if (measurement.battery[0] < kNoCharge) set(kBatteryEmpty, true);
@@ -141,7 +142,7 @@ void Guard::look_after(const Measurement& measurement, const std::optional<Robot
     if (stuck_[joint] < kStuckAfter) continue;
     is_stuck = true;
     joint_ = static_cast<std::uint32_t>(joint);
-    // Arms and head give way to whoever holds them, and go back by themselves; on its legs it stands.
+    // Arms and head give way when an operator holds them, and return by themselves. The legs carry the robot.
     if (is_leg(joint) && stuck_[joint] >= kGivenUpAfter) set(kJointGivenUp, true);
   }
   set(kJointStuck, is_stuck);
@@ -169,8 +170,7 @@ void Guard::decide(WantedPosture wanted) {
     case GuardState::waiting:
       return;
     case GuardState::soft:
-      // One that fell stays down where nobody cares: what is asked without anybody there is to sit, which it need not
-      // do.
+      // A fallen robot stays down without requests: the default request is to sit, which is not necessary then.
       if (wanted != WantedPosture::stand) return;
       if (!may_move) {
         worries_ |= kTilted;
@@ -213,8 +213,8 @@ void Guard::decide(WantedPosture wanted) {
   }
 }
 
-/// Somebody holds the robot, and the guard is to end: what it told last holds on after it, so that is not to be a stiff
-/// leg in somebody's hands.
+/// Called if an operator holds the robot while the guard ends. The last command stays active after the guard, so it
+/// must not keep a leg stiff.
 void Guard::let_go_at_last() {
   const bool is_held = upright_within_ >= kUpright || state_ == GuardState::sitting_down;
   if (finishing_ && is_held && !has(kBlind | kForeignBody) && ++held_ > kLetsGoAfter) begin(GuardState::soft);
@@ -248,7 +248,7 @@ void Guard::begin(GuardState state) {
     case GuardState::soft:
       stiff_.fill(0.0f);
       break;
-    case GuardState::fallen:  // at once: whoever falls hard breaks
+    case GuardState::fallen:  // at once: a stiff robot breaks when it falls
       stiff_.fill(0.0f);
       stiffness_.fill(0.0f);
       break;
@@ -276,7 +276,7 @@ void Guard::follow(const std::optional<WalkTargets>& walk, double age) {
 /// Where the head is to be in this cycle, limits aside.
 void Guard::hold_head(const std::optional<BodyRequest>& request, double age) {
   const bool has_head = state_ == GuardState::standing || state_ == GuardState::sitting;
-  // Nobody knows for how many hours nobody will ask.
+  // It is unknown for how many hours no request will come.
   if (state_ == GuardState::sitting) stiff_[kHeadYaw] = stiff_[kHeadPitch] = age > kSitsDown ? 0.0f : kHead;
   if (has_head && request && request->moves_head != 0 && age <= kHeadStops) {
     move_head(*request);

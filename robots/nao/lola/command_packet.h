@@ -14,8 +14,8 @@ inline constexpr std::size_t kCommandBytes = 786;
 
 std::array<std::byte, kCommandBytes> command_packet(const Command& command);
 
-/// The same the other way round, for whoever stands in for a robot: keys that the packet does not hold leave `command`
-/// as it is. False: it is no map, or something in it is not as it should be.
+/// The inverse, for a simulated robot: keys that the packet does not contain leave `command` unchanged. Returns false
+/// if the packet is not a map or a value is invalid.
 bool read_command_packet(std::span<const std::byte> packet, Command& command);
 
 }  // namespace reorient::nao

@@ -65,7 +65,7 @@ Head head_of(std::byte byte) {
     case 0xde:
     case 0xdf:
       return {PackedKind::map, std::size_t{2} << (first - 0xdeu), 0};
-    default:  // 0xc1 is never used, and the extensions nobody sends
+    default:  // 0xc1 is never used, and LoLA sends no extensions
       return {};
   }
 }

@@ -29,13 +29,13 @@ class PackedReader {
 
   /// How many pairs of key and value follow. Nothing: this is no map.
   std::optional<std::uint32_t> map();
-  /// How many values follow. Nothing: this is no array.
+  /// Number of values that follow; nothing if this is not an array.
   std::optional<std::uint32_t> array();
-  /// A number of any kind, or a truth value as 0 or 1; NaN where it is one. Nothing: this is none of them.
+  /// A number of any type, or a Boolean as 0 or 1; may be NaN. Returns nothing for other types.
   std::optional<float> number();
-  /// Valid as long as the bytes are. Nothing: this is no text.
+  /// Valid as long as the bytes. Returns nothing if this is not a text.
   std::optional<std::string_view> text();
-  /// Leaves out one value, whatever it is. False: there is none.
+  /// Skips one value of any type. Returns false if no value is left.
   bool skip();
 
   std::span<const std::byte> rest() const { return rest_; }

@@ -37,8 +37,8 @@ class SensorReader {
   std::optional<RobotIdentity> robot_;
 };
 
-/// The same the other way round, for whoever stands in for a robot: 896 bytes, as a robot sends them. Returns how many
-/// bytes it takes; more than the buffer has: it did not fit.
+/// The inverse, for a simulated robot: 896 bytes, as a robot sends them. Returns the number of bytes; more than the
+/// buffer's size means that it did not fit.
 std::size_t write_sensor_packet(const Measurement& measurement, const RobotIdentity& robot,
                                 std::span<std::byte> buffer);
 

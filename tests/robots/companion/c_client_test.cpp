@@ -48,7 +48,7 @@ class CClient : public ::testing::Test {
     return observation;
   }
 
-  /// The next frame, with the robot `x` metres further than at the beginning.
+  /// The next frame, with the robot `x` meters further than at the beginning.
   bool send(double x = 0.0, std::uint32_t has = 0) {
     reorient_frame frame{};
     reorient_image_begin(&client_, 0);
@@ -90,7 +90,7 @@ class CClient : public ::testing::Test {
   reorient_client client_{};
 };
 
-TEST_F(CClient, TakesAToldPoseAlongUntilSomebodyIsThere) {
+TEST_F(CClient, MovesAnInitialPoseWithTheOdometryUntilAServerListens) {
   EXPECT_FALSE(send(0.0, REORIENT_HAS_TOLD_POSE));
   EXPECT_FALSE(send(0.25));
   EXPECT_FALSE(send(0.5, REORIENT_OTHER_HALF));
@@ -102,7 +102,7 @@ TEST_F(CClient, TakesAToldPoseAlongUntilSomebodyIsThere) {
   const Pose2 expected = reflect(Pose2(-1.5, 1.0, 0.0));
   EXPECT_NEAR((told.pose.position - expected.position).norm(), 0.0, 1e-9) << told.pose.position.transpose();
   EXPECT_NEAR(angle_difference(told.pose.rotation, expected.rotation), 0.0, 1e-9);
-  EXPECT_NEAR(told.position_deviation, 0.15, 1e-9) << "a tenth of half a metre";
+  EXPECT_NEAR(told.position_deviation, 0.15, 1e-9) << "a tenth of half a meter";
   EXPECT_TRUE(send(0.5, REORIENT_OTHER_HALF));
   observation = observed();
   ASSERT_TRUE(observation);
@@ -124,7 +124,7 @@ TEST_F(CClient, DescribesALensBehindItsHello) {
   EXPECT_EQ(observation->upper->camera.k2, -0.004);
 }
 
-TEST_F(CClient, ForgetsAToldPoseOfWhichNobodyCanBeSureAnyMore) {
+TEST_F(CClient, DropsAnInitialPoseThatBecameTooUncertain) {
   EXPECT_FALSE(send(0.0, REORIENT_HAS_TOLD_POSE));
   EXPECT_FALSE(send(30.0));
   begin_companion();
@@ -145,7 +145,7 @@ TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
   ASSERT_TRUE(observation && observation->external.initial_pose);
   answer();
   EXPECT_TRUE(heard(REORIENT_ANSWER));
-  // It was heard, but whether it is on the disk nobody knows: one that is killed now tells the next one nothing of it.
+  // The server received it, but may not have saved it: if it is killed now, the next one does not know it.
   const auto restart = [&] {
     companion_.reset();
     EXPECT_FALSE(heard(REORIENT_ANSWER));
@@ -248,11 +248,11 @@ TEST_F(CClient, LeavesABrokenConnectionWithTheNextFrame) {
   EXPECT_TRUE(observed());
 }
 
-TEST_F(CClient, ConnectsToNobodyElsesCompanion) {
+TEST_F(CClient, DoesNotConnectToAnotherUsersCompanion) {
   begin_companion();
   EXPECT_TRUE(send());
   reorient_disconnect(&client_);
-  if (geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
+  if (geteuid() != 0) GTEST_SKIP() << "only root can change its user";
   ASSERT_EQ(chmod(folder_.path().c_str(), 0777), 0);
   ASSERT_EQ(chmod(path().c_str(), 0777), 0);
   companion_.reset();

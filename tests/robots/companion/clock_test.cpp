@@ -18,15 +18,15 @@ TEST(ClientClock, BeginsAtZeroWhateverTheClientsClockShows) {
   EXPECT_NEAR(second->odometry.rotation, 0.5, 1e-12);
 }
 
-TEST(ClientClock, GoesOnWithAClientWhoseProcessHasBegunAnew) {
+TEST(ClientClock, ContinuesAfterTheClientsProcessRestarted) {
   ClientClock clock;
   clock.advance(1, 100.0, Pose2(), 0.0);
   clock.advance(1, 101.0, Pose2(2.0, 0.0, 0.0), 1.0);
-  const auto anew = clock.advance(2, 5.0, Pose2(0.0, 0.0, 0.0), 3.0);
-  ASSERT_TRUE(anew);
+  const auto restarted = clock.advance(2, 5.0, Pose2(0.0, 0.0, 0.0), 3.0);
+  ASSERT_TRUE(restarted);
   EXPECT_TRUE(clock.restarted());
-  EXPECT_NEAR(anew->time, 4.0, 1e-9) << "a second, and three of silence";
-  EXPECT_NEAR(anew->odometry.position.x(), 2.0, 1e-12) << "its odometry began at zero, ours goes on";
+  EXPECT_NEAR(restarted->time, 4.0, 1e-9) << "a second, and three of silence";
+  EXPECT_NEAR(restarted->odometry.position.x(), 2.0, 1e-12) << "its odometry began at zero, ours goes on";
   const auto next = clock.advance(2, 5.1, Pose2(0.5, 0.0, 0.0), 0.1);
   EXPECT_FALSE(clock.restarted());
   EXPECT_NEAR(next->odometry.position.x(), 2.5, 1e-12);

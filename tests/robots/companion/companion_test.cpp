@@ -176,7 +176,7 @@ TEST_F(CompanionTest, RepeatsACommandUntilItIsDone) {
   static_cast<void>(observed());
   client = greeted(small_hello(7, REORIENT_OWN_LOCALIZATION));
   EXPECT_EQ(exchange(nothing, 1).command, 3u);
-  // A process that begins anew has another belief: nobody knows whether that one needs it.
+  // A restarted process has a new belief, which may not need the command.
   client.end();
   static_cast<void>(observed());
   client = greeted(small_hello(8, REORIENT_OWN_LOCALIZATION));
@@ -243,7 +243,7 @@ TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
   EXPECT_FALSE(observed());
   EXPECT_TRUE(changes_sides(REORIENT_OTHER_HALF)) << "two frames were lost, and half-time with neither";
   EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF));
-  // A companion that was killed, and goes on from what was known before half-time.
+  // A companion that was killed, and continues from the state before half-time.
   companion_.reset();
   companion_.emplace(options());
   ByteReader{before}(*companion_);
@@ -331,7 +331,7 @@ TEST_F(CompanionTest, ForgetsAToldPoseWithTheProcessThatWasToldIt) {
   EXPECT_FALSE(observation->external.initial_pose);
 }
 
-TEST_F(CompanionTest, AsksAProcessThatBeganAnewForNothingEvenWhereItsFirstFrameIsLost) {
+TEST_F(CompanionTest, WithdrawsCommandsFromARestartedClientEvenIfItsFirstFrameIsLost) {
   RawClient client = greeted(small_hello(7, REORIENT_OWN_LOCALIZATION));
   client.send_frame(1.0, 1);
   ASSERT_TRUE(observed());
@@ -458,7 +458,7 @@ TEST_F(CompanionTest, LeavesFramesOutWhoseNumbersMakeNoSense) {
   EXPECT_EQ(companion_->counts().unusable, 8u);
 }
 
-TEST_F(CompanionTest, TellsAClientThatIsNoneWhyItEndsTheConnection) {
+TEST_F(CompanionTest, RefusesInvalidMessagesWithTheReason) {
   const auto refusal_of = [&](auto say) {
     RawClient client = greeted();
     say(client);
@@ -584,7 +584,7 @@ TEST_F(CompanionTest, EndsWhereTheNextClientIsAnotherRobot) {
   EXPECT_TRUE(observed()) << "the frame has waited for its engine";
 }
 
-TEST_F(CompanionTest, GoesOnWithItsRobotAfterAnotherOneThatOnlySaidHello) {
+TEST_F(CompanionTest, ContinuesWithItsRobotAfterAnotherOneThatSentOnlyAHello) {
   RawClient client = greeted();
   client.end();
   {
@@ -623,7 +623,7 @@ TEST_F(CompanionTest, TellsStatesAtFirstAndWheneverTheyChange) {
   EXPECT_EQ(states().size(), 1u) << "a new client knows nothing";
 }
 
-TEST_F(CompanionTest, CarriesWordsToTheTeamOnceAndOnlyWhileSomebodyIsThere) {
+TEST_F(CompanionTest, SendsMessagesToTheTeamOnceAndOnlyWhileAClientIsConnected) {
   RawClient client = greeted();
   const auto words = [&] {
     std::vector<std::string> told;
@@ -714,7 +714,7 @@ TEST_F(CompanionTest, IsAloneWhereManyBeginAtOnce) {
   }
 }
 
-TEST_F(CompanionTest, LeavesTheSocketOfWhoeverListensThereByNow) {
+TEST_F(CompanionTest, DoesNotRemoveTheSocketOfAnotherProcess) {
   std::filesystem::remove(folder_.path() / "socket");
   const Companion other(options());
   companion_.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page says byte for byte what the header says: its tables are made from the header's text.
+// Compares the tables of docs/companion.md with the header: they are generated from the header's text.
 #include <cstdlib>
 #include <fstream>
 #include <regex>
@@ -45,7 +45,7 @@ Kind kind_of(const std::string& type) {
   for (const auto& [known, kind] : kinds) {
     if (type == known) return kind;
   }
-  ADD_FAILURE() << "a type that the page cannot tell: " << type;
+  ADD_FAILURE() << "unknown type in the header: " << type;
   return {"?", 1};
 }
 
@@ -82,7 +82,7 @@ std::string table_of(const std::string& header, const std::string& structure) {
   return table.str();
 }
 
-TEST(ProtocolPage, SaysByteForByteWhatTheHeaderSays) {
+TEST(ProtocolPage, MatchesTheHeaderByteForByte) {
   const std::string header = text_of_file(kHeader);
   std::string page = text_of_file(kPage);
   const std::regex block(R"(<!-- struct (\w+) -->\n([\s\S]*?)<!-- end of struct -->)");
@@ -98,7 +98,7 @@ TEST(ProtocolPage, SaysByteForByteWhatTheHeaderSays) {
   EXPECT_EQ(tables, 18) << "each structure has its table";
   if (std::getenv("REORIENT_REGENERATE") != nullptr) std::ofstream(kPage) << made;
   EXPECT_EQ(made, std::getenv("REORIENT_REGENERATE") != nullptr ? made : page)
-      << "REORIENT_REGENERATE=1 makes the tables anew";
+      << "REORIENT_REGENERATE=1 generates the tables";
 }
 
 TEST(ProtocolPage, HasTheSizesThatTheHeaderIsCompiledWith) {

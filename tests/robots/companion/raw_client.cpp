@@ -116,10 +116,10 @@ void RawClient::introduce(const reorient_hello& hello) {
   send(REORIENT_MEMORY, reorient_memory{0, slot_size_}, memory_.get());
 }
 
-std::uint64_t RawClient::paint(std::uint8_t grey) {
+std::uint64_t RawClient::paint(std::uint8_t gray) {
   sequence_ += 2;
   std::byte* const slot = slots_.get() + sequence_ / 2 % REORIENT_SLOTS * slot_size_;
-  std::memset(slot + REORIENT_SLOT_HEADER, grey, 64 * 64);
+  std::memset(slot + REORIENT_SLOT_HEADER, gray, 64 * 64);
   std::memcpy(slot, &sequence_, sizeof(sequence_));
   return sequence_;
 }

@@ -40,8 +40,8 @@ class RawClient {
   }
   /// Says hello and hands memory over.
   void introduce(const reorient_hello& hello);
-  /// Writes a picture of one grey into the next slot, and gives its number.
-  std::uint64_t paint(std::uint8_t grey);
+  /// Writes a picture of one gray into the next slot, and gives its number.
+  std::uint64_t paint(std::uint8_t gray);
   bool send_frame(double time, std::uint64_t number);
 
   struct Heard {

@@ -72,7 +72,7 @@ TEST_F(BodyHistoryTest, GoesWhereAWalkSaysAndTurnsAsTheInertialUnitSays) {
   EXPECT_LT(moment->odometry.position.y(), history_.newest()->odometry.position.y());
 }
 
-TEST_F(BodyHistoryTest, DoesNotJumpWhereAWalkBeginsAnewOrSaysNonsense) {
+TEST_F(BodyHistoryTest, DoesNotJumpIfAWalkRestartsOrReportsInvalidValues) {
   walks_ = true;
   feel(1.0);
   walked_ = {5.0f, -3.0f, 2.0f};

@@ -168,7 +168,7 @@ TEST_F(GuardTest, NeitherStandsUpNorSitsDownInClearlyTiltedHands) {
   body_.tilt(0.0f, 0.4f);
   engine_lives_ = false;
   run(3.0);
-  EXPECT_EQ(guard_.state(), GuardState::standing) << "somebody holds it";
+  EXPECT_EQ(guard_.state(), GuardState::standing) << "an operator holds it";
   body_.tilt(0.0f, 0.0f);
   run(3.0);
   EXPECT_EQ(guard_.state(), GuardState::sitting);
@@ -345,7 +345,7 @@ TEST_F(GuardTest, SitsDownAndLetsGoBeforeItEnds) {
   EXPECT_EQ(body_.falls(), 0);
 }
 
-TEST_F(GuardTest, LetsGoInTheHandsOfWhoeverEndsItWhileItIsTilted) {
+TEST_F(GuardTest, BecomesSoftIfItIsTiltedWhenTheGuardIsStopped) {
   stand();
   body_.tilt(0.4f, 0.0f);
   guard_.finish();
@@ -357,7 +357,7 @@ TEST_F(GuardTest, LetsGoInTheHandsOfWhoeverEndsItWhileItIsTilted) {
   EXPECT_TRUE(body_.is_soft());
 }
 
-TEST_F(GuardTest, LetsGoOfTheHeadAsWellWhereNobodyAsks) {
+TEST_F(GuardTest, MakesTheHeadSoftWithoutRequests) {
   stand();
   engine_lives_ = false;
   run(5.0);
@@ -373,7 +373,7 @@ TEST_F(GuardTest, LetsGoOfTheHeadAsWellWhereNobodyAsks) {
   EXPECT_NEAR(body_.measurement().position[kHeadYaw], 0.5f, 0.01f) << "it is back";
 }
 
-TEST_F(GuardTest, ShowsThatNobodyAsks) {
+TEST_F(GuardTest, ShowsThatRequestsAreMissing) {
   stand();
   engine_lives_ = false;
   run(0.5);

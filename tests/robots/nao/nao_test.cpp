@@ -36,7 +36,7 @@ class WrittenReferee : public RefereePort {
     waiting.pop_front();
     return now;
   }
-  void heed() override { ++heeded; }
+  void accept_sender() override { ++accepted; }
   void answer(std::span<const std::byte> datagram) override { answers.emplace_back(datagram.begin(), datagram.end()); }
 
   void say(int state, int penalty) {
@@ -53,7 +53,7 @@ class WrittenReferee : public RefereePort {
   std::deque<std::vector<std::byte>> waiting;
   std::vector<std::byte> now;
   std::vector<std::vector<std::byte>> answers;
-  int heeded = 0;
+  int accepted = 0;
 };
 
 class NaoTest : public testing::Test {
@@ -200,10 +200,10 @@ TEST_F(NaoTest, HearsTheRefereeAndAnswersOnceASecond) {
   ASSERT_TRUE(nao_->observe(observation_));
   ASSERT_TRUE(observation_.external.referee);
   EXPECT_EQ(observation_.external.referee->state, GameState::playing);
-  EXPECT_EQ(referee_.heeded, 1);
+  EXPECT_EQ(referee_.accepted, 1);
   referee_.waiting.push_back({std::byte{'R'}, std::byte{'G'}, std::byte{'m'}, std::byte{'e'}});
   ASSERT_TRUE(nao_->observe(observation_));
-  EXPECT_EQ(referee_.heeded, 1) << "that one is about another game, or nothing";
+  EXPECT_EQ(referee_.accepted, 1) << "that one is about another game, or nothing";
   for (int i = 0; i < 8; ++i) {
     referee_.say(3, 4);
     ASSERT_TRUE(run(0.5));
@@ -212,7 +212,7 @@ TEST_F(NaoTest, HearsTheRefereeAndAnswersOnceASecond) {
   EXPECT_EQ(referee_.answers.front().size(), 32u);
 }
 
-TEST_F(NaoTest, StaysDownWithAnEmptyBatteryUntilSomebodyPressesTheButton) {
+TEST_F(NaoTest, StaysDownWithAnEmptyBatteryUntilTheButtonIsPressed) {
   begin();
   ASSERT_TRUE(run(8.0));
   world_.body().set_charge(0.04f);

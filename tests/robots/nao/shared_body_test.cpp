@@ -91,7 +91,7 @@ TEST_F(SharedBodyTest, HasOneEngineAndBesideItAWalk) {
   EXPECT_EQ(refusal(Side::engine), "") << "it has ended";
 }
 
-TEST_F(SharedBodyTest, OfANewGuardBeginsAnewUnderTheEnginesHands) {
+TEST_F(SharedBodyTest, OfANewGuardRestartsWhileAnEngineUsesIt) {
   auto first = std::make_unique<MappedBody>(file_, Side::guard);
   const MappedBody engine(file_, Side::engine);
   BodyRequest request;
@@ -158,7 +158,7 @@ TEST(SharedValue, IsReadWholeOrNotAtAll) {
   writer.join();
 }
 
-TEST(SharedValue, ThatNobodyEndedToWriteKeepsNobodyWaiting) {
+TEST(SharedValue, WithAnUnfinishedWriteDoesNotBlockReaders) {
   SharedValue<int> value;
   value.write(1);
   // As a writer that was stopped in the middle leaves it.

@@ -25,7 +25,7 @@ sockaddr_in address_of(const char* address, std::uint16_t port) {
   return all;
 }
 
-/// Somebody who speaks from an address.
+/// A sender with an address of its own.
 class Speaker {
  public:
   explicit Speaker(const char* address) : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
@@ -84,19 +84,19 @@ class UdpRefereeTest : public testing::Test {
   UdpReferee referee_{port_, ours_.port(), [this] { return now_; }};
 };
 
-TEST_F(UdpRefereeTest, HearsEverybodyUntilOneIsHeededAndThenThatOneAlone) {
+TEST_F(UdpRefereeTest, ReceivesFromEachSenderUntilOneIsAccepted) {
   others_.say("RGme, of another field", port_);
   EXPECT_EQ(await_heard(), "RGme, of another field");
   ours_.say("RGme, of ours", port_);
   EXPECT_EQ(await_heard(), "RGme, of ours") << "the first is ignored";
-  referee_.heed();
+  referee_.accept_sender();
   others_.say("RGme, of another field", port_);
   EXPECT_EQ(hear(), "");
   now_ += 9.0;
   others_.say("RGme, of another field", port_);
   ours_.say("RGme, again", port_);
   EXPECT_EQ(await_heard(), "RGme, again");
-  referee_.heed();
+  referee_.accept_sender();
   now_ += 11.0;
   others_.say("RGme, another machine", port_);
   EXPECT_EQ(await_heard(), "RGme, another machine") << "ours is silent";

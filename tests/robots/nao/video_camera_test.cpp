@@ -139,7 +139,7 @@ TEST_F(VideoCameraTest, LeavesAnExposureThatIsShortEnough) {
   EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_AUTO), static_cast<int>(V4L2_EXPOSURE_AUTO));
 }
 
-TEST_F(VideoCameraTest, KeepsAFixedExposureWhereItIsBegunAnew) {
+TEST_F(VideoCameraTest, KeepsAFixedExposureAfterARestart) {
   begin();
   camera_->look(now_);
   device_.drift(V4L2_CID_EXPOSURE_ABSOLUTE, 4000);
@@ -196,7 +196,7 @@ TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
   EXPECT_EQ(camera.descriptor(), -1);
   device.hanging_request = 0;
   ASSERT_TRUE(look_until([&] { return camera.state() == VideoState::settling; }));
-  // its colours are locked,
+  // its colors are locked,
   device.hanging_request = UVCIOC_CTRL_QUERY;
   now_ += 0.4;
   device.expose(picture(10), now_ - 0.01);
@@ -221,7 +221,7 @@ TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
   now_ += 5.0;
   EXPECT_FALSE(camera.look(now_)) << "it is not opened while it is being closed";
   device.hanging_request = 0;
-  ASSERT_TRUE(look_until([&] { return now_ += 0.01, camera.state() == VideoState::running; })) << "with its colours";
+  ASSERT_TRUE(look_until([&] { return now_ += 0.01, camera.state() == VideoState::running; })) << "with its colors";
   EXPECT_EQ(device.opened(), 2);
 }
 
@@ -234,7 +234,7 @@ TEST_F(VideoCameraTest, WaitsForACameraThatIsNotThereYet) {
   EXPECT_GT(images_in(2.0), 25);
 }
 
-TEST_F(VideoCameraTest, BeginsAnewWhereItWasUnplugged) {
+TEST_F(VideoCameraTest, RestartsAfterItWasUnplugged) {
   begin();
   EXPECT_GT(images_in(1.0), 25);
   device_.is_plugged = false;
@@ -246,7 +246,7 @@ TEST_F(VideoCameraTest, BeginsAnewWhereItWasUnplugged) {
   EXPECT_EQ(camera_->counts().restarts, 1u);
 }
 
-TEST_F(VideoCameraTest, KeepsTheColorsThatItHasFoundWhereItIsBegunAnew) {
+TEST_F(VideoCameraTest, KeepsItsColorGainsAfterARestart) {
   begin();
   images_in(0.1);
   for (int i = 0; i < 6; ++i) device_.set_register(0x3400 + i, 100 + i);
@@ -262,7 +262,7 @@ TEST_F(VideoCameraTest, KeepsTheColorsThatItHasFoundWhereItIsBegunAnew) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(device_.registers().at(0x3400 + i), 100 + i);
 }
 
-TEST_F(VideoCameraTest, BeginsAnewWhereNoImageComesAnyMore) {
+TEST_F(VideoCameraTest, RestartsIfNoImageArrives) {
   begin();
   images_in(1.0);
   for (int i = 0; i < 20; ++i) camera_->look(now_ += kPeriod);
