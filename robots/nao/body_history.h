@@ -25,7 +25,7 @@ class BodyHistory {
 
   /// Nothing: the body was not felt at that time or less than kGap before it.
   std::optional<Moment> at(double time) const;
-  /// Nothing: there is none.
+  /// Returns nothing if none exists.
   std::optional<Moment> newest() const;
 
   static constexpr double kGap = 0.1;  // s

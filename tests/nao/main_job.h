@@ -64,7 +64,7 @@ inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t s
   return scenario.record().verdict;
 }
 
-/// It stands before the scenario begins: somebody has pressed its button.
+/// The robot stands before the scenario begins, as after a press of its button.
 inline bool stand_up(nao::Nao& nao) {
   Observation observation;
   while (nao.guard().state != nao::GuardState::standing) {

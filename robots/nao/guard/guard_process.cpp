@@ -49,7 +49,7 @@ class Socket {
     if (socket_ >= 0) close(socket_);
     socket_ = -1;
   }
-  /// False: nobody listens there.
+  /// Returns false if no process listens there.
   bool connect(const sockaddr_un& address) {
     hang_up();
     socket_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);

@@ -16,7 +16,7 @@ struct Lights {
   };
   static constexpr std::size_t kEye = 8;  ///< in a ring
   std::array<Color, kEye> left_eye{};     ///< from 45 degrees on, falling: 45, 0, 315, 270, 225, 180, 135, 90
-  std::array<Color, kEye> right_eye{};    ///< from 0 on, rising
+  std::array<Color, kEye> right_eye{};    ///< in ascending order from index 0
   std::array<float, 10> left_ear{};       ///< from 0 degrees on, rising by 36
   std::array<float, 10> right_ear{};      ///< from 324 on, falling
   Color chest, left_foot, right_foot;

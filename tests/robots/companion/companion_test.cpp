@@ -634,7 +634,7 @@ TEST_F(CompanionTest, SendsMessagesToTheTeamOnceAndOnlyWhileAClientIsConnected) 
     return told;
   };
   Answer answer;
-  answer.messages = {"I turned round", std::string(240, 'x')};
+  answer.messages = {"I flipped", std::string(240, 'x')};
   for (int i = 0; i < 200; ++i) companion_->tell_note(NoteKind::log, "a flood");
   companion_->answer(answer);
   EXPECT_EQ(words(), answer.messages);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clients that break, in simulated time: whatever one does, nobody hangs, nothing crashes, and the next one is served.
+// Clients that break, in simulated time: whatever a client does, the companion neither blocks nor crashes, and serves
+// the next.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -131,7 +132,7 @@ class BrokenClients {
            const OwnedDescriptor memory = memory_of(3 * (REORIENT_SLOT_HEADER + 64 * 64), false);
            client().send(REORIENT_MEMORY, reorient_memory{0, REORIENT_SLOT_HEADER + 64 * 64}, memory.get());
          }},
-        {"descriptors that nobody asked for",
+        {"unrequested descriptors",
          [&] {
            const OwnedDescriptor memory = memory_of(64, true);
            RawClient& one = client();

@@ -62,7 +62,7 @@ TEST(Handshake, MayNameARobotAndAField) {
   EXPECT_FALSE(handshake.body.lower_camera) << "and so do the cameras that it has";
 }
 
-TEST(Handshake, OfTheSameRobotMayCalibrateAnew) {
+TEST(Handshake, OfTheSameRobotMayBringAnotherCalibration) {
   reorient_hello hello = small_hello(1);
   const Handshake one = read_handshake(bytes_of(hello), nobody_known());
   hello.client = 2;
@@ -81,7 +81,7 @@ TEST(Handshake, OfTheSameRobotMayCalibrateAnew) {
   EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
 }
 
-TEST(Handshake, WithAMistakeIsRefusedWithWhatIsWrong) {
+TEST(Handshake, WithAnErrorIsRefusedWithTheReason) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<std::function<void(reorient_hello&)>, const char*> mistakes[] = {
       {[](auto& hello) { hello.way = 0; }, "way is 0"},

@@ -30,7 +30,7 @@ class RawClient {
   bool is_connected() const { return static_cast<bool>(socket_); }
   void end() { socket_ = OwnedDescriptor(); }
 
-  /// False: it does not fit, or nobody listens any more.
+  /// Returns false if it does not fit or no process listens any more.
   bool send_bytes(std::span<const std::byte> bytes, int descriptor = -1);
   template <typename Message>
   bool send(std::uint16_t kind, const Message& message, int descriptor = -1) {

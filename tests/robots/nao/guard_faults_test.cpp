@@ -86,7 +86,7 @@ class Trouble {
           left_ = 100;
         });
       case 7:
-        return note("a number that is none", [&] {
+        return note("an invalid number", [&] {
           nan_in_ = static_cast<int>(below(12));
           left_ = 100;
         });
@@ -104,7 +104,7 @@ class Trouble {
         return note("noise", [&] {
           std::vector<std::byte> noise(1 + below(3000));
           for (std::byte& byte : noise) byte = static_cast<std::byte>(below(256));
-          // Whatever became of it, the stream is out of step until somebody hangs up; the robot does.
+          // Whatever became of it, the stream is out of step until one side disconnects; the robot does.
           static_cast<void>(feed(noise));
           disconnect();
           reconnect();

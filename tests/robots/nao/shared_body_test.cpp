@@ -91,7 +91,7 @@ TEST_F(SharedBodyTest, HasOneEngineAndBesideItAWalk) {
   EXPECT_EQ(refusal(Side::engine), "") << "it has ended";
 }
 
-TEST_F(SharedBodyTest, OfANewGuardRestartsWhileAnEngineUsesIt) {
+TEST_F(SharedBodyTest, OfARestartedGuardServesARunningEngine) {
   auto first = std::make_unique<MappedBody>(file_, Side::guard);
   const MappedBody engine(file_, Side::engine);
   BodyRequest request;

@@ -33,7 +33,7 @@ class LolaServer {
   LolaServer& operator=(const LolaServer&) = delete;
 
   bool has_client() const { return client_ >= 0; }
-  /// True: somebody new has come.
+  /// Returns true if a new client has connected.
   bool welcome();
   void hang_up();
 

@@ -18,7 +18,7 @@ class TwinBody {
   /// What holds from now on. Noted: a stiff joint told to go further from one command to the next than its
   /// motor could in a cycle, out of its range, or the head against the shoulders.
   void take(const Command& command);
-  /// Somebody new is connected: the first command starts from where the joints are, not from what was told before.
+  /// A new client is connected: the first command starts from the present joint angles, not from earlier commands.
   void meet() { goes_on_ = false; }
   /// One cycle of 12 ms.
   void step();
@@ -27,7 +27,7 @@ class TwinBody {
   Measurement measurement() const;
   const RobotIdentity& identity() const { return identity_; }
 
-  /// Where its head is, where somebody else knows better.
+  /// Sets the head angles from outside.
   void set_head(float yaw, float pitch) {
     position_[kHeadYaw] = yaw;
     position_[kHeadPitch] = pitch;
@@ -38,7 +38,7 @@ class TwinBody {
   void pick_up_and_put_down();      ///< one that lies, on its feet, as soft as it is
   void tilt(float roll, float pitch) {
     held_roll_ = roll, held_pitch_ = pitch;
-  }  ///< in somebody's hands, or back to (0, 0)
+  }  ///< in the operator's hands, or back to (0, 0)
   void press_chest(bool pressed) { chest_ = pressed; }
   void set_status(float status) { status_ = status; }
   void set_charge(float charge) { charge_ = charge; }
