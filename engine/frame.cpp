@@ -111,8 +111,7 @@ void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {
   record_.inputs.initial_pose = initial;
   if (repeated_pose_.note_set(initial.pose, world().pose.pose, world().time, parameters_.repeated_pose) && room_) {
     room_->turn_half();
-    record_.logs.push_back(
-        {0, 0, "a set pose undoes a flip: the learned room is rotated by 180 degrees", 0, true});
+    record_.logs.push_back({0, 0, "a set pose undoes a flip: the learned room is rotated by 180 degrees", 0, true});
   }
   // It is newer than the last belief of the external localization.
   if (!has_external_belief) carried_.external.in_use = false;

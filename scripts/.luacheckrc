@@ -1,5 +1,5 @@
 -- For luacheck. Generated from the declarations that make the bindings; do not edit.
--- `REORIENT_REGENERATE=1 ./test` writes it anew.
+-- `REORIENT_REGENERATE=1 ./test` regenerates it.
 local function fields(...)
   local known = {}
   for _, name in ipairs { ... } do known[name] = {} end

@@ -20,7 +20,7 @@ SavedModel read_model_file(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(status)) throw std::runtime_error("it is a folder");
   if (!std::filesystem::is_regular_file(status)) throw std::runtime_error("it is no plain file");
   // Do not read a large file such as a video to find that it is not a model.
-  if (std::filesystem::file_size(file, error) > kLongestModel) throw std::runtime_error("it is no model of a room");
+  if (std::filesystem::file_size(file, error) > kLongestModel) throw std::runtime_error("it is not a model of a room");
   const std::optional<std::string> bytes = read_whole_file(file);
   if (!bytes) throw std::runtime_error("it cannot be read");
   return read_model(std::as_bytes(std::span(*bytes)));

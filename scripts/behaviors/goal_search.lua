@@ -15,7 +15,7 @@ param {
                 doc = "the same directly after a disturbance, when the normal scan of the head is often enough" },
   timeout   = { 20.0, range = { 1, 120 },  unit = "s", doc = "longest time of a search" },
   dwell     = { 1.0,  range = { 0, 10 },   unit = "s", doc = "time to look at one goal" },
-  reach_timeout = { 8.0, range = { 0.5, 60 }, unit = "s", doc = "time after which to try the other goal if the head cannot reach the first one" },
+  reach_timeout = { 8.0, range = { 0.5, 60 }, unit = "s", doc = "time after which to try the other goal if the head cannot reach it" },
 }
 
 local memory = keep { looks = 0, is_there = false, saw_posts = false }   -- of this search; is_there: the head, now
@@ -65,7 +65,7 @@ behavior "goal_search" {
   },
 
   state "put down" {
-    { "searching", when = is_unsure, lasting = "unsure_time_after_disturbance", because = "the room supports neither pose since the disturbance" },
+    { "searching", when = is_unsure, lasting = "unsure_time_after_disturbance", because = "no pose is supported since the disturbance" },
     { "resting",
       when = function() return is_sure() and confidence.status ~= "fresh" end,
       lasting = "unsure_time_after_disturbance", because = "the room supports one pose, or cannot distinguish them" },

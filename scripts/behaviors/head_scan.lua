@@ -9,7 +9,7 @@ local p = param {
   speed       = { 1.0,  range = { 0.1, 5.0 },    unit = "rad/s", doc = "how fast to turn the head" },
   wall_pitch  = { -0.1, range = { -0.6, 0.5 },   unit = "rad",   doc = "pitch of the head while looking at the walls" },
   field_pitch = { 0.25, range = { -0.6, 0.5 },   unit = "rad",   doc = "pitch of the head while looking at the field" },
-  line_search = { 15.0, range = { 0, 600 },      unit = "s",     doc = "longest time to look only at the lines while the position is unknown" },
+  line_search = { 15.0, range = { 0, 600 },      unit = "s",     doc = "longest time to look at lines only while the position is unknown" },
   timeout     = { 4.0,  range = { 0.5, 20.0 },   unit = "s",     doc = "time after which to turn back even if a side was not reached" },
 }
 

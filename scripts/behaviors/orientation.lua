@@ -12,7 +12,7 @@ local p = param {
   hold_time  = { 0.2,  range = { 0, 10 }, unit = "s", doc = "time for which the evidence must exceed the threshold" },
   min_time   = { 3.0,  range = { 0, 30 }, unit = "s", doc = "waiting time after a command until its effect shows" },
   lingering  = { 0.1,  range = { 0, 1 },              doc = "fraction of reflected pose particles that causes a purge" },
-  settling   = { 5.0,  range = { 0, 60 }, unit = "s", doc = "time after the first known tiles during which lines and posts may still correct the belief" },
+  settling   = { 5.0,  range = { 0, 60 }, unit = "s", doc = "time after the first known tiles in which lines may correct the belief" },
   taken_back = { 0.05, range = { 0, 1 },              doc = "largest relative decrease of the evidence during settling" },
 }
 

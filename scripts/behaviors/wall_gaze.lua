@@ -44,7 +44,7 @@ behavior "wall_gaze" {
   state "looking" {
     enter = function() memory.yaw = views.best_yaw end,
     update = function() head.look(memory.yaw, p.pitch, p.speed) end,
-    { "resting", when = function() return not is_in_doubt() end, because = "the orientation is confirmed, or the room cannot distinguish the poses" },
+    { "resting", when = function() return not is_in_doubt() end, because = "the orientation is confirmed, or the room has no evidence" },
     { "looking", when = is_there, lasting = "dwell", because = "the view was held long enough" },
     { "looking", after = "timeout", because = "the head cannot reach the view" },
   },

@@ -5,8 +5,8 @@
 local p = param {
   speed    = { 1.0, range = { 0, 2 },                   doc = "forward speed as a fraction of robot.cruise" },
   turn     = { 0.6, range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn" },
-  near     = { 0.3, range = { 0, 2 },   unit = "m",     doc = "distance below which the robot walks slower and without turning to the target" },
-  aligned  = { 0.4, range = { 0, 3.2 }, unit = "rad",   doc = "largest bearing at which the robot walks while turning; above it turns on the spot" },
+  near     = { 0.3, range = { 0, 2 },   unit = "m",     doc = "distance below which it walks slower and does not turn to the target" },
+  aligned  = { 0.4, range = { 0, 3.2 }, unit = "rad",   doc = "largest bearing at which it walks while turning; above, it turns in place" },
   distance = { 0.1, range = { 0, 1 },   unit = "m",     doc = "distance at which the robot counts as arrived" },
   angle    = { 0.1, range = { 0, 3.2 }, unit = "rad",   doc = "error of direction at which the robot counts as arrived" },
 }

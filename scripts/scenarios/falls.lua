@@ -9,7 +9,7 @@ local p = param {
   duration = { 600.0, range = { 1, 36000 }, unit = "s", doc = "duration of the run; above 600 s also set --seconds" },
   falls    = { 2,     range = { 0, 100 }, integer = true, doc = "number of times the robot is pushed over, at about equal intervals" },
   told     = { true,  doc = "whether the initial pose is set; otherwise the robot stands anywhere" },
-  margin   = { 0.5,   range = { 0, 3 }, unit = "m", doc = "smallest distance from the lines at which the robot is placed without an initial pose" },
+  margin   = { 0.5,   range = { 0, 3 }, unit = "m", doc = "smallest distance from the lines at which it is placed without a pose" },
 }
 
 local memory = keep { falls = 0, next_fall = 0.0 }

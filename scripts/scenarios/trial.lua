@@ -20,7 +20,7 @@ local p = param {
   side    = { "own", choices = { "own", "opponent" }, doc = "half of the field beside which the robot starts" },
   learn   = { 40.0,  range = { 0, 600 },   unit = "s", doc = "time for which the robot learns the room" },
   wait_least = { 0.0, range = { 0, 600 },  unit = "s", doc = "shortest time after learning before the event" },
-  wait_most  = { 0.0, range = { 0, 600 },  unit = "s", doc = "longest time after learning before the event; the seed chooses between both" },
+  wait_most  = { 0.0, range = { 0, 600 },  unit = "s", doc = "longest time after learning before the event; the seed chooses" },
   carry   = { 1.5,   range = { 0.2, 30 },  unit = "s", doc = "time for which the robot is lifted" },
   penalty = { 10.0,  range = { 0.5, 120 }, unit = "s", doc = "duration of the penalty" },
   margin  = { 0.5,   range = { 0, 3 },     unit = "m", doc = "smallest distance from the lines at which a kidnapped robot is placed" },

@@ -246,7 +246,7 @@ for what, world in pairs {
     expect.state("kidnap_recovery", "searching/with its belief")
     advance(1)
     expect.state("kidnap_recovery", "lost")
-    expect.reason("kidnap_recovery", "the room cannot distinguish the poses")
+    expect.reason("kidnap_recovery", "the room cannot tell the poses apart")
     advance(60)
     expect.no_command()
     expect.lease("pause_training")

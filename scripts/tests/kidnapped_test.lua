@@ -40,7 +40,7 @@ test("succeeds when the robot stands on the right mark", function()
   set_truth(-3.1, 0.1, 0)
   set_belief(-3.2, 0, 0)
   advance(1)
-  expect.verdict(true, "walked to the right mark")
+  expect.verdict(true, "walked to the correct mark")
 end)
 
 test("fails when the robot believes that it stands on a mark, and says how far off it is", function()

@@ -33,7 +33,7 @@ end)
 
 test("a robot that knows its room keeps its belief when the teams change sides", function()
   local is_right = simulate { scenario = "half_time", seed = 1 }
-  expect.verdict(true, "knows its place on the other side")
+  expect.verdict(true, "knows its position after the change of sides")
   expect.no_command("flip_pose")
   expect.equal(is_right, true)
 end)

@@ -19,7 +19,7 @@ test("leaves the head to the scan while the room has told enough", function()
   end
 end)
 
-test("leaves it if the room cannot distinguish the poses", function()
+test("leaves it if the room cannot tell the poses apart", function()
   in_doubt()
   for _, status in ipairs { "off", "resting", "unlearned", "symmetric", "lost" } do
     set_world { confidence = { status = status } }
@@ -33,7 +33,7 @@ test("leaves it where there is nothing to see", function()
   set_world { views = { best_score = 0 } }
   advance(0.5)
   expect.state("wall_gaze", "resting")
-  expect.reason("wall_gaze", "the orientation is confirmed, or the room cannot distinguish the poses")
+  expect.reason("wall_gaze", "the orientation is confirmed, or the room has no evidence")
 end)
 
 test("looks where the walls tell most, and then at the next such place", function()

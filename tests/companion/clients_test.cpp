@@ -267,7 +267,7 @@ TEST_F(CompanionClient, GetsOneLineForOptionsThatTheCompanionDoesNotUse) {
       {{"run", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
       {{"run", "--fresh"}, "--fresh: used by --robot companion only"},
       {{"run", "--robot", "companion", "--socket", folder_.write("file", "x").string()},
-       "there is a file of this name"},
+       "expected a socket or no file, found another file"},
       {{"run", "--robot", "companion", "--socket", socket(), "--state", "/nowhere/state"}, "--state"},
       {{"run", "--robot", "unicorn"}, "--robot"},
       {{"run", "--robot", "companion", "--socket", socket(), "--behaviors", "orientatoin"}, "orientatoin"},

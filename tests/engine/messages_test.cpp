@@ -54,11 +54,11 @@ TEST(Messages, ThatDoNotFitAreRefused) {
   const struct {
     const char* text;
     const char* refusal;
-  } cases[] = {{"string.rep('x', 241)", "at most 240 bytes, this one has 241"}, {"'a\\0b'", "zero byte"}};
+  } cases[] = {{"string.rep('x', 241)", "message has 241 bytes (expected at most 240)"}, {"'a\\0b'", "zero byte"}};
   for (const auto& [text, refusal] : cases) {
     HandFedLoop loop(std::string("behavior \"tested\" { update = function() team.send(") + text + ") end }");
     ASSERT_FALSE(loop.step().faults.empty()) << text;
-    EXPECT_NE(loop.record().faults[0].fault.message.find(refusal), std::string::npos);
+    EXPECT_NE(loop.record().faults[0].fault.message.find(refusal), std::string::npos) << refusal;
     EXPECT_TRUE(loop.record().answer.messages.empty());
   }
 }

@@ -30,12 +30,12 @@ class NaoProcesses : public ::testing::Test {
 TEST_F(NaoProcesses, GetOneLineForOptionsThatANaoDoesNotUse) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao plays no scenario"},
-      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: only the simulator heeds it"},
-      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: only --robot companion heeds it"},
+      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: used by the simulator only"},
+      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
       {{"run", "--robot", "nao", "--width", "160"}, "(expected 320 or 640 pixels for a NAO)"},
-      {{"run", "--robot", "nao", "--at", "1,2"}, "a place is X,Y,DEGREES"},
-      {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "a place is X,Y,DEGREES"},
-      {{"run", "--robot", "nao", "--at", "nan,0,0"}, "a place is X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "1,2"}, "expected X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "expected X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "nan,0,0"}, "expected X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--team", "255"}, "--team"},
       {{"run", "--robot", "nao", "--guard", folder_.write("other", "x").string()}, "of another version of the guard"},
       {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string()},

@@ -286,8 +286,9 @@ TEST_F(CommandsTest, AScenarioChoosesWhereItTakesPlaceUnlessTheCommandLineDoes) 
   EXPECT_EQ(refused.code, kBadInput);
   EXPECT_NE(refused.err.find("scripts/rooms/gone.hdr' does not exist"), std::string::npos) << refused.err;
   write("room = \"rooms/gone.hdr\", hall_seed = 2,");
-  EXPECT_NE(run_shortly({"elsewhere", "--scripts", scripts_.string()}).err.find("a room or a hall_seed, not both"),
-            std::string::npos);
+  EXPECT_NE(
+      run_shortly({"elsewhere", "--scripts", scripts_.string()}).err.find("expected a room or a hall_seed, found both"),
+      std::string::npos);
 }
 
 TEST_F(CommandsTest, ASimulatedTestChoosesWhereItTakesPlace) {

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         UnmeantExperiment{"MisspeltKey", with_line("scenari = \"fallen\""), {}, "did you mean 'scenario'?"},
         UnmeantExperiment{
             "ImpossibleValue", with_line("limit = -1"), {}, ":17: limit: expected a number from 0 to 86400"},
-        UnmeantExperiment{"WrongType", with_line("seconds = \"long\""), {}, ":17: seconds is a number"},
+        UnmeantExperiment{"WrongType", with_line("seconds = \"long\""), {}, ":17: seconds: expected a number"},
         UnmeantExperiment{"TrialsBeyondAllMeasure", "trials = 99999999999999999999\n", {}, "short.toml:1: "},
         UnmeantExperiment{"Letters", "\xFF\xFE\x01 = 3", {}, "short.toml:1: "},
         UnmeantExperiment{"Nothing", "", {}, "title is missing"},

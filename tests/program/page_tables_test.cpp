@@ -133,10 +133,10 @@ TEST(PageTables, NameTheLineOfAMistake) {
   EXPECT_EQ(mistake("\n<!-- rows t.json: trails -->" + end), "line 2: a row has no 'trails' (did you mean 'trials'?)");
   EXPECT_EQ(mistake("<!-- rows gone.json: trials -->" + end), "line 1: gone.json cannot be read");
   EXPECT_EQ(mistake("<!-- rows bad.json: trials -->" + end), "line 1: bad.json is no JSON");
-  EXPECT_EQ(mistake("<!-- rows table.json: trials -->" + end), "line 1: table.json is no list of rows");
+  EXPECT_EQ(mistake("<!-- rows table.json: trials -->" + end), "line 1: table.json is not a list of rows");
   EXPECT_EQ(mistake("<!-- rows t.json: trials | mode = paper -->" + end), "line 1: t.json has no such rows");
   EXPECT_EQ(mistake("<!-- rows t.json -->" + end), "line 1: write FILE.json: columns");
-  EXPECT_EQ(mistake("<!-- rows t.json: trials" + end), "line 1: the comment does not end on its line");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials" + end), "line 1: the comment must end on its line");
   EXPECT_EQ(mistake("<!-- rows t.json: trials -->\n"), "line 1: these rows do not end; add <!-- end of rows -->");
   EXPECT_EQ(mistake("<!-- end of rows -->\n"), "line 1: no rows begin before this end");
   EXPECT_EQ(mistake("<!-- rows t.json: trials -->\n<!-- rows t.json: trials -->" + end),

@@ -201,7 +201,7 @@ TEST(Program, FailsWithAScriptedTestThatFails) {
   const ProgramRun run = run_reorient({"test", "--scripts", scripts.string()});
   EXPECT_EQ(run.code, kWrong);
   EXPECT_NE(run.out.find("tests/wrong_test.lua:4"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find(" 1 failed"), std::string::npos);
+  EXPECT_NE(run.out.find(" 1 failed"), std::string::npos) << run.out;
 }
 
 TEST(MainJob, EndsRight) {

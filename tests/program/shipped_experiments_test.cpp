@@ -186,6 +186,7 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
                                              "gaze",
                                              "learned_mirrored",
                                              "localization",
+                                             "mirrored_placement",
                                              "orientation",
                                              "paper_thresholds",
                                              "peers",
@@ -195,7 +196,6 @@ TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
                                              "symmetry_ladder",
                                              "symmetry_mark",
                                              "table1",
-                                             "mirrored_placement",
                                              "walls"}));
 }
 

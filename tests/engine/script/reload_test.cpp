@@ -375,7 +375,7 @@ TEST_F(ScriptReload, TwoScriptsCannotDeclareOneMachine) {
   load("c", "behavior \"c\" {}");
   const ReloadRecord report = edit("c", "behavior \"b\" {}");
   EXPECT_FALSE(report.accepted);
-  EXPECT_NE(report.fault.message.find("declared in behaviors/b.lua too"), std::string::npos);
+  EXPECT_NE(report.fault.message.find("also declared in behaviors/b.lua"), std::string::npos);
 }
 
 TEST_F(ScriptReload, MemoryStaysFlatOverManyReloads) {

@@ -131,7 +131,7 @@ TEST(BodyFile, WithAMistakeInALensIsRefusedWithItsLine) {
        "expected model \"pinhole\", \"fisheye\" or \"equirectangular\", found \"mirror\""},
       {"focal = [600.0, 600.0]\ndistortion = [-2.0, 0.0]", "the distortion folds back"},
       {"focal = [600.0, 600.0]\ndistortion = [-2.0, 0.0, 0.0, 0.0, 0.1]", "the distortion folds back"},
-      {"focal = [60.0, 60.0]\nmodel = \"equirectangular\"", "the image spans too wide an angle"},
+      {"focal = [60.0, 60.0]\nmodel = \"equirectangular\"", "or the field of view is too wide"},
   };
   for (const auto& [keys, why] : mistakes) {
     const std::string complaint = complaint_about_body(nao_with_lens(keys));

@@ -44,10 +44,10 @@ behavior "wrong" {
   EXPECT_EQ(findings(),
             R"(behaviors/wrong.lua:2:10: error: the machine: unknown initial state 'watchin' (did you mean 'watching'?)
 behaviors/wrong.lua:5:7: error: state 'watching': unknown target state 'gonig' (did you mean 'going'?)
-behaviors/wrong.lua:5:62: error: there is no param 'prof' (did you mean 'proof'?)
+behaviors/wrong.lua:5:62: error: unknown param 'prof' (did you mean 'proof'?)
 behaviors/wrong.lua:6:7: error: state 'watching' leads to 'going' without a condition: add 'when' or 'after'
 behaviors/wrong.lua:6:16: error: when: expected a function, found a number
-behaviors/wrong.lua:7:5: error: there is no 'entr' here (did you mean 'enter'?)
+behaviors/wrong.lua:7:5: error: unknown key 'entr' (did you mean 'enter'?)
 behaviors/wrong.lua:10:19: error: after: expected a non-negative number of seconds
 behaviors/wrong.lua:11:7: error: state 'going' leads to 'watching' without a condition: add 'when' or 'after'
 )");
