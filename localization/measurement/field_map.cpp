@@ -83,6 +83,7 @@ FieldMap::FieldMap(const FieldDimensions& field) {
   add_areas(field, -field.goal_depth, 2.0 * field.goal_post_y, lines);
   const std::vector<Eigen::Vector2d> marks = penalty_marks(field);
   std::vector<double> normals;
+  normals.reserve(lines.size());
   for (const FieldLine& line : lines) normals.push_back(normal_of(line));
   std::vector<NearLine> near_lines;
   for (int row = 0; row < rows_; ++row) {
