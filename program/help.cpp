@@ -109,7 +109,7 @@ HelpFormatter::Entry HelpFormatter::entry_of(const CLI::Option& option) const {
   if (!placeholder.empty()) name.append(name.empty() ? "" : " ").append(placeholder);
 
   constexpr const char* kDefault = " (default: ";
-  const std::string description = option.get_description();
+  const std::string& description = option.get_description();
   const std::size_t end = std::min(description.rfind(kDefault), description.size());
   std::string text = description.substr(0, end);
   text += allowed_by(option, text);
