@@ -19,7 +19,7 @@ struct RobotInstance {
   std::unique_ptr<Robot> robot;
   RobotBody body;
   Clock clock = Clock::simulated;
-  Operator* the_operator = nullptr;          ///< part of the robot; nullptr: nobody can disturb it
+  Operator* the_operator = nullptr;          ///< part of the robot; nullptr: it cannot be lifted or placed
   const GroundTruthSource* truth = nullptr;  ///< part of the robot; nullptr: nobody knows
 };
 
