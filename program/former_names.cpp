@@ -26,18 +26,16 @@ constexpr std::pair<std::string_view, std::string_view> kFormerParameters[] = {
 /// Scenarios, and the experiments of the same name.
 constexpr std::pair<std::string_view, std::string_view> kFormerScenarios[] = {{"turned_round", "mirrored_placement"}};
 
-bool names_field(std::span<const LuaToken> tokens, const WorldField& field) {
-  for (std::size_t i = 2; i < tokens.size(); ++i) {
-    if (tokens[i - 2].is(LuaToken::Kind::name, field.table) && tokens[i - 1].is_symbol(".") &&
-        tokens[i].is(LuaToken::Kind::name, field.name))
-      return true;
-  }
-  return false;
+/// `where`: "team.toml:7", or empty.
+void warn_of(const std::string& where, std::string_view former, std::string_view present) {
+  spdlog::warn("{}{} is a former name: use {}", where.empty() ? "" : where + ": ", former, present);
 }
 
-bool names_table(std::span<const LuaToken> tokens, const FormerTable& table) {
+/// Whether "table.field" or, without a field, "table." is in the script.
+bool has_name(std::span<const LuaToken> tokens, std::string_view table, std::string_view field = {}) {
   for (std::size_t i = 1; i < tokens.size(); ++i) {
-    if (tokens[i - 1].is(LuaToken::Kind::name, table.name) && tokens[i].is_symbol(".")) return true;
+    if (!tokens[i - 1].is(LuaToken::Kind::name, table) || !tokens[i].is_symbol(".")) continue;
+    if (field.empty() || (i + 1 < tokens.size() && tokens[i + 1].is(LuaToken::Kind::name, field))) return true;
   }
   return false;
 }
@@ -47,7 +45,7 @@ bool names_table(std::span<const LuaToken> tokens, const FormerTable& table) {
 std::string present_name(const std::string& name) {
   for (const auto& [former, present] : kFormerScenarios) {
     if (name != former) continue;
-    spdlog::warn("{} is a former name: use {}", former, present);
+    warn_of({}, former, present);
     return std::string(present);
   }
   return name;
@@ -59,8 +57,7 @@ std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> cha
       if (!change.name.starts_with(std::string(former) + ".")) continue;
       if (scripts.find("scenarios/" + std::string(former) + ".lua") != nullptr) continue;
       const std::string name = std::string(present) + change.name.substr(former.size());
-      spdlog::warn("{}{} is a former name: use {}", change.source.empty() ? "" : change.source + ": ", change.name,
-                   name);
+      warn_of(change.source, change.name, name);
       change.name = name;
     }
     if (change.name == "trial.event") change.value = present_name(change.value);
@@ -84,17 +81,18 @@ std::set<std::string> files_of(const FrameLoop& engine) {
 }
 
 void warn_of_former_fields(const ScriptTexts& scripts, const std::set<std::string>& files) {
+  const ScenarioLanguage scenarios;
   for (const std::string& file : files) {
     const ScriptText* const script = scripts.find(file);
     if (script == nullptr) continue;
     const std::vector<LuaToken> tokens = lua_tokens(script->text);
+    const std::string where = scripts.root() + "/" + file;
     for (const WorldField& field : world_fields()) {
-      if (!field.replacement.empty() && names_field(tokens, field))
-        spdlog::warn("{}/{}: {} is a former name: use {}", scripts.root(), file, field.full_name(), field.replacement);
+      if (!field.replacement.empty() && has_name(tokens, field.table, field.name))
+        warn_of(where, field.full_name(), field.replacement);
     }
-    for (const FormerTable& table : ScenarioLanguage().former_tables()) {
-      if (names_table(tokens, table))
-        spdlog::warn("{}/{}: {} is a former name: use {}", scripts.root(), file, table.name, table.replacement);
+    for (const FormerTable& table : scenarios.former_tables()) {
+      if (has_name(tokens, table.name)) warn_of(where, table.name, table.replacement);
     }
   }
 }

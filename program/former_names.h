@@ -15,8 +15,8 @@ namespace reorient {
 /// The present name of a scenario or an experiment of earlier versions: with one warning where it is another.
 std::string present_name(const std::string& name);
 
-/// With the present names of parameters of scenarios; those of a scenario that `scripts` still has under its former
-/// name stay.
+/// With the present names of parameters of scenarios and of the choice of trial.event; parameters of a scenario that
+/// `scripts` still has under its former name stay.
 std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> changes, const ScriptTexts& scripts);
 
 /// False if it is not a former name.

@@ -71,9 +71,9 @@ void choose_as_told(const SessionOptions& options, Experiment& experiment) {
 
 /// The experiment with the changes of the command line.
 Experiment wanted_experiment(const SessionOptions& options) {
-  const bool is_file = found_file("experiments", options.experiment).has_value();
-  const std::string named = is_file ? options.experiment : present_name(options.experiment);
-  Experiment experiment = read_experiment(named_file("experiment", named), named_condition);
+  std::optional<std::filesystem::path> file = found_file("experiments", options.experiment);
+  if (!file) file = named_file("experiment", present_name(options.experiment));
+  Experiment experiment = read_experiment(*file, named_condition);
   if (options.trials) experiment.trials = *options.trials;
   choose_as_told(options, experiment);
   if (options.rooms.empty()) return experiment;

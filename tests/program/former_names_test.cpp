@@ -14,32 +14,27 @@
 namespace reorient {
 namespace {
 
-struct FinishedRun {
-  int code = 0;
-  std::string out, err;
-};
-
 /// The program as a process of its own, since its log is not part of what run_reorient() returns.
-FinishedRun run_child(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+ProgramRun run_child(const std::filesystem::path& folder, const std::vector<std::string>& words) {
   ChildProgram program(folder, words);
   const int code = program.wait();
-  return {code, read_text(folder / "out.txt"), read_text(folder / "err.txt")};
+  return {code, program.out(), program.err()};
 }
 
-FinishedRun run_for_a_moment(const std::filesystem::path& folder, std::vector<std::string> words) {
+ProgramRun run_for_a_moment(const std::filesystem::path& folder, std::vector<std::string> words) {
   for (const char* const one : {"--width", "160", "--no-pictures", "--seconds", "2"}) words.emplace_back(one);
   return run_child(folder, words);
 }
 
-std::string digest_line(const FinishedRun& run) {
+std::string digest_line(const ProgramRun& run) {
   const std::size_t begin = run.out.find("digest: ");
   return begin == std::string::npos ? "none: " + run.err : run.out.substr(begin, 24);
 }
 
 TEST(FormerNames, OfAScenarioAndItsParametersGiveTheSameRun) {
   const TemporaryFolder folder;
-  const FinishedRun former = run_for_a_moment(folder.path(), {"run", "turned_round", "--set", "turned_round.learn=1"});
-  const FinishedRun present =
+  const ProgramRun former = run_for_a_moment(folder.path(), {"run", "turned_round", "--set", "turned_round.learn=1"});
+  const ProgramRun present =
       run_for_a_moment(folder.path(), {"run", "mirrored_placement", "--set", "mirrored_placement.learn=1"});
   EXPECT_EQ(digest_line(former), digest_line(present));
   EXPECT_NE(former.err.find("turned_round is a former name: use mirrored_placement"), std::string::npos) << former.err;
@@ -49,14 +44,14 @@ TEST(FormerNames, OfAScenarioAndItsParametersGiveTheSameRun) {
 
 TEST(FormerNames, OfAChoiceIsAccepted) {
   const TemporaryFolder folder;
-  const FinishedRun run = run_for_a_moment(folder.path(), {"run", "trial", "--set", "trial.event=turned_round"});
+  const ProgramRun run = run_for_a_moment(folder.path(), {"run", "trial", "--set", "trial.event=turned_round"});
   EXPECT_NE(run.err.find("turned_round is a former name: use mirrored_placement"), std::string::npos) << run.err;
   EXPECT_NE(digest_line(run).find("digest: "), std::string::npos) << run.err;
 }
 
 TEST(FormerNames, OfAnExperimentIsAccepted) {
   const TemporaryFolder folder;
-  const FinishedRun run = run_child(folder.path(), {"experiment", "turned_round", "--plan"});
+  const ProgramRun run = run_child(folder.path(), {"experiment", "turned_round", "--plan"});
   EXPECT_EQ(run.code, kSuccess) << run.err;
   EXPECT_NE(run.err.find("turned_round is a former name: use mirrored_placement"), std::string::npos) << run.err;
 }
@@ -71,7 +66,7 @@ TEST(FormerNames, OfATableAndOfFieldsStillWorkInScripts) {
       verdict.succeed("all are there")
     end
   end } })");
-  const FinishedRun run = run_for_a_moment(folder.path(), {"run", "old", "--scripts", scripts.string()});
+  const ProgramRun run = run_for_a_moment(folder.path(), {"run", "old", "--scripts", scripts.string()});
   EXPECT_EQ(run.code, kSuccess) << run.out << run.err;
   for (const char* const name : {"experimenter is a former name: use operator",
                                  "robot.undisturbed_for is a former name: use robot.time_since_disturbance",
@@ -86,7 +81,7 @@ TEST(FormerNames, OfAScenarioThatATeamStillHasIsTheirs) {
   folder.write("scripts/scenarios/turned_round.lua", R"(local p = param { learn = { 1.0, range = { 0, 9 }, doc = "x" } }
 scenario "turned_round" { initial = "a", state "a" {
   update = function() if p.learn == 7 then verdict.succeed("it is ours") end end } })");
-  const FinishedRun run = run_for_a_moment(
+  const ProgramRun run = run_for_a_moment(
       folder.path(), {"run", "turned_round", "--scripts", scripts.string(), "--set", "turned_round.learn=7"});
   EXPECT_EQ(run.code, kSuccess) << run.out << run.err;
   EXPECT_EQ(run.err.find("former name"), std::string::npos) << run.err;
@@ -101,7 +96,7 @@ TEST(FormerNames, OfAFieldSetItInAScriptedTest) {
   advance(0.1)
   expect.equal(world_value("robot.time_since_disturbance"), 7)
 end))");
-  const FinishedRun run = run_child(folder.path(), {"test", (scripts / "tests/old_test.lua").string()});
+  const ProgramRun run = run_child(folder.path(), {"test", (scripts / "tests/old_test.lua").string()});
   EXPECT_EQ(run.code, 0) << run.out << run.err;
 }
 
@@ -110,7 +105,7 @@ TEST(FormerNames, OfATableIsAFindingOfTheCheck) {
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/scenarios/old.lua",
                "scenario \"old\" { initial = \"a\", state \"a\" { enter = function() experimenter.pick_up() end } }");
-  const FinishedRun run = run_child(folder.path(), {"check", "--scripts", scripts.string()});
+  const ProgramRun run = run_child(folder.path(), {"check", "--scripts", scripts.string()});
   EXPECT_NE(run.out.find("warning: experimenter is a former name: use operator"), std::string::npos) << run.out;
 }
 

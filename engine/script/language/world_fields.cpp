@@ -302,7 +302,7 @@ double checked_value(const WorldField& field, const WorldValue& value) {
                            did_you_mean(value.name, known));
 }
 
-void write_world(World& world, std::string_view table, std::string_view name, const WorldValue& value) {
+const WorldField& write_world(World& world, std::string_view table, std::string_view name, const WorldValue& value) {
   const std::span<const WorldField> all = world_fields();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].table != table || all[i].name != name) continue;
@@ -323,7 +323,7 @@ void write_world(World& world, std::string_view table, std::string_view name, co
           }
         },
         kFields[i].access);
-    return;
+    return all[i];
   }
   std::vector<std::string> known;
   for (const WorldField& field : all) known.push_back(field.full_name());

@@ -27,7 +27,8 @@ struct WorldValue {
   double number = 0.0;  ///< of a boolean: 0 or 1
   std::string_view name;
 };
-void write_world(World& world, std::string_view table, std::string_view name, const WorldValue& value);
+/// Returns the field, whose name may be a former one.
+const WorldField& write_world(World& world, std::string_view table, std::string_view name, const WorldValue& value);
 
 /// The number that a value stands for in this field. Throws as write_world().
 double checked_value(const WorldField& field, const WorldValue& value);

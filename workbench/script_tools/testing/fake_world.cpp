@@ -21,15 +21,6 @@ void apply(Reorientation reorientation, Confidences& confidence, const Confidenc
   }
 }
 
-/// "robot.time_since_disturbance", also of a former name of that field.
-std::string present_name(std::string_view table, std::string_view name) {
-  const std::span<const WorldField> all = world_fields();
-  const auto field =
-      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.table == table && one.name == name; });
-  if (field != all.end() && !field->replacement.empty()) return std::string(field->replacement);
-  return std::string(table) + "." + std::string(name);
-}
-
 }  // namespace
 
 FakeWorld::FakeWorld(ParameterRegistry& parameters, double stood_for)
@@ -43,8 +34,8 @@ FakeWorld::FakeWorld(ParameterRegistry& parameters, double stood_for)
 void FakeWorld::set(std::string_view table, std::string_view name, const WorldValue& value) {
   if (table == "clock")
     throw std::runtime_error("clock." + std::string(name) + " cannot be set: advance(SECONDS) lets time pass");
-  write_world(world_, table, name, value);
-  set_.insert(present_name(table, name));
+  const WorldField& field = write_world(world_, table, name, value);
+  set_.insert(field.replacement.empty() ? field.full_name() : std::string(field.replacement));
   if (table == "pose" && (name == "x" || name == "y" || name == "rotation")) is_pose_set_ = true;
 }
 
